@@ -1,0 +1,27 @@
+#pragma once
+/// From a folder to Hounsfield units, in two steps: headers first, pixels when asked for.
+
+#include <filesystem>
+
+#include "dicom/series.h"
+#include "render/base/progress.h"
+#include "render/base/result.h"
+
+namespace pdr::dicom {
+
+/// Reads the headers of every file below `folder` (any name, any depth, links not followed) and sorts them into series.
+/// A stray, damaged or foreign file never spoils the rest. Errors: no such folder, a file given for a folder, no
+/// permission, nothing DICOM in it, cancelled.
+Result<ScanResult> scanFolder(const std::filesystem::path& folder, const Progress& progress);
+
+enum class Padding {
+    maskAsAir,  ///< padding voxels become Volume::kAirHu and are flagged
+    keep,       ///< padding voxels keep the stored HU (flagged too); for checksums only
+};
+
+/// Decodes the pixels of `series` into HU = stored * slope + intercept, rounded to int16, slices in the order given.
+/// Needs verdict.loadable(); `Padding::keep` also takes any stack whose slices agree in size.
+/// Errors: the verdict's reason, a file that went away or is damaged (named), not enough memory (figures), cancelled.
+Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress);
+
+}  // namespace pdr::dicom

@@ -1,0 +1,81 @@
+#pragma once
+/// What a scan of a folder found, as plain data. No DCMTK type, no pixels.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/volume/volume.h"
+
+namespace pdr::dicom {
+
+/// Who was scanned. For the screen only: nothing here may reach a file, a log or the network. UTF-8.
+struct PatientFacts {
+    std::string name, id, birthDate, sex;
+};
+
+struct StudyFacts {
+    std::string uid, date, description;
+};
+
+struct SeriesFacts {
+    std::string uid, modality, description, date;
+    int number = 0;
+};
+
+/// What the slices are as a stack.
+enum class Stack {
+    even,              ///< upright and evenly spaced: can be loaded
+    singleSlice,       ///< one slice has no slice distance
+    gap,               ///< a slice is missing, or the distances differ
+    doubled,           ///< two different slices at the same position
+    tilted,            ///< the stack drifts sideways (gantry tilt)
+    mixedOrientation,  ///< slices look in different directions
+    mixedSize,         ///< slices differ in rows, columns or pixel spacing
+    noGeometry,        ///< position, orientation or pixel spacing is absent or not a number
+    notCt,             ///< localizer, colour capture, other modality, no pixels
+    unreadable,        ///< damaged, truncated or in a coding that cannot be read
+};
+
+struct GeometryVerdict {
+    Stack stack = Stack::noGeometry;
+    /// A sentence that names files and millimetres ("a.dcm and b.dcm are 10 mm apart, the others 5 mm"); empty for `even`.
+    std::string reason;
+    /// Harmless remarks ("1 copy of a slice left out"), one sentence each.
+    std::vector<std::string> notes;
+
+    bool loadable() const { return stack == Stack::even; }
+};
+
+/// One image of a series: a file, and the frame in it (0 for single-frame files).
+struct SliceRef {
+    std::filesystem::path file;
+    int frame = 0;
+};
+
+struct Series {
+    PatientFacts patient;
+    StudyFacts study;
+    SeriesFacts series;
+    GeometryVerdict verdict;
+    /// Ascending along the normal (row direction x column direction). File order where there is no geometry.
+    std::vector<SliceRef> slices;
+    /// Meaningful for Stack::even; otherwise only `size` is filled where the slices agree on it.
+    VolumeGeometry geometry;
+};
+
+/// A file that looked like DICOM but could not be used at all, with the reason.
+struct Problem {
+    std::filesystem::path file;
+    std::string reason;
+};
+
+struct ScanResult {
+    std::vector<Series> series;      ///< loadable ones first, larger first
+    std::vector<Problem> problems;   ///< damaged files, by name
+    int filesSeen = 0;
+    int notDicom = 0;                ///< files skipped because they are something else
+};
+
+}  // namespace pdr::dicom

@@ -1,0 +1,19 @@
+#pragma once
+/// How a long step says how far it is, and learns that it should stop.
+
+#include <functional>
+#include <string_view>
+
+namespace pdr {
+
+/// Called now and then from the thread that works.
+///   fraction  done so far, [0, 1]        step  what is being done, for the user ("reading slices")
+/// Returns false to cancel: the step then ends soon with an Error whose `what` is "cancelled".
+using Progress = std::function<bool(double fraction, std::string_view step)>;
+
+/// The Progress of somebody who does not care.
+inline bool noProgress(double, std::string_view) {
+    return true;
+}
+
+}  // namespace pdr

@@ -1,0 +1,65 @@
+#pragma once
+/// What a border function hands back: a value, or an Error written for the person at the screen.
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace pdr {
+
+/// A failure in three short parts, each a plain sentence or phrase in the user's words.
+///   what    what went wrong                    "slices 41 and 42 are 6 mm apart, the others 2 mm"
+///   where   the file, series or field          "/data/ct/series3"
+///   hint    what to do next; may be empty      "Import the part above slice 41."
+struct Error {
+    std::string what;
+    std::string where;
+    std::string hint;
+
+    /// One line: "where: what. hint"
+    std::string text() const {
+        std::string line = where.empty() ? what : where + ": " + what;
+        if (!hint.empty())
+            line += (line.empty() || line.back() == '.' ? " " : ". ") + hint;
+        return line;
+    }
+};
+
+/// Either a T or an Error. Asking for the part that is not there is a programming error (std::get throws).
+template <class T>
+class [[nodiscard]] Result {
+  public:
+    Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}
+    Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}
+
+    explicit operator bool() const { return content_.index() == 0; }
+    T& value() & { return std::get<0>(content_); }
+    const T& value() const& { return std::get<0>(content_); }
+    T&& value() && { return std::get<0>(std::move(content_)); }
+    const Error& error() const { return std::get<1>(content_); }
+    T* operator->() { return &value(); }
+    const T* operator->() const { return &value(); }
+    T& operator*() & { return value(); }
+    const T& operator*() const& { return value(); }
+    T&& operator*() && { return std::move(*this).value(); }
+
+  private:
+    std::variant<T, Error> content_;
+};
+
+/// Success without a value, or an Error.
+template <>
+class [[nodiscard]] Result<void> {
+  public:
+    Result() = default;
+    Result(Error error) : error_(std::move(error)), ok_(false) {}
+
+    explicit operator bool() const { return ok_; }
+    const Error& error() const { return error_; }
+
+  private:
+    Error error_;
+    bool ok_ = true;
+};
+
+}  // namespace pdr

@@ -1,0 +1,34 @@
+#pragma once
+/// Something that can take samples: the CPU, a GPU, later another machine.
+
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include "render/base/result.h"
+#include "render/film/tile.h"
+#include "render/scene/flatten.h"
+
+namespace pdr {
+
+struct DeviceInfo {
+    std::string name;     ///< "cpu"
+    std::string details;  ///< for the user: "2 threads"
+};
+
+class Device {
+  public:
+    virtual ~Device() = default;
+
+    virtual DeviceInfo info() const = 0;
+    /// Takes the scene that the next render() calls use. Errors: it does not fit (figures: needed, free).
+    virtual Result<void> upload(std::shared_ptr<const PreparedScene> scene) = 0;
+    /// Adds `samples` of every pixel of `tile` to `sums`, in order. Blocks until done. After a stop request it returns
+    /// early and the sums are worthless.
+    virtual Result<void> render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) = 0;
+};
+
+/// The CPU with `threads` threads; 0 = one per core.
+std::unique_ptr<Device> makeCpuDevice(int threads = 0);
+
+}  // namespace pdr

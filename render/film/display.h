@@ -1,0 +1,11 @@
+#pragma once
+/// How linear radiance becomes what a screen shows. Changing it never restarts a rendering.
+
+namespace pdr {
+
+struct Display {
+    float exposure = 1;  ///< radiance that is shown as 1 - 1/e; (0, 1e30]
+    bool operator==(const Display&) const = default;
+};
+
+}  // namespace pdr

@@ -1,0 +1,72 @@
+#pragma once
+/// What has been learned about the image: mean and variance per pixel and channel, over any number of samples.
+///   order   row by row from the top; pixel (x, y) at y * width + x        radiance   linear Rec. 709
+/// Stays right for 1e7 iterations: blocks of 64 samples in double, merged by Chan's formula.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/base/portable.h"
+#include "render/film/tile.h"
+
+namespace pdr {
+
+/// One pixel, as far as it is known.
+struct PixelEstimate {
+    dvec3 mean{0.0};
+    dvec3 standardError{0.0};  ///< of the mean; 0 below 2 samples
+    std::uint64_t count = 0;
+};
+
+/// The state of a whole image in a few numbers.
+struct FilmStatus {
+    std::uint64_t samplesPerPixel = 0;
+    std::uint64_t rejectedSamples = 0;
+    double meanLuminance = 0;
+    /// Root mean square over pixels of the luminance's standard error, divided by the mean luminance. Infinite below
+    /// 2 samples or when the image is black... and 0 for a black image whose variance is 0.
+    double relativeError = 0;
+};
+
+class Film {
+  public:
+    Film(ivec2 size, std::uint64_t revision);
+
+    ivec2 size() const { return size_; }
+    std::uint64_t revision() const { return revision_; }
+    std::uint64_t samplesPerPixel() const { return samples_; }
+
+    /// The next samples to take: at most `wanted`, never across a block's end.
+    SampleRange nextSamples(std::uint32_t wanted) const;
+    /// The running block's sums of the pixels in `tile`; a device adds to them.
+    TileSums sums(const Tile& tile);
+    /// Tells that all pixels have got the samples of `range`; merges the block when it is full.
+    void commit(SampleRange range);
+
+    PixelEstimate pixel(int x, int y) const;
+    FilmStatus status() const;
+
+  private:
+    struct Moments {
+        dvec3 mean{0.0};
+        dvec3 m2{0.0};  ///< sum of squared deviations from the mean
+        std::uint64_t count = 0;
+        std::uint64_t rejected = 0;
+    };
+    static Moments merged(const Moments& moments, const PixelSums& block);
+    Moments at(std::size_t index) const;
+
+    ivec2 size_;
+    std::uint64_t revision_;
+    std::uint64_t samples_ = 0;
+    std::vector<PixelSums> block_;
+    std::vector<Moments> moments_;
+};
+
+/// Rec. 709 luminance.
+inline double luminance(dvec3 rgb) {
+    return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722));
+}
+
+}  // namespace pdr

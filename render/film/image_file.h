@@ -1,0 +1,35 @@
+#pragma once
+/// Pictures on disk, never with anything of a patient. Written beside and renamed into place: an error leaves the old
+/// file as it was.
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "render/base/result.h"
+#include "render/film/display.h"
+#include "render/film/film.h"
+
+namespace pdr {
+
+/// How a picture came about: samples, seconds, seed, model, extinction scale, program version.
+struct Provenance {
+    std::uint64_t samplesPerPixel = 0;
+    double seconds = 0;
+    double relativeError = 0;
+    std::uint64_t rejectedSamples = 0;
+    std::uint64_t seed = 0;
+    std::string model;
+    double extinctionPerMm = 0;
+    std::string program;  ///< "PD-Render 0.1.0"
+};
+
+/// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks.
+Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
+                      const std::filesystem::path& path);
+
+/// Scene-linear OpenEXR: R, G, B and error.R, error.G, error.B (standard error of the mean), float, with the provenance
+/// as attributes.
+Result<void> writeExr(const Film& film, const Provenance& provenance, const std::filesystem::path& path);
+
+}  // namespace pdr

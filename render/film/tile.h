@@ -1,0 +1,40 @@
+#pragma once
+/// A piece of the image, a range of samples, and the sums that a device adds them to.
+
+#include <cstdint>
+#include <span>
+
+#include "render/base/portable.h"
+
+namespace pdr {
+
+/// Pixels [x, x + width) x [y, y + height) of the image; y down. Inside the image.
+struct Tile {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Samples [first, first + count) of every pixel. Never crosses a multiple of kSamplesPerBlock.
+struct SampleRange {
+    std::uint64_t first = 0;
+    std::uint32_t count = 0;
+};
+
+/// Samples are summed in blocks of this many, then merged into the film's mean and variance: the block keeps the sum
+/// exact enough for 1e7 iterations, and its fixed place in the sequence keeps the image independent of how the work was cut.
+inline constexpr std::uint32_t kSamplesPerBlock = 64;
+
+/// Sums of the samples of one pixel in the running block; linear Rec. 709. Samples are added in order.
+struct PixelSums {
+    dvec3 sum{0.0};
+    dvec3 sumOfSquares{0.0};
+    std::uint32_t count = 0;     ///< samples added
+    std::uint32_t rejected = 0;  ///< samples left out because they were NaN, infinite or negative
+};
+
+/// A view of the sums of a tile: pixel (x, y) of the image is at (y - tile.y) * stride + (x - tile.x).
+struct TileSums {
+    PixelSums* pixels = nullptr;
+    int stride = 0;
+};
+
+}  // namespace pdr

@@ -1,0 +1,18 @@
+#pragma once
+/// Linear radiance to display levels: 1 - exp(-L / exposure) per channel, then the sRGB curve (IEC 61966-2-1), rounded.
+
+#include <cstdint>
+#include <vector>
+
+#include "render/film/display.h"
+#include "render/film/film.h"
+
+namespace pdr {
+
+/// One channel: 0 for L <= 0, 255 for +infinity, monotone in L.
+std::uint8_t displayLevel(double radiance, const Display& display);
+
+/// The whole film as RGBA8 bytes (alpha 255), row by row from the top.
+std::vector<std::uint8_t> toneMap(const Film& film, const Display& display);
+
+}  // namespace pdr

@@ -1,0 +1,45 @@
+#pragma once
+/// What lights the scene. Patient space (LPS, mm); radiance and irradiance linear Rec. 709.
+
+#include <variant>
+
+#include "render/base/portable.h"
+
+namespace pdr {
+
+/// Parallel light.
+struct DirectionalLight {
+    dvec3 direction{0, 1, 0};  ///< the way the light travels; any length but 0
+    vec3 irradiance{1.0f};     ///< on a plane facing the light; [0, 1e30]
+    bool operator==(const DirectionalLight&) const = default;
+};
+
+/// A flat panel that shines to the side of its normal.
+struct RectangleLight {
+    dvec3 centreMm{0};
+    dvec3 normal{0, 1, 0};  ///< any length but 0
+    dvec3 up{0, 0, 1};      ///< not along the normal
+    double widthMm = 100;   ///< (0, 1e9]
+    double heightMm = 100;  ///< (0, 1e9]
+    vec3 radiance{1.0f};    ///< [0, 1e30]
+    bool operator==(const RectangleLight&) const = default;
+};
+
+/// A ball that shines to all sides.
+struct SphereLight {
+    dvec3 centreMm{0};
+    double radiusMm = 50;  ///< (0, 1e9]
+    vec3 radiance{1.0f};   ///< [0, 1e30]
+    bool operator==(const SphereLight&) const = default;
+};
+
+using Light = std::variant<DirectionalLight, RectangleLight, SphereLight>;
+
+/// Light from all around, the same from everywhere.
+struct Environment {
+    vec3 radiance{0.0f};  ///< [0, 1e30]
+    bool visible = true;  ///< whether the camera sees it behind the volume
+    bool operator==(const Environment&) const = default;
+};
+
+}  // namespace pdr

@@ -1,0 +1,57 @@
+#include "render/volume/volume.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace pdr {
+
+dvec3 VolumeGeometry::spacingMm() const {
+    return {glm::length(dvec3(patientFromIndex[0])), glm::length(dvec3(patientFromIndex[1])),
+            glm::length(dvec3(patientFromIndex[2]))};
+}
+
+std::size_t VolumeGeometry::voxelCount() const {
+    return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+}
+
+dvec3 VolumeGeometry::centreMm() const {
+    return dvec3(patientFromIndex * dvec4((dvec3(size) - 1.0) * 0.5, 1.0));
+}
+
+double VolumeGeometry::radiusMm() const {
+    return 0.5 * glm::length(dvec3(patientFromIndex * dvec4(dvec3(size), 0.0)));
+}
+
+VolumeGeometry VolumeGeometry::aligned(ivec3 size, dvec3 spacingMm, dvec3 originMm) {
+    dmat4 map(1.0);
+    for (int axis = 0; axis < 3; ++axis)
+        map[axis][axis] = spacingMm[axis];
+    map[3] = dvec4(originMm, 1.0);
+    return {size, map};
+}
+
+Volume::Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding)
+    : geometry_(geometry), voxels_(std::move(voxels)), padding_(std::move(padding)) {
+    assert(voxels_.size() == geometry_.voxelCount());
+    assert(padding_.empty() || padding_.size() == voxels_.size());
+    if (padding_.empty()) {
+        const auto [low, high] = std::minmax_element(voxels_.begin(), voxels_.end());
+        lowestHu_ = *low;
+        highestHu_ = *high;
+        return;
+    }
+    paddingCount_ = std::size_t(std::count(padding_.begin(), padding_.end(), true));
+    if (paddingCount_ == voxels_.size())
+        return;
+    lowestHu_ = INT16_MAX;
+    highestHu_ = INT16_MIN;
+    for (std::size_t i = 0; i < voxels_.size(); ++i) {
+        if (padding_[i])
+            continue;
+        lowestHu_ = std::min(lowestHu_, voxels_[i]);
+        highestHu_ = std::max(highestHu_, voxels_[i]);
+    }
+}
+
+}  // namespace pdr

@@ -1,0 +1,62 @@
+#pragma once
+/// A CT scan as a regular grid.
+///   voxels   x fastest, then y, then z; voxel (i,j,k) is centred at patientFromIndex * (i,j,k,1)
+///   values   Hounsfield units, int16        lengths  millimetres, patient space LPS (+x left, +y posterior, +z head)
+/// Immutable once built. Knows no DICOM, no transfer function, no GPU.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/base/portable.h"
+
+namespace pdr {
+
+/// Where a grid lies in the patient.
+struct VolumeGeometry {
+    ivec3 size{0};               ///< voxels along i, j, k; each >= 1
+    dmat4 patientFromIndex{1.0};  ///< affine, mm; columns 0..2 are one step along i, j, k; column 3 is the centre of voxel (0,0,0)
+
+    /// Distance between voxel centres along i, j, k [mm].
+    dvec3 spacingMm() const;
+    /// i x j x k as a 64-bit count.
+    std::size_t voxelCount() const;
+    /// Centre of the box of all voxels (voxel extents included), patient space [mm].
+    dvec3 centreMm() const;
+    /// Half the diagonal of that box [mm].
+    double radiusMm() const;
+
+    /// A grid whose axes are the patient's, for phantoms and raw files. `originMm` is the centre of voxel (0,0,0).
+    static VolumeGeometry aligned(ivec3 size, dvec3 spacingMm, dvec3 originMm);
+};
+
+class Volume {
+  public:
+    /// HU of the air that stands where the scanner had nothing to say (padding).
+    static constexpr std::int16_t kAirHu = -1024;
+
+    /// `voxels` holds geometry.voxelCount() values. `padding` is empty or has one flag per voxel: true = the scanner
+    /// measured nothing there. Such voxels should hold kAirHu; statistics leave them out.
+    Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding = {});
+
+    const VolumeGeometry& geometry() const { return geometry_; }
+    ivec3 size() const { return geometry_.size; }
+    std::span<const std::int16_t> voxels() const { return voxels_; }
+    bool isPadding(std::size_t index) const { return !padding_.empty() && padding_[index]; }
+    std::size_t paddingCount() const { return paddingCount_; }
+
+    /// Smallest and largest HU of what was measured (padding left out; {kAirHu, kAirHu} if all is padding).
+    std::int16_t lowestHu() const { return lowestHu_; }
+    std::int16_t highestHu() const { return highestHu_; }
+
+  private:
+    VolumeGeometry geometry_;
+    std::vector<std::int16_t> voxels_;
+    std::vector<bool> padding_;
+    std::size_t paddingCount_ = 0;
+    std::int16_t lowestHu_ = kAirHu;
+    std::int16_t highestHu_ = kAirHu;
+};
+
+}  // namespace pdr
