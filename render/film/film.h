@@ -24,8 +24,8 @@ struct FilmStatus {
     std::uint64_t samplesPerPixel = 0;
     std::uint64_t rejectedSamples = 0;
     double meanLuminance = 0;
-    /// Root mean square over pixels of the luminance's standard error, divided by the mean luminance. Infinite below
-    /// 2 samples or when the image is black... and 0 for a black image whose variance is 0.
+    /// Root mean square over pixels of the standard error (its luminance), divided by the mean luminance. Infinite below
+    /// 2 samples; 0 for an image without noise.
     double relativeError = 0;
 };
 
@@ -55,6 +55,7 @@ class Film {
         std::uint64_t rejected = 0;
     };
     static Moments merged(const Moments& moments, const PixelSums& block);
+    static dvec3 standardErrorOf(const Moments& moments);
     Moments at(std::size_t index) const;
 
     ivec2 size_;

@@ -1,0 +1,88 @@
+#include "render/film/film.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pdr {
+
+Film::Film(ivec2 size, std::uint64_t revision)
+    : size_(size), revision_(revision), block_(std::size_t(size.x) * size.y), moments_(block_.size()) {}
+
+SampleRange Film::nextSamples(std::uint32_t wanted) const {
+    const std::uint32_t room = kSamplesPerBlock - std::uint32_t(samples_ % kSamplesPerBlock);
+    return {samples_, std::min(wanted, room)};
+}
+
+TileSums Film::sums(const Tile& tile) {
+    return {block_.data() + std::size_t(tile.y) * size_.x + tile.x, size_.x};
+}
+
+void Film::commit(SampleRange range) {
+    samples_ = range.first + range.count;
+    if (samples_ % kSamplesPerBlock != 0)
+        return;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, block_.size(), 4096), [&](const auto& pixels) {
+        for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
+            moments_[i] = merged(moments_[i], block_[i]);
+            block_[i] = {};
+        }
+    });
+}
+
+/// Chan, Golub & LeVeque 1979: the moments of two sets from the moments of each.
+Film::Moments Film::merged(const Moments& moments, const PixelSums& block) {
+    Moments result = moments;
+    result.rejected += block.rejected;
+    if (block.count == 0)
+        return result;
+    const double n = block.count;
+    const dvec3 blockMean = block.sum / n;
+    const dvec3 blockM2 = glm::max(block.sumOfSquares - block.sum * blockMean, dvec3(0.0));
+    const double total = double(moments.count) + n;
+    const dvec3 delta = blockMean - moments.mean;
+    result.mean += delta * (n / total);
+    result.m2 += blockM2 + delta * delta * (double(moments.count) * n / total);
+    result.count += block.count;
+    return result;
+}
+
+dvec3 Film::standardErrorOf(const Moments& moments) {
+    if (moments.count < 2)
+        return dvec3(0.0);
+    return glm::sqrt(moments.m2 / (double(moments.count) * double(moments.count - 1)));
+}
+
+Film::Moments Film::at(std::size_t index) const {
+    return merged(moments_[index], block_[index]);
+}
+
+PixelEstimate Film::pixel(int x, int y) const {
+    const Moments moments = at(std::size_t(y) * size_.x + x);
+    return {moments.mean, standardErrorOf(moments), moments.count};
+}
+
+FilmStatus Film::status() const {
+    FilmStatus status{.samplesPerPixel = samples_};
+    double sum = 0, squaredErrors = 0;
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+        const Moments moments = at(i);
+        status.rejectedSamples += moments.rejected;
+        sum += luminance(moments.mean);
+        const double error = luminance(standardErrorOf(moments));
+        squaredErrors += error * error;
+    }
+    const double pixels = double(moments_.size());
+    status.meanLuminance = sum / pixels;
+    const double error = std::sqrt(squaredErrors / pixels);
+    if (samples_ < 2)
+        status.relativeError = std::numeric_limits<double>::infinity();
+    else if (error > 0)
+        status.relativeError = error / status.meanLuminance;
+    return status;
+}
+
+}  // namespace pdr

@@ -1,0 +1,45 @@
+#pragma once
+/// The volume between its voxels: trilinear interpolation in float, borders clamped, and its gradient.
+
+#include "render/kernel/flat_scene.h"
+
+namespace pdr {
+
+/// HU at `position` (index space). Where all eight voxels agree the result is exactly theirs.
+PDR_HD inline float hounsfield(const FlatVolume& volume, vec3 position) {
+    const float x = glm::clamp(position.x, 0.0f, volume.lastIndex.x);
+    const float y = glm::clamp(position.y, 0.0f, volume.lastIndex.y);
+    const float z = glm::clamp(position.z, 0.0f, volume.lastIndex.z);
+    // At the last voxel the interpolation cell before it is used, with fraction 1.
+    const int i = int(glm::min(x, volume.lastCorner.x));
+    const int j = int(glm::min(y, volume.lastCorner.y));
+    const int k = int(glm::min(z, volume.lastCorner.z));
+    const float a = x - float(i), b = y - float(j), c = z - float(k);
+    const int dx = volume.stepX;
+    const std::int16_t* v = volume.voxels + k * volume.stepZ + j * volume.stepY + i;
+    const auto along = [a, dx](const std::int16_t* row) {
+        const float first = row[0];
+        return first + (float(row[dx]) - first) * a;
+    };
+    const float v00 = along(v), v10 = along(v + volume.stepY);
+    const float v01 = along(v + volume.stepZ), v11 = along(v + volume.stepZ + volume.stepY);
+    const float low = v00 + (v10 - v00) * b;
+    const float high = v01 + (v11 - v01) * b;
+    return low + (high - low) * c;
+}
+
+/// Local position [mm] of an index-space position.
+PDR_HD inline vec3 localPosition(const FlatVolume& volume, vec3 position) {
+    return volume.localFromIndex * (position - 0.5f * volume.lastIndex);
+}
+
+/// Gradient of the HU in local space [HU/mm], by central differences over one voxel to each side.
+PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
+    const auto difference = [&](vec3 offset) {
+        return 0.5f * (hounsfield(volume, position + offset) - hounsfield(volume, position - offset));
+    };
+    const vec3 perIndex(difference({1, 0, 0}), difference({0, 1, 0}), difference({0, 0, 1}));
+    return glm::transpose(volume.indexFromLocal) * perIndex;
+}
+
+}  // namespace pdr

@@ -1,0 +1,75 @@
+#pragma once
+/// A collision in the medium: where it is and how it sends light on, by a surface or by the phase function.
+
+#include "render/kernel/features.h"
+#include "render/kernel/medium.h"
+#include "render/kernel/phase.h"
+#include "render/kernel/random.h"
+#include "render/kernel/surface.h"
+
+namespace pdr {
+
+struct Event {
+    vec3 position;  ///< index space
+    vec3 travel;    ///< direction of travel before the event, local, unit
+    Material material;
+    vec3 normal;    ///< local, unit, on the side that the path came from; zero: the phase function holds
+};
+
+/// A surface is the more likely the denser and the steeper the tissue: P = opacity (1 - exp(-surfaceFactor |grad|)),
+/// Kroes, Post & Botha 2012, with surfaceFactor = 25 gradientFactor^3 / range. No gradient, no surface.
+PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 travel, float hu, float u) {
+    const vec3 gradient = hounsfieldGradient(scene.volume, position);
+    const float steepness = glm::length(gradient);
+    if (!(steepness > 0))
+        return vec3(0);
+    const float probability =
+        opacity(scene.transferFunction, hu) *
+        -std::expm1(-scene.surfaceFactor * steepness);
+    if (u >= probability)
+        return vec3(0);
+    const vec3 normal = gradient / steepness;
+    return glm::dot(normal, travel) > 0 ? -normal : normal;
+}
+
+template <std::uint32_t F>
+PDR_HD inline Event eventAt(const FlatScene& scene, vec3 position, vec3 travel, RandomStream random) {
+    const float hu = hounsfield(scene.volume, position);
+    Event event{position, travel, materialAt(scene.transferFunction, hu), vec3(0)};
+    if constexpr (has(F, kSurface))
+        event.normal = surfaceNormal(scene, position, travel, hu, random.pair().x);
+    return event;
+}
+
+template <std::uint32_t F>
+PDR_HD inline bool isSurface(const Event& event) {
+    return has(F, kSurface) && event.normal != vec3(0);
+}
+
+/// Light scattered back along the path per radiance from direction `towards` (unit, local) [1/sr].
+template <std::uint32_t F>
+PDR_HD inline vec3 scatterEval(const FlatScene& scene, const Event& event, vec3 towards) {
+    if (isSurface<F>(event))
+        return surfaceEval(event.material, event.normal, -event.travel, towards);
+    return event.material.albedo * phaseEval(scene.phaseG, oneMinusCosine(event.travel, towards));
+}
+
+/// A direction and the light scattered back per radiance from there, already divided by the direction's density.
+struct Scattered {
+    vec3 towards;
+    vec3 weight;
+};
+
+template <std::uint32_t F>
+PDR_HD inline Scattered scatterSample(const FlatScene& scene, const Event& event, RandomStream random) {
+    const vec2 u = random.pair();
+    if (!isSurface<F>(event))
+        return {phaseSample(scene.phaseG, event.travel, u), event.material.albedo};
+    const vec3 towards = surfaceSample(event.material, event.normal, -event.travel, random.pair().x, u);
+    const float density = surfacePdf(event.material, event.normal, -event.travel, towards);
+    if (!(density > 0))
+        return {towards, vec3(0)};
+    return {towards, surfaceEval(event.material, event.normal, -event.travel, towards) / density};
+}
+
+}  // namespace pdr

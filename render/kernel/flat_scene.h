@@ -1,0 +1,100 @@
+#pragma once
+/// The scene as the kernel reads it: plain numbers and pointers into arrays that somebody else owns (scene/flatten).
+///   index space   voxel (i,j,k) is centred at (i,j,k); the volume's box is [-0.5, size - 0.5]
+///   local space   patient axes (LPS), millimetres, origin at the volume's centre
+///   along a ray   distances t in mm; a ray's index-space direction is indexFromLocal * (unit local direction)
+
+#include <cstdint>
+
+#include "render/base/portable.h"
+
+namespace pdr {
+
+/// One linear piece of the transfer function: opacity(hu) = opacity + slope * (hu - start) for hu in [start, end).
+struct OpacityPiece {
+    float start, end;
+    float opacity, slope;
+};
+
+/// Optical properties at one end of a piece; meanings as in TransferNode.
+struct Material {
+    vec3 albedo;
+    vec3 emission;
+    vec3 specular;
+    float roughness;
+};
+
+/// pieces[pieceAt[(hu - INT16_MIN) / 16]] is the first piece that may hold hu; pieces cover all of float.
+struct FlatTransferFunction {
+    const OpacityPiece* pieces;
+    const Material* materials;  ///< two per piece: at its start and at its end
+    const std::uint16_t* pieceAt;
+    float extinctionPerMm;
+};
+
+struct FlatVolume {
+    const std::int16_t* voxels;
+    ivec3 size;
+    vec3 lastIndex;                 ///< size - 1
+    vec3 lastCorner;                ///< max(size - 2, 0): where the last interpolation cell begins
+    int stepX;                      ///< voxels to the next along x, y, z; 0 where there is only one
+    std::int64_t stepY, stepZ;
+    mat3 indexFromLocal;            ///< linear part, 1/mm
+    mat3 localFromIndex;            ///< linear part, mm
+};
+
+/// Bounds on the extinction [1/mm] in cells of a grid; see volume/ranges.h for where the cells lie.
+struct FlatMajorants {
+    const float* fine;
+    const float* coarse;
+    ivec3 fineSize;
+    ivec3 coarseSize;
+    vec3 occupiedLow, occupiedHigh;  ///< index space: outside this box the extinction is 0
+};
+
+struct FlatCamera {
+    dvec3 eye;            ///< index space
+    vec3 forward;         ///< local; perspective: unit; orthographic: unit
+    vec3 right, up;       ///< local; what one image width, height adds to `forward` (perspective) or to the eye (orthographic, mm)
+    float perspective;    ///< 1 or 0
+    ivec2 film;
+};
+
+enum class LightType : std::uint32_t { directional, rectangle };
+
+struct FlatLight {
+    LightType type;
+    vec3 radiance;    ///< or irradiance of a directional light
+    vec3 position;    ///< local, mm: centre
+    vec3 normal;      ///< unit: to the light (directional) or out of the panel's shining side
+    vec3 halfU, halfV;  ///< half edges of a panel, mm
+    float area;       ///< mm^2
+    float probability;  ///< of being picked
+};
+
+/// For each block of kViewBlock x kViewBlock pixels: the depths along the view between which all matter lies.
+struct FlatViewBounds {
+    const vec2* depths;  ///< (near, far) mm from the eye along `forward`; near > far: nothing there
+    int blocksPerRow;
+};
+inline constexpr int kViewBlock = 4;
+
+struct FlatScene {
+    FlatVolume volume;
+    FlatTransferFunction transferFunction;
+    FlatMajorants majorants;
+    FlatCamera camera;
+    FlatViewBounds viewBounds;
+    const FlatLight* lights;
+    int lightCount;
+    vec3 environment;            ///< radiance from all around
+    float environmentVisible;    ///< 1: the camera sees it, 0: it does not
+    float environmentProbability;  ///< of being picked as the light of an event
+    float phaseG;
+    float surfaceFactor;         ///< see surfaceNormal() [mm/HU]; 0: no surfaces
+    int maxBounces;
+    std::uint64_t seed;
+    std::uint32_t features;      ///< kernel/features.h
+};
+
+}  // namespace pdr

@@ -1,0 +1,50 @@
+#pragma once
+/// Henyey-Greenstein phase function [1/sr]; Henyey & Greenstein 1941. Directions of travel; cosTheta = +1 is straight on.
+/// Stable forms: no cancellation at cosTheta near +-1 nor at g near 0 or +-1.
+
+#include "render/base/portable.h"
+
+namespace pdr {
+
+inline constexpr float kInverseFourPi = 1 / (4 * kPi);
+
+PDR_HD inline float phaseEval(float g, float oneMinusCos) {
+    const float denominator = (1 - g) * (1 - g) + 2 * g * oneMinusCos;
+    return kInverseFourPi * (1 - g) * (1 + g) / (denominator * std::sqrt(denominator));
+}
+
+/// 1 - cosTheta between two unit directions.
+PDR_HD inline float oneMinusCosine(vec3 a, vec3 b) {
+    const vec3 difference = a - b;
+    return 0.5f * glm::dot(difference, difference);
+}
+
+/// Two unit vectors that make a right-handed frame with the unit vector n; Duff et al. 2017.
+PDR_HD inline void basisAround(vec3 n, vec3& s, vec3& t) {
+    const float sign = std::copysign(1.0f, n.z);
+    const float a = -1 / (sign + n.z);
+    const float b = n.x * n.y * a;
+    s = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    t = {b, sign + n.y * n.y * a, -n.y};
+}
+
+/// A direction of travel after scattering, distributed as phaseEval.
+PDR_HD inline vec3 phaseSample(float g, vec3 travel, vec2 u) {
+    const float a = std::fabs(g);
+    const float d = (1 - a) + 2 * a * u.x;
+    float oneMinusCos = 2 * (1 - a) * (1 - a) * (1 - u.x) * (1 + a * u.x) / (d * d);
+    float onePlusCos = 2 * (1 + a) * (1 + a) * u.x * ((1 - a) + a * u.x) / (d * d);
+    if (g < 0) {
+        const float swap = oneMinusCos;
+        oneMinusCos = onePlusCos;
+        onePlusCos = swap;
+    }
+    const float cosine = 0.5f * (onePlusCos - oneMinusCos);
+    const float sine = std::sqrt(oneMinusCos * onePlusCos);
+    vec3 s, t;
+    basisAround(travel, s, t);
+    const float phi = 2 * kPi * u.y;
+    return travel * cosine + (s * std::cos(phi) + t * std::sin(phi)) * sine;
+}
+
+}  // namespace pdr

@@ -1,0 +1,70 @@
+#pragma once
+/// Random numbers that are addressed, not consumed: each is a function of (seed, pixel, sample, dimension, index), so that
+/// any order, tile, thread or machine, and any effect left out, gives the same numbers to the rest.
+///   Random        one path: keys made from seed, pixel and sample
+///   RandomStream  one dimension of it, as a sequence; numbers lie in [2^-25, 1 - 2^-25], never 0 or 1
+/// The generator is SplitMix64's finaliser (Steele, Lea & Flood 2014; constants: Stafford's variant 13) over a counter,
+/// with a second key mixed in halfway, so that no two streams can run into each other.
+
+#include <cstdint>
+
+#include "render/base/portable.h"
+
+namespace pdr {
+
+/// What a random number is for. Fixed: a new effect gets a new number, none is ever reused.
+enum class Dimension : std::uint32_t {
+    filter = 0,   ///< place in the pixel
+    lens = 1,
+    bounce = 16,  ///< + kDimensionsPerBounce * bounce + one of the following
+};
+inline constexpr std::uint32_t kDimensionsPerBounce = 8;
+enum class BounceDimension : std::uint32_t { flight = 0, event = 1, light = 2, shadow = 3, direction = 4, survival = 5 };
+
+PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
+    return x ^ (x >> 31);
+}
+
+class RandomStream {
+  public:
+    PDR_HD RandomStream(std::uint64_t counter, std::uint64_t key) : counter_(counter), key_(key) {}
+
+    /// The next two numbers of the stream.
+    PDR_HD vec2 pair() {
+        counter_ += 0x9E3779B97F4A7C15ull;
+        std::uint64_t x = (counter_ ^ (counter_ >> 30)) * 0xBF58476D1CE4E5B9ull;
+        x = (x ^ (x >> 27) ^ key_) * 0x94D049BB133111EBull;
+        x ^= x >> 31;
+        return {toUnit(std::uint32_t(x >> 32)), toUnit(std::uint32_t(x))};
+    }
+
+    /// The open interval: (k + 1/2) 2^-24 for 24 bits k.
+    PDR_HD static float toUnit(std::uint32_t bits) { return (float(bits >> 8) + 0.5f) * 0x1p-24f; }
+
+  private:
+    std::uint64_t counter_;
+    std::uint64_t key_;
+};
+
+class Random {
+  public:
+    PDR_HD Random(std::uint64_t seed, std::uint32_t pixel, std::uint64_t sample)
+        : low_(mixBits(seed + 0x9E3779B97F4A7C15ull * (sample + 1))), high_(mixBits(low_ + pixel)) {}
+
+    PDR_HD RandomStream stream(Dimension dimension) const { return stream(std::uint32_t(dimension)); }
+    PDR_HD RandomStream stream(int bounce, BounceDimension dimension) const {
+        return stream(std::uint32_t(Dimension::bounce) + kDimensionsPerBounce * std::uint32_t(bounce) +
+                      std::uint32_t(dimension));
+    }
+
+  private:
+    PDR_HD RandomStream stream(std::uint32_t dimension) const {
+        return {mixBits(high_ + dimension), high_ ^ (low_ << 1)};
+    }
+
+    std::uint64_t low_, high_;
+};
+
+}  // namespace pdr

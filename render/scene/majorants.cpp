@@ -1,0 +1,58 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "render/scene/flatten.h"
+#include "render/scene/opacity_maximum.h"
+
+namespace pdr {
+
+namespace {
+
+/// Rounding in the curve's evaluation must not lift the extinction over its bound.
+constexpr float kRoundingRoom = 1 + 1e-5f;
+
+/// Index-space box of all fine cells with a bound above 0; empty (low > high) if there is none.
+struct Box {
+    vec3 low{1e30f}, high{-1e30f};
+
+    void include(ivec3 cell) {
+        low = glm::min(low, vec3((cell - 1) * kFineCell));
+        high = glm::max(high, vec3(cell * kFineCell));
+    }
+};
+
+}  // namespace
+
+Majorants::Majorants(const CellRanges& ranges, const TransferFunction& function, ivec3 volumeSize)
+    : fine(ranges.cells().size()),
+      coarse(std::size_t(ranges.coarseSize().x) * ranges.coarseSize().y * ranges.coarseSize().z) {
+    const OpacityMaximum maximum(function, ranges.whole());
+    const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
+    const float scale = function.extinctionPerMm * kRoundingRoom;
+    std::vector<Box> boxes(coarseSize.z);
+    tbb::parallel_for(0, coarseSize.z, [&](int slab) {
+        for (int k = slab * kFinePerCoarse; k < (slab + 1) * kFinePerCoarse; ++k)
+            for (int j = 0; j < size.y; ++j)
+                for (int i = 0; i < size.x; ++i) {
+                    const std::size_t at = (std::size_t(k) * size.y + j) * size.x + i;
+                    const float bound = scale * maximum.over(ranges.cells()[at]);
+                    fine[at] = bound;
+                    if (!(bound > 0))
+                        continue;
+                    const std::size_t above = (std::size_t(slab) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x +
+                                              i / kFinePerCoarse;
+                    coarse[above] = std::max(coarse[above], bound);
+                    boxes[slab].include({i, j, k});
+                }
+    });
+    Box all;
+    for (const Box& box : boxes) {
+        all.low = glm::min(all.low, box.low);
+        all.high = glm::max(all.high, box.high);
+    }
+    occupiedLow = glm::max(all.low, vec3(-0.5f));
+    occupiedHigh = glm::min(all.high, vec3(volumeSize) - 0.5f);
+}
+
+}  // namespace pdr

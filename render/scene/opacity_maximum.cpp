@@ -1,0 +1,49 @@
+#include "render/scene/opacity_maximum.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace pdr {
+
+OpacityMaximum::OpacityMaximum(const TransferFunction& function, HuRange domain) : first_(domain.lowest) {
+    const int bins = std::max(int(domain.highest) - domain.lowest, 0);
+    points_.resize(bins + 1);
+    for (int i = 0; i <= bins; ++i)
+        points_[i] = function.at(float(first_ + i)).opacity;
+
+    // A linear piece has its maximum at an end, so the ends of a bin and the nodes inside it suffice.
+    std::vector<float> bin(bins);
+    for (int i = 0; i < bins; ++i)
+        bin[i] = std::max({function.at(float(first_ + i) - kHuSlack).opacity, points_[i], points_[i + 1],
+                           function.at(float(first_ + i + 1) + kHuSlack).opacity});
+    for (const TransferNode& node : function.nodes) {
+        // A node on a bin's border belongs to both neighbours; both sides of a step are nodes.
+        const int last = int(std::floor(node.hu + kHuSlack)) - first_;
+        const int from = int(std::floor(node.hu - kHuSlack)) - first_;
+        for (int i = std::max(from, 0); i <= std::min(last, bins - 1); ++i)
+            bin[i] = std::max(bin[i], node.opacity);
+    }
+    levels_.push_back(std::move(bin));
+    for (int width = 1; 2 * width <= bins; width *= 2) {
+        const std::vector<float>& below = levels_.back();
+        std::vector<float> level(bins - 2 * width + 1);
+        for (std::size_t i = 0; i < level.size(); ++i)
+            level[i] = std::max(below[i], below[i + width]);
+        levels_.push_back(std::move(level));
+    }
+}
+
+float OpacityMaximum::over(HuRange range) const {
+    if (range.lowest > range.highest)
+        return 0;
+    const unsigned from = unsigned(int(range.lowest) - first_);
+    const unsigned bins = unsigned(int(range.highest) - range.lowest);
+    if (bins == 0)
+        return points_[from];
+    const int level = std::bit_width(bins) - 1;
+    const std::vector<float>& maxima = levels_[level];
+    return std::max(maxima[from], maxima[from + bins - (1u << level)]);
+}
+
+}  // namespace pdr
