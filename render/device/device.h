@@ -6,7 +6,7 @@
 #include <string>
 
 #include "render/base/result.h"
-#include "render/film/tile.h"
+#include "render/base/tile.h"
 #include "render/scene/flatten.h"
 
 namespace pdr {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render/base/portable.h"
-#include "render/film/tile.h"
+#include "render/base/tile.h"
 
 namespace pdr {
 

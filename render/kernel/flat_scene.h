@@ -29,6 +29,7 @@ struct FlatTransferFunction {
     const OpacityPiece* pieces;
     const Material* materials;  ///< two per piece: at its start and at its end
     const std::uint16_t* pieceAt;
+    int pieceCount;
     float extinctionPerMm;
 };
 

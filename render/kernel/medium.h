@@ -25,6 +25,29 @@ PDR_HD inline float extinction(const FlatScene& scene, vec3 position) {
            opacity(scene.transferFunction, hounsfield(scene.volume, position));
 }
 
+PDR_HD inline float extinction(const FlatScene& scene, const Vec3<float>& position) {
+    return extinction(scene, vec3(position.x, position.y, position.z));
+}
+
+#if !defined(__CUDACC__)
+
+/// The same in step, bit by bit: curves have few pieces, so every piece is tried.
+inline FloatLanes extinction(const FlatScene& scene, const Vec3<FloatLanes>& position) {
+    const FlatTransferFunction& function = scene.transferFunction;
+    const FloatLanes hu = hounsfield(scene.volume, position);
+    FloatLanes start{}, value{}, slope{};
+    for (int i = 0; i < function.pieceCount; ++i) {
+        const OpacityPiece& piece = function.pieces[i];
+        const IntLanes inside = i == 0 ? hu < piece.end : hu >= piece.start;
+        start = inside ? FloatLanes{} + piece.start : start;
+        value = inside ? FloatLanes{} + piece.opacity : value;
+        slope = inside ? FloatLanes{} + piece.slope : slope;
+    }
+    return function.extinctionPerMm * (value + slope * (hu - start));
+}
+
+#endif
+
 PDR_HD inline Material materialAt(const FlatTransferFunction& function, float hu) {
     const int index = pieceOf(function, hu);
     const OpacityPiece& piece = function.pieces[index];

@@ -1,8 +1,9 @@
 #pragma once
-/// All samples of one pixel, added to its sums in order.
+/// Samples, and how they are added to a pixel's sums.
 
-#include "render/film/tile.h"
+#include "render/base/tile.h"
 #include "render/kernel/integrator.h"
+#include "render/kernel/tracking.h"
 
 namespace pdr {
 
@@ -19,19 +20,26 @@ PDR_HD inline void addSample(PixelSums& sums, vec3 radiance) {
     ++sums.count;
 }
 
-template <std::uint32_t F>
-PDR_HD inline void renderPixel(const FlatScene& scene, ivec2 pixel, SampleRange samples, PixelSums& sums) {
+PDR_HD inline vec2 matterDepths(const FlatScene& scene, ivec2 pixel) {
     const FlatViewBounds& bounds = scene.viewBounds;
-    const vec2 depths = bounds.depths[(pixel.y / kViewBlock) * bounds.blocksPerRow + pixel.x / kViewBlock];
-    PixelSums local = sums;
-    if (depths.x > depths.y) {  // nothing but background
-        for (std::uint32_t i = 0; i < samples.count; ++i)
-            addSample(local, scene.environment * scene.environmentVisible);
-    } else {
-        for (std::uint32_t i = 0; i < samples.count; ++i)
-            addSample(local, tracePath<F>(scene, pixel, samples.first + i, depths));
-    }
-    sums = local;
+    return bounds.depths[(pixel.y / kViewBlock) * bounds.blocksPerRow + pixel.x / kViewBlock];
+}
+
+PDR_HD inline bool meetsNothing(vec2 depths) {
+    return depths.x > depths.y;
+}
+
+/// One sample of the radiance [linear Rec. 709] that the camera sees through `pixel` (x, y).
+template <std::uint32_t F>
+PDR_HD inline vec3 tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
+    const Path path = cameraStart(scene, pixel, sample, depths);
+    const float collision = track<DeltaTracking>(scene, path.camera.ray, path.random.stream(0, BounceDimension::flight));
+    if (collision < 0)
+        return background(scene);
+    const LightPath light = scatteredLight<F>(scene, path, collision);
+    if (isDark(light))
+        return vec3(0);
+    return light.radiance * track<RatioTracking>(scene, light.ray, path.random.stream(0, BounceDimension::shadow));
 }
 
 }  // namespace pdr

@@ -2,13 +2,13 @@
 /// Random numbers that are addressed, not consumed: each is a function of (seed, pixel, sample, dimension, index), so that
 /// any order, tile, thread or machine, and any effect left out, gives the same numbers to the rest.
 ///   Random        one path: keys made from seed, pixel and sample
-///   RandomStream  one dimension of it, as a sequence; numbers lie in [2^-25, 1 - 2^-25], never 0 or 1
+///   RandomStream  one dimension of it, as a sequence; numbers lie in [2^-24, 1 - 2^-24], never 0 or 1
 /// The generator is SplitMix64's finaliser (Steele, Lea & Flood 2014; constants: Stafford's variant 13) over a counter,
 /// with a second key mixed in halfway, so that no two streams can run into each other.
 
 #include <cstdint>
 
-#include "render/base/portable.h"
+#include "render/base/lanes.h"
 
 namespace pdr {
 
@@ -27,29 +27,37 @@ PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-class RandomStream {
-  public:
-    PDR_HD RandomStream(std::uint64_t counter, std::uint64_t key) : counter_(counter), key_(key) {}
+/// One dimension, for one path (Real = float) or for several in step.
+template <class Real>
+struct RandomStreamOf {
+    using Bits = typename Numbers<Real>::Bits;
+    using Mask = typename Numbers<Real>::Mask;
 
-    /// The next two numbers of the stream.
-    PDR_HD vec2 pair() {
-        counter_ += 0x9E3779B97F4A7C15ull;
-        std::uint64_t x = (counter_ ^ (counter_ >> 30)) * 0xBF58476D1CE4E5B9ull;
-        x = (x ^ (x >> 27) ^ key_) * 0x94D049BB133111EBull;
+    Bits counter, key;
+
+    /// The next two numbers, where `mask` holds; the streams of other lanes stay where they are.
+    PDR_HD void pair(Mask mask, Real& first, Real& second) {
+        counter += keepWhere(mask, Bits{} + 0x9E3779B97F4A7C15ull);
+        Bits x = (counter ^ (counter >> 30)) * 0xBF58476D1CE4E5B9ull;
+        x = (x ^ (x >> 27) ^ key) * 0x94D049BB133111EBull;
         x ^= x >> 31;
-        return {toUnit(std::uint32_t(x >> 32)), toUnit(std::uint32_t(x))};
+        // The open interval: (k + 1/2) 2^-23 for 23 bits k, exact in float.
+        first = (toFloat(highBits(x)) + 0.5f) * 0x1p-23f;
+        second = (toFloat(lowBits(x)) + 0.5f) * 0x1p-23f;
     }
+};
 
-    /// The open interval: (k + 1/2) 2^-24 for 24 bits k.
-    PDR_HD static float toUnit(std::uint32_t bits) { return (float(bits >> 8) + 0.5f) * 0x1p-24f; }
-
-  private:
-    std::uint64_t counter_;
-    std::uint64_t key_;
+struct RandomStream : RandomStreamOf<float> {
+    PDR_HD vec2 pair() {
+        vec2 u;
+        RandomStreamOf<float>::pair(true, u.x, u.y);
+        return u;
+    }
 };
 
 class Random {
   public:
+    Random() = default;
     PDR_HD Random(std::uint64_t seed, std::uint32_t pixel, std::uint64_t sample)
         : low_(mixBits(seed + 0x9E3779B97F4A7C15ull * (sample + 1))), high_(mixBits(low_ + pixel)) {}
 
@@ -61,7 +69,7 @@ class Random {
 
   private:
     PDR_HD RandomStream stream(std::uint32_t dimension) const {
-        return {mixBits(high_ + dimension), high_ ^ (low_ << 1)};
+        return {{mixBits(high_ + dimension), high_ ^ (low_ << 1)}};
     }
 
     std::uint64_t low_, high_;

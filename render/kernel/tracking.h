@@ -1,66 +1,57 @@
 #pragma once
 /// Unbiased tracking through the medium: delta tracking for the next event, ratio tracking for what light survives.
+/// Each is a rule of what a tentative collision does to a ray; the flight between them is the same.
 
-#include "render/kernel/majorant_walk.h"
-#include "render/kernel/medium.h"
-#include "render/kernel/random.h"
+#include "render/kernel/flight.h"
 
 namespace pdr {
 
-/// Distance [mm] to the first real collision on the ray after `begin`, or a negative number when it leaves the volume.
-/// Woodcock et al. 1965 over local bounds; what is left of the optical depth is carried from cell to cell.
-PDR_HD inline float sampleCollision(const FlatScene& scene, const Ray& ray, float begin, RandomStream random) {
-    vec2 u = random.pair();
-    float depth = -std::log(u.x);
-    float collision = -1;
-    walkMajorants(scene.majorants, ray, begin, [&](float t, float end, float majorant) {
-        for (;;) {
-            const float flight = depth / majorant;
-            if (!(t + flight < end)) {
-                depth -= (end - t) * majorant;
-                return true;
-            }
-            t += flight;
-            if (u.y * majorant < extinction(scene, ray.origin + ray.direction * t)) {
-                collision = t;
-                return false;
-            }
-            u = random.pair();
-            depth = -std::log(u.x);
-        }
-    });
-    return collision;
-}
+/// Delta tracking: a tentative collision is real with probability extinction / majorant, and then ends the ray.
+/// Result: the distance of the collision [mm], or -1 where the ray leaves the volume.
+template <class Real>
+struct DeltaTracking {
+    using Mask = typename Numbers<Real>::Mask;
+    Real result = Real{} - 1.0f;
 
-inline constexpr float kRouletteBelow = 0.1f;  ///< transmittance under which a shadow ray is continued by chance only
+    PDR_HD Mask endsAt(Real t, const TentativeCollision<Real>& collision) {
+        const Mask real = collision.happened & (collision.u * collision.majorant < collision.extinction);
+        result = real ? t : result;
+        return real;
+    }
+};
 
-/// An unbiased estimate of the transmittance from the ray's origin to its end: the product of 1 - extinction / majorant
-/// over tentative collisions (ratio tracking, Novak et al. 2014), with exact Russian roulette when little is left.
-PDR_HD inline float sampleTransmittance(const FlatScene& scene, const Ray& ray, RandomStream random) {
-    vec2 u = random.pair();
-    float depth = -std::log(u.x);
-    float transmittance = 1;
-    walkMajorants(scene.majorants, ray, 0, [&](float t, float end, float majorant) {
-        for (;;) {
-            const float flight = depth / majorant;
-            if (!(t + flight < end)) {
-                depth -= (end - t) * majorant;
-                return true;
-            }
-            t += flight;
-            transmittance *= 1 - extinction(scene, ray.origin + ray.direction * t) / majorant;
-            if (transmittance < kRouletteBelow) {
-                if (u.y * kRouletteBelow >= transmittance) {
-                    transmittance = 0;
-                    return false;
-                }
-                transmittance = kRouletteBelow;
-            }
-            u = random.pair();
-            depth = -std::log(u.x);
-        }
-    });
-    return transmittance;
+/// Ratio tracking (Novak et al. 2014): each tentative collision leaves 1 - extinction / majorant, with exact Russian
+/// roulette when little is left. Result: an unbiased estimate of the transmittance along the ray.
+template <class Real>
+struct RatioTracking {
+    using Mask = typename Numbers<Real>::Mask;
+    static constexpr float kRouletteBelow = 0.1f;
+    Real result = Real{} + 1.0f;
+
+    PDR_HD Mask endsAt(Real, const TentativeCollision<Real>& collision) {
+        const Real left = result * (1.0f - collision.extinction / collision.majorant);
+        result = collision.happened ? left : result;
+        const Mask little = collision.happened & (result < kRouletteBelow);
+        const Mask lost = little & (collision.u * kRouletteBelow >= result);
+        result = little ? Real{} + kRouletteBelow : result;
+        result = lost ? Real{} : result;
+        return lost;
+    }
+};
+
+/// One ray to its end.
+template <template <class> class Rule>
+PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random) {
+    Flight<float> flight;
+    flight.start(scene.majorants, {ray.origin.x, ray.origin.y, ray.origin.z},
+                 {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length, random);
+    Rule<float> rule;
+    while (flight.flying()) {
+        const TentativeCollision<float> collision = flight.step(scene);
+        if (rule.endsAt(flight.t, collision))
+            break;
+    }
+    return rule.result;
 }
 
 }  // namespace pdr

@@ -40,7 +40,7 @@ void flattenTransferFunction(PreparedScene& prepared, const TransferFunction& fu
         prepared.pieceAt[bucket] = piece;
     }
     prepared.flat.transferFunction = {prepared.pieces.data(), prepared.materials.data(), prepared.pieceAt.data(),
-                                      function.extinctionPerMm};
+                                      int(prepared.pieces.size()), function.extinctionPerMm};
 }
 
 void flattenVolume(FlatVolume& flat, const Volume& volume) {

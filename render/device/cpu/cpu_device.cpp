@@ -1,17 +1,32 @@
 #include <tbb/blocked_range2d.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <array>
 #include <thread>
+#include <utility>
 
 #include "render/device/device.h"
-#include "render/kernel/dispatch.h"
+#include "render/device/cpu/pixel_batch.h"
 
 namespace pdr {
 
 namespace {
 
 constexpr int kTask = 16;  ///< pixels along an edge of what one thread takes at a time
+
+using TileKernel = void (*)(PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples,
+                            TileSums sums);
+
+/// The one table from a feature mask to the code compiled for it.
+template <std::size_t... Masks>
+constexpr std::array<TileKernel, sizeof...(Masks)> tileKernels(std::index_sequence<Masks...>) {
+    return {[](PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
+        batch.render<std::uint32_t(Masks)>(scene, tile, samples, sums);
+    }...};
+}
+constexpr auto kTileKernels = tileKernels(std::make_index_sequence<kFeatureMasks>());
 
 class CpuDevice final : public Device {
   public:
@@ -27,14 +42,15 @@ class CpuDevice final : public Device {
 
     Result<void> render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) override {
         const FlatScene& flat = scene_->flat;
-        const RowKernel renderRow = kRowKernels[flat.features];
+        const TileKernel renderTile = kTileKernels[flat.features];
         const tbb::blocked_range2d<int> pixels(0, tile.height, kTask, 0, tile.width, kTask);
         const auto work = [&](const tbb::blocked_range2d<int>& piece) {
-            for (int y = piece.rows().begin(); y != piece.rows().end() && !stop.stop_requested(); ++y) {
-                const int x = piece.cols().begin(), width = piece.cols().end() - x;
-                renderRow(flat, tile.x + x, width, tile.y + y, samples,
-                          sums.pixels + std::ptrdiff_t(y) * sums.stride + x);
-            }
+            if (stop.stop_requested())
+                return;
+            const int x = piece.cols().begin(), y = piece.rows().begin();
+            const Tile part{tile.x + x, tile.y + y, int(piece.cols().size()), int(piece.rows().size())};
+            renderTile(batches_.local(), flat, part, samples,
+                       {sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride});
         };
         arena_.execute([&] { tbb::parallel_for(pixels, work, tbb::simple_partitioner()); });
         return {};
@@ -43,6 +59,7 @@ class CpuDevice final : public Device {
   private:
     int threads_;
     tbb::task_arena arena_;
+    tbb::enumerable_thread_specific<PixelBatch> batches_;
     std::shared_ptr<const PreparedScene> scene_;
 };
 

@@ -1,0 +1,180 @@
+#pragma once
+/// Several numbers that are computed in step. Code written for a type Real runs on float, one path at a time as on a GPU,
+/// and on FloatLanes, kLanes paths at a time in the CPU's vector registers:
+///   Numbers<Real>::Int    whole numbers     Numbers<Real>::Bits   64 bits     Numbers<Real>::Mask   per lane: holds or not
+/// Lanes never mix: a lane's numbers are the same whatever its neighbours do.
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "render/base/portable.h"
+
+#if defined(__AVX2__) && !defined(__CUDACC__)
+#include <immintrin.h>
+#endif
+
+namespace pdr {
+
+template <class Real>
+struct Numbers;
+
+template <>
+struct Numbers<float> {
+    using Int = std::int32_t;
+    using Bits = std::uint64_t;
+    using Mask = bool;
+};
+
+PDR_HD inline int toInt(float x) {
+    return int(x);
+}
+PDR_HD inline float toFloat(int x) {
+    return float(x);
+}
+PDR_HD inline bool any(bool mask) {
+    return mask;
+}
+PDR_HD inline float gather(const float* from, int index) {
+    return from[index];
+}
+/// Bits 41..63 and 9..31 of a random word as whole numbers below 2^23.
+PDR_HD inline int highBits(std::uint64_t word) {
+    return int(word >> 41);
+}
+PDR_HD inline int lowBits(std::uint64_t word) {
+    return int(std::uint32_t(word) >> 9);
+}
+PDR_HD inline std::uint64_t keepWhere(bool mask, std::uint64_t word) {
+    return mask ? word : 0;
+}
+/// The bits of a float, and back.
+PDR_HD inline std::int32_t bitsOf(float x) {
+#if defined(__CUDA_ARCH__)
+    return __float_as_int(x);
+#else
+    return std::bit_cast<std::int32_t>(x);
+#endif
+}
+PDR_HD inline float floatOf(std::int32_t bits) {
+#if defined(__CUDA_ARCH__)
+    return __int_as_float(bits);
+#else
+    return std::bit_cast<float>(bits);
+#endif
+}
+
+#if !defined(__CUDACC__)
+
+using FloatLanes = float __attribute__((vector_size(4 * kLanes)));
+using IntLanes = std::int32_t __attribute__((vector_size(4 * kLanes)));
+using BitsLanes = std::uint64_t __attribute__((vector_size(8 * kLanes)));
+using SignedBitsLanes = std::int64_t __attribute__((vector_size(8 * kLanes)));
+
+template <>
+struct Numbers<FloatLanes> {
+    using Int = IntLanes;
+    using Bits = BitsLanes;
+    using Mask = IntLanes;
+};
+
+inline IntLanes toInt(FloatLanes x) {
+    return __builtin_convertvector(x, IntLanes);
+}
+inline FloatLanes toFloat(IntLanes x) {
+    return __builtin_convertvector(x, FloatLanes);
+}
+/// Bit l: whether `mask` holds in lane l.
+inline std::uint32_t laneBits(IntLanes mask) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+    return _mm512_movepi32_mask(__m512i(mask));
+#elif defined(__AVX2__)
+    return std::uint32_t(_mm256_movemask_ps(__m256(mask)));
+#else
+    std::uint32_t bits = 0;
+    for (int lane = 0; lane < kLanes; ++lane)
+        bits |= std::uint32_t(mask[lane] & 1) << lane;
+    return bits;
+#endif
+}
+inline bool any(IntLanes mask) {
+    return laneBits(mask) != 0;
+}
+/// Lane l of the result is lane from[l] of `lanes`.
+inline FloatLanes shuffled(FloatLanes lanes, IntLanes from) {
+    return __builtin_shuffle(lanes, from);
+}
+inline IntLanes shuffled(IntLanes lanes, IntLanes from) {
+    return __builtin_shuffle(lanes, from);
+}
+inline BitsLanes shuffled(BitsLanes lanes, IntLanes from) {
+    return __builtin_shuffle(lanes, __builtin_convertvector(from, BitsLanes));
+}
+inline BitsLanes selected(IntLanes mask, BitsLanes yes, BitsLanes no) {
+    return __builtin_convertvector(mask, SignedBitsLanes) ? yes : no;
+}
+inline FloatLanes gather(const float* from, IntLanes index) {
+    FloatLanes result;
+    for (int lane = 0; lane < kLanes; ++lane)
+        result[lane] = from[index[lane]];
+    return result;
+}
+/// Neighbouring int16 pairs at from[index] and from[index + 1].
+inline void gatherPair(const std::int16_t* from, IntLanes index, FloatLanes& first, FloatLanes& second) {
+    IntLanes pair;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        std::int32_t both;
+        std::memcpy(&both, from + index[lane], sizeof both);
+        pair[lane] = both;
+    }
+    first = toFloat((pair << 16) >> 16);
+    second = toFloat(pair >> 16);
+}
+inline IntLanes highBits(BitsLanes word) {
+    return __builtin_convertvector(word >> 41, IntLanes);
+}
+inline IntLanes lowBits(BitsLanes word) {
+    return __builtin_convertvector((word & 0xFFFFFFFFull) >> 9, IntLanes);
+}
+inline BitsLanes keepWhere(IntLanes mask, BitsLanes word) {
+    return word & BitsLanes(__builtin_convertvector(mask, SignedBitsLanes));
+}
+inline IntLanes bitsOf(FloatLanes x) {
+    return IntLanes(x);
+}
+inline FloatLanes floatOf(IntLanes bits) {
+    return FloatLanes(bits);
+}
+
+#endif
+
+template <class Real>
+PDR_HD inline Real smaller(Real a, Real b) {
+    return a < b ? a : b;
+}
+template <class Real>
+PDR_HD inline Real larger(Real a, Real b) {
+    return a > b ? a : b;
+}
+
+/// A point or direction per lane.
+template <class Real>
+struct Vec3 {
+    Real x, y, z;
+};
+
+/// -ln(u) for u in [2^-24, 1]; relative error below 3e-7. The same arithmetic on every device, so that they agree bit
+/// by bit: ln(2^e m) = e ln 2 + 2 artanh((m - 1) / (m + 1)), m in [0.7, 1.4).
+template <class Real>
+PDR_HD inline Real negativeLog(Real u) {
+    using Int = typename Numbers<Real>::Int;
+    const Int bits = bitsOf(u);
+    const Int exponent = (bits - 0x3F3504F3) >> 23;
+    const Real m = floatOf(Int(bits - (exponent << 23)));
+    const Real s = (m - 1.0f) / (m + 1.0f);
+    const Real s2 = s * s;
+    const Real series = 1.0f + s2 * (1.0f / 3 + s2 * (1.0f / 5 + s2 * (1.0f / 7 + s2 * (1.0f / 9))));
+    return toFloat(exponent) * -0.69314718f - 2.0f * s * series;
+}
+
+}  // namespace pdr
