@@ -13,7 +13,7 @@ struct Event {
     vec3 position;  ///< index space
     vec3 travel;    ///< direction of travel before the event, local, unit
     Material material;
-    vec3 normal;    ///< local, unit, on the side that the path came from; zero: the phase function holds
+    vec3 normal;  ///< local, unit, on the side that the path came from; zero: the phase function holds
 };
 
 /// A surface is the more likely the denser and the steeper the tissue: P = opacity (1 - exp(-surfaceFactor |grad|)),
@@ -23,9 +23,7 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 tra
     const float steepness = glm::length(gradient);
     if (!(steepness > 0))
         return vec3(0);
-    const float probability =
-        opacity(scene.transferFunction, hu) *
-        -std::expm1(-scene.surfaceFactor * steepness);
+    const float probability = opacity(scene.transferFunction, hu) * -std::expm1(-scene.surfaceFactor * steepness);
     if (u >= probability)
         return vec3(0);
     const vec3 normal = gradient / steepness;

@@ -6,9 +6,9 @@
 namespace pdr {
 
 enum Feature : std::uint32_t {
-    kSurface = 1u << 0,           ///< events can be surface reflections (gradient, microfacets)
-    kPlacedLights = 1u << 1,      ///< there are lights with a place: panels
-    kEnvironment = 1u << 2,       ///< light from all around, or seen behind the volume
+    kSurface = 1u << 0,       ///< events can be surface reflections (gradient, microfacets)
+    kPlacedLights = 1u << 1,  ///< there are lights with a place: panels
+    kEnvironment = 1u << 2,   ///< light from all around, or seen behind the volume
 };
 inline constexpr std::uint32_t kFeatureMasks = 1u << 3;
 

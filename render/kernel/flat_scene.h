@@ -36,12 +36,13 @@ struct FlatTransferFunction {
 struct FlatVolume {
     const std::int16_t* voxels;
     ivec3 size;
-    vec3 lastIndex;                 ///< size - 1
-    vec3 lastCorner;                ///< max(size - 2, 0): where the last interpolation cell begins
-    int stepX;                      ///< voxels to the next along x, y, z; 0 where there is only one
+    vec3 lastIndex;   ///< size - 1
+    vec3 lastCorner;  ///< max(size - 2, 0): where the last interpolation cell begins
+    int stepX;        ///< voxels to the next along x, y, z; 0 where there is only one
     std::int64_t stepY, stepZ;
-    mat3 indexFromLocal;            ///< linear part, 1/mm
-    mat3 localFromIndex;            ///< linear part, mm
+    dmat3 exactIndexFromLocal;  ///< linear part, 1/mm
+    mat3 indexFromLocal;        ///< the same in single precision
+    mat3 localFromIndex;        ///< linear part, mm
 };
 
 /// Bounds on the extinction [1/mm] in cells of a grid; see volume/ranges.h for where the cells lie.
@@ -54,10 +55,10 @@ struct FlatMajorants {
 };
 
 struct FlatCamera {
-    dvec3 eye;            ///< index space
-    vec3 forward;         ///< local; perspective: unit; orthographic: unit
-    vec3 right, up;       ///< local; what one image width, height adds to `forward` (perspective) or to the eye (orthographic, mm)
-    float perspective;    ///< 1 or 0
+    dvec3 eye;                 ///< index space
+    dvec3 forward, right, up;  ///< local; `forward` is a unit vector, `right` and `up` are what one image width and
+                               ///< height add to it (perspective) or to the eye (orthographic, mm)
+    double perspective;  ///< 1 or 0
     ivec2 film;
 };
 
@@ -65,11 +66,11 @@ enum class LightType : std::uint32_t { directional, rectangle };
 
 struct FlatLight {
     LightType type;
-    vec3 radiance;    ///< or irradiance of a directional light
-    vec3 position;    ///< local, mm: centre
-    vec3 normal;      ///< unit: to the light (directional) or out of the panel's shining side
+    vec3 radiance;      ///< or irradiance of a directional light
+    vec3 position;      ///< local, mm: centre
+    vec3 normal;        ///< unit: to the light (directional) or out of the panel's shining side
     vec3 halfU, halfV;  ///< half edges of a panel, mm
-    float area;       ///< mm^2
+    float area;         ///< mm^2
     float probability;  ///< of being picked
 };
 
@@ -88,14 +89,14 @@ struct FlatScene {
     FlatViewBounds viewBounds;
     const FlatLight* lights;
     int lightCount;
-    vec3 environment;            ///< radiance from all around
-    float environmentVisible;    ///< 1: the camera sees it, 0: it does not
+    vec3 environment;              ///< radiance from all around
+    float environmentVisible;      ///< 1: the camera sees it, 0: it does not
     float environmentProbability;  ///< of being picked as the light of an event
     float phaseG;
-    float surfaceFactor;         ///< see surfaceNormal() [mm/HU]; 0: no surfaces
+    float surfaceFactor;  ///< see surfaceNormal() [mm/HU]; 0: no surfaces
     int maxBounces;
     std::uint64_t seed;
-    std::uint32_t features;      ///< kernel/features.h
+    std::uint32_t features;  ///< kernel/features.h
 };
 
 }  // namespace pdr

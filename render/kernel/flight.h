@@ -2,10 +2,10 @@
 /// A ray on its way through the two-level grid of extinction bounds, from one tentative collision to the next.
 ///
 /// A step ends at a tentative collision or at the border of a cell, whichever comes first. The cell is a coarse one
-/// (16 voxels) where its bound promises at most kDescend collisions, else a fine one (4 voxels). The optical depth still
-/// to go is carried from cell to cell, never drawn anew. Cells are whole numbers that only ever move forward, so rounding
-/// can neither stall nor reverse a ray. An accelerator: it never changes the picture.
-/// Grid walk after Amanatides & Woo 1987; tentative collisions after Woodcock et al. 1965.
+/// (16 voxels) where its bound promises at most kDescend collisions, else a fine one (4 voxels). The optical depth
+/// still to go is carried from cell to cell, never drawn anew. Cells are whole numbers that only ever move forward, so
+/// rounding can neither stall nor reverse a ray. An accelerator: it never changes the picture. Grid walk after
+/// Amanatides & Woo 1987; tentative collisions after Woodcock et al. 1965.
 
 #include "render/kernel/medium.h"
 #include "render/kernel/random.h"
@@ -13,7 +13,8 @@
 
 namespace pdr {
 
-inline constexpr float kDescend = 1.5f;  ///< optical depth of a coarse cell's chord above which its fine cells are walked
+inline constexpr float kDescend =
+    1.5f;  ///< optical depth of a coarse cell's chord above which its fine cells are walked
 
 /// Where a tentative collision happened, and what decides it.
 template <class Real>
@@ -32,8 +33,8 @@ class Flight {
     Real t;  ///< mm from the ray's origin
 
     /// The part of a ray that can meet matter, ready to fly. Empty (t >= end) where there is none.
-    PDR_HD_INLINE inline void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction, Real length,
-                      const RandomStreamOf<Real>& random) {
+    PDR_HD_INLINE inline void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
+                                    Real length, const RandomStreamOf<Real>& random) {
         t = Real{};
         end_ = length;
         x_.start(origin.x, direction.x, grid.occupiedLow.x, grid.occupiedHigh.x, t, end_);

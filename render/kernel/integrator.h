@@ -41,8 +41,7 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
         return LightPath{{event.position, scene.volume.indexFromLocal * direction, distance}, radiance};
     };
     if (has(F, kEnvironment) && (u < scene.environmentProbability || scene.lightCount == 0)) {
-        const Scattered scattered =
-            scatterSample<F>(scene, event, random.stream(bounce, BounceDimension::direction));
+        const Scattered scattered = scatterSample<F>(scene, event, random.stream(bounce, BounceDimension::direction));
         return towards(scattered.towards, kFarAway,
                        scattered.weight * scene.environment / scene.environmentProbability);
     }

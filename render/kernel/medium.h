@@ -21,8 +21,7 @@ PDR_HD inline float opacity(const FlatTransferFunction& function, float hu) {
 
 /// Extinction at `position` (index space) [1/mm].
 PDR_HD inline float extinction(const FlatScene& scene, vec3 position) {
-    return scene.transferFunction.extinctionPerMm *
-           opacity(scene.transferFunction, hounsfield(scene.volume, position));
+    return scene.transferFunction.extinctionPerMm * opacity(scene.transferFunction, hounsfield(scene.volume, position));
 }
 
 PDR_HD inline float extinction(const FlatScene& scene, const Vec3<float>& position) {

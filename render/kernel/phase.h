@@ -1,6 +1,6 @@
 #pragma once
-/// Henyey-Greenstein phase function [1/sr]; Henyey & Greenstein 1941. Directions of travel; cosTheta = +1 is straight on.
-/// Stable forms: no cancellation at cosTheta near +-1 nor at g near 0 or +-1.
+/// Henyey-Greenstein phase function [1/sr]; Henyey & Greenstein 1941. Directions of travel; cosTheta = +1 is straight
+/// on. Stable forms: no cancellation at cosTheta near +-1 nor at g near 0 or +-1.
 
 #include "render/base/portable.h"
 

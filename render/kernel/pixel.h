@@ -33,7 +33,8 @@ PDR_HD inline bool meetsNothing(vec2 depths) {
 template <std::uint32_t F>
 PDR_HD inline vec3 tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
     const Path path = cameraStart(scene, pixel, sample, depths);
-    const float collision = track<DeltaTracking>(scene, path.camera.ray, path.random.stream(0, BounceDimension::flight));
+    const float collision =
+        track<DeltaTracking>(scene, path.camera.ray, path.random.stream(0, BounceDimension::flight));
     if (collision < 0)
         return background(scene);
     const LightPath light = scatteredLight<F>(scene, path, collision);

@@ -1,6 +1,6 @@
 #pragma once
-/// Random numbers that are addressed, not consumed: each is a function of (seed, pixel, sample, dimension, index), so that
-/// any order, tile, thread or machine, and any effect left out, gives the same numbers to the rest.
+/// Random numbers that are addressed, not consumed: each is a function of (seed, pixel, sample, dimension, index), so
+/// that any order, tile, thread or machine, and any effect left out, gives the same numbers to the rest.
 ///   Random        one path: keys made from seed, pixel and sample
 ///   RandomStream  one dimension of it, as a sequence; numbers lie in [2^-24, 1 - 2^-24], never 0 or 1
 /// The generator is SplitMix64's finaliser (Steele, Lea & Flood 2014; constants: Stafford's variant 13) over a counter,
@@ -14,12 +14,19 @@ namespace pdr {
 
 /// What a random number is for. Fixed: a new effect gets a new number, none is ever reused.
 enum class Dimension : std::uint32_t {
-    filter = 0,   ///< place in the pixel
+    filter = 0,  ///< place in the pixel
     lens = 1,
     bounce = 16,  ///< + kDimensionsPerBounce * bounce + one of the following
 };
 inline constexpr std::uint32_t kDimensionsPerBounce = 8;
-enum class BounceDimension : std::uint32_t { flight = 0, event = 1, light = 2, shadow = 3, direction = 4, survival = 5 };
+enum class BounceDimension : std::uint32_t {
+    flight = 0,
+    event = 1,
+    light = 2,
+    shadow = 3,
+    direction = 4,
+    survival = 5
+};
 
 PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {
     x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;

@@ -1,8 +1,8 @@
 #pragma once
 /// Reflection at a surface in the volume: Lambert under a GGX microfacet layer with Schlick's Fresnel term.
-/// Directions are unit vectors away from the surface, local space; n is on the viewer's side. The same three verbs as the
-/// phase function: eval returns f * cos(theta_light) [1/sr], pdf is per solid angle.
-/// Walter et al. 2007 (GGX), Heitz 2014 (height-correlated masking), Schlick 1994.
+/// Directions are unit vectors away from the surface, local space; n is on the viewer's side. The same three verbs as
+/// the phase function: eval returns f * cos(theta_light) [1/sr], pdf is per solid angle. Walter et al. 2007 (GGX),
+/// Heitz 2014 (height-correlated masking), Schlick 1994.
 
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/phase.h"

@@ -49,12 +49,12 @@ Camera standardView(StandardView view, dvec3 centreMm, double radiusMm, double a
     };
     // LPS: +x is the patient's left, +y posterior, +z the head.
     static constexpr Side sides[] = {
-        {{0, -1, 0}, {0, 0, 1}},  // anterior
-        {{0, 1, 0}, {0, 0, 1}},   // posterior
-        {{1, 0, 0}, {0, 0, 1}},   // left
-        {{-1, 0, 0}, {0, 0, 1}},  // right
-        {{0, 0, 1}, {0, -1, 0}},  // superior, the face up
-        {{0, 0, -1}, {0, -1, 0}}, // inferior, as an axial slice is shown
+        {{0, -1, 0}, {0, 0, 1}},   // anterior
+        {{0, 1, 0}, {0, 0, 1}},    // posterior
+        {{1, 0, 0}, {0, 0, 1}},    // left
+        {{-1, 0, 0}, {0, 0, 1}},   // right
+        {{0, 0, 1}, {0, -1, 0}},   // superior, the face up
+        {{0, 0, -1}, {0, -1, 0}},  // inferior, as an axial slice is shown
     };
     const Side& side = sides[int(view)];
     Camera camera;

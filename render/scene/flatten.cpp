@@ -19,7 +19,8 @@ Material materialOf(const TransferNode& node) {
 void flattenTransferFunction(PreparedScene& prepared, const TransferFunction& function) {
     const std::vector<TransferNode>& nodes = function.nodes;
     const auto add = [&](float start, float end, const TransferNode& from, const TransferNode& to) {
-        const float slope = std::isfinite(start) && std::isfinite(end) ? (to.opacity - from.opacity) / (end - start) : 0;
+        const float slope =
+            std::isfinite(start) && std::isfinite(end) ? (to.opacity - from.opacity) / (end - start) : 0;
         prepared.pieces.push_back({std::isfinite(start) ? start : 0, end, from.opacity, slope});
         prepared.materials.push_back(materialOf(from));
         prepared.materials.push_back(materialOf(to));
@@ -53,13 +54,14 @@ void flattenVolume(FlatVolume& flat, const Volume& volume) {
     flat.stepX = size.x > 1 ? 1 : 0;
     flat.stepY = size.y > 1 ? size.x : 0;
     flat.stepZ = size.z > 1 ? std::int64_t(size.x) * size.y : 0;
-    flat.indexFromLocal = mat3(glm::inverse(localFromIndex));
+    flat.exactIndexFromLocal = glm::inverse(localFromIndex);
+    flat.indexFromLocal = mat3(flat.exactIndexFromLocal);
     flat.localFromIndex = mat3(localFromIndex);
 }
 
 void flattenMajorants(PreparedScene& prepared) {
     const Majorants& majorants = *prepared.majorants;
-    prepared.flat.majorants = {majorants.fine.data(),        majorants.coarse.data(), prepared.ranges->fineSize(),
+    prepared.flat.majorants = {majorants.fine.data(),         majorants.coarse.data(), prepared.ranges->fineSize(),
                                prepared.ranges->coarseSize(), majorants.occupiedLow,   majorants.occupiedHigh};
 }
 
@@ -68,9 +70,9 @@ void flattenCamera(FlatCamera& flat, const Camera& camera, const VolumeGeometry&
     const bool perspective = camera.type == Camera::Type::perspective;
     const double height = perspective ? 2 * std::tan(glm::radians(camera.fovDegrees) / 2) : camera.heightMm;
     flat.eye = dvec3(glm::inverse(geometry.patientFromIndex) * dvec4(camera.eyeMm, 1.0));
-    flat.forward = vec3(camera.forward());
-    flat.right = vec3(camera.right() * (height * aspect));
-    flat.up = vec3(camera.imageUp() * height);
+    flat.forward = camera.forward();
+    flat.right = camera.right() * (height * aspect);
+    flat.up = camera.imageUp() * height;
     flat.perspective = perspective ? 1 : 0;
     flat.film = film;
 }

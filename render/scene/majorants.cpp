@@ -40,8 +40,8 @@ Majorants::Majorants(const CellRanges& ranges, const TransferFunction& function,
                     fine[at] = bound;
                     if (!(bound > 0))
                         continue;
-                    const std::size_t above = (std::size_t(slab) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x +
-                                              i / kFinePerCoarse;
+                    const std::size_t above =
+                        (std::size_t(slab) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x + i / kFinePerCoarse;
                     coarse[above] = std::max(coarse[above], bound);
                     boxes[slab].include({i, j, k});
                 }

@@ -18,11 +18,11 @@ struct Projection {
 
     explicit Projection(const FlatScene& scene) : perspective(scene.camera.perspective > 0), film(scene.camera.film) {
         const FlatCamera& camera = scene.camera;
-        const dvec3 right = dvec3(camera.right) / double(glm::dot(camera.right, camera.right));
-        const dvec3 down = -dvec3(camera.up) / double(glm::dot(camera.up, camera.up));
-        const glm::dmat3 local(scene.volume.localFromIndex);
+        const dvec3 right = camera.right / glm::dot(camera.right, camera.right);
+        const dvec3 down = -camera.up / glm::dot(camera.up, camera.up);
+        const dmat3 local = glm::inverse(scene.volume.exactIndexFromLocal);
         const auto project = [&](dvec3 v) {
-            return dvec3(glm::dot(v, right), glm::dot(v, down), glm::dot(v, dvec3(camera.forward)));
+            return dvec3(glm::dot(v, right), glm::dot(v, down), glm::dot(v, camera.forward));
         };
         perI = project(local[0]);
         perJ = project(local[1]);
@@ -50,7 +50,9 @@ struct Footprint {
 class Blocks {
   public:
     explicit Blocks(ivec2 film)
-        : size_((film + kViewBlock - 1) / kViewBlock), film_(film), depths_(std::size_t(size_.x) * size_.y, vec2(kInfinity, -kInfinity)) {}
+        : size_((film + kViewBlock - 1) / kViewBlock),
+          film_(film),
+          depths_(std::size_t(size_.x) * size_.y, vec2(kInfinity, -kInfinity)) {}
 
     void cover(const Footprint& footprint) {
         const dvec2 low = (footprint.low + 0.5) * dvec2(film_) / double(kViewBlock) - 1e-3;
@@ -104,8 +106,8 @@ std::vector<vec2> viewDepths(const FlatScene& scene) {
         const dvec3 corner = projection(dvec3(cell - 1) * 4.0);
         Footprint footprint;
         for (int n = 0; n < 8; ++n) {
-            const dvec3 projected = corner + edges[0] * double(n & 1) + edges[1] * double((n >> 1) & 1) +
-                                    edges[2] * double(n >> 2);
+            const dvec3 projected =
+                corner + edges[0] * double(n & 1) + edges[1] * double((n >> 1) & 1) + edges[2] * double(n >> 2);
             if (projection.perspective && !(projected.z > 1e-3)) {
                 blocks.coverAll();
                 return false;

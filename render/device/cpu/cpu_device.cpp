@@ -1,14 +1,16 @@
 #include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <array>
 #include <thread>
 #include <utility>
 
-#include "render/device/device.h"
 #include "render/device/cpu/pixel_batch.h"
+#include "render/device/device.h"
 
 namespace pdr {
 
@@ -31,7 +33,10 @@ constexpr auto kTileKernels = tileKernels(std::make_index_sequence<kFeatureMasks
 class CpuDevice final : public Device {
   public:
     explicit CpuDevice(int threads)
-        : threads_(threads > 0 ? threads : int(std::thread::hardware_concurrency())), arena_(threads_) {}
+        : threads_(threads > 0 ? threads : int(std::thread::hardware_concurrency())),
+          allowed_(tbb::global_control::max_allowed_parallelism,
+                   std::max(threads_, tbb::this_task_arena::max_concurrency())),
+          arena_(threads_) {}
 
     DeviceInfo info() const override { return {"cpu", std::to_string(threads_) + " threads"}; }
 
@@ -58,6 +63,7 @@ class CpuDevice final : public Device {
 
   private:
     int threads_;
+    tbb::global_control allowed_;  ///< more threads than cores, when asked for
     tbb::task_arena arena_;
     tbb::enumerable_thread_specific<PixelBatch> batches_;
     std::shared_ptr<const PreparedScene> scene_;

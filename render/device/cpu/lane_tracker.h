@@ -55,7 +55,9 @@ class RayBatch {
 };
 
 inline Flight<FloatLanes> RayBatch::started(const FlatScene& scene, int row) const {
-    const auto load = [row](auto& lanes, const auto& column) { std::memcpy(&lanes, column.data() + row, sizeof lanes); };
+    const auto load = [row](auto& lanes, const auto& column) {
+        std::memcpy(&lanes, column.data() + row, sizeof lanes);
+    };
     Vec3<FloatLanes> origin, direction;
     FloatLanes length;
     RandomStreamOf<FloatLanes> random;
@@ -75,12 +77,12 @@ inline Flight<FloatLanes> RayBatch::started(const FlatScene& scene, int row) con
 
 template <template <class> class Rule>
 inline void RayBatch::track(const FlatScene& scene) {
-    int next = 0;                                  // the first ray that no lane has taken
+    int next = 0;                                    // the first ray that no lane has taken
     Flight<FloatLanes> waiting = started(scene, 0);  // rays [next rounded down, + kLanes)
     Flight<FloatLanes> flight = waiting;
     flight.stop(IntLanes{} - 1);
     Rule<FloatLanes> rule;
-    IntLanes ray = IntLanes{} - 1;                 // which ray each lane has; -1: none
+    IntLanes ray = IntLanes{} - 1;  // which ray each lane has; -1: none
 
     for (;;) {
         std::uint32_t idle = laneBits(!flight.flying());

@@ -1,0 +1,126 @@
+#include <QTest>
+
+#include "render/film/film.h"
+#include "render/kernel/pixel.h"
+#include "tests/support/statistics.h"
+
+using namespace pdr;
+
+namespace {
+
+const Tile kOnePixel{0, 0, 1, 1};
+
+/// A film of one pixel after `count` samples value(i).
+template <class Value>
+Film filmOf(std::uint64_t count, Value&& value, std::uint32_t n = 64) {
+    Film film({1, 1}, 0);
+    while (film.samplesPerPixel() < count) {
+        const SampleRange range =
+            film.nextSamples(std::uint32_t(std::min<std::uint64_t>(n, count - film.samplesPerPixel())));
+        for (std::uint32_t i = 0; i < range.count; ++i)
+            addSample(*film.sums(kOnePixel).pixels, vec3(float(value(range.first + i))));
+        film.commit(range);
+    }
+    return film;
+}
+
+double uniform(std::uint64_t i) {
+    return Random(1, 0, i).stream(Dimension::filter).pair().x;
+}
+
+}  // namespace
+
+class FilmTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void firstSamplesCountFully() {
+        const auto ramp = [](std::uint64_t i) { return double(i + 1); };
+        QCOMPARE(filmOf(1, ramp).pixel(0, 0).mean.x, 1.0);
+        QCOMPARE(filmOf(2, ramp).pixel(0, 0).mean.x, 1.5);
+        QCOMPARE(filmOf(3, ramp).pixel(0, 0).mean.x, 2.0);
+    }
+
+    /// Naive single-precision accumulation is wrong by percents here; the same samples in float show it.
+    void meanStaysRightForTenMillionIterations() {
+        const auto value = [](std::uint64_t i) { return uniform(i) < 0.9 ? 0.8 : 2.8; };
+        const std::uint64_t count = 10'000'000;
+        double truth = 0;
+        float running = 0, plain = 0;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const float sample = float(value(i));
+            truth += double(sample);
+            plain += sample;
+            running += (sample - running) / float(i + 1);
+        }
+        truth /= double(count);
+        const double mean = filmOf(count, value).pixel(0, 0).mean.x;
+        QVERIFY(std::fabs(mean / truth - 1) < 1e-12);
+        QVERIFY(std::fabs(double(running) / truth - 1) > 1e-3);
+        QVERIFY(std::fabs(double(plain) / double(count) / truth - 1) > 1e-3);
+    }
+
+    void constantSamplesGiveTheConstantAndNoError() {
+        const Film film = filmOf(100'000, [](std::uint64_t) { return 1.0; });
+        QCOMPARE(film.pixel(0, 0).mean.x, 1.0);
+        QCOMPARE(film.pixel(0, 0).standardError.x, 0.0);
+        QCOMPARE(film.status().relativeError, 0.0);
+    }
+
+    void varianceOfSmallNoiseOnALargeValueIsRight() {
+        const auto value = [](std::uint64_t i) { return 1e4 + 1e-2 * (2 * uniform(i) - 1); };
+        const std::uint64_t count = 100'000;
+        test::Sample truth;
+        for (std::uint64_t i = 0; i < count; ++i)
+            truth.add(float(value(i)));
+        const double error = filmOf(count, value).pixel(0, 0).standardError.x;
+        QVERIFY(std::fabs(error / truth.standardError() - 1) < 1e-3);
+    }
+
+    void countGoesOnBeyondFourBillion() {
+        Film film({1, 1}, 0);
+        film.commit({(std::uint64_t(1) << 32) - 8, 8});
+        QCOMPARE(film.nextSamples(10).first, std::uint64_t(1) << 32);
+        QCOMPARE(film.nextSamples(1000).count, kSamplesPerBlock);
+    }
+
+    void badSamplesAreLeftOutAndCounted() {
+        const float bad[] = {NAN, INFINITY, -INFINITY, -1};
+        Film film({1, 1}, 0);
+        for (const float value : bad)
+            addSample(*film.sums(kOnePixel).pixels, vec3(1, value, 1));
+        addSample(*film.sums(kOnePixel).pixels, vec3(3));
+        addSample(*film.sums(kOnePixel).pixels, vec3(5));
+        film.commit({0, 6});
+        QCOMPARE(film.pixel(0, 0).mean.x, 4.0);
+        QCOMPARE(film.pixel(0, 0).count, std::uint64_t(2));
+        QCOMPARE(film.status().rejectedSamples, std::uint64_t(4));
+    }
+
+    void veryBrightSamplesStayFinite() {
+        const Film film = filmOf(1000, [](std::uint64_t i) { return i % 2 ? 1e38 : 1e30; });
+        QVERIFY(std::isfinite(film.pixel(0, 0).mean.x));
+        QVERIFY(std::isfinite(film.pixel(0, 0).standardError.x));
+        QVERIFY(std::isfinite(film.status().relativeError));
+    }
+
+    void resultDoesNotDependOnIterationsPerFrame() {
+        const auto value = [](std::uint64_t i) { return std::exp(5 * uniform(i)); };
+        const PixelEstimate one = filmOf(1000, value, 1).pixel(0, 0);
+        for (const std::uint32_t n : {7u, 10u, 64u}) {
+            const PixelEstimate other = filmOf(1000, value, n).pixel(0, 0);
+            QCOMPARE(other.mean, one.mean);
+            QCOMPARE(other.standardError, one.standardError);
+        }
+    }
+};
+
+namespace QTest {
+template <>
+char* toString(const dvec3& v) {
+    return qstrdup(qPrintable(QString("(%1, %2, %3)").arg(v.x).arg(v.y).arg(v.z)));
+}
+}  // namespace QTest
+
+QTEST_GUILESS_MAIN(FilmTest)
+#include "film_test.moc"

@@ -1,0 +1,143 @@
+#include <QTest>
+#include <array>
+#include <random>
+
+#include "render/device/cpu/lane_tracker.h"
+#include "render/kernel/pixel.h"
+#include "tests/support/scenes.h"
+#include "tests/support/statistics.h"
+
+using namespace pdr;
+
+namespace {
+
+RandomStream stream(int i) {
+    return Random(17, unsigned(i), 1).stream(0, BounceDimension::flight);
+}
+
+/// A ray along +x through the middle of a volume of unit voxels, from the box's border.
+Ray alongX(const PreparedScene& prepared, float length) {
+    const vec3 size(prepared.volume->size());
+    return {{-0.5f, size.y / 2, size.z / 2}, {1, 0, 0}, length};
+}
+
+}  // namespace
+
+class TrackingTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void freeFlightsAreExponential() {
+        const auto prepared = Flattener().prepare(
+            test::plainScene(test::makeVolume({400, 8, 8}, dvec3(1), [](int, int, int) { return 100; }), 0.1f));
+        std::array<double, 64> bins{};
+        for (int i = 0; i < 200000; ++i) {
+            const float t = track<DeltaTracking>(prepared->flat, alongX(*prepared, 400), stream(i));
+            QVERIFY(t >= 0);  // optical depth 40
+            ++bins[std::min(int(64 * -std::expm1(-0.1 * t)), 63)];
+        }
+        QVERIFY(test::uniformP(bins) > 1e-6);
+    }
+
+    void transmittanceOfASlabIsBeersLaw_data() {
+        QTest::addColumn<float>("extinction");
+        for (const float extinction : {1e-6f, 1e-3f, 0.05f, 0.5f, 1.0f})
+            QTest::addRow("%g per mm", extinction) << extinction;
+    }
+    void transmittanceOfASlabIsBeersLaw() {
+        QFETCH(float, extinction);
+        const auto prepared = Flattener().prepare(
+            test::plainScene(test::makeVolume({9, 7, 5}, dvec3(1), [](int, int, int) { return 3; }), extinction));
+        test::Sample ratio, delta;
+        for (int i = 0; i < 200000; ++i) {
+            ratio.add(track<RatioTracking>(prepared->flat, alongX(*prepared, 1e30f), stream(i)));
+            delta.add(track<DeltaTracking>(prepared->flat, alongX(*prepared, 1e30f), stream(i)) < 0);
+        }
+        const double truth = std::exp(-9.0 * extinction);
+        QVERIFY(std::fabs(ratio.mean() - truth) <= test::allowedZ(5) * ratio.standardError() + 1e-5 * truth);
+        QVERIFY(std::fabs(delta.mean() - truth) <= test::allowedZ(5) * std::sqrt(truth * (1 - truth) / 200000) + 1e-12);
+    }
+
+    /// Between two voxel centres trilinear interpolation is an exact ramp: T = exp(-(a L + b L^2 / 2)).
+    void transmittanceOfARampIsExact() {
+        Scene scene =
+            test::plainScene(test::makeVolume({64, 4, 4}, dvec3(1), [](int i, int, int) { return 10 * i; }), 0.2f);
+        scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 630, .opacity = 1}};
+        const auto prepared = Flattener().prepare(scene);
+        test::Sample ratio;
+        for (int i = 0; i < 100000; ++i)
+            ratio.add(track<RatioTracking>(prepared->flat, {{0, 1, 1}, {1, 0, 0}, 20}, stream(i)));
+        QVERIFY(std::fabs(ratio.z(std::exp(-0.2 * 20 * 20 / (2 * 63.0)))) < test::allowedZ(1));
+    }
+
+    /// Directions along axes, in planes and oblique, from all sides: what is walked is the chord of the box.
+    void everyRayMeetsItsWholeChord() {
+        const auto volume = test::makeVolume({37, 18, 50}, dvec3(1), [](int, int, int) { return 1; });
+        const auto prepared = Flattener().prepare(test::plainScene(volume, 3.0f));
+        std::mt19937 random(2);
+        std::uniform_real_distribution<float> unit(-1, 1);
+        const vec3 low(-0.5f), high = vec3(37, 18, 50) - 0.5f;
+        for (int i = 0; i < 3000; ++i) {
+            vec3 direction(unit(random), unit(random), unit(random));
+            for (int axis = 0; axis < 3; ++axis)
+                if (random() % 4 == 0)
+                    direction[axis] = random() % 2 ? 0.0f : -0.0f;
+            if (glm::length(direction) < 0.1f)
+                continue;
+            direction = glm::normalize(direction);
+            vec3 origin = low + (high - low) * (0.5f + 0.5f * vec3(unit(random), unit(random), unit(random)));
+            if (random() % 2)  // on borders between cells and voxels
+                origin = glm::clamp(glm::floor(origin), low, high - 0.01f);
+            const Interval inside = clipped(origin, direction, low, high, {0, 1e30f});
+            Flight<float> flight;
+            flight.start(prepared->flat.majorants, {origin.x, origin.y, origin.z},
+                         {direction.x, direction.y, direction.z}, 1e30f, stream(i));
+            int steps = 0, collisions = 0;
+            float last = 0;
+            while (flight.flying() && ++steps < 10000) {
+                collisions += flight.step(prepared->flat).happened;
+                QVERIFY(flight.t >= last);
+                last = flight.t;
+            }
+            QVERIFY(steps - collisions <= 2 * (37 + 18 + 50) / 4 + 12);
+            QVERIFY2(std::fabs(last - inside.leave) <= 1e-4f * (1 + inside.leave),
+                     qPrintable(QString("%1 instead of %2").arg(last).arg(inside.leave)));
+        }
+    }
+
+    void lanesAndSinglePathsAgreeBitByBit() {
+        Scene scene = test::plainScene(test::bumpyVolume({61, 45, 38}, {0.7, 1.1, 2.3}, 1), 2);
+        scene.transferFunction.nodes = {{.hu = -200, .opacity = 0},
+                                        {.hu = 300, .opacity = 0.3f},
+                                        {.hu = 300, .opacity = 0},
+                                        {.hu = 900, .opacity = 1}};
+        const auto prepared = Flattener().prepare(scene);
+        std::mt19937 random(5);
+        std::uniform_real_distribution<float> unit(-1, 1);
+        RayBatch forDelta, forRatio;
+        std::vector<Ray> rays;
+        for (int i = 0; i < RayBatch::kCapacity - 3; ++i) {
+            const vec3 origin = vec3(30, 22, 19) + 15.0f * vec3(unit(random), unit(random), unit(random));
+            rays.push_back({origin, glm::normalize(vec3(unit(random), unit(random), unit(random))), i % 7 ? 1e30f : 9});
+            forDelta.add(rays.back(), stream(i));
+            forRatio.add(rays.back(), stream(i));
+        }
+        forDelta.track<DeltaTracking>(prepared->flat);
+        forRatio.track<RatioTracking>(prepared->flat);
+        for (int i = 0; i < int(rays.size()); ++i) {
+            QCOMPARE(forDelta.result(i), track<DeltaTracking>(prepared->flat, rays[i], stream(i)));
+            QCOMPARE(forRatio.result(i), track<RatioTracking>(prepared->flat, rays[i], stream(i)));
+        }
+    }
+
+    void nothingToMeetCostsNothing() {
+        Scene scene = test::plainScene(test::makeVolume({40, 40, 40}, dvec3(1), [](int, int, int) { return 0; }), 1e6f);
+        scene.transferFunction.nodes = {{.hu = 100, .opacity = 0}, {.hu = 200, .opacity = 1}};
+        const auto prepared = Flattener().prepare(scene);
+        QCOMPARE(track<RatioTracking>(prepared->flat, alongX(*prepared, 40), stream(1)), 1.0f);
+        QVERIFY(meetsNothing(matterDepths(prepared->flat, {16, 16})));
+    }
+};
+
+QTEST_GUILESS_MAIN(TrackingTest)
+#include "tracking_test.moc"

@@ -1,0 +1,91 @@
+#pragma once
+/// Small scenes with known answers.
+
+#include <random>
+#include <vector>
+
+#include "render/device/device.h"
+#include "render/film/film.h"
+#include "render/scene/flatten.h"
+#include "render/scene/scene.h"
+
+namespace pdr::test {
+
+/// A volume whose every voxel is value(i, j, k), voxels of `spacing` mm, corner of the box at the origin.
+template <class Value>
+std::shared_ptr<const Volume> makeVolume(ivec3 size, dvec3 spacing, Value&& value) {
+    std::vector<std::int16_t> voxels;
+    voxels.reserve(std::size_t(size.x) * size.y * size.z);
+    for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i)
+                voxels.push_back(std::int16_t(value(i, j, k)));
+    return std::make_shared<Volume>(VolumeGeometry::aligned(size, spacing, spacing * 0.5), std::move(voxels));
+}
+
+/// Rough tissue: smooth blobs with noise, HU -1000 .. 2000.
+inline std::shared_ptr<const Volume> bumpyVolume(ivec3 size, dvec3 spacing, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> noise(-150, 150);
+    return makeVolume(size, spacing, [&](int i, int j, int k) {
+        const double wave = std::sin(0.31 * i) + std::sin(0.23 * j + 1) + std::sin(0.37 * k + 2);
+        return std::clamp(500 * wave + noise(random), -1000.0, 2000.0);
+    });
+}
+
+/// A constant extinction in all of `volume`, white, lit from above.
+inline Scene plainScene(std::shared_ptr<const Volume> volume, float extinctionPerMm) {
+    Scene scene;
+    scene.volume = std::move(volume);
+    scene.transferFunction.extinctionPerMm = extinctionPerMm;
+    scene.transferFunction.nodes = {{.hu = 0, .opacity = 1, .albedo = vec3(1)}};
+    scene.lights = {DirectionalLight{{0, 0, -1}, vec3(1)}};
+    const VolumeGeometry& geometry = scene.volume->geometry();
+    scene.camera = standardView(StandardView::anterior, geometry.centreMm(), geometry.radiusMm(), 1);
+    scene.film = {32, 32};
+    return scene;
+}
+
+/// Renders `samples` a pixel with n iterations at a time in tiles of `tile` pixels.
+inline Film render(const Scene& scene, std::uint64_t samples, Device& device, std::uint32_t n = 64, int tile = 4096) {
+    Flattener flattener;
+    (void)device.upload(flattener.prepare(scene));
+    Film film(scene.film, scene.revision);
+    while (film.samplesPerPixel() < samples) {
+        const SampleRange range =
+            film.nextSamples(std::uint32_t(std::min<std::uint64_t>(n, samples - film.samplesPerPixel())));
+        for (int y = 0; y < scene.film.y; y += tile)
+            for (int x = 0; x < scene.film.x; x += tile) {
+                const Tile piece{x, y, std::min(tile, scene.film.x - x), std::min(tile, scene.film.y - y)};
+                (void)device.render(piece, range, film.sums(piece), {});
+            }
+        film.commit(range);
+    }
+    return film;
+}
+
+inline Film render(const Scene& scene, std::uint64_t samples) {
+    const std::unique_ptr<Device> device = makeCpuDevice();
+    return render(scene, samples, *device);
+}
+
+/// The same scene behind one bound for all: no cell is known to be emptier than another.
+inline std::shared_ptr<const PreparedScene> withGlobalMajorant(const PreparedScene& prepared) {
+    auto result = std::make_shared<PreparedScene>(prepared);
+    auto majorants = std::make_shared<Majorants>(*prepared.majorants);
+    const float highest = *std::max_element(majorants->coarse.begin(), majorants->coarse.end());
+    majorants->coarse.assign(majorants->coarse.size(), highest);
+    majorants->fine.assign(majorants->fine.size(), highest);
+    majorants->occupiedLow = vec3(-0.5f);
+    majorants->occupiedHigh = vec3(prepared.volume->size()) - 0.5f;
+    result->majorants = majorants;
+    result->viewDepths.assign(prepared.viewDepths.size(), vec2(0, 1e30f));
+    result->flat.majorants.fine = majorants->fine.data();
+    result->flat.majorants.coarse = majorants->coarse.data();
+    result->flat.majorants.occupiedLow = majorants->occupiedLow;
+    result->flat.majorants.occupiedHigh = majorants->occupiedHigh;
+    result->flat.viewBounds.depths = result->viewDepths.data();
+    return result;
+}
+
+}  // namespace pdr::test
