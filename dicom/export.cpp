@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <ctime>
 #include <optional>
+#include <random>
 #include <system_error>
 
 #include "dicom/codecs.h"
@@ -25,9 +26,16 @@ struct SeriesIdentity {
     std::string date, time;
 };
 
+/// A random UUID as a UID. The toolkit's own ones carry the address of the network card.
 std::string newUid() {
+    static thread_local std::random_device random;
+    OFUUID::BinaryRepresentation bytes{};
+    for (Uint8& byte : bytes.value)
+        byte = Uint8(random());
+    bytes.value[6] = (bytes.value[6] & 0x0F) | 0x40;  // version 4, RFC 4122
+    bytes.value[8] = (bytes.value[8] & 0x3F) | 0x80;
     OFString uid;
-    OFUUID().toString(uid, OFUUID::ER_RepresentationOID);
+    OFUUID(bytes).toString(uid, OFUUID::ER_RepresentationOID);
     return uid.c_str();
 }
 
@@ -84,6 +92,7 @@ void putWho(DcmItem& item, const ExportFacts& facts, const SeriesIdentity& ident
     put(item, DCM_Modality, "CT");
     put(item, DCM_SeriesInstanceUID, identity.seriesUid);
     put(item, DCM_SeriesNumber, "1");
+    put(item, DCM_Laterality, "");
     put(item, DCM_SeriesDescription, facts.seriesDescription);
     put(item, DCM_Manufacturer, "PD-Render");
     put(item, DCM_SoftwareVersions, PDR_VERSION);

@@ -256,7 +256,7 @@ std::uint64_t readMeta(ByteSource& source, std::uint64_t at, FileStructure& foun
 
 void walkDataSet(ByteSource& source, std::uint64_t start, FileStructure& found) {
     const DcmXfer stated(found.transferSyntaxUid.c_str());
-    if (stated.getXfer() == EXS_Unknown) {
+    if (found.transferSyntaxUid.empty() || stated.getXfer() == EXS_Unknown) {
         const Encoding encoding = detectEncoding(source, start);
         found.transferSyntaxUid = found.transferSyntaxUid.empty() ? uidOf(encoding) : found.transferSyntaxUid;
         Walk(source, start, encoding, found).run();

@@ -20,11 +20,20 @@ std::string shortName(const SliceHeader& header, const std::filesystem::path& ro
     return header.file.lexically_relative(root).string();
 }
 
+/// "1 slice", "3 slices"
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
 std::vector<SlicePlane> planesOf(const Headers& headers, const std::filesystem::path& root) {
     std::vector<SlicePlane> planes;
     for (const SliceHeader* header : headers)
-        planes.push_back({shortName(*header, root), {header->columns, header->rows}, header->position, header->rowDirection,
-                          header->columnDirection, header->spacingMm, header->frameOfReferenceUid});
+        planes.push_back({shortName(*header, root),
+                          {header->columns, header->rows},
+                          header->position,
+                          header->rowDirection,
+                          header->columnDirection,
+                          header->spacingMm});
     return planes;
 }
 
@@ -64,19 +73,25 @@ StackAnalysis withoutCopies(Headers& headers, StackAnalysis analysis, const std:
     }
     headers = kept;
     analysis = analyseStack(planesOf(headers, root));
-    analysis.verdict.notes.push_back(std::to_string(copies.size()) +
-                                     (copies.size() == 1 ? " copy of a slice" : " copies of slices") + " left out" +
+    analysis.verdict.notes.push_back(counted(copies.size(), "copy of a slice", "copies of slices") + " left out" +
                                      (names.empty() ? "" : " (" + names + ")"));
     return analysis;
 }
 
 void addNotes(GeometryVerdict& verdict, const Headers& headers) {
-    const auto withoutRescale = std::count_if(headers.begin(), headers.end(), [](const SliceHeader* header) {
+    const std::size_t withoutRescale = std::count_if(headers.begin(), headers.end(), [](const SliceHeader* header) {
         return !header->meaning.slope || !header->meaning.intercept;
     });
     if (verdict.loadable() && withoutRescale > 0)
-        verdict.notes.push_back(std::to_string(withoutRescale) +
-                                " slices state no rescale; their stored values are taken as HU");
+        verdict.notes.push_back(counted(withoutRescale, "slice states", "slices state") +
+                                " no rescale; stored values are taken as HU");
+    std::set<std::string> frames;
+    for (const SliceHeader* header : headers)
+        frames.insert(header->frameOfReferenceUid);
+    // Some de-identifiers give every file a frame of its own; a true second frame would show as a broken stack.
+    if (verdict.loadable() && frames.size() > 1)
+        verdict.notes.push_back("the files name " + std::to_string(frames.size()) +
+                                " frames of reference; their positions are taken as one");
 }
 
 Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
@@ -108,8 +123,8 @@ void addStacks(const Headers& headers, const std::filesystem::path& root, std::v
         StackAnalysis analysis = withoutCopies(slices, analyseStack(planesOf(slices, root)), root);
         addNotes(analysis.verdict, slices);
         if (parts.size() > 1)
-            analysis.verdict.notes.push_back(std::to_string(headers.size() - part.size()) + " other slices of this series lie on "
-                                             "another grid and are listed by themselves");
+            analysis.verdict.notes.push_back(counted(headers.size() - part.size(), "slice", "slices") +
+                                             " of this series on another grid listed apart");
         out.push_back(seriesOf(slices, analysis));
     }
 }

@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
+#include "dicom/character_set.h"
 #include "dicom/codecs.h"
 #include "dicom/file_structure.h"
 
@@ -17,13 +20,31 @@ namespace {
 
 constexpr std::size_t kLongestText = 512;
 
-/// The values of a numeric or decimal-string element; nothing if it is absent, shorter or not all finite numbers.
+/// A decimal string that is a number from end to end: "1,5" must not pass as 1.
+std::optional<double> number(std::string_view written) {
+    while (!written.empty() && (written.back() == ' ' || written.back() == '\0'))
+        written.remove_suffix(1);
+    while (!written.empty() && (written.front() == ' ' || written.front() == '+'))
+        written.remove_prefix(1);
+    double value = 0;
+    const auto [end, failure] = std::from_chars(written.data(), written.data() + written.size(), value);
+    if (failure != std::errc() || end != written.data() + written.size() || !std::isfinite(value))
+        return {};
+    return value;
+}
+
+/// The values of a decimal string; nothing if it is absent, shorter or not all numbers.
 template <int Count>
 std::optional<std::array<double, Count>> numbers(DcmItem& item, const DcmTagKey& tag) {
     std::array<double, Count> values;
     for (int i = 0; i < Count; ++i) {
-        if (item.findAndGetFloat64(tag, values[i], unsigned(i)).bad() || !std::isfinite(values[i]))
+        OFString written;
+        if (item.findAndGetOFString(tag, written, static_cast<unsigned long>(i)).bad())
             return {};
+        const std::optional<double> value = number({written.c_str(), written.size()});
+        if (!value)
+            return {};
+        values[i] = *value;
     }
     return values;
 }
@@ -50,23 +71,26 @@ std::string text(DcmItem& item, const DcmTagKey& tag) {
     return result;
 }
 
-/// For text whose character set is unknown to the toolkit: no screen must meet half a character.
-void keepAscii(std::string& value) {
-    std::replace_if(value.begin(), value.end(), [](unsigned char c) { return c >= 0x80; }, '?');
+/// A person's name may end in separators of components that are not there.
+std::string personName(DcmItem& item, const DcmTagKey& tag) {
+    std::string name = text(item, tag);
+    name.resize(name.find_last_not_of("=^ ") + 1);
+    return name;
 }
 
 void readFacts(DcmItem& item, SliceHeader& header) {
+    const std::string characterSet = text(item, DCM_SpecificCharacterSet);
     const bool isUtf8 = item.convertToUTF8().good();
-    header.patient = {text(item, DCM_PatientName), text(item, DCM_PatientID), text(item, DCM_PatientBirthDate),
+    header.patient = {personName(item, DCM_PatientName), text(item, DCM_PatientID), text(item, DCM_PatientBirthDate),
                       text(item, DCM_PatientSex)};
     header.study = {text(item, DCM_StudyInstanceUID), text(item, DCM_StudyDate), text(item, DCM_StudyDescription)};
     header.series = {text(item, DCM_SeriesInstanceUID), text(item, DCM_Modality), text(item, DCM_SeriesDescription),
                      text(item, DCM_SeriesDate), integerValue(item, DCM_SeriesNumber, 0)};
     if (isUtf8)
         return;
-    for (std::string* value : {&header.patient.name, &header.patient.id, &header.patient.birthDate,
-                               &header.study.description, &header.series.description})
-        keepAscii(*value);
+    for (std::string* value : {&header.patient.name, &header.patient.id, &header.study.description,
+                               &header.series.description})
+        *value = readable(*value, characterSet);
 }
 
 /// The padding value may be written US or SS, whatever the pixels are: its 16 bits count.

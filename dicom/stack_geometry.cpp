@@ -64,7 +64,7 @@ bool sameDirection(const SlicePlane& a, const SlicePlane& b) {
 }
 
 bool sameGrid(const SlicePlane& a, const SlicePlane& b) {
-    if (!sameSize(a, b) || hasGeometry(a) != hasGeometry(b) || a.frameOfReference != b.frameOfReference)
+    if (!sameSize(a, b) || hasGeometry(a) != hasGeometry(b))
         return false;
     return !hasGeometry(a) || (sameSpacing(a, b) && sameDirection(a, b));
 }
@@ -219,8 +219,6 @@ GeometryVerdict judgeAgreement(const std::vector<SlicePlane>& slices) {
             return {Stack::mixedSize, first.name + " has " + sizeText(first) + ", " + slice.name + " has " + sizeText(slice), {}};
         if (!sameDirection(slice, first))
             return {Stack::mixedOrientation, first.name + " and " + slice.name + " look in different directions", {}};
-        if (slice.frameOfReference != first.frameOfReference)
-            return {Stack::noGeometry, "the positions of " + first.name + " and " + slice.name + " have different origins", {}};
     }
     return {Stack::even, "", {}};
 }
@@ -235,10 +233,12 @@ StackAnalysis analyseStack(const std::vector<SlicePlane>& slices) {
     const auto sizeOfFirst = [&](const SlicePlane& slice) { return sameSize(slice, slices.front()); };
     if (std::all_of(slices.begin(), slices.end(), sizeOfFirst))
         analysis.geometry.size = ivec3(slices.front().size, int(slices.size()));
-    if (!analysis.verdict.loadable())
+    if (!std::all_of(slices.begin(), slices.end(), hasGeometry))
         return analysis;
     const SortedStack stack(slices);
     analysis.order = stack.order();
+    if (!analysis.verdict.loadable())
+        return analysis;
     analysis.samePlace = findSamePlace(stack);
     analysis.verdict = judge(stack);
     if (analysis.verdict.loadable())

@@ -29,13 +29,12 @@ struct SlicePlane {
     std::string name;
     ivec2 size{0};  ///< columns, rows
     std::optional<dvec3> position, rowDirection, columnDirection;
-    std::optional<dvec2> spacingMm;   ///< x: between columns, y: between rows
-    std::string frameOfReference;     ///< positions of different frames cannot be compared
+    std::optional<dvec2> spacingMm;  ///< x: between columns, y: between rows
 };
 
 struct StackAnalysis {
     GeometryVerdict verdict;
-    /// Indices of the slices, ascending along the normal; as given where there is no geometry.
+    /// Indices of the slices, ascending along the normal of the first; as given where one has no geometry.
     std::vector<int> order;
     /// Complete for Stack::even; otherwise only `size`, and that only where the slices agree on it.
     VolumeGeometry geometry;
@@ -46,7 +45,7 @@ struct StackAnalysis {
 /// `slices` holds at least one.
 StackAnalysis analyseStack(const std::vector<SlicePlane>& slices);
 
-/// Parts slices of one series into those that can share a grid (same size, spacing, directions, frame of reference).
+/// Parts slices of one series into those that can share a grid (same size, spacing and directions).
 /// Parts with one slice only are gathered in one last part. Indices, in the order given.
 std::vector<std::vector<int>> splitByGrid(const std::vector<SlicePlane>& slices);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json reportOf(const dicom::ScanResult& scan, const std::string& folder) {
+Json scanReport(const dicom::ScanResult& scan, const std::string& folder) {
     Json report = {{"folder", folder}, {"filesSeen", scan.filesSeen}, {"notDicom", scan.notDicom}};
     report["series"] = Json::array();
     for (const dicom::Series& series : scan.series)
@@ -48,7 +48,7 @@ int runInfo(const QStringList& arguments) {
         std::fprintf(stderr, "%s\n", scan.error().text().c_str());
         return 1;
     }
-    const Json report = reportOf(*scan, folder);
+    const Json report = scanReport(*scan, folder);
     if (asJson)
         std::printf("%s\n", report.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     else
