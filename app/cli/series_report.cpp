@@ -1,0 +1,164 @@
+#include "app/cli/series_report.h"
+
+#include <QByteArray>
+#include <QByteArrayView>
+#include <QCryptographicHash>
+#include <algorithm>
+#include <cstdio>
+
+#include "dicom/import.h"
+
+namespace pdr::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* nameOf(dicom::Stack stack) {
+    switch (stack) {
+        case dicom::Stack::even:
+            return "even";
+        case dicom::Stack::singleSlice:
+            return "singleSlice";
+        case dicom::Stack::gap:
+            return "gap";
+        case dicom::Stack::doubled:
+            return "doubled";
+        case dicom::Stack::tilted:
+            return "tilted";
+        case dicom::Stack::mixedOrientation:
+            return "mixedOrientation";
+        case dicom::Stack::mixedSize:
+            return "mixedSize";
+        case dicom::Stack::noGeometry:
+            return "noGeometry";
+        case dicom::Stack::notCt:
+            return "notCt";
+        case dicom::Stack::unreadable:
+            return "unreadable";
+    }
+    return "";
+}
+
+Json vectorOf(const dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+void addGrid(Json& report, const VolumeGeometry& geometry) {
+    const dvec3 spacing = geometry.spacingMm();
+    report["spacingMm"] = vectorOf(spacing);
+    report["originMm"] = vectorOf(dvec3(geometry.patientFromIndex[3]));
+    report["rowDirection"] = vectorOf(dvec3(geometry.patientFromIndex[0]) / spacing.x);
+    report["columnDirection"] = vectorOf(dvec3(geometry.patientFromIndex[1]) / spacing.y);
+}
+
+/// Lowest, highest and mean of the voxels that `counts` takes.
+template <class Counts>
+Json statisticsOf(const Volume& volume, Counts counts) {
+    std::int64_t sum = 0, count = 0;
+    int lowest = INT16_MAX, highest = INT16_MIN;
+    const auto voxels = volume.voxels();
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        if (!counts(i))
+            continue;
+        sum += voxels[i];
+        ++count;
+        lowest = std::min<int>(lowest, voxels[i]);
+        highest = std::max<int>(highest, voxels[i]);
+    }
+    if (count == 0)
+        return nullptr;
+    return {{"voxels", count}, {"lowest", lowest}, {"highest", highest}, {"mean", double(sum) / double(count)}};
+}
+
+std::string checksumOf(const Volume& volume) {
+    const auto voxels = volume.voxels();
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(QByteArrayView(reinterpret_cast<const char*>(voxels.data()), qsizetype(voxels.size_bytes())));
+    return hash.result().toHex().toStdString();
+}
+
+void addPixels(Json& report, const dicom::Series& series) {
+    const Result<Volume> volume = dicom::loadSeries(series, dicom::Padding::keep, noProgress);
+    if (!volume) {
+        if (series.verdict.loadable())
+            report["error"] = volume.error().text();
+        return;
+    }
+    report["hu"] = statisticsOf(*volume, [](std::size_t) { return true; });
+    report["huWithoutPadding"] = statisticsOf(*volume, [&](std::size_t i) { return !volume->isPadding(i); });
+    report["paddingVoxels"] = volume->paddingCount();
+    report["sha256"] = checksumOf(*volume);
+}
+
+std::string joined(const Json& numbers, const char* separator) {
+    std::string line;
+    for (const Json& value : numbers) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.6g", value.get<double>());
+        line += (line.empty() ? "" : separator) + std::string(text);
+    }
+    return line;
+}
+
+std::string statisticsLine(const char* label, const Json& statistics) {
+    if (!statistics.is_object())
+        return {};
+    char line[128];
+    std::snprintf(line, sizeof line, "  %-16s %d .. %d, mean %.9f\n", label, statistics["lowest"].get<int>(),
+                  statistics["highest"].get<int>(), statistics["mean"].get<double>());
+    return line;
+}
+
+}  // namespace
+
+Json reportOf(const dicom::Series& series) {
+    Json report = {{"uid", series.series.uid},
+                   {"modality", series.series.modality},
+                   {"description", series.series.description},
+                   {"number", series.series.number},
+                   {"date", series.series.date},
+                   {"slices", series.slices.size()},
+                   {"verdict", nameOf(series.verdict.stack)},
+                   {"loadable", series.verdict.loadable()},
+                   {"reason", series.verdict.reason},
+                   {"notes", series.verdict.notes}};
+    const ivec3 size = series.geometry.size;
+    if (size.x > 0)
+        report["size"] = {size.x, size.y, size.z};
+    if (series.verdict.loadable())
+        addGrid(report, series.geometry);
+    if (series.verdict.stack != dicom::Stack::unreadable)
+        addPixels(report, series);
+    return report;
+}
+
+std::string textOf(const Json& report) {
+    std::string text = report["modality"].get<std::string>() + " series " + std::to_string(report["number"].get<int>()) +
+                       " \"" + report["description"].get<std::string>() + "\", " +
+                       std::to_string(report["slices"].get<int>()) + " slices: " +
+                       (report["loadable"].get<bool>() ? "can be loaded" : report["verdict"].get<std::string>()) + "\n";
+    if (const auto reason = report["reason"].get<std::string>(); !reason.empty())
+        text += "  reason           " + reason + "\n";
+    for (const Json& note : report["notes"])
+        text += "  note             " + note.get<std::string>() + "\n";
+    if (report.contains("size"))
+        text += "  size             " + joined(report["size"], " x ") + "\n";
+    if (report.contains("spacingMm")) {
+        text += "  spacing          " + joined(report["spacingMm"], " x ") + " mm\n";
+        text += "  origin           " + joined(report["originMm"], ", ") + " mm\n";
+        text += "  row direction    " + joined(report["rowDirection"], ", ") + "\n";
+        text += "  column direction " + joined(report["columnDirection"], ", ") + "\n";
+    }
+    if (report.contains("sha256")) {
+        text += statisticsLine("HU", report["hu"]);
+        text += statisticsLine("without padding", report["huWithoutPadding"]);
+        text += "  padding          " + std::to_string(report["paddingVoxels"].get<std::int64_t>()) + " voxels\n";
+        text += "  sha256           " + report["sha256"].get<std::string>() + "\n";
+    }
+    if (report.contains("error"))
+        text += "  error            " + report["error"].get<std::string>() + "\n";
+    return text + "  uid              " + report["uid"].get<std::string>() + "\n";
+}
+
+}  // namespace pdr::app

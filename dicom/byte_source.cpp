@@ -1,0 +1,81 @@
+#include "dicom/byte_source.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace pdr::dicom {
+
+namespace {
+
+constexpr std::size_t kWindowBytes = 16 << 10;
+
+}  // namespace
+
+ByteSource::ByteSource(const std::filesystem::path& file) : file_(file, std::ios::binary) {
+    std::error_code failure;
+    size_ = std::filesystem::file_size(file, failure);
+    open_ = file_.is_open() && !failure;
+    if (!open_)
+        size_ = 0;
+}
+
+ByteSource::ByteSource(std::vector<std::uint8_t> bytes) : window_(std::move(bytes)), size_(window_.size()), open_(true) {}
+
+bool ByteSource::fillWindow(std::uint64_t offset) {
+    window_.resize(std::size_t(std::min<std::uint64_t>(kWindowBytes, size_ - offset)));
+    windowStart_ = offset;
+    file_.clear();
+    file_.seekg(std::streamoff(offset));
+    file_.read(reinterpret_cast<char*>(window_.data()), std::streamsize(window_.size()));
+    window_.resize(std::size_t(file_.gcount()));
+    return !file_.bad();
+}
+
+bool ByteSource::read(std::uint64_t offset, std::span<std::uint8_t> out) {
+    while (!out.empty()) {
+        if (offset >= size_ || out.size() > size_ - offset)
+            return false;
+        const bool inside = offset >= windowStart_ && offset < windowStart_ + window_.size();
+        if (!inside && (!fillWindow(offset) || window_.empty()))
+            return false;
+        const std::size_t skip = std::size_t(offset - windowStart_);
+        const std::size_t count = std::min(out.size(), window_.size() - skip);
+        std::memcpy(out.data(), window_.data() + skip, count);
+        out = out.subspan(count);
+        offset += count;
+    }
+    return true;
+}
+
+std::vector<std::uint8_t> inflateFrom(ByteSource& source, std::uint64_t offset, std::size_t limit) {
+    std::vector<std::uint8_t> inflated;
+    z_stream stream{};
+    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
+        return {};
+    std::array<std::uint8_t, kWindowBytes> packed, unpacked;
+    int state = Z_OK;
+    while (state == Z_OK && inflated.size() <= limit) {
+        if (stream.avail_in == 0) {
+            const auto left = offset < source.size() ? source.size() - offset : 0;
+            const auto count = std::size_t(std::min<std::uint64_t>(packed.size(), left));
+            if (count == 0 || !source.read(offset, std::span(packed).first(count)))
+                break;
+            offset += count;
+            stream.next_in = packed.data();
+            stream.avail_in = uInt(count);
+        }
+        stream.next_out = unpacked.data();
+        stream.avail_out = uInt(unpacked.size());
+        state = inflate(&stream, Z_NO_FLUSH);
+        inflated.insert(inflated.end(), unpacked.begin(), unpacked.begin() + (unpacked.size() - stream.avail_out));
+    }
+    inflateEnd(&stream);
+    if (state != Z_STREAM_END || inflated.size() > limit)
+        inflated.clear();
+    return inflated;
+}
+
+}  // namespace pdr::dicom

@@ -1,0 +1,38 @@
+#pragma once
+/// Random access to the bytes of a file (through a small window) or of memory. Never holds more of a file than the window.
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pdr::dicom {
+
+class ByteSource {
+  public:
+    explicit ByteSource(const std::filesystem::path& file);
+    explicit ByteSource(std::vector<std::uint8_t> bytes);
+
+    bool isOpen() const { return open_; }
+    std::uint64_t size() const { return size_; }
+
+    /// Copies `out.size()` bytes from `offset` on. False if they are not all there.
+    bool read(std::uint64_t offset, std::span<std::uint8_t> out);
+
+  private:
+    bool fillWindow(std::uint64_t offset);
+
+    std::ifstream file_;
+    std::vector<std::uint8_t> window_;
+    std::uint64_t windowStart_ = 0;
+    std::uint64_t size_ = 0;
+    bool open_ = false;
+};
+
+/// The data set of a deflated file: everything from `offset` on, inflated. Empty if the stream is damaged or inflates to
+/// more than `limit` bytes (a bomb).
+std::vector<std::uint8_t> inflateFrom(ByteSource& source, std::uint64_t offset, std::size_t limit);
+
+}  // namespace pdr::dicom

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <mutex>
+#include <new>
+#include <optional>
+
+#include "dicom/import.h"
+#include "dicom/parallel.h"
+#include "dicom/pixels.h"
+
+namespace pdr::dicom {
+
+namespace {
+
+/// Bytes that a program may still ask for, as the kernel estimates it; nothing where it does not say.
+std::optional<std::uint64_t> availableMemory() {
+    std::ifstream info("/proc/meminfo");
+    for (std::string line; std::getline(info, line);) {
+        char key[64];
+        unsigned long long value = 0;
+        if (std::sscanf(line.c_str(), "%63[^:]: %llu", key, &value) == 2 && std::string(key) == "MemAvailable")
+            return std::uint64_t(value) << 10;
+    }
+    return {};
+}
+
+std::string inGigabytes(std::uint64_t bytes) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f GB", double(bytes) / 1e9);
+    return text;
+}
+
+Error outOfMemory(const Series& series, std::uint64_t needed) {
+    const std::optional<std::uint64_t> free = availableMemory();
+    return {"the volume needs " + inGigabytes(needed) + " of memory" +
+                (free ? ", and " + inGigabytes(*free) + " are free" : ", which could not be had"),
+            series.series.description, "Close other programs, or import fewer slices."};
+}
+
+/// The voxels while they are being filled, one slice at a time and from several threads.
+class Filling {
+  public:
+    Filling(const Series& series, Padding padding)
+        : series_(series),
+          padding_(padding),
+          sliceVoxels_(std::size_t(series.geometry.size.x) * std::size_t(series.geometry.size.y)),
+          hu_(series.geometry.voxelCount()),
+          masks_(series.slices.size()) {}
+
+    void loadSlice(std::size_t k) {
+        Result<DecodedSlice> slice = decodeSlice(series_.slices[k], padding_);
+        if (!slice)
+            return fail(slice.error());
+        if (slice->size != ivec2(series_.geometry.size))
+            return fail({"the file has changed since the folder was scanned", series_.slices[k].file.string(),
+                         "Scan the folder again."});
+        std::copy(slice->hu.begin(), slice->hu.end(), hu_.begin() + std::ptrdiff_t(k * sliceVoxels_));
+        masks_[k] = std::move(slice->padding);
+    }
+
+    bool failed() {
+        const std::lock_guard lock(mutex_);
+        return error_.has_value();
+    }
+    const Error& error() const { return *error_; }
+
+    Volume finish() {
+        std::vector<bool> flags;
+        for (std::size_t k = 0; k < masks_.size(); ++k) {
+            if (masks_[k].empty())
+                continue;
+            flags.resize(hu_.size(), false);
+            std::copy(masks_[k].begin(), masks_[k].end(), flags.begin() + std::ptrdiff_t(k * sliceVoxels_));
+            masks_[k] = {};
+        }
+        return Volume(series_.geometry, std::move(hu_), std::move(flags));
+    }
+
+  private:
+    void fail(Error error) {
+        const std::lock_guard lock(mutex_);
+        if (!error_)
+            error_ = std::move(error);
+    }
+
+    const Series& series_;
+    const Padding padding_;
+    const std::size_t sliceVoxels_;
+    std::vector<std::int16_t> hu_;
+    std::vector<std::vector<std::uint8_t>> masks_;
+    std::mutex mutex_;
+    std::optional<Error> error_;
+};
+
+Result<Volume> fill(const Series& series, Padding padding, const Progress& progress) {
+    Filling filling(series, padding);
+    const Progress untilFailure = [&](double fraction, std::string_view step) {
+        return progress(fraction, step) && !filling.failed();
+    };
+    const auto loadOne = [&](std::size_t k) { filling.loadSlice(k); };
+    const bool complete = onAllCores(series.slices.size(), loadOne, untilFailure, "reading slices");
+    if (filling.failed())
+        return filling.error();
+    if (!complete)
+        return Error{"cancelled", "", ""};
+    return filling.finish();
+}
+
+}  // namespace
+
+Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress) {
+    const ivec3 size = series.geometry.size;
+    if (padding == Padding::maskAsAir && !series.verdict.loadable())
+        return Error{series.verdict.reason, series.series.description, "Choose another series."};
+    if (size.x < 1 || size.y < 1 || size.z < 1 || size.z != int(series.slices.size()))
+        return Error{"the slices differ in size: " + series.verdict.reason, series.series.description, ""};
+    // Two bytes a voxel, one for its padding flag until the end, one bit after.
+    const std::uint64_t needed = std::uint64_t(series.geometry.voxelCount()) * 3;
+    if (const auto free = availableMemory(); free && needed > *free)
+        return outOfMemory(series, needed);
+    try {
+        return fill(series, padding, progress);
+    } catch (const std::bad_alloc&) {
+        return outOfMemory(series, needed);
+    }
+}
+
+}  // namespace pdr::dicom

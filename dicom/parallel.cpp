@@ -1,0 +1,51 @@
+#include "dicom/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace pdr::dicom {
+
+namespace {
+
+constexpr auto kReportEvery = std::chrono::milliseconds(20);
+
+}  // namespace
+
+bool onAllCores(std::size_t count, const std::function<void(std::size_t)>& work, const Progress& progress,
+                std::string_view step) {
+    if (!progress(0.0, step))
+        return false;
+    std::atomic<std::size_t> next = 0, done = 0;
+    std::atomic<bool> stop = false;
+    std::mutex mutex;
+    std::condition_variable finished;
+    const auto worker = [&] {
+        for (std::size_t i = next++; i < count && !stop; i = next++) {
+            work(i);
+            if (++done == count) {
+                const std::lock_guard lock(mutex);
+                finished.notify_one();
+            }
+        }
+    };
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < std::min(cores, count); ++i)
+        threads.emplace_back(worker);
+
+    std::unique_lock lock(mutex);
+    while (!finished.wait_for(lock, kReportEvery, [&] { return done == count; })) {
+        if (!progress(double(done) / double(count), step)) {
+            stop = true;
+            return false;
+        }
+    }
+    return progress(1.0, step);
+}
+
+}  // namespace pdr::dicom

@@ -1,0 +1,147 @@
+#include "dicom/pixels.h"
+
+#include <dcmtk/config/osconfig.h>
+
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "dicom/refusal.h"
+#include "dicom/slice_header.h"
+
+namespace pdr::dicom {
+
+namespace {
+
+/// Some GE scanners store -2000 outside the round field of view without declaring it, or declare another value.
+constexpr int kGeOutsideField = -2000;
+constexpr double kGeIntercept = -1024.0;
+
+Error damaged(const SliceRef& slice, std::string what) {
+    return {std::move(what), slice.file.string(), "Copy the file again from its source."};
+}
+
+/// Turns the raw bits of a pixel into the number that they store.
+class StoredValue {
+  public:
+    explicit StoredValue(const PixelFormat& format)
+        : shift_(format.highBit + 1 - format.bitsStored),
+          mask_((1u << format.bitsStored) - 1),
+          signBit_(format.isSigned ? 1u << (format.bitsStored - 1) : 0) {}
+
+    int of(unsigned raw) const {
+        const unsigned bits = raw >> shift_ & mask_;
+        return int(bits ^ signBit_) - int(signBit_);
+    }
+
+    /// A padding value is written as a number, not as bits of a pixel, and often with the other signedness.
+    int ofPadding(int sixteenBits) const {
+        if (signBit_ == 0)
+            return sixteenBits;
+        const int wide = std::int16_t(sixteenBits);
+        const bool fits = wide >= -int(signBit_) && wide < int(signBit_);
+        return fits ? wide : int((unsigned(sixteenBits) & mask_) ^ signBit_) - int(signBit_);
+    }
+
+  private:
+    int shift_;
+    unsigned mask_;
+    unsigned signBit_;
+};
+
+/// The stored values that mean "nothing measured here".
+class PaddingRule {
+  public:
+    PaddingRule(const ValueMeaning& meaning, const StoredValue& stored, Padding padding) {
+        if (meaning.paddingValue) {
+            const int first = stored.ofPadding(*meaning.paddingValue);
+            const int last = meaning.paddingLimit ? stored.ofPadding(*meaning.paddingLimit) : first;
+            lowest_ = std::min(first, last);
+            highest_ = std::max(first, last);
+        }
+        geOutside_ = padding == Padding::maskAsAir && meaning.intercept == kGeIntercept && meaning.slope == 1.0;
+    }
+
+    bool matches(int stored) const {
+        return (stored >= lowest_ && stored <= highest_) || (geOutside_ && stored == kGeOutsideField);
+    }
+
+  private:
+    int lowest_ = 1, highest_ = 0;
+    bool geOutside_ = false;
+};
+
+template <class Raw>
+DecodedSlice toHu(const Raw* raw, const SliceHeader& header, Padding padding) {
+    const StoredValue storedValue(header.format);
+    const PaddingRule rule(header.meaning, storedValue, padding);
+    const double slope = header.meaning.slope.value_or(1.0), intercept = header.meaning.intercept.value_or(0.0);
+    DecodedSlice slice{{header.columns, header.rows}, {}, {}};
+    slice.hu.resize(std::size_t(header.columns) * std::size_t(header.rows));
+    for (std::size_t i = 0; i < slice.hu.size(); ++i) {
+        const int stored = storedValue.of(raw[i]);
+        const double hu = std::clamp(std::round(stored * slope + intercept), -32768.0, 32767.0);
+        slice.hu[i] = std::int16_t(hu);
+        if (!rule.matches(stored))
+            continue;
+        if (slice.padding.empty())
+            slice.padding.resize(slice.hu.size(), 0);
+        slice.padding[i] = 1;
+        if (padding == Padding::maskAsAir)
+            slice.hu[i] = Volume::kAirHu;
+    }
+    return slice;
+}
+
+Result<DecodedSlice> decodePixels(const SliceRef& slice, const SliceHeader& header, Padding padding) {
+    DcmFileFormat content;
+    const E_TransferSyntax coding =
+        header.hasMetaHeader ? EXS_Unknown : DcmXfer(header.transferSyntaxUid.c_str()).getXfer();
+    const E_FileReadMode mode = header.hasMetaHeader ? ERM_autoDetect : ERM_dataset;
+    if (content.loadFile(slice.file.c_str(), coding, EGL_noChange, DCM_MaxReadLength, mode).bad())
+        return damaged(slice, "the file is damaged: it cannot be parsed to its end");
+    DcmDataset& data = *content.getDataset();
+    if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad())
+        return damaged(slice, "the compressed picture cannot be decoded");
+
+    const unsigned long expected = static_cast<unsigned long>(header.columns) * static_cast<unsigned long>(header.rows);
+    unsigned long count = 0;
+    if (header.format.bitsAllocated == 16) {
+        const Uint16* raw = nullptr;
+        if (data.findAndGetUint16Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
+            return toHu(raw, header, padding);
+    } else {
+        const Uint8* raw = nullptr;
+        if (data.findAndGetUint8Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
+            return toHu(raw, header, padding);
+    }
+    return damaged(slice, "the picture holds fewer pixels than its header says");
+}
+
+Result<DecodedSlice> decodeChecked(const SliceRef& slice, Padding padding) {
+    const HeaderRead read = readSliceHeader(slice.file);
+    if (read.kind != HeaderRead::Kind::object)
+        return damaged(slice, read.damage.empty() ? "this is no DICOM image" : "the file is damaged: " + read.damage);
+    if (const std::optional<Refusal> refusal = refusePixels(read.header))
+        return Error{refusal->reason, slice.file.string(), ""};
+    if (read.header.meaning.rescaleIsBroken)
+        return damaged(slice, "its rescale slope or intercept is no usable number");
+    return decodePixels(slice, read.header, padding);
+}
+
+}  // namespace
+
+Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding) {
+    std::error_code failure;
+    if (!std::filesystem::exists(slice.file, failure))
+        return Error{"the file is no longer there", slice.file.string(), "Scan the folder again."};
+    try {
+        return decodeChecked(slice, padding);
+    } catch (const std::bad_alloc&) {
+        return Error{"there is not enough memory to decode it", slice.file.string(), "Close other programs."};
+    }
+}
+
+}  // namespace pdr::dicom

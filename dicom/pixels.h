@@ -1,0 +1,20 @@
+#pragma once
+/// Decodes one slice into Hounsfield units.
+
+#include <cstdint>
+#include <vector>
+
+#include "dicom/import.h"
+
+namespace pdr::dicom {
+
+struct DecodedSlice {
+    ivec2 size{0};                      ///< columns, rows
+    std::vector<std::int16_t> hu;       ///< x fastest; rounded, and held within int16
+    std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty where there is no such pixel
+};
+
+/// Errors: file gone, damaged or in a coding that cannot be read; each names the file. Thread-safe.
+Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding);
+
+}  // namespace pdr::dicom

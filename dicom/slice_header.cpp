@@ -1,0 +1,191 @@
+#include "dicom/slice_header.h"
+
+#include <dcmtk/config/osconfig.h>
+
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "dicom/character_set.h"
+#include "dicom/codecs.h"
+#include "dicom/file_structure.h"
+
+namespace pdr::dicom {
+
+namespace {
+
+constexpr std::size_t kLongestText = 512;
+
+/// A decimal string that is a number from end to end: "1,5" must not pass as 1.
+std::optional<double> number(std::string_view written) {
+    while (!written.empty() && (written.back() == ' ' || written.back() == '\0'))
+        written.remove_suffix(1);
+    while (!written.empty() && (written.front() == ' ' || written.front() == '+'))
+        written.remove_prefix(1);
+    double value = 0;
+    const auto [end, failure] = std::from_chars(written.data(), written.data() + written.size(), value);
+    if (failure != std::errc() || end != written.data() + written.size() || !std::isfinite(value))
+        return {};
+    return value;
+}
+
+/// The values of a decimal string; nothing if it is absent, shorter or not all numbers.
+template <int Count>
+std::optional<std::array<double, Count>> numbers(DcmItem& item, const DcmTagKey& tag) {
+    std::array<double, Count> values;
+    for (int i = 0; i < Count; ++i) {
+        OFString written;
+        if (item.findAndGetOFString(tag, written, static_cast<unsigned long>(i)).bad())
+            return {};
+        const std::optional<double> value = number({written.c_str(), written.size()});
+        if (!value)
+            return {};
+        values[i] = *value;
+    }
+    return values;
+}
+
+int shortValue(DcmItem& item, const DcmTagKey& tag, int absent) {
+    Uint16 value = 0;
+    return item.findAndGetUint16(tag, value).good() ? int(value) : absent;
+}
+
+int integerValue(DcmItem& item, const DcmTagKey& tag, int absent) {
+    Sint32 value = 0;
+    return item.findAndGetSint32(tag, value).good() ? int(value) : absent;
+}
+
+std::string text(DcmItem& item, const DcmTagKey& tag) {
+    OFString value;
+    item.findAndGetOFStringArray(tag, value);
+    std::string result(value.c_str(), std::min(value.size(), kLongestText));
+    // A cut may fall into the middle of a UTF-8 character.
+    while (result.size() == kLongestText && (result.back() & 0xC0) == 0x80)
+        result.pop_back();
+    const auto end = result.find_last_not_of(" \0");
+    result.resize(end == std::string::npos ? 0 : end + 1);
+    return result;
+}
+
+/// A person's name may end in separators of components that are not there.
+std::string personName(DcmItem& item, const DcmTagKey& tag) {
+    std::string name = text(item, tag);
+    name.resize(name.find_last_not_of("=^ ") + 1);
+    return name;
+}
+
+void readFacts(DcmItem& item, SliceHeader& header) {
+    const std::string characterSet = text(item, DCM_SpecificCharacterSet);
+    const bool isUtf8 = item.convertToUTF8().good();
+    header.patient = {personName(item, DCM_PatientName), text(item, DCM_PatientID), text(item, DCM_PatientBirthDate),
+                      text(item, DCM_PatientSex)};
+    header.study = {text(item, DCM_StudyInstanceUID), text(item, DCM_StudyDate), text(item, DCM_StudyDescription)};
+    header.series = {text(item, DCM_SeriesInstanceUID), text(item, DCM_Modality), text(item, DCM_SeriesDescription),
+                     text(item, DCM_SeriesDate), integerValue(item, DCM_SeriesNumber, 0)};
+    if (isUtf8)
+        return;
+    for (std::string* value : {&header.patient.name, &header.patient.id, &header.study.description,
+                               &header.series.description})
+        *value = readable(*value, characterSet);
+}
+
+/// The padding value may be written US or SS, whatever the pixels are: its 16 bits count.
+std::optional<int> sixteenBits(DcmItem& item, const DcmTagKey& tag) {
+    Uint16 asUnsigned = 0;
+    Sint16 asSigned = 0;
+    if (item.findAndGetUint16(tag, asUnsigned).good())
+        return int(asUnsigned);
+    if (item.findAndGetSint16(tag, asSigned).good())
+        return int(std::uint16_t(asSigned));
+    return {};
+}
+
+void readPixelFormat(DcmItem& item, SliceHeader& header) {
+    header.columns = shortValue(item, DCM_Columns, 0);
+    header.rows = shortValue(item, DCM_Rows, 0);
+    header.frames = integerValue(item, DCM_NumberOfFrames, 1);
+    const int bits = shortValue(item, DCM_BitsAllocated, 0);
+    const int stored = shortValue(item, DCM_BitsStored, bits);
+    header.format = {bits,
+                     stored,
+                     shortValue(item, DCM_HighBit, stored - 1),
+                     shortValue(item, DCM_PixelRepresentation, 0) == 1,
+                     shortValue(item, DCM_SamplesPerPixel, 1),
+                     text(item, DCM_PhotometricInterpretation)};
+}
+
+void readMeaning(DcmItem& item, ValueMeaning& meaning) {
+    const auto slope = numbers<1>(item, DCM_RescaleSlope);
+    const auto intercept = numbers<1>(item, DCM_RescaleIntercept);
+    if (slope)
+        meaning.slope = (*slope)[0];
+    if (intercept)
+        meaning.intercept = (*intercept)[0];
+    meaning.rescaleIsBroken = (!slope && item.tagExistsWithValue(DCM_RescaleSlope)) || meaning.slope == 0.0 ||
+                              (!intercept && item.tagExistsWithValue(DCM_RescaleIntercept));
+    meaning.paddingValue = sixteenBits(item, DCM_PixelPaddingValue);
+    meaning.paddingLimit = sixteenBits(item, DCM_PixelPaddingRangeLimit);
+}
+
+void readPlane(DcmItem& item, SliceHeader& header) {
+    if (const auto p = numbers<3>(item, DCM_ImagePositionPatient))
+        header.position = dvec3((*p)[0], (*p)[1], (*p)[2]);
+    if (const auto o = numbers<6>(item, DCM_ImageOrientationPatient)) {
+        header.rowDirection = dvec3((*o)[0], (*o)[1], (*o)[2]);
+        header.columnDirection = dvec3((*o)[3], (*o)[4], (*o)[5]);
+    }
+    // PixelSpacing names the distance between rows first.
+    if (const auto s = numbers<2>(item, DCM_PixelSpacing))
+        header.spacingMm = dvec2((*s)[1], (*s)[0]);
+}
+
+}  // namespace
+
+HeaderRead readSliceHeader(const std::filesystem::path& file) {
+    prepareToolkit();
+    HeaderRead read;
+    SliceHeader& header = read.header;
+    header.file = file;
+    const FileStructure structure = checkStructure(file);
+    if (!structure.isDicom)
+        return read;
+    read.kind = structure.damage.empty() ? HeaderRead::Kind::object : HeaderRead::Kind::damaged;
+    read.damage = structure.damage;
+    header.hasMetaHeader = structure.hasMetaHeader;
+    header.transferSyntaxUid = structure.transferSyntaxUid;
+    header.pixelBytes = structure.pixelBytes;
+    if (!structure.damage.empty() && !structure.reachesPixels)
+        return read;
+
+    DcmFileFormat content;
+    const E_TransferSyntax coding =
+        structure.hasMetaHeader ? EXS_Unknown : DcmXfer(structure.transferSyntaxUid.c_str()).getXfer();
+    const OFCondition outcome =
+        content.loadFileUntilTag(file.c_str(), coding, EGL_noChange, DCM_MaxReadLength,
+                                 structure.hasMetaHeader ? ERM_autoDetect : ERM_dataset, DCM_PixelData);
+    if (outcome.bad() && read.kind == HeaderRead::Kind::object) {
+        read.kind = HeaderRead::Kind::damaged;
+        read.damage = "its header cannot be read";
+        return read;
+    }
+    DcmItem& item = *content.getDataset();
+    header.sopClassUid = text(item, DCM_SOPClassUID);
+    header.sopInstanceUid = text(item, DCM_SOPInstanceUID);
+    header.frameOfReferenceUid = text(item, DCM_FrameOfReferenceUID);
+    header.imageType = text(item, DCM_ImageType);
+    if (text(*content.getMetaInfo(), DCM_MediaStorageSOPClassUID) == UID_MediaStorageDirectoryStorage) {
+        read.kind = HeaderRead::Kind::directory;
+        return read;
+    }
+    readFacts(item, header);
+    readPixelFormat(item, header);
+    readMeaning(item, header.meaning);
+    readPlane(item, header);
+    return read;
+}
+
+}  // namespace pdr::dicom

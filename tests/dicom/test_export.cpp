@@ -1,0 +1,180 @@
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+
+#include "dicom/export.h"
+#include "dicom/import.h"
+
+using namespace pdr;
+using namespace pdr::dicom;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const ExportFacts kFacts{"Test^Grid", "T1", "Tests", "Ramp", "A ramp, made for a test."};
+
+Volume ramp(const VolumeGeometry& geometry) {
+    std::vector<std::int16_t> voxels(geometry.voxelCount());
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+        voxels[i] = std::int16_t(int(i * 7919 % 4096) - 1024);
+    return Volume(geometry, std::move(voxels));
+}
+
+VolumeGeometry upright() {
+    return VolumeGeometry::aligned({40, 30, 6}, {0.9570312, 0.75, 1.5}, {-122.0214843, -80.125, 33.3});
+}
+
+VolumeGeometry oblique() {
+    const dvec3 row = glm::normalize(dvec3(0.8, 0.5, -0.1));
+    const dvec3 normal = glm::normalize(glm::cross(row, dvec3(0.1, 1, 0.4)));
+    dmat4 map(1.0);
+    map[0] = dvec4(row * 0.7, 0.0);
+    map[1] = dvec4(glm::cross(normal, row) * 0.6, 0.0);
+    map[2] = dvec4(normal * 1.25, 0.0);
+    map[3] = dvec4(-12.3456789, 98.7654321, -456.789123, 1.0);
+    return {{12, 17, 5}, map};
+}
+
+double largestDifference(const dmat4& a, const dmat4& b) {
+    double largest = 0;
+    for (int column = 0; column < 4; ++column)
+        largest = std::max(largest, glm::length(a[column] - b[column]));
+    return largest;
+}
+
+/// What the program prints; nothing where it is not installed.
+std::optional<QString> outputOf(const QString& program, const QStringList& arguments) {
+    if (QStandardPaths::findExecutable(program).isEmpty())
+        return {};
+    QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(program, arguments);
+    process.waitForFinished(60000);
+    return QString::fromLocal8Bit(process.readAll());
+}
+
+}  // namespace
+
+class ExportTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir root_;
+
+    fs::path place(const char* name) const { return fs::path(root_.path().toStdString()) / name; }
+
+  private slots:
+    void whatIsWrittenComesBack_data() {
+        QTest::addColumn<bool>("isOblique");
+        QTest::newRow("upright") << false;
+        QTest::newRow("oblique") << true;
+    }
+    void whatIsWrittenComesBack() {
+        QFETCH(bool, isOblique);
+        const Volume volume = ramp(isOblique ? oblique() : upright());
+        const fs::path folder = place(isOblique ? "oblique" : "upright");
+        QVERIFY(bool(writeSeries(volume, kFacts, folder, noProgress)));
+        const auto scan = scanFolder(folder, noProgress);
+        QVERIFY(bool(scan));
+        QCOMPARE(scan->series.size(), std::size_t(1));
+        const Series& series = scan->series.front();
+        QCOMPARE(QString::fromStdString(series.verdict.reason), QString());
+        QVERIFY(series.verdict.notes.empty());
+        QCOMPARE(series.patient.name, kFacts.patientName);
+        QCOMPARE(series.series.description, kFacts.seriesDescription);
+        const auto back = loadSeries(series, Padding::maskAsAir, noProgress);
+        QVERIFY(bool(back));
+        QVERIFY(back->size() == volume.size());
+        QVERIFY(std::equal(volume.voxels().begin(), volume.voxels().end(), back->voxels().begin()));
+        QVERIFY(largestDifference(back->geometry().patientFromIndex, volume.geometry().patientFromIndex) < 1e-9);
+    }
+
+    void otherToolsAcceptTheFiles() {
+        const fs::path folder = place("tools");
+        QVERIFY(bool(writeSeries(ramp(upright()), kFacts, folder, noProgress)));
+        const QString file = QString::fromStdString((folder / "slice00001.dcm").string());
+        const auto verified = outputOf("dciodvfy", {file});
+        const auto dumped = outputOf("dcmdump", {file});
+        const QString nifti = QString::fromStdString(place("nifti").string());
+        QDir().mkpath(nifti);
+        const auto converted = outputOf("dcm2niix", {"-b", "n", "-z", "n", "-o", nifti, QString::fromStdString(folder.string())});
+        if (!verified || !dumped || !converted)
+            QSKIP("dciodvfy, dcmdump or dcm2niix is not installed");
+        QVERIFY2(!verified->contains("Error"), qPrintable(*verified));
+        QVERIFY2(verified->contains("CTImage"), qPrintable(*verified));
+        QVERIFY(dumped->contains("=CTImageStorage") && dumped->contains("=LittleEndianExplicit"));
+        QVERIFY2(converted->contains("(40x30x6x1)"), qPrintable(*converted));
+        // It knows no vendor by our name, and says so; nothing else may trouble it.
+        QVERIFY2(converted->count("Warning") == converted->count("Unable to determine manufacturer"), qPrintable(*converted));
+    }
+
+    void uidsAreFreshAndWellFormed() {
+        const fs::path first = place("uid1"), second = place("uid2");
+        QVERIFY(bool(writeSeries(ramp(upright()), kFacts, first, noProgress)));
+        QVERIFY(bool(writeSeries(ramp(upright()), kFacts, second, noProgress)));
+        const auto a = scanFolder(first, noProgress), b = scanFolder(second, noProgress);
+        const QString uid = QString::fromStdString(a->series[0].series.uid);
+        QVERIFY(uid != QString::fromStdString(b->series[0].series.uid));
+        QVERIFY(QRegularExpression("^2\\.25\\.[1-9][0-9]{1,38}$").match(uid).hasMatch());
+    }
+
+    void emptyFolderIsFilled() {
+        fs::create_directories(place("waiting"));
+        QVERIFY(bool(writeSeries(ramp(upright()), kFacts, place("waiting"), noProgress)));
+        QCOMPARE(std::distance(fs::directory_iterator(place("waiting")), {}), std::ptrdiff_t(6));
+    }
+
+    void folderWithFilesIsLeftAlone() {
+        fs::create_directories(place("used"));
+        std::ofstream(place("used") / "mine") << "mine";
+        const auto written = writeSeries(ramp(upright()), kFacts, place("used"), noProgress);
+        QVERIFY(!written);
+        QVERIFY(written.error().what.find("not empty") != std::string::npos);
+        QCOMPARE(std::distance(fs::directory_iterator(place("used")), {}), std::ptrdiff_t(1));
+    }
+
+    void cancelLeavesNothingBehind() {
+        const auto atHalf = [](double fraction, std::string_view) { return fraction < 0.5; };
+        const auto written = writeSeries(ramp(upright()), kFacts, place("cancelled"), atHalf);
+        QVERIFY(!written);
+        QCOMPARE(written.error().what, std::string("cancelled"));
+        QVERIFY(!fs::exists(place("cancelled")));
+        QVERIFY(!fs::exists(place("cancelled.partial")));
+    }
+
+    void fullDiskLeavesNothingBehind() {
+        // A limit on the size of files fails the same system call that a full disk fails.
+        rlimit before{};
+        getrlimit(RLIMIT_FSIZE, &before);
+        rlimit small = before;
+        small.rlim_cur = 2000;
+        const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+        setrlimit(RLIMIT_FSIZE, &small);
+        const auto written = writeSeries(ramp(upright()), kFacts, place("full"), noProgress);
+        setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, handler);
+        QVERIFY(!written);
+        QVERIFY(written.error().hint.find("disk full") != std::string::npos);
+        QVERIFY(!fs::exists(place("full")));
+        QVERIFY(!fs::exists(place("full.partial")));
+    }
+
+    void tiltedGridIsRefused() {
+        VolumeGeometry tilted = upright();
+        tilted.patientFromIndex[2] += dvec4(0, 0.3, 0, 0);
+        const auto written = writeSeries(ramp(tilted), kFacts, place("tilted"), noProgress);
+        QVERIFY(!written);
+        QVERIFY(written.error().what.find("right angles") != std::string::npos);
+    }
+};
+
+QTEST_GUILESS_MAIN(ExportTest)
+#include "test_export.moc"

@@ -1,0 +1,257 @@
+#include "tests/support/slice_file.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "dicom/import.h"
+
+using namespace pdr;
+using namespace pdr::dicom;
+using test::SliceFile;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class Folder {
+  public:
+    fs::path path() const { return folder_.path().toStdString(); }
+
+    void addStack(int count, const std::string& seriesUid = "1.2.3.1", const std::string& prefix = "s") {
+        for (int k = 0; k < count; ++k)
+            test::writeSliceFile(path() / (prefix + std::to_string(k)), {.position = {0, 0, 2.0 * k}, .seriesUid = seriesUid});
+    }
+
+    void addText(const std::string& name, const std::string& text) { std::ofstream(path() / name) << text; }
+
+    ScanResult scan() const {
+        Result<ScanResult> result = scanFolder(path(), noProgress);
+        return result ? *std::move(result) : ScanResult{};
+    }
+
+  private:
+    QTemporaryDir folder_;
+};
+
+/// Somebody without root's rights, for as long as it lives.
+class Nobody {
+  public:
+    Nobody() : wasRoot_(geteuid() == 0) {
+        if (wasRoot_ && seteuid(65534) != 0)
+            qWarning("root's rights could not be put down");
+    }
+    ~Nobody() {
+        if (wasRoot_ && seteuid(0) != 0)
+            qWarning("root's rights could not be taken up again");
+    }
+
+  private:
+    bool wasRoot_;
+};
+
+}  // namespace
+
+class ScanTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void anyNameAtAnyDepthIsFound() {
+        Folder folder;
+        fs::create_directories(folder.path() / "a" / "b c");
+        test::writeSliceFile(folder.path() / "a" / "b c" / "no extension", {});
+        test::writeSliceFile(folder.path() / "upper.TXT", {.position = {0, 0, 1}});
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.filesSeen, 2);
+        QCOMPARE(scan.series.size(), std::size_t(1));
+        QVERIFY(scan.series.front().verdict.loadable());
+    }
+
+    void foreignFilesAreCountedAndForgotten() {
+        Folder folder;
+        folder.addStack(3);
+        folder.addText("notes.txt", "The patient was well.");
+        folder.addText("empty", "");
+        folder.addText("long.bin", std::string(100000, 'x'));
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.filesSeen, 6);
+        QCOMPARE(scan.notDicom, 3);
+        QVERIFY(scan.problems.empty());
+        QCOMPARE(scan.series.size(), std::size_t(1));
+    }
+
+    void loadableSeriesComeFirstAndLargerBeforeSmaller() {
+        Folder folder;
+        folder.addStack(1, "1.2.3.9", "single");
+        folder.addStack(2, "1.2.3.2", "two");
+        folder.addStack(5, "1.2.3.3", "five");
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(3));
+        QCOMPARE(scan.series[0].slices.size(), std::size_t(5));
+        QCOMPARE(scan.series[1].slices.size(), std::size_t(2));
+        QVERIFY(!scan.series[2].verdict.loadable());
+    }
+
+    void slicesComeInTheOrderOfTheNormal() {
+        Folder folder;
+        for (int k = 0; k < 4; ++k)
+            test::writeSliceFile(folder.path() / std::to_string(k), {.position = {0, 0, -3.0 * k}});
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series[0].slices.front().file.filename().string(), std::string("3"));
+        QCOMPARE(scan.series[0].slices.back().file.filename().string(), std::string("0"));
+    }
+
+    void samePlaceWithOtherPixelsIsAConflict() {
+        Folder folder;
+        folder.addStack(3);
+        test::writeSliceFile(folder.path() / "other", {.position = {0, 0, 2}, .raw = {99}});
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series[0].verdict.stack, Stack::doubled);
+        QVERIFY(scan.series[0].verdict.reason.find("other") != std::string::npos);
+        QVERIFY(scan.series[0].verdict.reason.find("s1") != std::string::npos);
+    }
+
+    void localizerWithinTheSeriesDoesNotSpoilIt() {
+        Folder folder;
+        folder.addStack(3);
+        SliceFile scout{.size = {8, 8}, .position = {5, 5, 5}};
+        scout.change = [](DcmDataset& data) { data.putAndInsertString(DCM_ImageType, "ORIGINAL\\PRIMARY\\LOCALIZER"); };
+        test::writeSliceFile(folder.path() / "scout", scout);
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(2));
+        QVERIFY(scan.series[0].verdict.loadable());
+        QCOMPARE(scan.series[1].verdict.stack, Stack::notCt);
+    }
+
+    void textWithoutItsCharacterSetStaysPrintable() {
+        Folder folder;
+        SliceFile slice;
+        slice.change = [](DcmDataset& data) {
+            data.putAndInsertString(DCM_SpecificCharacterSet, "NO SUCH SET");
+            data.putAndInsertString(DCM_PatientName, "M\xfcller");
+        };
+        test::writeSliceFile(folder.path() / "a", slice);
+        QCOMPARE(folder.scan().series[0].patient.name, std::string("M?ller"));
+    }
+
+    void linksAreNotFollowed() {
+        Folder folder;
+        folder.addStack(2);
+        fs::create_directory_symlink(folder.path(), folder.path() / "round");
+        QCOMPARE(folder.scan().filesSeen, 2);
+    }
+
+    void wrongPlacesGetASentence_data() {
+        QTest::addColumn<QString>("place");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("missing") << "missing" << "no such folder";
+        QTest::newRow("file") << "file" << "not a folder";
+        QTest::newRow("empty") << "empty" << "empty";
+        QTest::newRow("text") << "text" << "none of the 1 files";
+    }
+    void wrongPlacesGetASentence() {
+        QFETCH(QString, place);
+        QFETCH(QString, word);
+        Folder folder;
+        folder.addText("file", "text");
+        fs::create_directories(folder.path() / "empty");
+        fs::create_directories(folder.path() / "text");
+        folder.addText("text/note", "text");
+        const auto scan = scanFolder(folder.path() / place.toStdString(), noProgress);
+        QVERIFY(!scan);
+        QVERIFY2(scan.error().what.find(word.toStdString()) != std::string::npos, scan.error().what.c_str());
+        QVERIFY(!scan.error().hint.empty());
+        QCOMPARE(scan.error().where, (folder.path() / place.toStdString()).string());
+    }
+
+    void lockedFolderGetsASentence() {
+        Folder folder;
+        folder.addStack(2);
+        chmod(folder.path().c_str(), 0);
+        {
+            const Nobody nobody;
+            const auto scan = scanFolder(folder.path(), noProgress);
+            QVERIFY(!scan);
+            QVERIFY2(scan.error().what.find("ermission") != std::string::npos, scan.error().text().c_str());
+        }
+        chmod(folder.path().c_str(), 0700);
+    }
+
+    void lockedFileIsAProblemOfItsOwn() {
+        Folder folder;
+        folder.addStack(3);
+        chmod(folder.path().c_str(), 0755);
+        chmod((folder.path() / "s2").c_str(), 0);
+        const Nobody nobody;
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.problems.size(), std::size_t(1));
+        QCOMPARE(scan.problems[0].file.filename().string(), std::string("s2"));
+        QCOMPARE(scan.series[0].slices.size(), std::size_t(2));
+    }
+
+    void cancelEndsEachStepSoon() {
+        Folder folder;
+        folder.addStack(20);
+        const Progress never = [](double, std::string_view) { return false; };
+        const auto cancelled = scanFolder(folder.path(), never);
+        QVERIFY(!cancelled);
+        QCOMPARE(cancelled.error().what, std::string("cancelled"));
+        const ScanResult scan = folder.scan();
+        const auto volume = loadSeries(scan.series[0], Padding::maskAsAir, never);
+        QVERIFY(!volume);
+        QCOMPARE(volume.error().what, std::string("cancelled"));
+    }
+
+    void progressRunsFromZeroToOne() {
+        Folder folder;
+        folder.addStack(20);
+        std::vector<double> fractions;
+        const Progress note = [&](double fraction, std::string_view) {
+            fractions.push_back(fraction);
+            return true;
+        };
+        QVERIFY(bool(loadSeries(folder.scan().series[0], Padding::maskAsAir, note)));
+        QCOMPARE(fractions.front(), 0.0);
+        QCOMPARE(fractions.back(), 1.0);
+        QVERIFY(std::is_sorted(fractions.begin(), fractions.end()));
+    }
+
+    void vanishedFileIsNamed() {
+        Folder folder;
+        folder.addStack(3);
+        const ScanResult scan = folder.scan();
+        fs::remove(folder.path() / "s1");
+        const auto volume = loadSeries(scan.series[0], Padding::maskAsAir, noProgress);
+        QVERIFY(!volume);
+        QVERIFY(volume.error().where.find("s1") != std::string::npos);
+    }
+
+    void changedFileIsNamed() {
+        Folder folder;
+        folder.addStack(3);
+        const ScanResult scan = folder.scan();
+        test::writeSliceFile(folder.path() / "s1", {.size = {9, 9}});
+        const auto volume = loadSeries(scan.series[0], Padding::maskAsAir, noProgress);
+        QVERIFY(!volume);
+        QVERIFY(volume.error().where.find("s1") != std::string::npos);
+        QVERIFY(volume.error().what.find("changed") != std::string::npos);
+    }
+
+    void volumeLargerThanMemoryIsRefusedWithFigures() {
+        Folder folder;
+        folder.addStack(2);
+        Series series = folder.scan().series[0];
+        series.geometry.size = {2'000'000, 2'000'000, 2};
+        const auto volume = loadSeries(series, Padding::maskAsAir, noProgress);
+        QVERIFY(!volume);
+        QVERIFY2(volume.error().what.find("24000.0 GB") != std::string::npos, volume.error().what.c_str());
+        QVERIFY(volume.error().what.find("free") != std::string::npos);
+    }
+};
+
+QTEST_APPLESS_MAIN(ScanTest)
+#include "test_scan.moc"

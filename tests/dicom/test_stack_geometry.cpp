@@ -1,0 +1,225 @@
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dicom/stack_geometry.h"
+
+using namespace pdr;
+using namespace pdr::dicom;
+
+namespace {
+
+SlicePlane planeAt(const std::string& name, dvec3 position) {
+    return {name, {512, 512}, position, dvec3(1, 0, 0), dvec3(0, 1, 0), dvec2(0.5, 0.7)};
+}
+
+std::string letter(int i) {
+    return std::string(1, char('a' + i));
+}
+
+/// Slices a, b, c ... at the given heights.
+std::vector<SlicePlane> axial(const std::vector<double>& heights) {
+    std::vector<SlicePlane> slices;
+    for (const double z : heights)
+        slices.push_back(planeAt(letter(int(slices.size())), {-100, -120, z}));
+    return slices;
+}
+
+bool says(const StackAnalysis& analysis, const std::vector<std::string>& words) {
+    return std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+        return analysis.verdict.reason.find(word) != std::string::npos;
+    });
+}
+
+double distance(const dmat4& map, int column, dvec3 expected) {
+    return glm::length(dvec3(map[column]) - expected);
+}
+
+}  // namespace
+
+class StackGeometryTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void evenStackHasItsGridInThePatient() {
+        const auto analysis = analyseStack(axial({10, 12.5, 15}));
+        QCOMPARE(analysis.verdict.stack, Stack::even);
+        QVERIFY(analysis.verdict.reason.empty());
+        QVERIFY(analysis.geometry.size == ivec3(512, 512, 3));
+        const dmat4& map = analysis.geometry.patientFromIndex;
+        QVERIFY(distance(map, 0, {0.5, 0, 0}) < 1e-12);
+        QVERIFY(distance(map, 1, {0, 0.7, 0}) < 1e-12);
+        QVERIFY(distance(map, 2, {0, 0, 2.5}) < 1e-12);
+        QVERIFY(distance(map, 3, {-100, -120, 10}) < 1e-12);
+    }
+
+    void orderIsByPositionNotAsGiven() {
+        const auto analysis = analyseStack(axial({15, 10, 12.5}));
+        QVERIFY((analysis.order == std::vector<int>{1, 2, 0}));
+        QVERIFY(distance(analysis.geometry.patientFromIndex, 3, {-100, -120, 10}) < 1e-12);
+    }
+
+    void rowsThatRunToTheLeftTurnTheNormal() {
+        auto slices = axial({10, 12, 14});
+        for (SlicePlane& slice : slices)
+            slice.columnDirection = dvec3(0, -1, 0);
+        const auto analysis = analyseStack(slices);
+        QVERIFY((analysis.order == std::vector<int>{2, 1, 0}));
+        QVERIFY(distance(analysis.geometry.patientFromIndex, 2, {0, 0, -2}) < 1e-12);
+        QVERIFY(distance(analysis.geometry.patientFromIndex, 3, {-100, -120, 14}) < 1e-12);
+    }
+
+    void obliqueStackKeepsItsDirections() {
+        const dvec3 row = glm::normalize(dvec3(0.8, 0.5, -0.1));
+        const dvec3 normal = glm::normalize(glm::cross(row, dvec3(0.1, 1, 0.4)));
+        const dvec3 column = glm::cross(normal, row);
+        std::vector<SlicePlane> slices;
+        for (int k = 0; k < 5; ++k)
+            slices.push_back({letter(k), {64, 32}, dvec3(3, 4, 5) + normal * (1.25 * (4 - k)), row, column, dvec2(0.5, 0.5)});
+        const auto analysis = analyseStack(slices);
+        QCOMPARE(analysis.verdict.stack, Stack::even);
+        QVERIFY(distance(analysis.geometry.patientFromIndex, 2, normal * 1.25) < 1e-9);
+        QCOMPARE(analysis.order.front(), 4);
+    }
+
+    void roundedPositionsAreEven_data() {
+        QTest::addColumn<QVector<double>>("heights");
+        QTest::newRow("third decimal") << QVector<double>{-1691.5, -1691.1001, -1690.7, -1690.3, -1689.9};
+        QTest::newRow("two decimals of 0.625") << QVector<double>{0, 0.63, 1.25, 1.88, 2.5, 3.13, 3.75};
+        QTest::newRow("28.107 for 28.1075") << QVector<double>{18.1075, 23.1075, 28.107, 33.1075};
+    }
+    void roundedPositionsAreEven() {
+        QFETCH(QVector<double>, heights);
+        const auto analysis = analyseStack(axial({heights.begin(), heights.end()}));
+        QCOMPARE(QString::fromStdString(analysis.verdict.reason), QString());
+    }
+
+    void gapIsNamedWithFilesAndMillimetres() {
+        const auto analysis = analyseStack(axial({0, 5, 10, 20}));
+        QCOMPARE(analysis.verdict.stack, Stack::gap);
+        QVERIFY(says(analysis, {"c and d", "10 mm apart", "5 mm"}));
+    }
+
+    void uneven_data() {
+        QTest::addColumn<QVector<double>>("heights");
+        QTest::newRow("one slice 0.05 mm off") << QVector<double>{0, 1, 2.05, 3, 4};
+        QTest::newRow("closer, then wider") << QVector<double>{0, 1, 2, 3.5, 5};
+        QTest::newRow("creeping") << QVector<double>{0, 1, 2.01, 3.03, 4.06, 5.10};
+        QTest::newRow("huge hole") << QVector<double>{-99.5, 103, 104.25, 105.5};
+    }
+    void uneven() {
+        QFETCH(QVector<double>, heights);
+        const auto analysis = analyseStack(axial({heights.begin(), heights.end()}));
+        QCOMPARE(analysis.verdict.stack, Stack::gap);
+        QVERIFY(says(analysis, {" mm"}));
+    }
+
+    void samePositionTwiceIsReported() {
+        const auto analysis = analyseStack(axial({0, 1, 1, 2}));
+        QCOMPARE(analysis.verdict.stack, Stack::doubled);
+        QVERIFY((analysis.samePlace == std::vector<std::pair<int, int>>{{1, 2}}));
+        QVERIFY(says(analysis, {"b and c", "1 mm"}));
+    }
+
+    void sameHeightElsewhereIsNoCopy() {
+        auto slices = axial({0, 1, 2});
+        slices.push_back(planeAt("d", {50, -120, 1}));
+        const auto analysis = analyseStack(slices);
+        QCOMPARE(analysis.verdict.stack, Stack::doubled);
+        QVERIFY(analysis.samePlace.empty());
+    }
+
+    void gantryTiltIsRefusedWithItsAngle() {
+        std::vector<SlicePlane> slices;
+        const double tilt = 18.5 * 3.14159265358979 / 180;
+        for (int k = 0; k < 8; ++k) {
+            slices.push_back(planeAt(letter(k), {-123.5, -15.6, 792.3 + 2.5 * k}));
+            slices.back().columnDirection = dvec3(0, std::cos(tilt), -std::sin(tilt));
+        }
+        const auto analysis = analyseStack(slices);
+        QCOMPARE(analysis.verdict.stack, Stack::tilted);
+        QVERIFY(says(analysis, {"18.5 degrees", "0.793 mm", "2.371 mm"}));
+        QVERIFY(analysis.geometry.size == ivec3(512, 512, 8));
+    }
+
+    void oneSliceShiftedSidewaysIsRefused() {
+        auto slices = axial({0, 1, 2, 3});
+        slices[2].position->x += 3;
+        const auto analysis = analyseStack(slices);
+        QCOMPARE(analysis.verdict.stack, Stack::tilted);
+        QVERIFY(says(analysis, {"c", "3 mm sideways"}));
+    }
+
+    void roundedDirectionCosinesAreNoTilt() {
+        std::vector<SlicePlane> slices;
+        const double angle = 0.3;
+        for (int k = 0; k < 200; ++k) {
+            slices.push_back(planeAt(std::to_string(k), dvec3(0, std::sin(angle), std::cos(angle)) * (1.5 * k)));
+            slices.back().columnDirection = dvec3(0, std::round(std::cos(angle) * 1e4) / 1e4, -std::round(std::sin(angle) * 1e4) / 1e4);
+        }
+        QCOMPARE(QString::fromStdString(analyseStack(slices).verdict.reason), QString());
+    }
+
+    void missingGeometryIsNamed() {
+        auto slices = axial({0, 1, 2});
+        slices[1].position.reset();
+        slices[1].spacingMm.reset();
+        const auto analysis = analyseStack(slices);
+        QCOMPARE(analysis.verdict.stack, Stack::noGeometry);
+        QVERIFY(says(analysis, {"b", "position", "pixel spacing"}));
+        QVERIFY((analysis.order == std::vector<int>{0, 1, 2}));
+    }
+
+    void impossibleNumbersAreNoGeometry() {
+        auto slices = axial({0, 1});
+        slices[0].spacingMm = dvec2(0, 1);
+        QCOMPARE(analyseStack(slices).verdict.stack, Stack::noGeometry);
+        slices = axial({0, 1});
+        slices[0].rowDirection = slices[1].rowDirection = dvec3(0, 0, 0);
+        QCOMPARE(analyseStack(slices).verdict.stack, Stack::noGeometry);
+        slices[0].rowDirection = slices[1].rowDirection = dvec3(0, 1, 0);
+        QCOMPARE(analyseStack(slices).verdict.stack, Stack::noGeometry);
+    }
+
+    void singleSliceIsNoVolume() {
+        QCOMPARE(analyseStack(axial({3})).verdict.stack, Stack::singleSlice);
+    }
+
+    void mixedSlicesAreRefused() {
+        auto slices = axial({0, 1, 2});
+        slices[1].size = {512, 256};
+        auto analysis = analyseStack(slices);
+        QCOMPARE(analysis.verdict.stack, Stack::mixedSize);
+        QVERIFY(says(analysis, {"512 x 256", "a", "b"}));
+        QCOMPARE(analysis.geometry.size.x, 0);
+
+        slices = axial({0, 1, 2});
+        slices[2].spacingMm = dvec2(0.6, 0.7);
+        QCOMPARE(analyseStack(slices).verdict.stack, Stack::mixedSize);
+
+        slices = axial({0, 1, 2});
+        slices[2].columnDirection = dvec3(0, 0, 1);
+        analysis = analyseStack(slices);
+        QCOMPARE(analysis.verdict.stack, Stack::mixedOrientation);
+        QVERIFY(says(analysis, {"a and c"}));
+    }
+
+    void oddOnesOutAreParted() {
+        auto slices = axial({0, 1, 2, 3, 4, 5});
+        slices[0].columnDirection = dvec3(0, 0, 1);
+        slices[3].size = {64, 64};
+        const auto parts = splitByGrid(slices);
+        QVERIFY((parts == std::vector<std::vector<int>>{{1, 2, 4, 5}, {0, 3}}));
+    }
+
+    void twoStacksInOneSeriesAreBothKept() {
+        auto slices = axial({0, 0, 1, 1, 2, 2});
+        for (int i : {1, 3, 5})
+            slices[i].rowDirection = dvec3(0, 0, 1);
+        QVERIFY((splitByGrid(slices) == std::vector<std::vector<int>>{{0, 2, 4}, {1, 3, 5}}));
+    }
+};
+
+QTEST_APPLESS_MAIN(StackGeometryTest)
+#include "test_stack_geometry.moc"

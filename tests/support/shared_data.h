@@ -1,0 +1,25 @@
+#pragma once
+/// Where the real CT data lies that tests read; it is no part of the source tree.
+
+#include <QTest>
+#include <cstdlib>
+#include <filesystem>
+
+namespace pdr::test {
+
+/// The folder that PDR_SHARED names, or `shared` beside the source tree.
+inline std::filesystem::path sharedFolder() {
+    const char* named = std::getenv("PDR_SHARED");
+    return named ? std::filesystem::path(named) : std::filesystem::path(PDR_SOURCE_DIR) / ".." / "shared";
+}
+
+inline std::filesystem::path sharedCt() {
+    return sharedFolder() / "data" / "ct";
+}
+
+}  // namespace pdr::test
+
+/// Leaves the test function where the real data is not there.
+#define PDR_NEEDS_SHARED_CT()                                                                                    \
+    if (!std::filesystem::is_directory(pdr::test::sharedCt()))                                                   \
+    QSKIP("the real CT data is not there: put it beside the source tree as shared/data, or name it in PDR_SHARED")
