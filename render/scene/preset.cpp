@@ -46,7 +46,7 @@ void readLights(JsonFields fields, Preset& preset) {
 
 Result<void> check(const Preset& preset) {
     if (auto ok = preset.transferFunction.check(); !ok)
-        return below("transferFunction", ok.error());
+        return ok;
     for (const auto& ok : {checkRange(preset.phaseG, {-1, 1, false, false}, "phase.g"),
                            checkRange(preset.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
                            checkRange(preset.keyLight, kLightScale, "lights.key"),

@@ -22,15 +22,9 @@ Result<void> checkLights(const Scene& scene) {
 
 Result<void> checkCamera(const Camera& camera) {
     if (auto ok = camera.check(); !ok)
-        return below("camera", ok.error());
+        return ok;
     if (camera.apertureMm > 0)
         return notYet("depth of field is", "camera.apertureMm", "Set it to 0.");
-    return {};
-}
-
-Result<void> checkTransfer(const TransferFunction& transfer) {
-    if (auto ok = transfer.check(); !ok)
-        return below("transferFunction", ok.error());
     return {};
 }
 
@@ -43,7 +37,7 @@ Result<void> checkTransport(const Scene& scene) {
         if (!ok)
             return ok;
     if (scene.model != Model::singleScattering)
-        return notYet("this model is", "model", "Use singleScattering.");
+        return notYet(std::string(modelName(scene.model)) + " is", "model", "Use singleScattering.");
     if (scene.maxBounces > 1)
         return notYet("more than one scattering event on a path is", "maxBounces", "Set it to 1.");
     return {};
@@ -51,9 +45,27 @@ Result<void> checkTransport(const Scene& scene) {
 
 }  // namespace
 
+const char* modelName(Model model) {
+    switch (model) {
+        case Model::absorption:
+            return "absorption";
+        case Model::emission:
+            return "emission";
+        case Model::emissionAbsorption:
+            return "emissionAbsorption";
+        case Model::singleScattering:
+            return "singleScattering";
+        case Model::multipleScattering:
+            return "multipleScattering";
+        case Model::maximumIntensity:
+            break;
+    }
+    return "maximumIntensity";
+}
+
 Result<void> Scene::check() const {
     for (const auto& ok :
-         {checkTransfer(transferFunction), checkTransport(*this), checkLights(*this), checkCamera(camera)})
+         {transferFunction.check(), checkTransport(*this), checkLights(*this), checkCamera(camera)})
         if (!ok)
             return ok;
     return {};

@@ -150,17 +150,18 @@ ivec2 readFilm(JsonFields fields) {
     return size;
 }
 
+void readModel(JsonFields& fields, Model& model) {
+    const auto word = [](Model meant) { return std::pair<std::string_view, Model>(modelName(meant), meant); };
+    fields.optional("model", model,
+                    {word(Model::absorption), word(Model::emission), word(Model::emissionAbsorption),
+                     word(Model::singleScattering), word(Model::multipleScattering), word(Model::maximumIntensity)});
+}
+
 void readScene(JsonFields& fields, const std::filesystem::path& folder, SceneFile& file) {
     Scene& scene = file.scene;
     file.source = readVolume(fields.object("volume"), folder);
     scene.transferFunction = readTransferFunction(fields);
-    fields.optional("model", scene.model,
-                    {{"absorption", Model::absorption},
-                     {"emission", Model::emission},
-                     {"emissionAbsorption", Model::emissionAbsorption},
-                     {"singleScattering", Model::singleScattering},
-                     {"multipleScattering", Model::multipleScattering},
-                     {"maximumIntensity", Model::maximumIntensity}});
+    readModel(fields, scene.model);
     readPhase(fields, scene.phaseG);
     readSurface(fields, scene.gradientFactor);
     if (fields.has("lights"))
