@@ -125,7 +125,7 @@ std::vector<std::filesystem::path> readOutputs(const QCommandLineParser& parser)
         outputs.emplace_back(name.toStdString());
         const auto extension = outputs.back().extension();
         if (extension != ".png" && extension != ".exr")
-            usageError("-o", "\"" + name.toStdString() + "\" must end in .png or .exr");
+            usageError("-o", "must end in .png or .exr, not be " + name.toStdString());
     }
     if (outputs.empty())
         usageError("-o", "says where the picture goes, and is missing", "Add -o picture.png.");

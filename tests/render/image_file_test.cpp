@@ -4,6 +4,7 @@
 #include <ImfChromaticitiesAttribute.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfStringAttribute.h>
 #include <QImage>
@@ -141,7 +142,7 @@ class ImageFileTest : public QObject {
         const auto oldHandler = std::signal(SIGXFSZ, SIG_IGN);
         const rlimit small{2000, before.rlim_max};
         setrlimit(RLIMIT_FSIZE, &small);
-        const auto png = writePng(film, {1}, kFacts, at("a.png"));
+        const auto png = writePng(film, {3e4f}, kFacts, at("a.png"));
         const auto exr = writeExr(film, kFacts, at("a.exr"));
         setrlimit(RLIMIT_FSIZE, &before);
         std::signal(SIGXFSZ, oldHandler);

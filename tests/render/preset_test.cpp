@@ -29,7 +29,7 @@ static Scene sceneWith(double sizeMm) {
 /// Irradiance of a small panel on a plane that faces it at the volume's centre, up to a constant.
 static double shareAtCentre(const RectangleLight& light, dvec3 centre) {
     const dvec3 away = light.centreMm - centre;
-    return light.radiance.g * light.widthMm * light.heightMm / glm::dot(away, away);
+    return light.radiance.y * light.widthMm * light.heightMm / glm::dot(away, away);
 }
 
 class PresetTest : public QObject {

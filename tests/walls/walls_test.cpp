@@ -17,11 +17,11 @@ class WallsTest : public QObject {
     inline static const QList<Wall> kOwn{
         {"render/base/", "^render/base/"},
         {"render/volume/", "^render/(base|volume)/"},
-        {"render/kernel/", "^render/(base|kernel)/"},
+        {"render/kernel/", "^render/(base|kernel)/|^render/film/tile.h"},
         {"render/film/", "^render/(base|film)/"},
         {"render/scene/", "^render/(base|volume|kernel|scene)/|^render/film/display.h"},
         {"render/device/", "^render/(base|kernel|film|device)/|^render/scene/flatten.h"},
-        {"render/session/", "^render/"},
+        {"render/session/", "^render/(base|kernel|film|scene|device|tiles|accuracy|session)/"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
         {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy)/|^dicom/series.h|^render/session/session.h"},
         {"app/bench/", "^app/bench/|^render/"},
