@@ -36,11 +36,11 @@ int main(int argc, char** argv) {
         return usageError("say what to do");
     const QString command = arguments.takeFirst();
     if (command == "info")
-        return pdr::app::infoCommand(arguments);
+        return pdr::app::runInfo(arguments);
     if (command == "render")
-        return pdr::app::renderCommand(arguments);
+        return pdr::app::runRender(arguments);
     if (command == "example")
-        return pdr::app::exampleCommand(arguments);
+        return pdr::app::runExample(arguments);
     if (command == "--version" || command == "-v") {
         std::puts("PD-Render " PDR_VERSION);
         return 0;

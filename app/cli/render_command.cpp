@@ -22,6 +22,8 @@
 namespace pdr::app {
 namespace {
 
+constexpr ivec2 kFolderFilm{1024, 1024};
+
 /// A scene with its voxels, and how to show it.
 struct Work {
     Scene scene;
@@ -41,44 +43,62 @@ Result<void> checkOutputs(const RenderOptions& options) {
     return {};
 }
 
-Result<Work> loadWork(const RenderOptions& options, const Progress& progress) {
+/// What the input says, before the voxels are there.
+Result<SceneFile> readInput(const RenderOptions& options) {
     SceneFile file;
-    const bool isScene = std::filesystem::is_regular_file(options.input);
-    if (isScene) {
+    if (std::filesystem::is_regular_file(options.input)) {
         auto read = readSceneFile(options.input);
         if (!read)
             return read.error();
         file = *std::move(read);
     } else {
         file.source.dicomFolder = options.input;
-        file.scene.film = {1024, 1024};
+        file.scene.film = kFolderFilm;
     }
+    if (!options.seriesUid.empty() && file.source.dicomFolder.empty())
+        return Error{"--series chooses among the series of a DICOM folder, this scene has a raw file",
+                     options.input.string(), "Leave it out."};
     if (!options.seriesUid.empty())
         file.source.seriesUid = options.seriesUid;
+    file.scene.film = options.size.value_or(file.scene.film);
+    file.scene.seed = options.seed.value_or(file.scene.seed);
+    return file;
+}
 
-    auto volume = fetchVolume(file.source, progress);
+Camera cameraFrom(StandardView view, const Scene& scene) {
+    const VolumeGeometry& geometry = scene.volume->geometry();
+    return standardView(view, geometry.centreMm(), geometry.radiusMm(), double(scene.film.x) / double(scene.film.y));
+}
+
+/// The preset that was asked for; a folder, which has no look of its own, gets the first one.
+Result<std::optional<Preset>> chosenPreset(const RenderOptions& options) {
+    if (options.preset || std::filesystem::is_regular_file(options.input))
+        return options.preset;
+    auto presets = bundledPresets();
+    if (!presets)
+        return presets.error();
+    return std::optional(presets->front());
+}
+
+Result<Work> loadWork(const RenderOptions& options, const Progress& progress) {
+    auto file = readInput(options);
+    if (!file)
+        return file.error();
+    const auto preset = chosenPreset(options);
+    if (!preset)
+        return preset.error();
+    auto volume = fetchVolume(file->source, progress);
     if (!volume)
         return volume.error();
-    Work work{std::move(file.scene), {}};
-    Scene& scene = work.scene;
-    scene.volume = *std::move(volume);
-    scene.film = options.size.value_or(scene.film);
-    scene.seed = options.seed.value_or(scene.seed);
-    if (options.view || !isScene) {
-        const VolumeGeometry& geometry = scene.volume->geometry();
-        scene.camera = standardView(options.view.value_or(StandardView::anterior), geometry.centreMm(),
-                                    geometry.radiusMm(), double(scene.film.x) / double(scene.film.y));
-    }
-    std::optional<Preset> preset = options.preset;
-    if (!preset && !isScene) {
-        auto presets = bundledPresets();
-        if (!presets)
-            return presets.error();
-        preset = presets->front();
-    }
-    if (preset) {
-        work.display = preset->display;
-        scene = withPreset(std::move(scene), *preset);
+
+    Work work{std::move(file->scene), {}};
+    work.scene.volume = *std::move(volume);
+    const bool isFolder = std::filesystem::is_directory(options.input);
+    if (options.view || isFolder)
+        work.scene.camera = cameraFrom(options.view.value_or(StandardView::anterior), work.scene);
+    if (*preset) {
+        work.display = (*preset)->display;
+        work.scene = withPreset(std::move(work.scene), **preset);
     }
     if (options.exposure)
         work.display.exposure = float(*options.exposure);
@@ -195,7 +215,7 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
 
 }  // namespace
 
-int renderCommand(const QStringList& arguments) {
+int runRender(const QStringList& arguments) {
     const Interrupt interrupt;
     const auto options = renderOptions(arguments);
     if (!options) {

@@ -6,6 +6,6 @@
 namespace pdr::app {
 
 /// `arguments` are those after the word `render`. Returns the exit code: 0, 1 for an error, 2 for wrong usage.
-int renderCommand(const QStringList& arguments);
+int runRender(const QStringList& arguments);
 
 }  // namespace pdr::app
