@@ -4,9 +4,15 @@
 
 #include <string_view>
 
+/// Qt's macro must stand outside of any namespace; without it the linker drops the resources of a static library.
+static void keepResources() {
+    Q_INIT_RESOURCE(resources);
+}
+
 namespace pdr::app {
 
 Result<std::vector<Preset>> bundledPresets() {
+    keepResources();
     std::vector<Preset> presets;
     for (const char* name : {"ct_bone", "ct_soft_tissue", "ct_angio", "ct_lung"}) {
         const QString path = QStringLiteral(":/presets/%1.json").arg(QLatin1String(name));
