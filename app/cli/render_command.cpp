@@ -43,10 +43,18 @@ Result<void> checkOutputs(const RenderOptions& options) {
     return {};
 }
 
+bool isFile(const RenderOptions& options) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(options.input, ignored);
+}
+
 /// What the input says, before the voxels are there.
 Result<SceneFile> readInput(const RenderOptions& options) {
     SceneFile file;
-    if (std::filesystem::is_regular_file(options.input)) {
+    if (isFile(options) && options.input.extension() != ".json")
+        return Error{"this is a file, but neither a folder nor a scene file (.json)", options.input.string(),
+                     "Give the folder that holds the DICOM files."};
+    if (isFile(options)) {
         auto read = readSceneFile(options.input);
         if (!read)
             return read.error();
@@ -72,7 +80,7 @@ Camera cameraFrom(StandardView view, const Scene& scene) {
 
 /// The preset that was asked for; a folder, which has no look of its own, gets the first one.
 Result<std::optional<Preset>> chosenPreset(const RenderOptions& options) {
-    if (options.preset || std::filesystem::is_regular_file(options.input))
+    if (options.preset || isFile(options))
         return options.preset;
     auto presets = bundledPresets();
     if (!presets)
@@ -93,8 +101,7 @@ Result<Work> loadWork(const RenderOptions& options, const Progress& progress) {
 
     Work work{std::move(file->scene), {}};
     work.scene.volume = *std::move(volume);
-    const bool isFolder = std::filesystem::is_directory(options.input);
-    if (options.view || isFolder)
+    if (options.view || !isFile(options))
         work.scene.camera = cameraFrom(options.view.value_or(StandardView::anterior), work.scene);
     if (*preset) {
         work.display = (*preset)->display;
