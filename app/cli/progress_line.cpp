@@ -72,7 +72,10 @@ std::string clockText(double seconds) {
 }
 
 std::string errorText(double relativeError) {
-    return std::isfinite(relativeError) ? formatted("%.2g %%", 100 * relativeError) : std::string("unknown");
+    if (!std::isfinite(relativeError))
+        return "unknown";
+    const double percent = 100 * relativeError;
+    return percent < 10 ? formatted("%.2g %%", percent) : formatted("%.0f %%", percent);
 }
 
 }  // namespace pdr::app
