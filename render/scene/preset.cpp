@@ -20,7 +20,7 @@ struct Panel {
     vec3 tint;        ///< linear Rec. 709, luminance about 1
 };
 
-constexpr Panel kKey{{-0.75, 0.85, 1.0}, 3.0, 2.0, {1.06f, 0.99f, 0.90f}};
+constexpr Panel kKey{{-0.9, 1.0, 0.9}, 3.0, 1.4, {1.12f, 0.99f, 0.80f}};
 constexpr Panel kFill{{1.0, 0.05, 0.9}, 3.0, 3.0, {0.94f, 1.00f, 1.12f}};
 constexpr Panel kRim{{0.5, 0.7, -1.0}, 3.0, 2.5, {0.98f, 1.00f, 1.05f}};
 
