@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "render/base/portable.h"
+#include "render/base/result.h"
 
 namespace pdr {
 
@@ -16,7 +17,7 @@ struct DirectionalLight {
 
 /// A flat panel that shines to the side of its normal.
 struct RectangleLight {
-    dvec3 centreMm{0};
+    dvec3 centreMm{0};      ///< each in [-1e9, 1e9]
     dvec3 normal{0, 1, 0};  ///< any length but 0
     dvec3 up{0, 0, 1};      ///< not along the normal
     double widthMm = 100;   ///< (0, 1e9]
@@ -27,7 +28,7 @@ struct RectangleLight {
 
 /// A ball that shines to all sides.
 struct SphereLight {
-    dvec3 centreMm{0};
+    dvec3 centreMm{0};     ///< each in [-1e9, 1e9]
     double radiusMm = 50;  ///< (0, 1e9]
     vec3 radiance{1.0f};   ///< [0, 1e30]
     bool operator==(const SphereLight&) const = default;
@@ -41,5 +42,9 @@ struct Environment {
     bool visible = true;  ///< whether the camera sees it behind the volume
     bool operator==(const Environment&) const = default;
 };
+
+/// The ranges above, and what cannot be rendered yet; `where` is the field's name within the light.
+Result<void> check(const Light& light);
+Result<void> check(const Environment& environment);
 
 }  // namespace pdr

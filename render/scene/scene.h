@@ -17,6 +17,9 @@ namespace pdr {
 /// The optical models, from cheap to complete. Only singleScattering renders today.
 enum class Model { absorption, emission, emissionAbsorption, singleScattering, multipleScattering, maximumIntensity };
 
+/// Its word in scene files: "singleScattering".
+const char* modelName(Model model);
+
 struct Scene {
     std::shared_ptr<const Volume> volume;  ///< never null in a scene that is rendered
     TransferFunction transferFunction;
@@ -31,7 +34,7 @@ struct Scene {
     std::uint64_t seed = 1;       ///< any
     std::uint64_t revision = 0;   ///< grows with each edit
 
-    /// Every range above, and what cannot be rendered yet, with the field's name in `where`.
+    /// Every range above, and what cannot be rendered yet, with the field's name in `where`. The volume is not looked at.
     Result<void> check() const;
 };
 

@@ -2,13 +2,14 @@
 /// Scene files: JSON, "format": "pdrender-scene", "version": 1; every field is described in resources/manual/scene-file.md.
 
 #include <filesystem>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "render/base/result.h"
 #include "render/scene/scene.h"
+#include "render/volume/raw_file.h"
 
 namespace pdr {
 
@@ -16,11 +17,8 @@ namespace pdr {
 struct VolumeSource {
     std::filesystem::path dicomFolder;  ///< empty for a raw file
     std::string seriesUid;              ///< empty: the first loadable series
-    std::filesystem::path rawFile;
-    ivec3 size{0};
-    dvec3 spacingMm{1};
-    std::optional<dvec3> originMm;  ///< centre of voxel (0,0,0); default half a spacing
-    std::optional<std::pair<int, int>> clampHu;
+    RawFile raw;                        ///< its path is empty for a DICOM folder
+    std::optional<std::pair<int, int>> clampHu;  ///< voxels are clamped to [first, second]; in [-32768, 32767]
 };
 
 /// A scene whose voxels are still to be fetched (scene.volume is null).
@@ -32,5 +30,8 @@ struct SceneFile {
 /// Relative paths in the file are taken from the file's folder. Unknown, missing or out-of-range fields are errors that
 /// name the field and its range.
 Result<SceneFile> readSceneFile(const std::filesystem::path& path);
+
+/// The voxels of a raw file, clamped as `source` says. Errors: those of loadRaw().
+Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source);
 
 }  // namespace pdr

@@ -1,0 +1,42 @@
+#include "app/cli/interrupt.h"
+
+#include <signal.h>
+#include <time.h>
+
+namespace pdr::app {
+namespace {
+
+sigset_t endingSignals() {
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    sigaddset(&set, SIGTERM);
+    return set;
+}
+
+void watch(std::stop_token over, std::stop_source requested) {
+    const sigset_t signals = endingSignals();
+    const timespec patience{0, 50'000'000};
+    while (!over.stop_requested()) {
+        if (requested.stop_requested()) {
+            nanosleep(&patience, nullptr);
+        } else if (sigtimedwait(&signals, nullptr, &patience) > 0) {
+            requested.request_stop();
+            pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // the next one finds this thread and ends the program
+        }
+    }
+}
+
+}  // namespace
+
+Interrupt::Interrupt() {
+    const sigset_t signals = endingSignals();
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    watcher_ = std::jthread(watch, requested_);
+}
+
+Interrupt::~Interrupt() {
+    watcher_.request_stop();
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,53 @@
+/// pdrender-cli: info, render, example. Exit codes: 0, 1 for an error, 2 for wrong usage.
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <cstdio>
+
+#include "app/cli/example_command.h"
+#include "app/cli/info_command.h"
+#include "app/cli/render_command.h"
+
+namespace {
+
+constexpr const char* kHelp =
+    "pdrender-cli: volume rendering of CT that says how right the picture is. Not for diagnostic use.\n"
+    "\n"
+    "  pdrender-cli info FOLDER [--json]                      list the series in a folder of DICOM files\n"
+    "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render a picture (.png, .exr)\n"
+    "  pdrender-cli example FOLDER ...                        write an example CT series\n"
+    "  pdrender-cli --version                                 say which version this is\n"
+    "\n"
+    "Each command explains itself: pdrender-cli render --help.\n"
+    "Exit codes: 0 done, 1 error, 2 wrong usage.\n";
+
+int usageError(const QString& what) {
+    std::fprintf(stderr, "pdrender-cli: %s\n\n%s", what.toUtf8().constData(), kHelp);
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const QCoreApplication application(argc, argv);
+    QStringList arguments = application.arguments().mid(1);
+    if (arguments.isEmpty())
+        return usageError("say what to do");
+    const QString command = arguments.takeFirst();
+    if (command == "info")
+        return pdr::app::runInfo(arguments);
+    if (command == "render")
+        return pdr::app::runRender(arguments);
+    if (command == "example")
+        return pdr::app::runExample(arguments);
+    if (command == "--version" || command == "-v") {
+        std::puts("PD-Render " PDR_VERSION);
+        return 0;
+    }
+    if (command == "--help" || command == "-h" || command == "help") {
+        std::fputs(kHelp, stdout);
+        return 0;
+    }
+    return usageError("there is no command \"" + command + "\"");
+}

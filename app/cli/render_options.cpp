@@ -1,0 +1,194 @@
+#include "app/cli/render_options.h"
+
+#include <QCommandLineParser>
+#include <QRegularExpression>
+
+#include <array>
+
+#include "app/presets.h"
+#include "render/scene/range.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr std::array<std::pair<const char*, StandardView>, 6> kViews{{{"anterior", StandardView::anterior},
+                                                                      {"posterior", StandardView::posterior},
+                                                                      {"left", StandardView::left},
+                                                                      {"right", StandardView::right},
+                                                                      {"superior", StandardView::superior},
+                                                                      {"inferior", StandardView::inferior}}};
+
+void describe(QCommandLineParser& parser) {
+    parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsOptions);
+    parser.addPositionalArgument("input", "A folder of DICOM files, or a scene file.", "FOLDER|SCENE.json");
+    parser.addOptions({
+        {{"h", "help"}, "Show this text."},
+        {{"o", "output"}, "Write the picture here; may be given several times.", "FILE.png|FILE.exr"},
+        {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
+        {"preset", "Look: \"CT bone\" (default), \"CT soft tissue\", \"CT angio\" or \"CT lung\".", "NAME"},
+        {"view", "Look from anterior (default), posterior, left, right, superior or inferior.", "SIDE"},
+        {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
+        {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
+        {"seconds", "Stop after T seconds of rendering.", "T"},
+        {"error", "Stop when the relative standard error of the picture is E, such as 0.01.", "E"},
+        {"exposure", "Radiance that PNG shows as 63 % of white; default: the preset's, or 1.", "L"},
+        {"device", "What renders: cpu.", "NAME", "cpu"},
+        {"threads", "Threads; default: one per core.", "N", "0"},
+        {"seed", "Seed of the random numbers; default 1, or what the scene file says.", "N"},
+        {"json", "Print samples, seconds, samples per second and error as JSON."},
+    });
+}
+
+[[noreturn]] void usageError(const QString& option, const std::string& what, const std::string& hint = "") {
+    throw Error{what, option.toStdString(), hint};
+}
+
+/// Reads options and throws an Error that names the first wrong one.
+class Reader {
+  public:
+    explicit Reader(const QCommandLineParser& parser) : parser_(parser) {}
+
+    std::optional<QString> text(const QString& name) const {
+        return parser_.isSet(name) ? std::optional(parser_.value(name)) : std::nullopt;
+    }
+
+    std::optional<double> number(const QString& name, const Range& range) const {
+        if (!parser_.isSet(name))
+            return std::nullopt;
+        bool ok = false;
+        const double value = parser_.value(name).toDouble(&ok);
+        if (!ok || !range.holds(value))
+            usageError("--" + name, "must be a number " + range.text() + ", not \"" + text(name)->toStdString() + "\"");
+        return value;
+    }
+
+    std::optional<std::uint64_t> whole(const QString& name, std::uint64_t lowest, std::uint64_t highest) const {
+        if (!parser_.isSet(name))
+            return std::nullopt;
+        bool ok = false;
+        const std::uint64_t value = parser_.value(name).toULongLong(&ok);
+        if (!ok || value < lowest || value > highest)
+            usageError("--" + name, "must be a whole number from " + std::to_string(lowest) + " to " +
+                                        std::to_string(highest) + ", not \"" + text(name)->toStdString() + "\"");
+        return value;
+    }
+
+  private:
+    const QCommandLineParser& parser_;
+};
+
+std::optional<ivec2> readSize(const Reader& reader) {
+    const auto text = reader.text("size");
+    if (!text)
+        return std::nullopt;
+    const auto match = QRegularExpression("^(\\d{1,5})x(\\d{1,5})$").match(*text);
+    const ivec2 size(match.captured(1).toInt(), match.captured(2).toInt());
+    const Range range{1, 16384};
+    if (!match.hasMatch() || !range.holds(size.x) || !range.holds(size.y))
+        usageError("--size", "must look like 800x600, each number " + range.text());
+    return size;
+}
+
+std::optional<StandardView> readView(const Reader& reader) {
+    const auto text = reader.text("view");
+    if (!text)
+        return std::nullopt;
+    std::string known;
+    for (const auto& [name, view] : kViews) {
+        if (*text == QLatin1String(name))
+            return view;
+        known += (known.empty() ? "" : ", ") + std::string(name);
+    }
+    usageError("--view", "must be one of: " + known);
+}
+
+std::optional<Preset> readPreset(const Reader& reader) {
+    const auto text = reader.text("preset");
+    if (!text)
+        return std::nullopt;
+    const auto presets = bundledPresets();
+    if (!presets)
+        throw presets.error();
+    std::string known;
+    for (const Preset& preset : *presets) {
+        const QString name = QString::fromStdString(preset.name);
+        if (name.compare(*text, Qt::CaseInsensitive) == 0 || name.compare("CT " + *text, Qt::CaseInsensitive) == 0)
+            return preset;
+        known += (known.empty() ? "" : ", ") + preset.name;
+    }
+    usageError("--preset", "there is no preset \"" + text->toStdString() + "\"", "There are: " + known + ".");
+}
+
+std::vector<std::filesystem::path> readOutputs(const QCommandLineParser& parser) {
+    std::vector<std::filesystem::path> outputs;
+    for (const QString& name : parser.values("output")) {
+        outputs.emplace_back(name.toStdString());
+        const auto extension = outputs.back().extension();
+        if (extension != ".png" && extension != ".exr")
+            usageError("-o", "must end in .png or .exr, not be " + name.toStdString());
+    }
+    if (outputs.empty())
+        usageError("-o", "says where the picture goes, and is missing", "Add -o picture.png.");
+    return outputs;
+}
+
+Stops readStops(const Reader& reader) {
+    Stops stops;
+    stops.samples = reader.whole("samples", 1, 1'000'000'000);
+    stops.seconds = reader.number("seconds", {0, 1e9, false});
+    stops.relativeError = reader.number("error", {0, 1, false});
+    if (!stops.samples && !stops.seconds && !stops.relativeError)
+        stops.samples = 256;
+    return stops;
+}
+
+RenderOptions read(const QCommandLineParser& parser) {
+    RenderOptions options;
+    options.help = parser.isSet("help");
+    if (options.help)
+        return options;
+    if (parser.positionalArguments().size() != 1)
+        usageError("render", "needs one folder of DICOM files or one scene file");
+    const Reader reader(parser);
+    options.input = parser.positionalArguments().front().toStdString();
+    options.outputs = readOutputs(parser);
+    options.seriesUid = reader.text("series").value_or("").toStdString();
+    options.size = readSize(reader);
+    options.view = readView(reader);
+    options.stops = readStops(reader);
+    options.exposure = reader.number("exposure", {0, 1e30, false});
+    options.threads = int(reader.whole("threads", 1, 1024).value_or(0));
+    options.seed = reader.whole("seed", 0, UINT64_MAX);
+    options.json = parser.isSet("json");
+    if (parser.value("device") != "cpu")
+        usageError("--device", "must be cpu, the only device of this version");
+    options.preset = readPreset(reader);
+    return options;
+}
+
+}  // namespace
+
+Result<RenderOptions> renderOptions(const QStringList& arguments) {
+    QCommandLineParser parser;
+    describe(parser);
+    if (!parser.parse(QStringList("render") + arguments))
+        return Error{parser.errorText().toStdString(), "render", ""};
+    try {
+        return read(parser);
+    } catch (const Error& error) {
+        return error;
+    }
+}
+
+std::string renderHelp() {
+    QCommandLineParser parser;
+    describe(parser);
+    QString text = parser.helpText();
+    text.remove(0, text.indexOf('\n') + 1);  // the parser's usage line knows nothing of the word `render`
+    return "Usage: pdrender-cli render FOLDER|SCENE.json -o FILE [options]\n"
+           "Renders a picture. It ends at the first stop that is reached. Ctrl-C ends it early: what is there is then\n"
+           "written and the exit code is 1; a second Ctrl-C ends at once and writes nothing.\n" +
+           text.toStdString();
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,58 @@
+#include "app/scene_volume.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dicom/import.h"
+#include "render/volume/clamp.h"
+
+namespace pdr::app {
+namespace {
+
+/// Why nothing of the scan can be loaded, in one sentence per series at most.
+Error nothingLoadable(const dicom::ScanResult& scan) {
+    std::string reasons;
+    for (const dicom::Series& series : scan.series)
+        reasons += (reasons.empty() ? "" : "; ") + series.verdict.reason;
+    if (reasons.empty() && !scan.problems.empty())
+        reasons = scan.problems.front().reason;
+    return {"no series here can be loaded" + (reasons.empty() ? "" : ": " + reasons), "",
+            "\"pdrender-cli info FOLDER\" lists all of them."};
+}
+
+/// Scanning takes the first tenth of the bar, decoding the rest.
+Progress part(const Progress& progress, double from, double to) {
+    return [&progress, from, to](double fraction, std::string_view step) {
+        return progress(from + (to - from) * fraction, step);
+    };
+}
+
+}  // namespace
+
+Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& uid) {
+    const auto found = std::find_if(scan.series.begin(), scan.series.end(), [&](const dicom::Series& series) {
+        return uid.empty() ? series.verdict.loadable() : series.series.uid == uid;
+    });
+    if (found != scan.series.end())
+        return *found;
+    if (uid.empty())
+        return nothingLoadable(scan);
+    return Error{"there is no series " + uid + " here", "", "\"pdrender-cli info FOLDER\" lists those that there are."};
+}
+
+Result<std::shared_ptr<const Volume>> fetchVolume(const VolumeSource& source, const Progress& progress) {
+    if (!source.raw.path.empty())
+        return fetchRawVolume(source);
+    const auto scan = dicom::scanFolder(source.dicomFolder, part(progress, 0, 0.1));
+    if (!scan)
+        return scan.error();
+    const auto series = chosenSeries(*scan, source.seriesUid);
+    if (!series)
+        return Error{series.error().what, source.dicomFolder.string(), series.error().hint};
+    auto volume = dicom::loadSeries(*series, dicom::Padding::maskAsAir, part(progress, 0.1, 1));
+    if (!volume)
+        return volume.error();
+    return std::make_shared<const Volume>(clamped(*std::move(volume), source.clampHu));
+}
+
+}  // namespace pdr::app

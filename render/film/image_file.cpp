@@ -1,0 +1,199 @@
+#include "render/film/image_file.h"
+
+#include <ImfChannelList.h>
+#include <ImfDoubleAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+#include <png.h>
+
+#include <csetjmp>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "render/base/replacing_file.h"
+#include "render/film/tone_map.h"
+
+namespace pdr {
+namespace {
+
+std::string text(double value) {
+    std::ostringstream out;
+    out.precision(9);
+    out << value;
+    return out.str();
+}
+
+/// Key and value of each fact, for the formats that hold text.
+std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
+    return {
+        {"pdrender/samplesPerPixel", std::to_string(from.samplesPerPixel)},
+        {"pdrender/seconds", text(from.seconds)},
+        {"pdrender/relativeError", text(from.relativeError)},
+        {"pdrender/rejectedSamples", std::to_string(from.rejectedSamples)},
+        {"pdrender/seed", std::to_string(from.seed)},
+        {"pdrender/model", from.model},
+        {"pdrender/extinctionPerMm", text(from.extinctionPerMm)},
+        {"pdrender/program", from.program},
+    };
+}
+
+// ---- PNG
+
+void writeChunk(png_structp png, png_bytep bytes, png_size_t count) {
+    // A failure is remembered by the file and told at commit, so libpng need not jump.
+    static_cast<ReplacingFile*>(png_get_io_ptr(png))->write(bytes, count);
+}
+
+void flushNothing(png_structp) {}
+
+struct PngImage {
+    ivec2 size;
+    std::vector<png_bytep> rows;
+    std::vector<png_text> texts;
+};
+
+/// libpng reports errors by longjmp, so nothing in this function may need a destructor.
+bool encodePng(png_structp png, png_infop info, PngImage& image) {
+    if (setjmp(png_jmpbuf(png)))
+        return false;
+    png_set_IHDR(png, info, png_uint_32(image.size.x), png_uint_32(image.size.y), 8, PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(png, info, image.texts.data(), int(image.texts.size()));
+    png_write_info(png, info);
+    png_set_filler(png, 0, PNG_FILLER_AFTER);  // drops the alpha, which is 255 everywhere
+    png_write_image(png, image.rows.data());
+    png_write_end(png, info);
+    return true;
+}
+
+bool encodePng(PngImage& image, ReplacingFile& file) {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    if (info)
+        png_set_write_fn(png, &file, writeChunk, flushNothing);
+    const bool ok = info && encodePng(png, info, image);
+    png_destroy_write_struct(&png, &info);
+    return ok;
+}
+
+// ---- OpenEXR
+
+/// OpenEXR's way to write, onto our file. The library takes exceptions for errors.
+class ExrStream : public Imf::OStream {
+  public:
+    ExrStream(ReplacingFile& file, const std::string& name) : Imf::OStream(name.c_str()), file_(file) {}
+
+    void write(const char bytes[], int count) override {
+        if (!file_.write(bytes, std::size_t(count)))
+            throw std::ios_base::failure("write");
+    }
+    std::uint64_t tellp() override { return file_.position(); }
+    void seekp(std::uint64_t position) override {
+        if (!file_.seek(position))
+            throw std::ios_base::failure("seek");
+    }
+
+  private:
+    ReplacingFile& file_;
+};
+
+constexpr const char* kChannels[] = {"R", "G", "B", "error.R", "error.G", "error.B"};
+constexpr std::size_t kChannelCount = std::size(kChannels);
+
+Imf::Header exrHeader(ivec2 size, const Provenance& from) {
+    Imf::Header header(size.x, size.y);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* channel : kChannels)
+        header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    Imf::addChromaticities(header, Imf::Chromaticities());  // its default is Rec. 709
+    Imf::addComments(header, "Radiance, linear Rec. 709; error.*: standard error of the mean. Not for diagnostic use.");
+    header.insert("software", Imf::StringAttribute(from.program));
+    header.insert("samplesPerPixel", Imf::DoubleAttribute(double(from.samplesPerPixel)));
+    header.insert("renderTimeSeconds", Imf::DoubleAttribute(from.seconds));
+    header.insert("pdrender/samplesPerPixel", Imf::DoubleAttribute(double(from.samplesPerPixel)));
+    header.insert("pdrender/seconds", Imf::DoubleAttribute(from.seconds));
+    header.insert("pdrender/relativeError", Imf::DoubleAttribute(from.relativeError));
+    header.insert("pdrender/rejectedSamples", Imf::DoubleAttribute(double(from.rejectedSamples)));
+    header.insert("pdrender/seed", Imf::StringAttribute(std::to_string(from.seed)));  // 64 bits do not fit a double
+    header.insert("pdrender/model", Imf::StringAttribute(from.model));
+    header.insert("pdrender/extinctionPerMm", Imf::DoubleAttribute(from.extinctionPerMm));
+    header.insert("pdrender/program", Imf::StringAttribute(from.program));
+    return header;
+}
+
+void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& file, const std::string& name) {
+    const ivec2 size = film.size();
+    ExrStream stream(file, name);
+    Imf::OutputFile image(stream, exrHeader(size, provenance), 0);
+
+    std::vector<float> row(std::size_t(size.x) * kChannelCount);
+    Imf::FrameBuffer frame;
+    for (std::size_t channel = 0; channel < kChannelCount; ++channel)  // a row stride of 0: all rows pass through `row`
+        frame.insert(kChannels[channel], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&row[channel]),
+                                                    sizeof(float) * kChannelCount, 0));
+    image.setFrameBuffer(frame);
+    for (int y = 0; y < size.y; ++y) {
+        float* out = row.data();
+        for (int x = 0; x < size.x; ++x) {
+            const PixelEstimate pixel = film.pixel(x, y);
+            for (int channel = 0; channel < 3; ++channel, ++out) {
+                out[0] = float(pixel.mean[channel]);
+                out[3] = float(pixel.standardError[channel]);
+            }
+            out += 3;
+        }
+        image.writePixels(1);
+    }
+}
+
+}  // namespace
+
+Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
+                      const std::filesystem::path& path) {
+    Result<ReplacingFile> file = ReplacingFile::open(path);
+    if (!file)
+        return file.error();
+
+    std::vector<std::uint8_t> rgba = toneMap(film, display);
+    auto keys = facts(provenance);
+    keys.emplace_back("pdrender/exposure", text(display.exposure));
+    keys.emplace_back("Software", provenance.program);
+    keys.emplace_back("Comment", "Not for diagnostic use.");
+
+    PngImage image{film.size(), {}, {}};
+    for (int y = 0; y < image.size.y; ++y)
+        image.rows.push_back(&rgba[std::size_t(y) * std::size_t(image.size.x) * 4]);
+    for (auto& [key, value] : keys) {
+        png_text entry{};
+        entry.compression = PNG_TEXT_COMPRESSION_NONE;
+        entry.key = key.data();
+        entry.text = value.data();
+        entry.text_length = value.size();
+        image.texts.push_back(entry);
+    }
+    if (!encodePng(image, *file))
+        return Error{"the picture could not be encoded as PNG", path.string(), "Try OpenEXR (.exr)."};
+    return file->commit();
+}
+
+Result<void> writeExr(const Film& film, const Provenance& provenance, const std::filesystem::path& path) {
+    Result<ReplacingFile> file = ReplacingFile::open(path);
+    if (!file)
+        return file.error();
+    try {
+        encodeExr(film, provenance, *file, path.string());
+    } catch (const std::exception& failure) {
+        if (Result<void> state = file->state(); !state)  // the file knows better why it could not be written
+            return state.error();
+        return Error{"the picture could not be encoded as OpenEXR (" + std::string(failure.what()) + ")", path.string(),
+                     ""};
+    }
+    return file->commit();
+}
+
+}  // namespace pdr

@@ -1,0 +1,96 @@
+#pragma once
+/// Reads JSON objects field by field and strictly: a field that is missing, of another kind, unknown or written twice is
+/// an error that names its path ("lights[1].radiance"). Ranges are not its business; the values check themselves.
+///
+/// Inside, errors travel as FieldError and are caught where the file was opened: readJson().
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "render/base/portable.h"
+#include "render/base/result.h"
+
+namespace pdr {
+
+struct FieldError {
+    Error error;
+};
+
+/// The words that a field may hold, and what they mean.
+template <class T>
+using Words = std::initializer_list<std::pair<std::string_view, T>>;
+
+class JsonFields {
+  public:
+    /// `value` must outlive this. Throws when it is no object.
+    JsonFields(const nlohmann::json& value, std::string path);
+
+    const std::string& path() const { return path_; }
+    bool has(std::string_view name);
+    /// "lights[1].radiance" for the field `radiance` of the object at "lights[1]".
+    std::string pathOf(std::string_view name) const;
+
+    // Each reads a field that must be there into `value`.
+    void required(std::string_view name, double& value);
+    void required(std::string_view name, float& value);
+    void required(std::string_view name, int& value);
+    void required(std::string_view name, std::uint64_t& value);
+    void required(std::string_view name, bool& value);
+    void required(std::string_view name, std::string& value);
+    void required(std::string_view name, ivec3& value);
+    void required(std::string_view name, dvec3& value);  ///< a place or a direction: [x, y, z]
+    void required(std::string_view name, vec3& value);   ///< a colour: [r, g, b], or one number for all three
+    void required(std::string_view name, std::pair<int, int>& value);
+
+    /// One of a few words.
+    template <class T>
+    void required(std::string_view name, T& value, Words<T> words) {
+        std::vector<std::string_view> known;
+        for (const auto& [word, meaning] : words)
+            known.push_back(word);
+        value = (words.begin() + wordIndex(name, known))->second;
+    }
+
+    // The same, but `value` stays as it is when the field is absent.
+    template <class T>
+    void optional(std::string_view name, T& value) {
+        if (has(name))
+            required(name, value);
+    }
+    template <class T>
+    void optional(std::string_view name, T& value, Words<T> words) {
+        if (has(name))
+            required(name, value, words);
+    }
+
+    JsonFields object(std::string_view name);
+    std::vector<JsonFields> objects(std::string_view name);
+
+    /// Call last: throws when the object holds a field that was never asked for.
+    void finish() const;
+    [[noreturn]] void fail(std::string_view name, const std::string& what, const std::string& hint = "") const;
+
+  private:
+    const nlohmann::json& field(std::string_view name);
+    std::vector<double> numbers(std::string_view name, std::size_t count, const std::string& shape);
+    std::size_t wordIndex(std::string_view name, const std::vector<std::string_view>& words);
+
+    const nlohmann::json* value_;
+    std::string path_;
+    std::set<std::string, std::less<>> known_;  ///< every field that was asked for
+};
+
+/// Parses `text`, checks "format" and "version" (1), and hands the rest to `read`. What is thrown there, and what is no
+/// JSON, becomes an error with `where` put before the field.
+Result<void> readJson(std::string_view text, std::string_view where, std::string_view format,
+                      const std::function<void(JsonFields&)>& read);
+
+}  // namespace pdr

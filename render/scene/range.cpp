@@ -1,0 +1,53 @@
+#include "render/scene/range.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace pdr {
+
+bool Range::holds(double value) const {
+    return std::isfinite(value) && (lowestIncluded ? value >= lowest : value > lowest) &&
+           (highestIncluded ? value <= highest : value < highest);
+}
+
+std::string Range::text() const {
+    if (lowestIncluded && highestIncluded)
+        return "from " + numberText(lowest) + " to " + numberText(highest);
+    return (lowestIncluded ? "at least " : "above ") + numberText(lowest) +
+           (highestIncluded ? " and at most " : " and below ") + numberText(highest);
+}
+
+std::string numberText(double value) {
+    std::ostringstream out;
+    out.precision(9);
+    out << value;
+    return out.str();
+}
+
+Result<void> checkRange(double value, const Range& range, const std::string& where) {
+    if (range.holds(value))
+        return {};
+    return Error{"is " + numberText(value) + ", must be " + range.text(), where, ""};
+}
+
+Result<void> checkRange(dvec3 value, const Range& range, const std::string& where) {
+    for (int i = 0; i < 3; ++i)
+        if (!range.holds(value[i]))
+            return Error{"holds " + numberText(value[i]) + ", each number must be " + range.text(), where, ""};
+    return {};
+}
+
+Result<void> checkDirection(dvec3 value, const std::string& where) {
+    const double length = glm::length(value);
+    if (std::isfinite(length) && length > 0)
+        return {};
+    return Error{"is no direction: it needs three finite numbers that are not all 0", where, ""};
+}
+
+Error below(const std::string& parent, Error error) {
+    const bool both = !parent.empty() && !error.where.empty();
+    error.where = parent + (both ? "." : "") + error.where;
+    return error;
+}
+
+}  // namespace pdr

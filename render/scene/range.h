@@ -1,0 +1,35 @@
+#pragma once
+/// The range of a field, and the sentence for a value outside it.
+
+#include <string>
+
+#include "render/base/portable.h"
+#include "render/base/result.h"
+
+namespace pdr {
+
+/// The values a field may have. NaN and the infinities never belong to it.
+struct Range {
+    double lowest = 0;
+    double highest = 0;
+    bool lowestIncluded = true;
+    bool highestIncluded = true;
+
+    bool holds(double value) const;
+    std::string text() const;  ///< "from 0 to 1e+30", "above -1 and below 1"
+};
+
+/// A number as a person would write it: "0.5", "1e+30".
+std::string numberText(double value);
+
+/// Success, or an error about the field `where`.
+Result<void> checkRange(double value, const Range& range, const std::string& where);
+/// The same for each of three channels or coordinates.
+Result<void> checkRange(dvec3 value, const Range& range, const std::string& where);
+/// Three finite numbers that are not all 0.
+Result<void> checkDirection(dvec3 value, const std::string& where);
+
+/// `error` with its field's name put below `parent`: "lights[1]" and "radiance" become "lights[1].radiance".
+Error below(const std::string& parent, Error error);
+
+}  // namespace pdr

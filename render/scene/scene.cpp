@@ -1,0 +1,74 @@
+#include "render/scene/scene.h"
+
+#include <string>
+
+#include "render/scene/range.h"
+
+namespace pdr {
+namespace {
+
+Error notYet(const std::string& what, const std::string& where, const std::string& hint) {
+    return {what + " not rendered yet by this version", where, hint};
+}
+
+Result<void> checkLights(const Scene& scene) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (auto ok = check(scene.lights[i]); !ok)
+            return below("lights[" + std::to_string(i) + "]", ok.error());
+    if (auto ok = check(scene.environment); !ok)
+        return below("environment", ok.error());
+    return {};
+}
+
+Result<void> checkCamera(const Camera& camera) {
+    if (auto ok = camera.check(); !ok)
+        return ok;
+    if (camera.apertureMm > 0)
+        return notYet("depth of field is", "camera.apertureMm", "Set it to 0.");
+    return {};
+}
+
+Result<void> checkTransport(const Scene& scene) {
+    for (const auto& ok : {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
+                           checkRange(scene.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
+                           checkRange(scene.maxBounces, {1, 1000}, "maxBounces"),
+                           checkRange(scene.film.x, {1, 16384}, "film.width"),
+                           checkRange(scene.film.y, {1, 16384}, "film.height")})
+        if (!ok)
+            return ok;
+    if (scene.model != Model::singleScattering)
+        return notYet(std::string(modelName(scene.model)) + " is", "model", "Use singleScattering.");
+    if (scene.maxBounces > 1)
+        return notYet("more than one scattering event on a path is", "maxBounces", "Set it to 1.");
+    return {};
+}
+
+}  // namespace
+
+const char* modelName(Model model) {
+    switch (model) {
+        case Model::absorption:
+            return "absorption";
+        case Model::emission:
+            return "emission";
+        case Model::emissionAbsorption:
+            return "emissionAbsorption";
+        case Model::singleScattering:
+            return "singleScattering";
+        case Model::multipleScattering:
+            return "multipleScattering";
+        case Model::maximumIntensity:
+            break;
+    }
+    return "maximumIntensity";
+}
+
+Result<void> Scene::check() const {
+    for (const auto& ok :
+         {transferFunction.check(), checkTransport(*this), checkLights(*this), checkCamera(camera)})
+        if (!ok)
+            return ok;
+    return {};
+}
+
+}  // namespace pdr

@@ -1,0 +1,113 @@
+#include "render/volume/raw_file.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace pdr {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "raw files are read as they lie in memory");
+
+std::size_t bytesPerVoxel(RawFile::Type type) {
+    switch (type) {
+        case RawFile::Type::uint8:
+            return 1;
+        case RawFile::Type::float32:
+            return 4;
+        case RawFile::Type::int16:
+        case RawFile::Type::uint16:
+            break;
+    }
+    return 2;
+}
+
+std::string count(ivec3 size) {
+    return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
+}
+
+Result<void> checkBytes(const RawFile& file) {
+    std::error_code failure;
+    const std::uintmax_t found = std::filesystem::file_size(file.path, failure);
+    if (failure)
+        return Error{"the file cannot be read (" + failure.message() + ")", file.path.string(), "Check the path."};
+    const std::uintmax_t needed =
+        std::uintmax_t(file.size.x) * std::uintmax_t(file.size.y) * std::uintmax_t(file.size.z) *
+        bytesPerVoxel(file.type);
+    if (found == needed)
+        return {};
+    return Error{"the file holds " + std::to_string(found) + " bytes, " + count(file.size) + " voxels of this type are " +
+                     std::to_string(needed),
+                 file.path.string(), "Check size and type."};
+}
+
+Error readError(const RawFile& file) {
+    return {"the file could not be read to its end", file.path.string(), "Check the disk that it lies on."};
+}
+
+template <class T>
+Result<std::vector<T>> readAll(const RawFile& file, std::size_t voxels) {
+    std::vector<T> values(voxels);
+    std::ifstream stream(file.path, std::ios::binary);
+    stream.read(reinterpret_cast<char*>(values.data()), std::streamsize(voxels * sizeof(T)));
+    if (!stream)
+        return readError(file);
+    return values;
+}
+
+/// Reads T and rounds to int16.
+template <class T>
+Result<std::vector<std::int16_t>> readAs(const RawFile& file, std::size_t voxels) {
+    Result<std::vector<T>> values = readAll<T>(file, voxels);
+    if (!values)
+        return values.error();
+    std::vector<std::int16_t> hu(voxels);
+    for (std::size_t i = 0; i < voxels; ++i) {
+        const double rounded = std::nearbyint(double((*values)[i]));
+        if (!(rounded >= INT16_MIN && rounded <= INT16_MAX))
+            return Error{"voxel " + std::to_string(i) + " holds " + std::to_string((*values)[i]) +
+                             ", Hounsfield units end at 32767 and begin at -32768",
+                         file.path.string(), "Check the type, and that the file is little endian."};
+        hu[i] = std::int16_t(rounded);
+    }
+    return hu;
+}
+
+Result<std::vector<std::int16_t>> readVoxels(const RawFile& file, std::size_t voxels) {
+    switch (file.type) {
+        case RawFile::Type::uint8:
+            return readAs<std::uint8_t>(file, voxels);
+        case RawFile::Type::uint16:
+            return readAs<std::uint16_t>(file, voxels);
+        case RawFile::Type::float32:
+            return readAs<float>(file, voxels);
+        case RawFile::Type::int16:
+            break;
+    }
+    return readAll<std::int16_t>(file, voxels);
+}
+
+}  // namespace
+
+Result<Volume> loadRaw(const RawFile& file) {
+    if (auto ok = checkBytes(file); !ok)
+        return ok.error();
+    const VolumeGeometry geometry =
+        VolumeGeometry::aligned(file.size, file.spacingMm, file.originMm.value_or(0.5 * file.spacingMm));
+    try {
+        Result<std::vector<std::int16_t>> voxels = readVoxels(file, geometry.voxelCount());
+        if (!voxels)
+            return voxels.error();
+        return Volume(geometry, *std::move(voxels));
+    } catch (const std::bad_alloc&) {
+        return Error{"there is not enough memory for " + count(file.size) + " voxels (" +
+                         std::to_string(geometry.voxelCount() * 2 >> 20) + " MiB)",
+                     file.path.string(), "Close other programs, or take a smaller volume."};
+    }
+}
+
+}  // namespace pdr

@@ -1,0 +1,250 @@
+#include <QtTest>
+
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <vector>
+
+/// What a run of the program left.
+struct Run {
+    int code = -1;
+    QByteArray out, err;
+};
+
+/// A ball of 12 voxels' radius in air, as a raw file, and a scene that shows it.
+class CliTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    QString at(const QString& name) const { return folder_.filePath(name); }
+    QString scene() const { return at("scene.json"); }
+
+    static QString program() { return PDR_BINARY_DIR "/bin/pdrender-cli"; }
+
+    static Run run(const QStringList& arguments) {
+        QProcess process;
+        process.start(program(), arguments);
+        if (!process.waitForFinished(120'000))
+            qFatal("pdrender-cli did not end");
+        return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+                process.readAllStandardOutput(), process.readAllStandardError()};
+    }
+
+    static QByteArray contents(const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    static void write(const QString& path, const QByteArray& bytes) {
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+            qFatal("the test cannot write its files");
+    }
+
+    /// All pixels of an OpenEXR file, without its header: that one tells the seconds.
+    static std::vector<float> exrPixels(const QString& path) {
+        Imf::InputFile file(path.toUtf8().constData());
+        const Imath::Box2i box = file.header().dataWindow();
+        const int width = box.max.x + 1, height = box.max.y + 1;
+        std::vector<float> values(std::size_t(width) * std::size_t(height) * 6);
+        Imf::FrameBuffer frame;
+        float* next = values.data();
+        for (const char* channel : {"R", "G", "B", "error.R", "error.G", "error.B"})
+            frame.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(next++), 24, std::size_t(24 * width)));
+        file.setFrameBuffer(frame);
+        file.readPixels(0, height - 1);
+        return values;
+    }
+
+  private slots:
+    void initTestCase() {
+        QByteArray voxels;
+        for (int z = 0; z < 32; ++z)
+            for (int y = 0; y < 32; ++y)
+                for (int x = 0; x < 32; ++x) {
+                    const int r2 = (x - 16) * (x - 16) + (y - 16) * (y - 16) + (z - 16) * (z - 16);
+                    const qint16 hu = r2 < 144 ? 1000 : -1000;
+                    voxels.append(reinterpret_cast<const char*>(&hu), 2);
+                }
+        write(at("ball.raw"), voxels);
+        write(scene(), R"({ "format": "pdrender-scene", "version": 1,
+            "volume": { "raw": "ball.raw", "size": [32, 32, 32], "spacingMm": [1, 1, 1] },
+            "transferFunction": { "extinctionPerMm": 0.5, "nodes": [ { "hu": 0, "opacity": 0 }, { "hu": 500, "opacity": 1 } ] },
+            "lights": [ { "type": "directional", "direction": [1, 1, -1], "irradiance": 3 },
+                        { "type": "environment", "radiance": 0.2, "visible": false } ],
+            "camera": { "eyeMm": [16, -80, 16], "targetMm": [16, 16, 16], "fovDegrees": 25 },
+            "film": { "width": 48, "height": 40 } })");
+    }
+
+    void versionAndHelpGoToStandardOutput() {
+        QCOMPARE(run({"--version"}).out, QByteArray("PD-Render " PDR_VERSION "\n"));
+        QVERIFY(run({"--help"}).out.contains("pdrender-cli render"));
+        const Run help = run({"render", "--help"});
+        QCOMPARE(help.code, 0);
+        QVERIFY(help.out.contains("--samples"));
+    }
+
+    void wrongUsageIsTwo_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("named");
+        const auto row = [](const char* name, const QStringList& arguments, const char* named) {
+            QTest::newRow(name) << arguments << QByteArray(named);
+        };
+        row("nothing", {}, "say what to do");
+        row("no such command", {"paint"}, "paint");
+        row("no input", {"render", "-o", "a.png"}, "needs one folder");
+        row("two inputs", {"render", "a", "b", "-o", "a.png"}, "needs one folder");
+        row("no output", {"render", "a"}, "-o");
+        row("foreign extension", {"render", "a", "-o", "a.jpg"}, "a.jpg");
+        row("no such option", {"render", "a", "-o", "a.png", "--sample", "3"}, "sample");
+        row("size", {"render", "a", "-o", "a.png", "--size", "10"}, "--size");
+        row("size too large", {"render", "a", "-o", "a.png", "--size", "20000x1"}, "--size");
+        row("samples", {"render", "a", "-o", "a.png", "--samples", "0"}, "--samples");
+        row("samples as text", {"render", "a", "-o", "a.png", "--samples", "many"}, "--samples");
+        row("seconds", {"render", "a", "-o", "a.png", "--seconds", "-1"}, "--seconds");
+        row("error", {"render", "a", "-o", "a.png", "--error", "nan"}, "--error");
+        row("exposure", {"render", "a", "-o", "a.png", "--exposure", "0"}, "--exposure");
+        row("threads", {"render", "a", "-o", "a.png", "--threads", "0"}, "--threads");
+        row("device", {"render", "a", "-o", "a.png", "--device", "abacus"}, "--device");
+        row("view", {"render", "a", "-o", "a.png", "--view", "above"}, "--view");
+        row("preset", {"render", "a", "-o", "a.png", "--preset", "MR brain"}, "CT soft tissue");
+    }
+
+    void wrongUsageIsTwo() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, named);
+        const Run result = run(arguments);
+        QCOMPARE(result.code, 2);
+        QVERIFY(result.out.isEmpty());
+        QVERIFY2(result.err.contains(named), result.err.constData());
+    }
+
+    void aBadInputIsNamedAndNothingIsWritten() {
+        for (const QString& input : {at("none"), at("ball.raw"), at("empty")}) {
+            QDir(folder_.path()).mkdir("empty");
+            const Run result = run({"render", input, "-o", at("bad.png")});
+            QCOMPARE(result.code, 1);
+            QVERIFY2(result.err.contains(input.toUtf8()), result.err.constData());
+            QVERIFY(!QFile::exists(at("bad.png")));
+        }
+    }
+
+    void aBadFieldIsNamed() {
+        write(at("wrong.json"), contents(scene()).replace("\"irradiance\": 3", "\"irradiance\": -3"));
+        const Run result = run({"render", at("wrong.json"), "-o", at("bad.png")});
+        QCOMPARE(result.code, 1);
+        QVERIFY2(result.err.contains("lights[0].irradiance"), result.err.constData());
+    }
+
+    void anOutputThatCannotBeWrittenIsToldBeforeRendering() {
+        const Run noFolder = run({"render", scene(), "-o", at("none/a.png"), "--samples", "1000000"});
+        QCOMPARE(noFolder.code, 1);
+        QVERIFY2(noFolder.err.contains("none/a.png"), noFolder.err.constData());
+        QDir(folder_.path()).mkdir("locked");
+        QFile::setPermissions(at("locked"), QFile::ReadOwner | QFile::ExeOwner);
+        if (::geteuid() == 0)
+            QSKIP("root may write everywhere, so a folder without permission cannot be tried");
+        QCOMPARE(run({"render", scene(), "-o", at("locked/a.png"), "--samples", "1000000"}).code, 1);
+    }
+
+    void picturesAreWrittenAndJsonTellsHow() {
+        const Run result = run({"render", scene(), "-o", at("a.png"), "-o", at("a.exr"), "--samples", "32", "--json"});
+        QVERIFY2(result.code == 0, result.err.constData());
+        const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
+        QCOMPARE(facts["samplesPerPixel"].toInt(), 32);
+        QCOMPARE(facts["width"].toInt(), 48);
+        QCOMPARE(facts["stoppedBy"].toString(), QString("samples"));
+        QCOMPARE(facts["outputs"].toArray().size(), 2);
+        QVERIFY(facts["seconds"].toDouble() > 0 && facts["samplesPerSecond"].toDouble() > 0);
+        QVERIFY(facts["relativeError"].toDouble() > 0 && facts["relativeError"].toDouble() < 1);
+        const QImage image(at("a.png"));
+        QCOMPARE(image.size(), QSize(48, 40));
+        QVERIFY(qGreen(image.pixel(24, 20)) > 20);
+        QCOMPARE(image.pixel(0, 0), qRgb(0, 0, 0));
+        QVERIFY(QFile::exists(at("a.exr")));
+    }
+
+    void optionsOverruleTheScene() {
+        const Run result = run({"render", scene(), "-o", at("b.png"), "--samples", "4", "--size", "30x20", "--preset",
+                                "bone", "--view", "left", "--seed", "9", "--json"});
+        QVERIFY2(result.code == 0, result.err.constData());
+        QCOMPARE(QImage(at("b.png")).size(), QSize(30, 20));
+        QCOMPARE(QImage(at("b.png")).text("pdrender/seed"), QString("9"));
+        QVERIFY(qGreen(QImage(at("b.png")).pixel(15, 10)) > 20);
+    }
+
+    void theErrorStopsAndDoesNotDependOnTheClock() {
+        QStringList samples;
+        for (int i = 0; i < 2; ++i) {
+            const Run result = run({"render", scene(), "-o", at("e.png"), "--error", "0.05", "--json"});
+            const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
+            QCOMPARE(facts["stoppedBy"].toString(), QString("error"));
+            QVERIFY(facts["relativeError"].toDouble() <= 0.05);
+            samples << QString::number(facts["samplesPerPixel"].toInt());
+        }
+        QCOMPARE(samples[0], samples[1]);
+    }
+
+    void theClockStops() {
+        const Run result = run({"render", scene(), "-o", at("t.png"), "--seconds", "0.3", "--json"});
+        const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
+        QCOMPARE(facts["stoppedBy"].toString(), QString("seconds"));
+        QVERIFY(facts["seconds"].toDouble() < 5);
+    }
+
+    void thePictureIsTheSameOnAnyNumberOfThreads() {
+        std::vector<std::vector<float>> pictures;
+        for (const char* threads : {"1", "2", "4"}) {
+            const QString name = at(QString("threads%1").arg(threads));
+            const Run result = run({"render", scene(), "-o", name + ".png", "-o", name + ".exr", "--samples", "70",
+                                    "--threads", threads});
+            QVERIFY2(result.code == 0, result.err.constData());
+            pictures.push_back(exrPixels(name + ".exr"));
+        }
+        QVERIFY(*std::max_element(pictures[0].begin(), pictures[0].end()) > 0);
+        QVERIFY(pictures[1] == pictures[0]);
+        QVERIFY(pictures[2] == pictures[0]);
+    }
+
+    void ctrlCWritesWhatIsThere() {
+        QProcess process;
+        process.start(program(), {"render", scene(), "-o", at("c.png"), "--seconds", "100", "--json"});
+        QVERIFY(process.waitForStarted());
+        QTest::qWait(1500);
+        ::kill(pid_t(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(20'000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 1);
+        const QJsonObject facts = QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+        QCOMPARE(facts["stoppedBy"].toString(), QString("interrupted"));
+        QCOMPARE(QImage(at("c.png")).text("pdrender/samplesPerPixel"),
+                 QString::number(facts["samplesPerPixel"].toInt()));
+    }
+
+    void aDicomFolderBecomesAPicture() {
+        const Run example = run({"example", at("phantom")});
+        QVERIFY2(example.code == 0, example.err.constData());
+        const Run result = run({"render", at("phantom"), "-o", at("p.png"), "--size", "64x64", "--samples", "8"});
+        QVERIFY2(result.code == 0, result.err.constData());
+        QVERIFY(qGreen(QImage(at("p.png")).pixel(32, 32)) > 10);
+        QCOMPARE(run({"render", at("phantom"), "-o", at("p.png"), "--series", "1.2.3"}).code, 1);
+    }
+
+    void nothingIsLeftBehind() {
+        QVERIFY(QDir(folder_.path()).entryList({"*.part"}, QDir::Files | QDir::Hidden).isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(CliTest)
+#include "cli_test.moc"

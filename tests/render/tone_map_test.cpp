@@ -1,0 +1,64 @@
+#include <QtTest>
+
+#include <cmath>
+#include <limits>
+
+#include "render/film/tone_map.h"
+
+using namespace pdr;
+
+/// The formula of tone_map.h, written out.
+static int expected(double radiance, double exposure) {
+    const double linear = -std::expm1(-radiance / exposure);
+    const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+    return int(std::floor(255 * encoded + 0.5));
+}
+
+class ToneMapTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void levelsFollowTheFormula() {
+        for (const float exposure : {0.01f, 1.0f, 250.0f})
+            for (double share = 1e-6; share < 100; share *= 1.001)
+                QCOMPARE(int(displayLevel(share * exposure, {exposure})), expected(share * exposure, exposure));
+    }
+
+    void theEndsOfTheScale() {
+        QCOMPARE(int(displayLevel(0, {1})), 0);
+        QCOMPARE(int(displayLevel(-5, {1})), 0);
+        QCOMPARE(int(displayLevel(std::nan(""), {1})), 0);
+        QCOMPARE(int(displayLevel(std::numeric_limits<double>::infinity(), {1})), 255);
+        QCOMPARE(int(displayLevel(1e300, {1e-30f})), 255);
+        QCOMPARE(int(displayLevel(1e-300, {1e30f})), 0);
+    }
+
+    void brighterNeverLooksDarker() {
+        int last = 0;
+        for (double radiance = 1e-5; radiance < 20; radiance *= 1.0005) {
+            const int level = displayLevel(radiance, {1});
+            QVERIFY(level >= last);
+            last = level;
+        }
+        QCOMPARE(last, 255);
+    }
+
+    void aFilmBecomesRgbaFromTheTop() {
+        Film film({3, 2}, 0);
+        TileSums sums = film.sums({0, 0, 3, 2});
+        for (int i = 0; i < 6; ++i)
+            sums.pixels[i] = {dvec3(i, 2 * i, 0.1), dvec3(0), 1, 0};
+        film.commit({0, 1});
+        const auto rgba = toneMap(film, {2});
+        QCOMPARE(rgba.size(), std::size_t(24));
+        for (int i = 0; i < 6; ++i) {
+            QCOMPARE(int(rgba[4 * i]), expected(i, 2));
+            QCOMPARE(int(rgba[4 * i + 1]), expected(2 * i, 2));
+            QCOMPARE(int(rgba[4 * i + 2]), expected(0.1, 2));
+            QCOMPARE(int(rgba[4 * i + 3]), 255);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(ToneMapTest)
+#include "tone_map_test.moc"

@@ -1,0 +1,101 @@
+#include <QtTest>
+
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+
+/// Reads every #include of the tree and fails where one crosses a wall of the house (design in README.md).
+class WallsTest : public QObject {
+    Q_OBJECT
+
+    struct Wall {
+        const char* room;     ///< files whose path begins so ...
+        const char* include;  ///< ... may include our own headers, or foreign ones, only where this matches
+    };
+
+    /// Our own rooms: the longest matching entry counts.
+    inline static const QList<Wall> kOwn{
+        {"render/base/", "^render/base/"},
+        {"render/volume/", "^render/(base|volume)/"},
+        {"render/kernel/", "^render/(base|kernel)/|^render/film/tile.h"},
+        {"render/film/", "^render/(base|film)/"},
+        {"render/scene/", "^render/(base|volume|kernel|scene)/|^render/film/display.h"},
+        {"render/device/", "^render/(base|kernel|film|device)/|^render/scene/flatten.h"},
+        {"render/session/", "^render/(base|kernel|film|scene|device|tiles|accuracy|session)/"},
+        {"dicom/", "^dicom/|^render/(base|volume)/"},
+        {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy)/|^dicom/series.h|^render/session/session.h"},
+        {"app/bench/", "^app/bench/|^render/"},
+        {"app/", "^(app|ui|dicom|render)/"},
+    };
+
+    static QStringList files() {
+        QStringList found;
+        for (const char* room : {"render", "dicom", "ui", "app"}) {
+            QDirIterator walk(QStringLiteral(PDR_SOURCE_DIR "/") + room, {"*.h", "*.cpp", "*.cu", "*.cuh"}, QDir::Files,
+                              QDirIterator::Subdirectories);
+            while (walk.hasNext())
+                found << QDir(PDR_SOURCE_DIR).relativeFilePath(walk.next());
+        }
+        return found;
+    }
+
+    static bool crosses(const QString& file, const QString& include) {
+        static const QRegularExpression ours("^(render|dicom|ui|app)/");
+        const auto matches = [](const char* pattern, const QString& text) {
+            return QRegularExpression(pattern).match(text).hasMatch();
+        };
+        if (ours.match(include).hasMatch()) {
+            for (const Wall& wall : kOwn)
+                if (file.startsWith(wall.room))
+                    return !matches(wall.include, include);
+            return true;
+        }
+        if (matches("^(Q[A-Z]|Qt)", include) || include.startsWith("q"))
+            return matches("^(render|dicom|app/bench)/", file);
+        if (matches("^(dcmtk|dcm)", include))
+            return !matches("^dicom/.*\\.cpp$", file);
+        if (matches("^(Imf|Imath|OpenEXR|png)", include))
+            return file != "render/film/image_file.cpp";
+        if (matches("^nlohmann/", include))
+            return !matches("^(render/scene/json_fields\\.|app/)", file);
+        if (matches("^cuda", include))
+            return !matches("^(render/device/cuda/|render/base/portable.h)", file);
+        return false;
+    }
+
+    static QStringList crossings(const QString& file, const QString& text) {
+        static const QRegularExpression directive("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]",
+                                                  QRegularExpression::MultilineOption);
+        QStringList found;
+        for (auto each = directive.globalMatch(text); each.hasNext();) {
+            const QString include = each.next().captured(1);
+            if (crosses(file, include))
+                found << file + " includes " + include;
+        }
+        return found;
+    }
+
+  private slots:
+    void noIncludeCrossesAWall() {
+        QStringList found;
+        QVERIFY(files().size() > 30);
+        for (const QString& name : files()) {
+            QFile file(QStringLiteral(PDR_SOURCE_DIR "/") + name);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            found << crossings(name, QString::fromUtf8(file.readAll()));
+        }
+        QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join("\n")));
+    }
+
+    void aCrossedWallIsSeen() {
+        for (const char* include : {"QString", "dicom/series.h", "render/scene/scene.h", "dcmtk/config/osconfig.h", "png.h",
+                                    "nlohmann/json.hpp", "cuda_runtime.h"})
+            QCOMPARE(crossings("render/film/film.cpp", QStringLiteral("\n#include <%1>\n").arg(include)).size(), 1);
+        QCOMPARE(crossings("render/film/film.cpp", "#include <vector>\n#include \"render/base/result.h\"").size(), 0);
+        QCOMPARE(crossings("ui/viewport.cpp", "#include <QWidget>\n#include \"dicom/import.h\""),
+                 QStringList{"ui/viewport.cpp includes dicom/import.h"});
+    }
+};
+
+QTEST_APPLESS_MAIN(WallsTest)
+#include "walls_test.moc"
