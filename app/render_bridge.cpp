@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "render/film/image_file.h"
+#include "ui/to_qt.h"
+
 namespace pdr::app {
 
 RenderBridge::RenderBridge(std::unique_ptr<Device> device)
@@ -12,10 +15,17 @@ void RenderBridge::submit(const Scene& scene, bool moving) {
     newest_ = scene.revision;
     if (!moving)
         oldestShown_ = newest_;
+    if (moving && movingUnseen_) {
+        next_ = scene;
+        return;
+    }
+    next_.reset();
+    movingUnseen_ = moving;
     session_.submit(scene, moving);
 }
 
 void RenderBridge::setDisplay(const Display& display) {
+    display_ = display;
     session_.setDisplay(display);
 }
 
@@ -31,6 +41,32 @@ void RenderBridge::setPaused(bool paused) {
 
 void RenderBridge::dropFrames() {
     oldestShown_ = newest_ + 1;
+    next_.reset();
+    movingUnseen_ = false;
+    lastFrame_.reset();
+}
+
+void RenderBridge::save(const QString& file) {
+    session_.inspect([this, file, display = display_](const Film& film, const Scene& scene, double seconds) {
+        const FilmStatus status = film.status();
+        const Provenance provenance{status.samplesPerPixel,
+                                    seconds,
+                                    status.relativeError,
+                                    status.rejectedSamples,
+                                    scene.seed,
+                                    modelName(scene.model),
+                                    scene.transferFunction.extinctionPerMm,
+                                    "PD-Render " PDR_VERSION};
+        const std::filesystem::path path = ui::fromQt(file);
+        const bool exr = file.endsWith(".exr", Qt::CaseInsensitive);
+        const Result<void> written = exr ? writeExr(film, provenance, path) : writePng(film, display, provenance, path);
+        QMetaObject::invokeMethod(this, [this, file, written] {
+            if (written)
+                emit saved(file);
+            else
+                emit saveFailed(written.error());
+        });
+    });
 }
 
 /// On the render thread.
@@ -52,6 +88,10 @@ void RenderBridge::deliver() {
     if (frame->revision < oldestShown_)
         return;
     oldestShown_ = frame->revision;
+    lastFrame_ = frame;
+    movingUnseen_ = false;
+    if (next_)
+        submit(*std::exchange(next_, std::nullopt), true);
     emit frameReady(frame);
 }
 

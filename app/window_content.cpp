@@ -67,8 +67,15 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
     if (!frame->error.empty())
         return showFailure(parts, {frame->error, "", ""});
     parts.window.viewport().setImage(imageOf(frame));
-    parts.window.status().setText(ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()));
     parts.window.setPictureAvailable(true);
+    showStatus(parts);
+}
+
+void showStatus(const DesktopParts& parts) {
+    const auto& frame = parts.bridge.lastFrame();
+    if (frame && frame->error.empty())
+        parts.window.status().setText(
+            ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()));
 }
 
 void showDocument(const DesktopParts& parts) {

@@ -30,6 +30,8 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
 void showFailure(const DesktopParts& parts, const Error& error);
 /// The picture and how good it is.
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame);
+/// How good the picture is, in words; again when the rendering is held or goes on.
+void showStatus(const DesktopParts& parts);
 /// Everything that follows the document: camera, preset, brightness, undo.
 void showDocument(const DesktopParts& parts);
 

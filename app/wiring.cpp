@@ -47,6 +47,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&window.look(), &ui::LookPanel::iterationsPerFrameChosen, &bridge,
                      &RenderBridge::setIterationsPerFrame);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
+    QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
 }
 
 /// 4. Frames and the document's state go to the screen.
@@ -55,6 +56,11 @@ void wireScreen(const DesktopParts& parts) {
     QObject::connect(&parts.bridge, &RenderBridge::frameReady, &window,
                      [parts](const std::shared_ptr<const Frame>& frame) { showFrame(parts, frame); });
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, &ui::MainWindow::setPaused);
+    QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, [parts] { showStatus(parts); });
+    QObject::connect(&parts.bridge, &RenderBridge::saved, &window,
+                     [parts](const QString& file) { parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file)); });
+    QObject::connect(&parts.bridge, &RenderBridge::saveFailed, &window,
+                     [parts](const Error& error) { showFailure(parts, error); });
     QObject::connect(&parts.document, &Document::sceneChanged, &window, [parts] { showDocument(parts); });
     QObject::connect(&parts.document, &Document::displayChanged, &window, [parts] { showDocument(parts); });
 }

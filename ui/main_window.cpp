@@ -63,6 +63,8 @@ MainWindow::MainWindow()
     fillEditMenu();
     fillViewMenu();
     fillHelpMenu();
+    for (const QAction* menu : menuBar()->actions())
+        addActions(menu->menu()->actions());  // so that keys work while the menu bar is hidden
 
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);

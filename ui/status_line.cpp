@@ -1,6 +1,7 @@
 #include "ui/status_line.h"
 
 #include <QHBoxLayout>
+#include <chrono>
 
 namespace pdr::ui {
 
@@ -14,6 +15,10 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
     bar_.setFixedSize(180, 10);
     cancel_.setAccessibleName(tr("Cancel reading"));
     connect(&cancel_, &QPushButton::clicked, this, &StatusLine::cancelRequested);
+
+    remarkTimer_.setSingleShot(true);
+    remarkTimer_.setInterval(std::chrono::seconds(6));
+    connect(&remarkTimer_, &QTimer::timeout, &step_, &QWidget::hide);
 
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 2, 8, 2);
@@ -29,7 +34,14 @@ void StatusLine::setText(const QString& text) {
     text_.setText(text);
 }
 
+void StatusLine::showForAWhile(const QString& remark) {
+    step_.setText(remark);
+    step_.show();
+    remarkTimer_.start();
+}
+
 void StatusLine::setProgress(double fraction, const QString& step) {
+    remarkTimer_.stop();
     step_.setText(step);
     bar_.setValue(int(fraction * bar_.maximum()));
     for (QWidget* part : std::initializer_list<QWidget*>{&step_, &bar_, &cancel_})

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QTimer>
 #include <QWidget>
 
 namespace pdr::ui {
@@ -15,6 +16,8 @@ class StatusLine : public QWidget {
     explicit StatusLine(QWidget* parent = nullptr);
 
     void setText(const QString& text);
+    /// A remark on the right that goes away by itself.
+    void showForAWhile(const QString& remark);
     /// Shows `step` and how far it is, [0, 1], with a button to cancel it.
     void setProgress(double fraction, const QString& step);
     void endProgress();
@@ -25,6 +28,7 @@ class StatusLine : public QWidget {
   private:
     QLabel text_;
     QLabel step_;
+    QTimer remarkTimer_;
     QProgressBar bar_;
     QPushButton cancel_;
 };

@@ -212,4 +212,4 @@ void TestViewport::theNewSizeIsTold() {
 }  // namespace pdr::ui
 
 QTEST_MAIN(pdr::ui::TestViewport)
-#include "test_viewport.moc"
+#include "viewport_test.moc"

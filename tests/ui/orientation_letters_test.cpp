@@ -118,4 +118,4 @@ void TestOrientationLetters::oppositeEdgesAlwaysHaveOppositeLetters() {
 }  // namespace pdr::ui
 
 QTEST_GUILESS_MAIN(pdr::ui::TestOrientationLetters)
-#include "test_orientation_letters.moc"
+#include "orientation_letters_test.moc"

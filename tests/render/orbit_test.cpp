@@ -143,4 +143,4 @@ void TestOrbit::zoomingOutEndsBeforeNumbersDo() {
 }  // namespace pdr
 
 QTEST_GUILESS_MAIN(pdr::TestOrbit)
-#include "test_orbit.moc"
+#include "orbit_test.moc"

@@ -238,4 +238,4 @@ void TestPanels::everyControlHasAnAccessibleName() {
 }  // namespace pdr::ui
 
 QTEST_MAIN(pdr::ui::TestPanels)
-#include "test_panels.moc"
+#include "panels_test.moc"

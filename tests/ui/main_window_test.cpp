@@ -1,6 +1,6 @@
 /// The window as a whole: its title, its keys, what may be dropped on it.
 
-#include <QDropEvent>
+#include <QDragEnterEvent>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSignalSpy>
@@ -115,7 +115,7 @@ void TestMainWindow::theKeysAreShownAndGoAwayAgain() {
     QVERIFY(keys->isVisible());
     QTest::keyClick(&window, Qt::Key_H);
     QVERIFY(!keys->isVisible());
-    QTest::keyClick(&window, Qt::Key_Question, Qt::ShiftModifier);
+    QTest::keyClick(&window, Qt::Key_Question);
     QVERIFY(keys->isVisible());
     QTest::mouseClick(keys, Qt::LeftButton);
     QVERIFY(!keys->isVisible());
@@ -135,6 +135,8 @@ static QString droppedOn(MainWindow& window, const QString& path) {
     QSignalSpy chosen(&window, &MainWindow::folderChosen);
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
     QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &drop);
     return chosen.value(0).value(0).toString();
@@ -170,4 +172,4 @@ void TestMainWindow::settersAreSilent() {
 }  // namespace pdr::ui
 
 QTEST_MAIN(pdr::ui::TestMainWindow)
-#include "test_main_window.moc"
+#include "main_window_test.moc"
