@@ -21,6 +21,7 @@ void RenderBridge::submit(const Scene& scene, bool moving) {
     }
     next_.reset();
     movingUnseen_ = moving;
+    submitted_ = scene.revision;
     session_.submit(scene, moving);
 }
 
@@ -89,8 +90,9 @@ void RenderBridge::deliver() {
         return;
     oldestShown_ = frame->revision;
     lastFrame_ = frame;
-    movingUnseen_ = false;
-    if (next_)
+    if (frame->revision == submitted_)
+        movingUnseen_ = false;
+    if (next_ && !movingUnseen_)
         submit(*std::exchange(next_, std::nullopt), true);
     emit frameReady(frame);
 }

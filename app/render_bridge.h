@@ -49,7 +49,8 @@ class RenderBridge : public QObject {
     std::shared_ptr<const Frame> lastFrame_;
     std::optional<Scene> next_;      ///< of a moving hand, as long as the one before has not been seen
     bool movingUnseen_ = false;      ///< the renderer is at a moving hand's scene
-    std::uint64_t newest_ = 0;       ///< revision submitted last
+    std::uint64_t submitted_ = 0;    ///< revision that the renderer is at
+    std::uint64_t newest_ = 0;       ///< revision of the newest scene
     std::uint64_t oldestShown_ = 0;  ///< frames of earlier revisions are stale
     Display display_;
     bool paused_ = false;
