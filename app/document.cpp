@@ -15,7 +15,6 @@ ivec2 filmFor(ivec2 pixels) {
 
 Document::Document(std::vector<Preset> presets) : presets_(std::move(presets)) {
     assert(!presets_.empty());
-    now_.scene = withPreset(now_.scene, presets_.front());
 }
 
 Display Document::display() const {
@@ -29,8 +28,8 @@ void Document::open(std::shared_ptr<const Volume> volume) {
     future_.clear();
     handMoves_ = false;
     now_.scene.volume = std::move(volume);
-    emit displayChanged(display());
-    applyCamera(cameraOf(StandardView::anterior), false);
+    now_.scene.camera = cameraOf(StandardView::anterior);
+    applyPreset();
 }
 
 void Document::close() {
@@ -59,10 +58,7 @@ void Document::setPreset(int index) {
         remember();
     now_.preset = index;
     now_.brightness = 0;
-    now_.scene = withPreset(now_.scene, presets_[std::size_t(index)]);
-    emit displayChanged(display());
-    if (hasVolume())
-        applyCamera(now_.scene.camera, false);
+    applyPreset();
 }
 
 void Document::setBrightness(double stops) {
@@ -110,6 +106,16 @@ void Document::apply(State state, bool moving) {
     now_.scene.film = film;
     now_.scene.revision = ++revision_;
     emit sceneChanged(now_.scene, moving);
+}
+
+/// Without a volume the choice waits for one.
+void Document::applyPreset() {
+    emit displayChanged(display());
+    if (!hasVolume())
+        return;
+    State state = now_;
+    state.scene = withPreset(std::move(state.scene), presets_[std::size_t(state.preset)]);
+    apply(std::move(state), false);
 }
 
 /// The lights hang on the camera, so they are made anew with it.

@@ -65,6 +65,7 @@ class Document : public QObject {
 
     void remember();
     void apply(State state, bool moving);
+    void applyPreset();
     void applyCamera(const Camera& camera, bool moving);
     Camera cameraOf(StandardView view) const;
 
