@@ -5,7 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "render/scene/fit_view.h"
+
 namespace pdr::app {
+namespace {
+
+constexpr double kFilled = 0.92;  ///< share of the picture that the volume takes; the rest is for the letters
+
+}  // namespace
 
 ivec2 filmFor(ivec2 pixels) {
     const int longer = std::max(pixels.x, pixels.y);
@@ -129,7 +136,7 @@ void Document::applyCamera(const Camera& camera, bool moving) {
 Camera Document::cameraOf(StandardView view) const {
     const VolumeGeometry& geometry = now_.scene.volume->geometry();
     const double aspect = double(now_.scene.film.x) / now_.scene.film.y;
-    return standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect);
+    return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, kFilled);
 }
 
 }  // namespace pdr::app
