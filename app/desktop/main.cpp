@@ -5,8 +5,8 @@
 #include <QTimer>
 #include <iostream>
 
+#include "app/desktop.h"
 #include "app/presets.h"
-#include "app/wiring.h"
 #include "ui/dark_theme.h"
 
 namespace pdr::app {
@@ -48,13 +48,6 @@ Options readOptions(const QApplication& application) {
     std::exit(kUsageError);
 }
 
-void restoreWindow(ui::MainWindow& window, const Settings& settings) {
-    window.resize(1360, 860);
-    window.restoreGeometry(settings.windowGeometry());
-    window.restoreState(settings.windowState());
-    window.setLastFolder(settings.lastFolder());
-}
-
 void takeScreenshot(ui::MainWindow& window, const QString& file) {
     const bool saved = window.grab().save(file, "PNG");
     if (!saved)
@@ -68,29 +61,14 @@ int run(const Options& options) {
         std::cerr << "pdrender: " << presets.error().text() << '\n';
         return 1;
     }
-    QStringList presetNames;
-    for (const Preset& preset : *presets)
-        presetNames << QString::fromStdString(preset.name);
-
-    Settings settings;
-    ui::MainWindow window;
-    Document document(std::move(*presets));
-    RenderBridge bridge(makeCpuDevice(options.threads));
-    ImportJob import;
-    const DesktopParts parts{import, document, bridge, window, settings};
-    wire(parts);
-    window.look().setPresets(presetNames);
-    showNothing(parts);
-    restoreWindow(window, settings);
-    window.show();
+    Desktop desktop(*std::move(presets), makeCpuDevice(options.threads));
+    desktop.window().show();
     if (!options.folder.isEmpty())
-        import.scanFolder(options.folder);
+        desktop.open(options.folder);
     if (!options.screenshot.isEmpty())
-        QTimer::singleShot(int(options.afterSeconds * 1000), &window,
-                           [&] { takeScreenshot(window, options.screenshot); });
-    const int status = QApplication::exec();
-    settings.keepWindow(window.saveGeometry(), window.saveState());
-    return status;
+        QTimer::singleShot(int(options.afterSeconds * 1000), &desktop.window(),
+                           [&] { takeScreenshot(desktop.window(), options.screenshot); });
+    return QApplication::exec();
 }
 
 }  // namespace
