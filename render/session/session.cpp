@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "render/film/tone_map.h"
 #include "render/scene/flatten.h"
@@ -63,6 +64,12 @@ class Session::Loop {
         changed_.notify_one();
     }
 
+    void inspect(FilmLook look) {
+        const std::lock_guard lock(mutex_);
+        looks_.push_back(std::move(look));
+        changed_.notify_one();
+    }
+
   private:
     struct Order {
         Scene scene;
@@ -86,14 +93,26 @@ class Session::Loop {
                 continue;
             if (step->render && !sample(step->iterations, step->stop))
                 continue;
-            if (film_->samplesPerPixel() > 0)
-                show(step->display);
+            if (film_->samplesPerPixel() == 0)
+                continue;
+            show(step->display);
+            for (const FilmLook& look : takeLooks())
+                look(*film_, scene_, seconds_);
         }
+    }
+
+    /// Those who want to see the film; none while it is a coarse one.
+    std::vector<FilmLook> takeLooks() {
+        const std::lock_guard lock(mutex_);
+        return moving_ ? std::vector<FilmLook>() : std::exchange(looks_, {});
     }
 
     std::optional<Step> nextStep(std::stop_token stop) {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, stop, [this] { return pending_ || displayChanged_ || (film_ && !paused_ && !finished_); });
+        changed_.wait(lock, stop, [this] {
+            const bool lookable = film_ && !moving_ && !looks_.empty();
+            return pending_ || displayChanged_ || lookable || (film_ && !paused_ && !finished_);
+        });
         if (stop.stop_requested())
             return std::nullopt;
         launch_ = std::stop_source();
@@ -121,6 +140,7 @@ class Session::Loop {
         if (const Result<void> uploaded = device_->upload(flattener_.prepare(scene)); !uploaded)
             return fail(order.scene.revision, uploaded.error());
         film_.emplace(scene.film, order.scene.revision);
+        scene_ = std::move(scene);
         seconds_ = 0;
         iterationsPerSecond_ = 0;
     }
@@ -178,6 +198,7 @@ class Session::Loop {
     FrameSink sink_;
     Flattener flattener_;
     std::optional<Film> film_;
+    Scene scene_;  ///< that film_ shows
     bool moving_ = false;
     bool finished_ = false;
     double seconds_ = 0, iterationsPerSecond_ = 0;
@@ -192,6 +213,7 @@ class Session::Loop {
     bool displayChanged_ = false;
     int iterationsPerFrame_ = 1;
     bool paused_ = false;
+    std::vector<FilmLook> looks_;
 
     std::jthread thread_;
 };
@@ -215,6 +237,10 @@ void Session::setIterationsPerFrame(int n) {
 
 void Session::setPaused(bool paused) {
     loop_->setPaused(paused);
+}
+
+void Session::inspect(FilmLook look) {
+    loop_->inspect(std::move(look));
 }
 
 }  // namespace pdr

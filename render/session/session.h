@@ -28,6 +28,9 @@ struct Frame {
 /// Called on the render thread; must return soon.
 using FrameSink = std::function<void(std::shared_ptr<const Frame>)>;
 
+/// Called on the render thread with all that is known about the picture, the scene that it shows, and the seconds spent.
+using FilmLook = std::function<void(const Film& film, const Scene& scene, double seconds)>;
+
 class Session {
   public:
     Session(std::unique_ptr<Device> device, FrameSink sink);
@@ -42,6 +45,8 @@ class Session {
     void setIterationsPerFrame(int n);
     /// Holds or goes on.
     void setPaused(bool paused);
+    /// Calls `look` once, between two launches, as soon as the newest scene has a picture and the hand rests.
+    void inspect(FilmLook look);
 
   private:
     class Loop;

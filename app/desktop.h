@@ -1,0 +1,31 @@
+#pragma once
+/// The desktop as a whole: its parts, put together and wired.
+
+#include <memory>
+#include <vector>
+
+#include "app/window_content.h"
+
+namespace pdr::app {
+
+class Desktop {
+  public:
+    /// `presets` holds at least one. `settingsFile`: where to keep the window's geometry; empty: the user's own place.
+    Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile = {});
+    /// Keeps the window's geometry for the next time.
+    ~Desktop();
+
+    DesktopParts parts() { return {import_, document_, bridge_, window_, settings_}; }
+    ui::MainWindow& window() { return window_; }
+    /// Reads a folder, lists its series and shows the first that can be shown.
+    void open(const QString& folder) { import_.scanFolder(folder); }
+
+  private:
+    Settings settings_;
+    ui::MainWindow window_;
+    Document document_;
+    RenderBridge bridge_;
+    ImportJob import_;
+};
+
+}  // namespace pdr::app

@@ -1,0 +1,80 @@
+#pragma once
+/// What is shown and how: a Scene with its preset and display, and the way back to earlier ones. The one place where a
+/// scene's revision grows.
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "render/film/display.h"
+#include "render/scene/preset.h"
+#include "render/scene/scene.h"
+
+namespace pdr::app {
+
+/// The film for a view of `pixels`: as large, but its longer side at most kLargestSide pixels, so that a processor without a
+/// GPU still shows a picture at once; the view stretches it. At least 1 x 1.
+ivec2 filmFor(ivec2 pixels);
+inline constexpr int kLargestSide = 1024;
+
+class Document : public QObject {
+    Q_OBJECT
+
+  public:
+    /// `presets` holds at least one.
+    explicit Document(std::vector<Preset> presets);
+
+    const std::vector<Preset>& presets() const { return presets_; }
+    const Scene& scene() const { return now_.scene; }
+    bool hasVolume() const { return now_.scene.volume != nullptr; }
+    int preset() const { return now_.preset; }
+    /// Brightness in stops against the preset's; one more is twice as bright.
+    double brightness() const { return now_.brightness; }
+    Display display() const;
+    bool canUndo() const { return !past_.empty(); }
+    bool canRedo() const { return !future_.empty(); }
+
+  public slots:
+    /// Shows `volume` from the front, with the preset as it is. There is no way back to the volume before.
+    void open(std::shared_ptr<const pdr::Volume> volume);
+    /// Shows nothing.
+    void close();
+    /// One gesture of the hand (moving, ..., moving, at rest) is one step to undo.
+    void setCamera(const pdr::Camera& camera, bool moving);
+    void setView(pdr::StandardView view);
+    void setPreset(int index);
+    /// Only what is shown changes, not what is computed; no step to undo.
+    void setBrightness(double stops);
+    /// The view's size in pixels; no step to undo.
+    void setViewSize(pdr::ivec2 pixels);
+    void undo();
+    void redo();
+
+  signals:
+    /// There is another scene to render. `moving`: more will follow at once.
+    void sceneChanged(const pdr::Scene& scene, bool moving);
+    void displayChanged(const pdr::Display& display);
+
+  private:
+    /// All that undo brings back.
+    struct State {
+        Scene scene;
+        int preset = 0;
+        double brightness = 0;
+    };
+
+    void remember();
+    void apply(State state, bool moving);
+    void applyPreset();
+    void applyCamera(const Camera& camera, bool moving);
+    Camera cameraOf(StandardView view) const;
+
+    std::vector<Preset> presets_;
+    State now_;
+    std::vector<State> past_;
+    std::vector<State> future_;
+    bool handMoves_ = false;
+    std::uint64_t revision_ = 0;
+};
+
+}  // namespace pdr::app

@@ -1,0 +1,89 @@
+#include "app/import_job.h"
+
+#include <QElapsedTimer>
+#include <utility>
+
+#include "dicom/import.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+ImportJob::ImportJob() {
+    worker_.moveToThread(&thread_);
+    thread_.start();
+}
+
+ImportJob::~ImportJob() {
+    ++job_;
+    thread_.quit();
+    thread_.wait();
+}
+
+void ImportJob::scanFolder(const QString& folder) {
+    start([this, folder](const Progress& progress) -> std::function<void()> {
+        auto result = dicom::scanFolder(ui::fromQt(folder), progress);
+        if (!result)
+            return [this, error = result.error()] { emit failed(error); };
+        return [this, folder, scan = std::move(*result)] {
+            scan_ = scan;
+            emit scanned(scan_, folder);
+        };
+    });
+}
+
+void ImportJob::loadSeries(int index) {
+    if (index < 0 || index >= int(scan_.series.size()))
+        return;
+    start([this, index, series = scan_.series[std::size_t(index)]](const Progress& progress) -> std::function<void()> {
+        auto result = dicom::loadSeries(series, dicom::Padding::maskAsAir, progress);
+        if (!result)
+            return [this, error = result.error()] { emit failed(error); };
+        auto volume = std::make_shared<const Volume>(std::move(*result));
+        return [this, index, volume] { emit loaded(volume, index); };
+    });
+}
+
+void ImportJob::cancel() {
+    if (!running_)
+        return;
+    ++job_;
+    running_ = false;
+    emit cancelled();
+    emit finished();
+}
+
+void ImportJob::start(std::function<std::function<void()>(const Progress&)> work) {
+    const std::uint64_t job = ++job_;
+    running_ = true;
+    const auto run = [this, job, work = std::move(work)] {
+        QElapsedTimer sinceShown;
+        const Progress progress = [this, job, &sinceShown](double fraction, std::string_view step) {
+            constexpr qint64 kEveryMs = 30;  // the eye needs no more, and the window's queue stays short
+            if (job != job_)
+                return false;
+            if (sinceShown.isValid() && sinceShown.elapsed() < kEveryMs && fraction < 1)
+                return true;
+            sinceShown.start();
+            const QString text = QString::fromUtf8(step.data(), qsizetype(step.size()));
+            QMetaObject::invokeMethod(this, [this, job, fraction, text] {
+                if (job == job_)
+                    emit progressed(fraction, text);
+            });
+            return true;
+        };
+        const std::function<void()> result = work(progress);
+        QMetaObject::invokeMethod(this, [this, job, result] { deliver(job, result); });
+    };
+    QMetaObject::invokeMethod(&worker_, run);
+}
+
+/// A job that was overtaken has nothing to say, not even that it was cancelled.
+void ImportJob::deliver(std::uint64_t job, const std::function<void()>& result) {
+    if (job != job_)
+        return;
+    running_ = false;
+    emit finished();
+    result();
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,59 @@
+#pragma once
+/// Reading a folder and a series beside the window: the work on a thread of its own, the results as signals on the
+/// caller's thread. A new job cancels the one before.
+
+#include <QObject>
+#include <QThread>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "dicom/series.h"
+#include "render/base/progress.h"
+#include "render/base/result.h"
+
+namespace pdr::app {
+
+class ImportJob : public QObject {
+    Q_OBJECT
+
+  public:
+    ImportJob();
+    /// Cancels what runs and waits for it.
+    ~ImportJob() override;
+
+    /// The scan that the signals' indices refer to.
+    const dicom::ScanResult& scan() const { return scan_; }
+
+  public slots:
+    /// Reads the headers in `folder`; ends with scanned() or failed().
+    void scanFolder(const QString& folder);
+    /// Reads the pixels of a loadable series of the last scan; ends with loaded() or failed().
+    void loadSeries(int index);
+    /// Gives up what runs; ends with cancelled(). Nothing happens when nothing runs.
+    void cancel();
+
+  signals:
+    void scanned(const pdr::dicom::ScanResult& scan, const QString& folder);
+    void loaded(std::shared_ptr<const pdr::Volume> volume, int index);
+    void failed(const pdr::Error& error);
+    void cancelled();
+    /// Of the job that runs: [0, 1], and what is being done.
+    void progressed(double fraction, const QString& step);
+    /// The job that runs has ended, one way or another.
+    void finished();
+
+  private:
+    /// Runs `work` on the thread; what it returns is called back here, unless a newer job has begun.
+    void start(std::function<std::function<void()>(const Progress&)> work);
+    void deliver(std::uint64_t job, const std::function<void()>& result);
+
+    dicom::ScanResult scan_;
+    std::atomic<std::uint64_t> job_ = 0;  ///< the one that may go on; older ones are cancelled
+    bool running_ = false;
+    QThread thread_;
+    QObject worker_;  ///< lives on thread_
+};
+
+}  // namespace pdr::app

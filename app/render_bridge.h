@@ -1,0 +1,60 @@
+#pragma once
+/// The render Session for the window: scenes go in at once, frames come out as signals on the window's thread. When the
+/// window is behind, frames are dropped; it never waits for the renderer, nor the renderer for it.
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "render/session/session.h"
+
+namespace pdr::app {
+
+class RenderBridge : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit RenderBridge(std::unique_ptr<Device> device);
+
+    bool paused() const { return paused_; }
+    /// The frame that was shown last; null when there is none.
+    const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
+
+  public slots:
+    /// Scenes of a moving hand are taken one at a time, the newest next, so that every one of them is seen.
+    void submit(const pdr::Scene& scene, bool moving);
+    void setDisplay(const pdr::Display& display);
+    void setIterationsPerFrame(int n);
+    void setPaused(bool paused);
+    /// Frames of the scenes so far are not wanted any more.
+    void dropFrames();
+    /// Writes the picture as it stands by now; the name's end says the format: ".exr" or ".png". Ends with saved() or
+    /// saveFailed().
+    void save(const QString& file);
+
+  signals:
+    void frameReady(const std::shared_ptr<const pdr::Frame>& frame);
+    void pausedChanged(bool paused);
+    void saved(const QString& file);
+    void saveFailed(const pdr::Error& error);
+
+  private:
+    void take(std::shared_ptr<const Frame> frame);
+    void deliver();
+
+    std::mutex mutex_;
+    std::shared_ptr<const Frame> waiting_;  ///< guarded by mutex_: the newest frame that the window has not seen
+    std::shared_ptr<const Frame> lastFrame_;
+    std::optional<Scene> next_;      ///< of a moving hand, as long as the one before has not been seen
+    bool movingUnseen_ = false;      ///< the renderer is at a moving hand's scene
+    std::uint64_t submitted_ = 0;    ///< revision that the renderer is at
+    std::uint64_t newest_ = 0;       ///< revision of the newest scene
+    std::uint64_t oldestShown_ = 0;  ///< frames of earlier revisions are stale
+    Display display_;
+    bool paused_ = false;
+    Session session_;                ///< last, so that it ends first: its thread calls take()
+};
+
+}  // namespace pdr::app

@@ -1,0 +1,90 @@
+#include "app/window_content.h"
+
+#include <algorithm>
+
+#include "ui/series_text.h"
+#include "ui/status_text.h"
+
+namespace pdr::app {
+namespace {
+
+/// A view of the frame's bytes; the image keeps the frame alive.
+QImage imageOf(const std::shared_ptr<const Frame>& frame) {
+    auto* kept = new std::shared_ptr<const Frame>(frame);
+    const auto release = [](void* pointer) { delete static_cast<std::shared_ptr<const Frame>*>(pointer); };
+    return QImage(frame->rgba.data(), frame->size.x, frame->size.y, frame->size.x * 4, QImage::Format_RGBX8888, release,
+                  kept);
+}
+
+Error nothingLoadable(const dicom::ScanResult& scan, const QString& folder) {
+    Error error{"no series in this folder can be shown", folder.toStdString(), "Open a folder with a CT series."};
+    if (!scan.series.empty() && !scan.series.front().verdict.reason.empty())
+        error.hint = scan.series.front().verdict.reason;
+    return error;
+}
+
+}  // namespace
+
+void showNothing(const DesktopParts& parts) {
+    parts.document.close();
+    parts.bridge.dropFrames();
+    parts.window.viewport().setImage({});
+    parts.window.viewport().setMessage(ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O"));
+    parts.window.status().setText({});
+    parts.window.setSubject({});
+    parts.window.setPictureAvailable(false);
+    showDocument(parts);
+}
+
+void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder) {
+    showNothing(parts);
+    parts.window.message().clear();
+    parts.settings.keepLastFolder(folder);
+    parts.window.setLastFolder(folder);
+    parts.window.series().setScan(scan);
+    const auto first = std::find_if(scan.series.begin(), scan.series.end(),
+                                    [](const dicom::Series& series) { return series.verdict.loadable(); });
+    if (first != scan.series.end())
+        return parts.import.loadSeries(int(first - scan.series.begin()));
+    parts.window.series().setCurrent(scan.series.empty() ? -1 : 0);
+    parts.window.message().showError(nothingLoadable(scan, folder));
+}
+
+void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index) {
+    parts.window.message().clear();
+    parts.window.setSubject(ui::seriesTitle(parts.import.scan().series[std::size_t(index)]));
+    parts.window.series().setCurrent(index);
+    parts.window.viewport().setImage({});
+    parts.window.viewport().setMessage({});
+    parts.document.open(std::move(volume));
+}
+
+void showFailure(const DesktopParts& parts, const Error& error) {
+    parts.window.message().showError(error);
+}
+
+void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame) {
+    if (!frame->error.empty())
+        return showFailure(parts, {frame->error, "", ""});
+    parts.window.viewport().setImage(imageOf(frame));
+    parts.window.setPictureAvailable(true);
+    showStatus(parts);
+}
+
+void showStatus(const DesktopParts& parts) {
+    const auto& frame = parts.bridge.lastFrame();
+    if (frame && frame->error.empty())
+        parts.window.status().setText(
+            ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()));
+}
+
+void showDocument(const DesktopParts& parts) {
+    const Document& document = parts.document;
+    const auto camera = document.hasVolume() ? std::optional(document.scene().camera) : std::nullopt;
+    parts.window.viewport().setCamera(camera);
+    parts.window.look().setPreset(document.preset());
+    parts.window.look().setBrightness(document.brightness());
+    parts.window.setUndoAvailable(document.canUndo(), document.canRedo());
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,38 @@
+#pragma once
+/// What the window shows when something has arrived: a scan, a volume, a frame, or nothing.
+
+#include <memory>
+
+#include "app/document.h"
+#include "app/import_job.h"
+#include "app/render_bridge.h"
+#include "app/settings.h"
+#include "ui/main_window.h"
+
+namespace pdr::app {
+
+/// The desktop's parts; whoever owns them keeps them together.
+struct DesktopParts {
+    ImportJob& import;
+    Document& document;
+    RenderBridge& bridge;
+    ui::MainWindow& window;
+    Settings& settings;
+};
+
+/// An invitation to open a folder, and no picture.
+void showNothing(const DesktopParts& parts);
+/// The series of `folder`; the first one that can be shown is loaded, and if there is none a message says why.
+void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder);
+/// The series `index` of the last scan, whose voxels are `volume`.
+void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index);
+/// A message. What was shown before stays.
+void showFailure(const DesktopParts& parts, const Error& error);
+/// The picture and how good it is.
+void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame);
+/// How good the picture is, in words; again when the rendering is held or goes on.
+void showStatus(const DesktopParts& parts);
+/// Everything that follows the document: camera, preset, brightness, undo.
+void showDocument(const DesktopParts& parts);
+
+}  // namespace pdr::app

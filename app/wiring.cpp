@@ -1,0 +1,77 @@
+#include "app/wiring.h"
+
+namespace pdr::app {
+namespace {
+
+/// 1. The hand chooses files; they become a volume.
+void wireImport(const DesktopParts& parts) {
+    ImportJob& import = parts.import;
+    ui::MainWindow& window = parts.window;
+    QObject::connect(&window, &ui::MainWindow::folderChosen, &import, &ImportJob::scanFolder);
+    QObject::connect(&window.series(), &ui::SeriesPanel::seriesChosen, &import, &ImportJob::loadSeries);
+    QObject::connect(&window, &ui::MainWindow::cancelRequested, &import, &ImportJob::cancel);
+
+    QObject::connect(&import, &ImportJob::progressed, &window.status(), &ui::StatusLine::setProgress);
+    QObject::connect(&import, &ImportJob::finished, &window.status(), &ui::StatusLine::endProgress);
+    QObject::connect(&import, &ImportJob::failed, &window, [parts](const Error& error) { showFailure(parts, error); });
+    QObject::connect(&import, &ImportJob::scanned, &window,
+                     [parts](const dicom::ScanResult& scan, const QString& folder) { showScan(parts, scan, folder); });
+    QObject::connect(&import, &ImportJob::loaded, &window, [parts](std::shared_ptr<const Volume> volume, int index) {
+        showVolume(parts, std::move(volume), index);
+    });
+}
+
+/// 2. The hand edits the document.
+void wireEdits(const DesktopParts& parts) {
+    Document& document = parts.document;
+    ui::MainWindow& window = parts.window;
+    QObject::connect(&window.viewport(), &ui::Viewport::cameraEdited, &document, &Document::setCamera);
+    QObject::connect(&window.viewport(), &ui::Viewport::sizeInPixelsChanged, &document,
+                     [&document](QSize size) { document.setViewSize({size.width(), size.height()}); });
+    QObject::connect(&window, &ui::MainWindow::viewChosen, &document, &Document::setView);
+    QObject::connect(&window, &ui::MainWindow::resetRequested, &document,
+                     [&document] { document.setView(StandardView::anterior); });
+    QObject::connect(&window.look(), &ui::LookPanel::presetChosen, &document, &Document::setPreset);
+    QObject::connect(&window.look(), &ui::LookPanel::brightnessChosen, &document, &Document::setBrightness);
+    QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
+    QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
+}
+
+/// 3. The document's scene goes to the renderer.
+void wireRendering(const DesktopParts& parts) {
+    Document& document = parts.document;
+    RenderBridge& bridge = parts.bridge;
+    ui::MainWindow& window = parts.window;
+    QObject::connect(&document, &Document::displayChanged, &bridge, &RenderBridge::setDisplay);
+    QObject::connect(&document, &Document::sceneChanged, &bridge, &RenderBridge::submit);
+    QObject::connect(&window.look(), &ui::LookPanel::iterationsPerFrameChosen, &bridge,
+                     &RenderBridge::setIterationsPerFrame);
+    QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
+    QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
+}
+
+/// 4. Frames and the document's state go to the screen.
+void wireScreen(const DesktopParts& parts) {
+    ui::MainWindow& window = parts.window;
+    QObject::connect(&parts.bridge, &RenderBridge::frameReady, &window,
+                     [parts](const std::shared_ptr<const Frame>& frame) { showFrame(parts, frame); });
+    QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, &ui::MainWindow::setPaused);
+    QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, [parts] { showStatus(parts); });
+    QObject::connect(&parts.bridge, &RenderBridge::saved, &window,
+                     [parts](const QString& file) { parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file)); });
+    QObject::connect(&parts.bridge, &RenderBridge::saveFailed, &window,
+                     [parts](const Error& error) { showFailure(parts, error); });
+    QObject::connect(&parts.document, &Document::sceneChanged, &window, [parts] { showDocument(parts); });
+    QObject::connect(&parts.document, &Document::displayChanged, &window, [parts] { showDocument(parts); });
+}
+
+}  // namespace
+
+void wire(const DesktopParts& parts) {
+    wireImport(parts);
+    wireEdits(parts);
+    wireRendering(parts);
+    wireScreen(parts);
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,40 @@
+#include "render/scene/fit_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pdr {
+namespace {
+
+/// The corners of the box of all voxels, voxel extents included [mm].
+std::array<dvec3, 8> cornersMm(const VolumeGeometry& geometry) {
+    std::array<dvec3, 8> corners;
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 end(i & 1, (i >> 1) & 1, i >> 2);
+        corners[std::size_t(i)] = dvec3(geometry.patientFromIndex * dvec4(end * dvec3(geometry.size) - 0.5, 1.0));
+    }
+    return corners;
+}
+
+}  // namespace
+
+Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double aspect, double share) {
+    const double slopeUp = std::tan(glm::radians(camera.fovDegrees) / 2) * share;
+    const double slopeRight = slopeUp * aspect;
+    double distance = 0, height = 0;
+    for (const dvec3& corner : cornersMm(geometry)) {
+        const dvec3 offset = corner - camera.targetMm;
+        const double x = std::abs(glm::dot(offset, camera.right()));
+        const double y = std::abs(glm::dot(offset, camera.imageUp()));
+        const double depth = glm::dot(offset, camera.forward());
+        distance = std::max({distance, x / slopeRight - depth, y / slopeUp - depth});
+        height = std::max({height, 2 * x / aspect / share, 2 * y / share});
+    }
+    Camera result = camera;
+    result.heightMm = height;
+    result.eyeMm = camera.targetMm - camera.forward() * distance;
+    return result;
+}
+
+}  // namespace pdr

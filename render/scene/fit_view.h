@@ -1,0 +1,14 @@
+#pragma once
+/// How near a camera may come so that a whole volume is still in the picture.
+
+#include "render/scene/camera.h"
+#include "render/volume/volume.h"
+
+namespace pdr {
+
+/// `camera` with its eye on the same line through the target, as near as possible with every corner of the volume's box
+/// inside the middle `share` of an image `aspect` = width / height. Orthographic: with its height made so.
+/// `aspect` > 0; `share` in (0, 1]; 0.9 leaves a margin.
+Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double aspect, double share);
+
+}  // namespace pdr

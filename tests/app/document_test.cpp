@@ -1,0 +1,231 @@
+/// The document: what an edit makes, and what undo brings back.
+
+#include <QTest>
+
+#include "app/document.h"
+#include "render/scene/orbit.h"
+
+namespace pdr::app {
+
+static std::vector<Preset> twoPresets() {
+    std::vector<Preset> presets(2);
+    presets[0].name = "first";
+    presets[0].transferFunction.nodes = {{0, 0}, {300, 1}};
+    presets[0].display.exposure = 2;
+    presets[1].name = "second";
+    presets[1].transferFunction.nodes = {{-500, 0.5f}};
+    presets[1].phaseG = 0.5f;
+    presets[1].display.exposure = 8;
+    return presets;
+}
+
+static std::shared_ptr<const Volume> cube() {
+    return std::make_shared<const Volume>(VolumeGeometry::aligned({4, 4, 4}, {10, 10, 10}, {-15, 85, 185}),
+                                          std::vector<std::int16_t>(64, 100));
+}
+
+/// A document with a volume, and what it told.
+struct Told {
+    Told() : document(twoPresets()) {
+        QObject::connect(&document, &Document::sceneChanged, [this](const Scene& scene, bool moving) {
+            scenes.push_back(scene);
+            lastMoves = moving;
+        });
+        QObject::connect(&document, &Document::displayChanged, [this](const Display& display) { displays.push_back(display); });
+        document.setViewSize({400, 200});
+        document.open(cube());
+    }
+
+    Document document;
+    std::vector<Scene> scenes;
+    std::vector<Display> displays;
+    bool lastMoves = false;
+};
+
+class TestDocument : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void anOpenedVolumeIsSeenFromTheFrontWithTheFirstPreset();
+    void everySceneHasItsOwnGrowingRevision();
+    void everySceneCanBeRendered();
+    void aWholeGestureIsOneStepBack();
+    void redoBringsTheEditBackAsANewScene();
+    void anEditAfterUndoForgetsWhatWasUndone();
+    void undoOfAPresetBringsItsLookBack();
+    void manyStepsBackAndForthAreExact();
+    void brightnessChangesTheDisplayAndNothingElse();
+    void theLightsFollowTheCamera();
+    void theWindowsSizeIsNotUndone();
+    void aNewVolumeHasNoWayBack();
+    void withoutVolumeEditsWait();
+    void theFilmIsCappedAndKeepsItsShape();
+};
+
+void TestDocument::anOpenedVolumeIsSeenFromTheFrontWithTheFirstPreset() {
+    Told told;
+    QCOMPARE(told.scenes.size(), std::size_t(1));
+    const Scene& scene = told.scenes.front();
+    QVERIFY(glm::length(scene.camera.forward() - dvec3(0, 1, 0)) < 1e-12);
+    QVERIFY(scene.camera.targetMm == dvec3(0, 100, 200));
+    QVERIFY(scene.film == ivec2(400, 200));
+    QVERIFY(scene.transferFunction == twoPresets()[0].transferFunction);
+    QCOMPARE(told.displays.back().exposure, 2.f);
+    QVERIFY(!told.document.canUndo());
+}
+
+void TestDocument::everySceneHasItsOwnGrowingRevision() {
+    Told told;
+    told.document.setPreset(1);
+    told.document.setView(StandardView::left);
+    told.document.setViewSize({300, 300});
+    told.document.undo();
+    told.document.redo();
+    QCOMPARE(told.scenes.size(), std::size_t(6));
+    for (std::size_t i = 1; i < told.scenes.size(); ++i)
+        QVERIFY(told.scenes[i].revision > told.scenes[i - 1].revision);
+}
+
+void TestDocument::everySceneCanBeRendered() {
+    Told told;
+    told.document.setPreset(1);
+    told.document.setView(StandardView::superior);
+    told.document.setViewSize({0, 0});
+    for (const Scene& scene : told.scenes) {
+        const Result<void> check = scene.check();
+        QVERIFY2(check, check ? "" : check.error().text().c_str());
+    }
+}
+
+void TestDocument::aWholeGestureIsOneStepBack() {
+    Told told;
+    const Camera before = told.document.scene().camera;
+    for (int i = 0; i < 10; ++i)
+        told.document.setCamera(orbited(told.document.scene().camera, {0.05, 0.02}), true);
+    QVERIFY(told.lastMoves);
+    told.document.setCamera(told.document.scene().camera, false);
+    QVERIFY(!told.lastMoves);
+    told.document.undo();
+    QVERIFY(told.document.scene().camera == before);
+    QVERIFY(!told.document.canUndo());
+}
+
+void TestDocument::redoBringsTheEditBackAsANewScene() {
+    Told told;
+    told.document.setView(StandardView::left);
+    const Scene edited = told.document.scene();
+    told.document.undo();
+    told.document.redo();
+    QVERIFY(told.document.scene().camera == edited.camera);
+    QVERIFY(told.document.scene().revision > edited.revision);
+    QVERIFY(!told.document.canRedo());
+}
+
+void TestDocument::anEditAfterUndoForgetsWhatWasUndone() {
+    Told told;
+    told.document.setView(StandardView::left);
+    told.document.undo();
+    told.document.setView(StandardView::right);
+    QVERIFY(!told.document.canRedo());
+    told.document.redo();
+    QVERIFY(glm::length(told.document.scene().camera.forward() - dvec3(1, 0, 0)) < 1e-12);
+}
+
+void TestDocument::undoOfAPresetBringsItsLookBack() {
+    Told told;
+    told.document.setBrightness(1);
+    told.document.setPreset(1);
+    QCOMPARE(told.displays.back().exposure, 8.f);
+    QCOMPARE(told.scenes.back().phaseG, 0.5f);
+    told.document.undo();
+    QCOMPARE(told.document.preset(), 0);
+    QCOMPARE(told.document.brightness(), 1.0);
+    QCOMPARE(told.displays.back().exposure, 1.f);
+    QVERIFY(told.scenes.back().transferFunction == twoPresets()[0].transferFunction);
+}
+
+void TestDocument::manyStepsBackAndForthAreExact() {
+    Told told;
+    std::vector<Camera> seen{told.document.scene().camera};
+    for (int i = 0; i < 200; ++i) {
+        told.document.setCamera(orbited(seen.back(), {0.013, 0.007}), false);
+        seen.push_back(told.document.scene().camera);
+    }
+    for (int i = 199; i >= 0; --i) {
+        told.document.undo();
+        QVERIFY(told.document.scene().camera == seen[std::size_t(i)]);
+    }
+    for (int i = 1; i <= 200; ++i) {
+        told.document.redo();
+        QVERIFY(told.document.scene().camera == seen[std::size_t(i)]);
+    }
+}
+
+void TestDocument::brightnessChangesTheDisplayAndNothingElse() {
+    Told told;
+    told.document.setBrightness(2);
+    QCOMPARE(told.scenes.size(), std::size_t(1));
+    QCOMPARE(told.displays.back().exposure, 0.5f);
+    QVERIFY(!told.document.canUndo());
+}
+
+void TestDocument::theLightsFollowTheCamera() {
+    Told told;
+    told.document.setView(StandardView::left);
+    QVERIFY(!told.scenes[0].lights.empty());
+    QVERIFY(told.scenes[1].lights != told.scenes[0].lights);
+    told.document.undo();
+    QVERIFY(told.scenes[2].lights == told.scenes[0].lights);
+}
+
+void TestDocument::theWindowsSizeIsNotUndone() {
+    Told told;
+    told.document.setView(StandardView::left);
+    told.document.setViewSize({640, 480});
+    QVERIFY(told.scenes.back().film == ivec2(640, 480));
+    told.document.undo();
+    QVERIFY(told.scenes.back().film == ivec2(640, 480));
+}
+
+void TestDocument::aNewVolumeHasNoWayBack() {
+    Told told;
+    told.document.setPreset(1);
+    told.document.setView(StandardView::left);
+    const auto second = cube();
+    told.document.open(second);
+    QVERIFY(!told.document.canUndo() && !told.document.canRedo());
+    QVERIFY(told.scenes.back().volume == second);
+    QCOMPARE(told.document.preset(), 1);
+    QVERIFY(told.scenes.back().transferFunction == twoPresets()[1].transferFunction);
+}
+
+void TestDocument::withoutVolumeEditsWait() {
+    Document document(twoPresets());
+    int scenes = 0;
+    connect(&document, &Document::sceneChanged, this, [&] { ++scenes; });
+    document.setViewSize({100, 100});
+    document.setView(StandardView::left);
+    document.setCamera({}, true);
+    document.setPreset(1);
+    document.setPreset(7);
+    document.undo();
+    document.redo();
+    QCOMPARE(scenes, 0);
+    document.open(cube());
+    QCOMPARE(scenes, 1);
+    QVERIFY(document.scene().transferFunction == twoPresets()[1].transferFunction);
+    document.close();
+    QVERIFY(!document.hasVolume());
+}
+
+void TestDocument::theFilmIsCappedAndKeepsItsShape() {
+    QVERIFY(filmFor({640, 480}) == ivec2(640, 480));
+    QVERIFY(filmFor({4096, 2048}) == ivec2(1024, 512));
+    QVERIFY(filmFor({100, 4000}) == ivec2(26, 1024));
+    QVERIFY(filmFor({0, 0}) == ivec2(1, 1));
+}
+
+}  // namespace pdr::app
+
+QTEST_GUILESS_MAIN(pdr::app::TestDocument)
+#include "document_test.moc"

@@ -1,0 +1,136 @@
+/// Reading beside the window.
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/import_job.h"
+#include "tests/support/phantom_series.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+class TestImportJob : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void aSeriesIsScannedAndLoaded();
+    void aMissingFolderIsAnErrorWithAWayOut();
+    void anEmptyFolderIsAnError();
+    void progressIsTold();
+    void cancelEndsTheJobWithoutAResult();
+    void aNewJobCancelsTheOld();
+    void cancelWithoutAJobSaysNothing();
+    void aWrongIndexDoesNothing();
+    void theJobMayEndWhileItReads();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+void TestImportJob::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_));
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+void TestImportJob::aSeriesIsScannedAndLoaded() {
+    ImportJob job;
+    QSignalSpy scanned(&job, &ImportJob::scanned), finished(&job, &ImportJob::finished);
+    std::shared_ptr<const Volume> volume;
+    connect(&job, &ImportJob::loaded, this, [&](std::shared_ptr<const Volume> loaded, int) { volume = loaded; });
+    job.scanFolder(series_);
+    QTRY_COMPARE(scanned.count(), 1);
+    QCOMPARE(job.scan().series.size(), std::size_t(1));
+    job.loadSeries(0);
+    QTRY_VERIFY(volume);
+    QVERIFY(volume->size() == ivec3(64, 57, 64));
+    QCOMPARE(finished.count(), 2);
+}
+
+static Error errorOf(const QString& folder) {
+    ImportJob job;
+    Error error;
+    QObject::connect(&job, &ImportJob::failed, [&](const Error& failure) { error = failure; });
+    job.scanFolder(folder);
+    [&] { QTRY_VERIFY(!error.what.empty()); }();
+    return error;
+}
+
+void TestImportJob::aMissingFolderIsAnErrorWithAWayOut() {
+    const Error error = errorOf(folder_.filePath("nowhere"));
+    QVERIFY(!error.hint.empty());
+    QVERIFY(error.where.find("nowhere") != std::string::npos);
+}
+
+void TestImportJob::anEmptyFolderIsAnError() {
+    const QTemporaryDir empty;
+    QVERIFY(!errorOf(empty.path()).hint.empty());
+}
+
+void TestImportJob::progressIsTold() {
+    ImportJob job;
+    QSignalSpy progressed(&job, &ImportJob::progressed), scanned(&job, &ImportJob::scanned);
+    job.scanFolder(series_);
+    QTRY_COMPARE(scanned.count(), 1);
+    QVERIFY(progressed.count() > 0);
+    for (const QList<QVariant>& call : progressed) {
+        QVERIFY(call[0].toDouble() >= 0 && call[0].toDouble() <= 1);
+        QVERIFY(!call[1].toString().isEmpty());
+    }
+}
+
+void TestImportJob::cancelEndsTheJobWithoutAResult() {
+    ImportJob job;
+    QSignalSpy scanned(&job, &ImportJob::scanned), failed(&job, &ImportJob::failed);
+    QSignalSpy cancelled(&job, &ImportJob::cancelled), finished(&job, &ImportJob::finished);
+    job.scanFolder(series_);
+    job.cancel();
+    QCOMPARE(cancelled.count(), 1);
+    QCOMPARE(finished.count(), 1);
+    QTest::qWait(300);
+    QCOMPARE(scanned.count() + failed.count(), 0);
+}
+
+void TestImportJob::aNewJobCancelsTheOld() {
+    ImportJob job;
+    const QTemporaryDir empty;
+    QSignalSpy scanned(&job, &ImportJob::scanned), failed(&job, &ImportJob::failed);
+    job.scanFolder(empty.path());
+    job.scanFolder(series_);
+    QTRY_COMPARE(scanned.count(), 1);
+    QTest::qWait(100);
+    QCOMPARE(failed.count(), 0);
+    QCOMPARE(scanned[0][1].toString(), series_);
+}
+
+void TestImportJob::cancelWithoutAJobSaysNothing() {
+    ImportJob job;
+    QSignalSpy cancelled(&job, &ImportJob::cancelled), finished(&job, &ImportJob::finished);
+    job.cancel();
+    QCOMPARE(cancelled.count() + finished.count(), 0);
+}
+
+void TestImportJob::aWrongIndexDoesNothing() {
+    ImportJob job;
+    QSignalSpy finished(&job, &ImportJob::finished);
+    job.loadSeries(-1);
+    job.loadSeries(0);
+    QTest::qWait(50);
+    QCOMPARE(finished.count(), 0);
+}
+
+void TestImportJob::theJobMayEndWhileItReads() {
+    for (int i = 0; i < 20; ++i) {
+        ImportJob job;
+        job.scanFolder(series_);
+        QTest::qWait(i);
+    }
+}
+
+}  // namespace pdr::app
+
+QTEST_GUILESS_MAIN(pdr::app::TestImportJob)
+#include "import_job_test.moc"

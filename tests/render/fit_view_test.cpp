@@ -1,0 +1,70 @@
+/// A whole volume in the picture, and as large as can be.
+
+#include <QTest>
+#include <cmath>
+
+#include "render/scene/fit_view.h"
+
+namespace pdr {
+
+/// A flat, off-centre grid: 300 x 200 x 50 mm.
+static VolumeGeometry slab() {
+    return VolumeGeometry::aligned({100, 100, 20}, {3, 2, 2.5}, {-120, 40, 700});
+}
+
+/// The largest |x| and |y| of the box's corners in the image, each in half its width or height.
+static dvec2 reach(const Camera& camera, double aspect) {
+    dvec2 reach(0);
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 index = dvec3(i & 1, (i >> 1) & 1, i >> 2) * dvec3(slab().size) - 0.5;
+        const dvec3 ray = dvec3(slab().patientFromIndex * dvec4(index, 1)) - camera.eyeMm;
+        const double halfHeight = camera.type == Camera::Type::orthographic
+                                      ? camera.heightMm / 2
+                                      : glm::dot(ray, camera.forward()) * std::tan(glm::radians(camera.fovDegrees) / 2);
+        const dvec2 seen(glm::dot(ray, camera.right()) / aspect, glm::dot(ray, camera.imageUp()));
+        reach = glm::max(reach, glm::abs(seen) / halfHeight);
+    }
+    return reach;
+}
+
+class TestFitView : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theBoxReachesTheMarginAndNotBeyond_data();
+    void theBoxReachesTheMarginAndNotBeyond();
+    void theDirectionStays();
+};
+
+void TestFitView::theBoxReachesTheMarginAndNotBeyond_data() {
+    QTest::addColumn<int>("view");
+    QTest::addColumn<double>("aspect");
+    for (int view = 0; view < 6; ++view) {
+        for (const double aspect : {0.5, 1.0, 2.2})
+            QTest::addRow("view %d, aspect %g", view, aspect) << view << aspect;
+    }
+}
+
+void TestFitView::theBoxReachesTheMarginAndNotBeyond() {
+    QFETCH(int, view);
+    QFETCH(double, aspect);
+    Camera camera = standardView(StandardView(view), slab().centreMm(), slab().radiusMm(), aspect);
+    for (const Camera::Type type : {Camera::Type::perspective, Camera::Type::orthographic}) {
+        camera.type = type;
+        const dvec2 farthest = reach(fittedView(camera, slab(), aspect, 0.9), aspect);
+        QVERIFY2(std::abs(std::max(farthest.x, farthest.y) - 0.9) < 1e-9, qPrintable(QString::number(farthest.x)));
+    }
+}
+
+void TestFitView::theDirectionStays() {
+    const Camera camera = standardView(StandardView::left, slab().centreMm(), slab().radiusMm(), 1);
+    const Camera fitted = fittedView(camera, slab(), 1, 0.9);
+    QVERIFY(glm::length(fitted.forward() - camera.forward()) < 1e-12);
+    QVERIFY(fitted.targetMm == camera.targetMm);
+    QVERIFY(fitted.up == camera.up);
+}
+
+}  // namespace pdr
+
+QTEST_GUILESS_MAIN(pdr::TestFitView)
+#include "fit_view_test.moc"

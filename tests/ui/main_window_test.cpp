@@ -1,0 +1,175 @@
+/// The window as a whole: its title, its keys, what may be dropped on it.
+
+#include <QDragEnterEvent>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "ui/main_window.h"
+
+namespace pdr::ui {
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theTitleAlwaysSaysNotForDiagnosticUse();
+    void theSixViewsHaveKeys_data();
+    void theSixViewsHaveKeys();
+    void theFirstViewAndPauseHaveKeys();
+    void undoAndRedoHaveKeysAndNeedSomethingToUndo();
+    void keysWorkWhenThePictureIsAlone();
+    void theKeysAreShownAndGoAwayAgain();
+    void escapeCancelsAndClosesTheMessage();
+    void aDroppedFolderIsOpened();
+    void aDroppedFileStandsForItsFolder();
+    void settersAreSilent();
+};
+
+void TestMainWindow::theTitleAlwaysSaysNotForDiagnosticUse() {
+    MainWindow window;
+    QVERIFY(window.windowTitle().contains("Not for diagnostic use"));
+    window.setSubject("Thorax");
+    QVERIFY(window.windowTitle().contains("Not for diagnostic use"));
+    QVERIFY(window.windowTitle().startsWith("Thorax"));
+}
+
+static void activate(MainWindow& window) {
+    window.show();
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    window.viewport().setFocus();
+}
+
+void TestMainWindow::theSixViewsHaveKeys_data() {
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("view");
+    QTest::newRow("front") << int(Qt::Key_1) << int(StandardView::anterior);
+    QTest::newRow("back") << int(Qt::Key_2) << int(StandardView::posterior);
+    QTest::newRow("left") << int(Qt::Key_3) << int(StandardView::left);
+    QTest::newRow("right") << int(Qt::Key_4) << int(StandardView::right);
+    QTest::newRow("head") << int(Qt::Key_5) << int(StandardView::superior);
+    QTest::newRow("feet") << int(Qt::Key_6) << int(StandardView::inferior);
+}
+
+void TestMainWindow::theSixViewsHaveKeys() {
+    QFETCH(int, key);
+    QFETCH(int, view);
+    MainWindow window;
+    activate(window);
+    QList<int> chosen;
+    connect(&window, &MainWindow::viewChosen, &window, [&](StandardView v) { chosen << int(v); });
+    QTest::keyClick(&window, Qt::Key(key));
+    QTest::keyClick(&window, Qt::Key(key), Qt::KeypadModifier);
+    QCOMPARE(chosen, QList<int>({view, view}));
+}
+
+void TestMainWindow::theFirstViewAndPauseHaveKeys() {
+    MainWindow window;
+    activate(window);
+    QSignalSpy reset(&window, &MainWindow::resetRequested), pause(&window, &MainWindow::pauseChosen);
+    QTest::keyClick(&window.viewport(), Qt::Key_R);
+    QTest::keyClick(&window.viewport(), Qt::Key_Space);
+    QTest::keyClick(&window.viewport(), Qt::Key_Space);
+    QCOMPARE(reset.count(), 1);
+    QCOMPARE(pause.count(), 2);
+    QCOMPARE(pause[0][0].toBool(), true);
+    QCOMPARE(pause[1][0].toBool(), false);
+}
+
+void TestMainWindow::undoAndRedoHaveKeysAndNeedSomethingToUndo() {
+    MainWindow window;
+    activate(window);
+    QSignalSpy undo(&window, &MainWindow::undoRequested), redo(&window, &MainWindow::redoRequested);
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(undo.count(), 0);
+    window.setUndoAvailable(true, true);
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(undo.count(), 1);
+    QCOMPARE(redo.count(), 1);
+}
+
+void TestMainWindow::keysWorkWhenThePictureIsAlone() {
+    MainWindow window;
+    activate(window);
+    QSignalSpy reset(&window, &MainWindow::resetRequested);
+    QTest::keyClick(&window, Qt::Key_F11);
+    QVERIFY(!window.menuBar()->isVisible());
+    QVERIFY(!window.look().isVisible());
+    QTest::keyClick(&window, Qt::Key_R);
+    QCOMPARE(reset.count(), 1);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    QVERIFY(window.menuBar()->isVisible());
+    QVERIFY(window.look().isVisible());
+}
+
+void TestMainWindow::theKeysAreShownAndGoAwayAgain() {
+    MainWindow window;
+    activate(window);
+    auto* keys = window.findChild<KeysOverlay*>();
+    QVERIFY(!keys->isVisible());
+    QTest::keyClick(&window, Qt::Key_H);
+    QVERIFY(keys->isVisible());
+    QTest::keyClick(&window, Qt::Key_H);
+    QVERIFY(!keys->isVisible());
+    QTest::keyClick(&window, Qt::Key_Question);
+    QVERIFY(keys->isVisible());
+    QTest::mouseClick(keys, Qt::LeftButton);
+    QVERIFY(!keys->isVisible());
+}
+
+void TestMainWindow::escapeCancelsAndClosesTheMessage() {
+    MainWindow window;
+    activate(window);
+    window.message().showError({"something failed", "", ""});
+    QSignalSpy cancel(&window, &MainWindow::cancelRequested);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    QCOMPARE(cancel.count(), 1);
+    QVERIFY(window.message().isHidden());
+}
+
+static QString droppedOn(MainWindow& window, const QString& path) {
+    QSignalSpy chosen(&window, &MainWindow::folderChosen);
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &drop);
+    return chosen.value(0).value(0).toString();
+}
+
+void TestMainWindow::aDroppedFolderIsOpened() {
+    MainWindow window;
+    const QTemporaryDir folder;
+    QCOMPARE(droppedOn(window, folder.path()), folder.path());
+}
+
+void TestMainWindow::aDroppedFileStandsForItsFolder() {
+    MainWindow window;
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("slice"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(droppedOn(window, file.fileName()), folder.path());
+}
+
+void TestMainWindow::settersAreSilent() {
+    MainWindow window;
+    QSignalSpy pause(&window, &MainWindow::pauseChosen), undo(&window, &MainWindow::undoRequested);
+    QSignalSpy folder(&window, &MainWindow::folderChosen);
+    window.setPaused(true);
+    window.setPaused(false);
+    window.setUndoAvailable(true, true);
+    window.setSubject("x");
+    window.setLastFolder("/");
+    window.setPictureAvailable(true);
+    QCOMPARE(pause.count() + undo.count() + folder.count(), 0);
+}
+
+}  // namespace pdr::ui
+
+QTEST_MAIN(pdr::ui::TestMainWindow)
+#include "main_window_test.moc"

@@ -1,0 +1,241 @@
+/// Series, look, status and messages: what they show and what they emit.
+
+#include <QAbstractButton>
+#include <QProgressBar>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTest>
+#include <limits>
+
+#include "ui/look_panel.h"
+#include "ui/message_bar.h"
+#include "ui/series_panel.h"
+#include "ui/series_text.h"
+#include "ui/status_line.h"
+#include "ui/status_text.h"
+
+namespace pdr::ui {
+
+static dicom::Series seriesOf(const char* description, dicom::Stack stack, const char* reason) {
+    dicom::Series series;
+    series.patient.name = "Family^Given=ideographic";
+    series.study.date = "20240131";
+    series.series.description = description;
+    series.verdict.stack = stack;
+    series.verdict.reason = reason;
+    series.geometry = VolumeGeometry::aligned({512, 256, 100}, {0.9, 0.9, 2.5}, {0, 0, 0});
+    return series;
+}
+
+/// Two that can be shown, and between them one that cannot.
+static dicom::ScanResult threeSeries() {
+    dicom::ScanResult scan;
+    scan.series = {seriesOf("Thorax", dicom::Stack::even, ""),
+                   seriesOf("Head", dicom::Stack::gap, "a.dcm and b.dcm are 10 mm apart, the others 5 mm"),
+                   seriesOf("Abdomen", dicom::Stack::even, "")};
+    scan.series[0].verdict.notes = {"1 copy of a slice left out"};
+    scan.problems = {{"/somewhere/broken.dcm", "it ends early"}};
+    return scan;
+}
+
+class TestPanels : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aSeriesIsDescribedInWords();
+    void aSeriesWithoutNameOrDateIsStillDescribed();
+    void theListShowsAllSeriesAndTheirVerdicts();
+    void choosingALoadableSeriesAsksForIt();
+    void anUnloadableSeriesGivesItsReasonInsteadOfAPicture();
+    void seriesSettersAreSilent();
+    void lookControlsEmitWhatTheHandChose();
+    void lookSettersAreSilent();
+    void brightnessBeyondTheSliderIsKeptAtItsEnd();
+    void theStatusSaysErrorSamplesAndSpeed_data();
+    void theStatusSaysErrorSamplesAndSpeed();
+    void progressHasACancelButton();
+    void anErrorSaysWhatAndWhatNextAndWhere();
+    void everyControlHasAnAccessibleName();
+};
+
+void TestPanels::aSeriesIsDescribedInWords() {
+    const dicom::Series series = threeSeries().series[0];
+    QCOMPARE(seriesTitle(series), "Thorax");
+    QCOMPARE(seriesFacts(series), QString::fromUtf8("512 × 256 × 100, 0.90 × 0.90 × 2.50 mm"));
+    QCOMPARE(seriesDate(series), "2024-01-31");
+    QCOMPARE(verdictText(series.verdict), QString::fromUtf8("✓  can be shown"));
+    QCOMPARE(patientName(series.patient), "Family, Given");
+}
+
+void TestPanels::aSeriesWithoutNameOrDateIsStillDescribed() {
+    dicom::Series series;
+    series.series.number = 7;
+    series.verdict.stack = dicom::Stack::noGeometry;
+    QCOMPARE(seriesTitle(series), "Series 7");
+    QCOMPARE(seriesFacts(series), "");
+    QCOMPARE(seriesDate(series), "");
+    QCOMPARE(verdictText(series.verdict), QString::fromUtf8("✗  no geometry"));
+    QCOMPARE(patientName(series.patient), "Name not given");
+    series.series.date = "sometime";
+    QCOMPARE(seriesDate(series), "sometime");
+}
+
+void TestPanels::theListShowsAllSeriesAndTheirVerdicts() {
+    SeriesPanel panel;
+    panel.setScan(threeSeries());
+    const QAbstractItemModel& model = *panel.list().model();
+    QCOMPARE(model.rowCount(), 3);
+    const QString spoken = model.index(1, 0).data(Qt::AccessibleTextRole).toString();
+    for (const char* part : {"Head", "a slice is missing", "10 mm apart"})
+        QVERIFY2(spoken.contains(part), part);
+    QVERIFY(model.index(1, 0).data(Qt::ToolTipRole).toString().contains("10 mm apart"));
+}
+
+void TestPanels::choosingALoadableSeriesAsksForIt() {
+    SeriesPanel panel;
+    panel.resize(330, 500);
+    panel.show();
+    panel.setScan(threeSeries());
+    QSignalSpy chosen(&panel, &SeriesPanel::seriesChosen);
+    const QRect third = panel.list().visualRect(panel.list().model()->index(2, 0));
+    QTest::mouseClick(panel.list().viewport(), Qt::LeftButton, {}, third.center());
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(chosen.first().first().toInt(), 2);
+}
+
+void TestPanels::anUnloadableSeriesGivesItsReasonInsteadOfAPicture() {
+    SeriesPanel panel;
+    panel.resize(330, 500);
+    panel.show();
+    panel.setScan(threeSeries());
+    QSignalSpy chosen(&panel, &SeriesPanel::seriesChosen);
+    const QRect second = panel.list().visualRect(panel.list().model()->index(1, 0));
+    QTest::mouseClick(panel.list().viewport(), Qt::LeftButton, {}, second.center());
+    QCOMPARE(chosen.count(), 0);
+    QCOMPARE(panel.detail(), "a.dcm and b.dcm are 10 mm apart, the others 5 mm");
+}
+
+void TestPanels::seriesSettersAreSilent() {
+    SeriesPanel panel;
+    QSignalSpy chosen(&panel, &SeriesPanel::seriesChosen);
+    panel.setScan(threeSeries());
+    panel.setCurrent(0);
+    QCOMPARE(panel.current(), 0);
+    QCOMPARE(panel.detail(), "1 copy of a slice left out");
+    panel.setCurrent(2);
+    panel.setCurrent(-1);
+    panel.setScan({});
+    QCOMPARE(panel.current(), -1);
+    QCOMPARE(chosen.count(), 0);
+}
+
+void TestPanels::lookControlsEmitWhatTheHandChose() {
+    LookPanel panel;
+    panel.setPresets({"CT bone", "CT lung"});
+    QSignalSpy preset(&panel, &LookPanel::presetChosen), brightness(&panel, &LookPanel::brightnessChosen);
+    QSignalSpy iterations(&panel, &LookPanel::iterationsPerFrameChosen), pause(&panel, &LookPanel::pauseChosen);
+    for (QPushButton* button : panel.findChildren<QPushButton*>()) {
+        if (button->text() == "CT lung" || button->text() == "Pause")
+            QTest::mouseClick(button, Qt::LeftButton);
+    }
+    panel.findChild<QSlider*>()->setValue(15);
+    panel.findChild<QSpinBox*>()->setValue(100);
+    QCOMPARE(preset.count(), 1);
+    QCOMPARE(preset.first().first().toInt(), 1);
+    QCOMPARE(brightness.first().first().toDouble(), 1.5);
+    QCOMPARE(iterations.first().first().toInt(), 100);
+    QCOMPARE(pause.first().first().toBool(), true);
+}
+
+void TestPanels::lookSettersAreSilent() {
+    LookPanel panel;
+    QSignalSpy preset(&panel, &LookPanel::presetChosen), brightness(&panel, &LookPanel::brightnessChosen);
+    QSignalSpy iterations(&panel, &LookPanel::iterationsPerFrameChosen), pause(&panel, &LookPanel::pauseChosen);
+    panel.setPresets({"CT bone", "CT lung"});
+    panel.setPreset(1);
+    panel.setBrightness(-1.3);
+    panel.setIterationsPerFrame(77);
+    panel.setPaused(true);
+    QCOMPARE(panel.findChild<QSpinBox*>()->value(), 77);
+    QCOMPARE(panel.findChild<QSlider*>()->value(), -13);
+    QCOMPARE(preset.count() + brightness.count() + iterations.count() + pause.count(), 0);
+}
+
+void TestPanels::brightnessBeyondTheSliderIsKeptAtItsEnd() {
+    LookPanel panel;
+    panel.setBrightness(100);
+    QCOMPARE(panel.findChild<QSlider*>()->value(), panel.findChild<QSlider*>()->maximum());
+}
+
+void TestPanels::theStatusSaysErrorSamplesAndSpeed_data() {
+    QTest::addColumn<qulonglong>("samples");
+    QTest::addColumn<double>("error");
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<bool>("paused");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("usual") << 256ull << 0.0183 << 31.4 << false << "error 1.8 %, 256 samples, 31 iterations/s";
+    QTest::newRow("coarse") << 2ull << 0.42 << 0.73 << false << "error 42 %, 2 samples, 0.73 iterations/s";
+    QTest::newRow("fine") << 123456ull << 0.000123 << 180.0 << false
+                          << QString::fromUtf8("error 0.012 %, 123\u2009456 samples, 180 iterations/s");
+    QTest::newRow("first") << 1ull << std::numeric_limits<double>::infinity() << 5.0 << false
+                           << "error not known yet, 1 sample, 5.0 iterations/s";
+    QTest::newRow("paused") << 256ull << 0.0183 << 31.4 << true << "paused, error 1.8 %, 256 samples";
+    QTest::newRow("nothing") << 0ull << 0.0 << 0.0 << false << "";
+}
+
+void TestPanels::theStatusSaysErrorSamplesAndSpeed() {
+    QFETCH(qulonglong, samples);
+    QFETCH(double, error);
+    QFETCH(double, speed);
+    QFETCH(bool, paused);
+    QFETCH(QString, expected);
+    FilmStatus status;
+    status.samplesPerPixel = samples;
+    status.relativeError = error;
+    QCOMPARE(statusText(status, speed, paused), expected);
+}
+
+void TestPanels::progressHasACancelButton() {
+    StatusLine line;
+    line.show();
+    auto* cancel = line.findChild<QPushButton*>();
+    QVERIFY(!cancel->isVisible());
+    line.setProgress(0.25, "reading slices");
+    QVERIFY(cancel->isVisible());
+    QCOMPARE(line.findChild<QProgressBar*>()->value(), 250);
+    QSignalSpy cancelled(&line, &StatusLine::cancelRequested);
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    QCOMPARE(cancelled.count(), 1);
+    line.endProgress();
+    QVERIFY(!cancel->isVisible());
+}
+
+void TestPanels::anErrorSaysWhatAndWhatNextAndWhere() {
+    MessageBar bar;
+    bar.showError({"slices 3 and 4 are 6 mm apart", "/data/ct", "Choose another series"});
+    QCOMPARE(bar.text(), "Slices 3 and 4 are 6 mm apart. Choose another series.\n/data/ct");
+    bar.clear();
+    QVERIFY(bar.isHidden());
+}
+
+void TestPanels::everyControlHasAnAccessibleName() {
+    SeriesPanel series;
+    LookPanel look;
+    look.setPresets({"CT bone"});
+    StatusLine status;
+    MessageBar message;
+    for (QWidget* panel : std::initializer_list<QWidget*>{&series, &look, &status, &message}) {
+        for (const QWidget* widget : panel->findChildren<QWidget*>()) {
+            const bool control = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QListView*>(widget) ||
+                                 qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QSpinBox*>(widget);
+            const bool own = !widget->objectName().startsWith("qt_");  // not the parts that Qt makes a control of
+            if (control && own && !qobject_cast<const QScrollBar*>(widget))
+                QVERIFY2(!widget->accessibleName().isEmpty(), widget->metaObject()->className());
+        }
+    }
+}
+
+}  // namespace pdr::ui
+
+QTEST_MAIN(pdr::ui::TestPanels)
+#include "panels_test.moc"

@@ -1,0 +1,215 @@
+/// The hand on the picture.
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "render/scene/orbit.h"
+#include "ui/viewport.h"
+
+namespace pdr::ui {
+
+/// A viewport of 400 x 200 whose camera looks from the front, and what it emits.
+struct Hand {
+    Hand() {
+        viewport.resize(400, 200);
+        viewport.setCamera(camera);
+        viewport.show();
+        QObject::connect(&viewport, &Viewport::cameraEdited, [this](const Camera& edited, bool moving) {
+            last = edited;
+            edits += moving;
+            rests += !moving;
+        });
+    }
+
+    /// Presses at the middle and moves on to `end` in two steps; does not let go.
+    void drag(Qt::MouseButton button, QPoint end, Qt::KeyboardModifiers modifiers = {}) {
+        const QPoint start(200, 100);
+        QTest::mousePress(&viewport, button, modifiers, start);
+        for (const QPoint place : {(start + end) / 2, end}) {
+            QMouseEvent move(QEvent::MouseMove, place, viewport.mapToGlobal(place), Qt::NoButton, button, modifiers);
+            QCoreApplication::sendEvent(&viewport, &move);
+        }
+    }
+
+    void wheel(QPointF place, int angle) {
+        QWheelEvent event(place, viewport.mapToGlobal(place), {}, {0, angle}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&viewport, &event);
+    }
+
+    static bool same(const Camera& a, const Camera& b) {
+        return glm::length(a.eyeMm - b.eyeMm) < 1e-9 && glm::length(a.targetMm - b.targetMm) < 1e-9 &&
+               glm::length(a.imageUp() - b.imageUp()) < 1e-12;
+    }
+
+    const Camera camera = standardView(StandardView::anterior, {0, 0, 0}, 150, 2);
+    Viewport viewport;
+    Camera last;
+    int edits = 0;
+    int rests = 0;
+};
+
+class TestViewport : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void leftDragTurns();
+    void middleDragMoves();
+    void shiftAndLeftDragMoves();
+    void rightDragUpMagnifies();
+    void lettingGoIsTheOnlyRest();
+    void aClickAloneEditsNothing();
+    void doubleClickAsksForTheFirstView();
+    void theWheelKeepsThePointUnderTheCursor();
+    void theWheelRestsByItself();
+    void arrowKeysTurnAndMove();
+    void settersAreSilent();
+    void withoutCameraTheHandDoesNothing();
+    void aCoarsePictureIsStretchedToTheHeight();
+    void withoutPictureTheMessageIsShown();
+    void theNewSizeIsTold();
+};
+
+void TestViewport::leftDragTurns() {
+    Hand hand;
+    hand.drag(Qt::LeftButton, {250, 100});
+    QCOMPARE(hand.edits, 2);
+    QVERIFY(Hand::same(hand.last, orbited(hand.camera, {0.25, 0})));
+}
+
+void TestViewport::middleDragMoves() {
+    Hand hand;
+    hand.drag(Qt::MiddleButton, {250, 60});
+    QVERIFY(Hand::same(hand.last, panned(hand.camera, {0.25, -0.2})));
+}
+
+void TestViewport::shiftAndLeftDragMoves() {
+    Hand hand;
+    hand.drag(Qt::LeftButton, {150, 60}, Qt::ShiftModifier);
+    QVERIFY(Hand::same(hand.last, panned(hand.camera, {-0.25, -0.2})));
+}
+
+void TestViewport::rightDragUpMagnifies() {
+    Hand hand;
+    hand.drag(Qt::RightButton, {200, 40});
+    QVERIFY(glm::length(hand.last.eyeMm - hand.last.targetMm) < 0.8 * glm::length(hand.camera.eyeMm));
+    QVERIFY(hand.last.targetMm == hand.camera.targetMm);
+}
+
+void TestViewport::lettingGoIsTheOnlyRest() {
+    Hand hand;
+    hand.drag(Qt::LeftButton, {250, 100});
+    QTest::qWait(300);
+    QCOMPARE(hand.rests, 0);
+    QTest::mouseRelease(&hand.viewport, Qt::LeftButton, {}, {250, 100});
+    QCOMPARE(hand.rests, 1);
+    QVERIFY(Hand::same(hand.last, orbited(hand.camera, {0.25, 0})));
+}
+
+void TestViewport::aClickAloneEditsNothing() {
+    Hand hand;
+    QTest::mouseClick(&hand.viewport, Qt::LeftButton);
+    QCOMPARE(hand.edits + hand.rests, 0);
+}
+
+void TestViewport::doubleClickAsksForTheFirstView() {
+    Hand hand;
+    QSignalSpy reset(&hand.viewport, &Viewport::resetRequested);
+    QTest::mouseDClick(&hand.viewport, Qt::LeftButton);
+    QCOMPARE(reset.count(), 1);
+    QCOMPARE(hand.edits + hand.rests, 0);
+}
+
+void TestViewport::theWheelKeepsThePointUnderTheCursor() {
+    Hand hand;
+    // 60 pixels right of the middle, 20 below, at the target's depth.
+    const double mmPerPixel =
+        2 * glm::length(hand.camera.eyeMm) * std::tan(glm::radians(hand.camera.fovDegrees) / 2) / 200;
+    const dvec3 point = (hand.camera.right() * 60.0 - hand.camera.imageUp() * 20.0) * mmPerPixel;
+    hand.wheel({260, 120}, 240);
+    const dvec3 ray = point - hand.last.eyeMm;
+    const double pixels = 200 / (2 * glm::dot(ray, hand.last.forward()) *
+                                 std::tan(glm::radians(hand.last.fovDegrees) / 2));
+    QVERIFY(glm::length(hand.last.eyeMm - hand.last.targetMm) < 0.8 * glm::length(hand.camera.eyeMm));
+    QVERIFY(std::abs(glm::dot(ray, hand.last.right()) * pixels - 60) < 1e-6);
+    QVERIFY(std::abs(glm::dot(ray, hand.last.imageUp()) * pixels + 20) < 1e-6);
+}
+
+void TestViewport::theWheelRestsByItself() {
+    Hand hand;
+    hand.wheel({200, 100}, 120);
+    hand.wheel({200, 100}, 120);
+    QCOMPARE(hand.edits, 2);
+    QCOMPARE(hand.rests, 0);
+    QTRY_COMPARE(hand.rests, 1);
+}
+
+void TestViewport::arrowKeysTurnAndMove() {
+    Hand hand;
+    QTest::keyClick(&hand.viewport, Qt::Key_Right);
+    QVERIFY(hand.last.targetMm == hand.camera.targetMm && hand.last.eyeMm != hand.camera.eyeMm);
+    QTest::keyClick(&hand.viewport, Qt::Key_Up, Qt::ShiftModifier);
+    QVERIFY(hand.last.targetMm != hand.camera.targetMm);
+    QTRY_COMPARE(hand.rests, 1);
+}
+
+void TestViewport::settersAreSilent() {
+    Hand hand;
+    hand.viewport.setCamera(orbited(hand.camera, {1, 0.3}));
+    hand.viewport.setImage(QImage(8, 8, QImage::Format_RGBX8888));
+    hand.viewport.setMessage("nothing");
+    QTest::qWait(300);
+    QCOMPARE(hand.edits + hand.rests, 0);
+}
+
+void TestViewport::withoutCameraTheHandDoesNothing() {
+    Hand hand;
+    hand.viewport.setCamera({});
+    hand.drag(Qt::LeftButton, {250, 100});
+    hand.wheel({200, 100}, 120);
+    QTest::keyClick(&hand.viewport, Qt::Key_Right);
+    QTest::mouseRelease(&hand.viewport, Qt::LeftButton);
+    QCOMPARE(hand.edits + hand.rests, 0);
+}
+
+void TestViewport::aCoarsePictureIsStretchedToTheHeight() {
+    Hand hand;
+    hand.viewport.setCamera({});
+    QImage coarse(40, 20, QImage::Format_RGBX8888);
+    coarse.fill(Qt::red);
+    hand.viewport.setImage(coarse);
+    const QImage shown = hand.viewport.grab().toImage();
+    for (const QPoint corner : {QPoint(1, 1), QPoint(398, 1), QPoint(1, 198), QPoint(398, 198)})
+        QCOMPARE(shown.pixelColor(corner), QColor(Qt::red));
+    // A picture of another shape keeps the size of what it shows: the height fits, the rest is ground.
+    hand.viewport.setImage(coarse.copy(0, 0, 20, 20));
+    const QImage narrow = hand.viewport.grab().toImage();
+    QCOMPARE(narrow.pixelColor(200, 1), QColor(Qt::red));
+    QCOMPARE(narrow.pixelColor(50, 100), QColor(Qt::black));
+}
+
+void TestViewport::withoutPictureTheMessageIsShown() {
+    Hand hand;
+    hand.viewport.setMessage("Drop a folder here");
+    const QImage shown = hand.viewport.grab().toImage();
+    int bright = 0;
+    for (int y = 0; y < shown.height(); ++y) {
+        for (int x = 0; x < shown.width(); ++x)
+            bright += shown.pixelColor(x, y).lightness() > 120;
+    }
+    QVERIFY(bright > 50);
+}
+
+void TestViewport::theNewSizeIsTold() {
+    Hand hand;
+    QSignalSpy size(&hand.viewport, &Viewport::sizeInPixelsChanged);
+    hand.viewport.resize(300, 250);
+    QTRY_COMPARE(size.count(), 1);
+    QCOMPARE(size.first().first().toSize(), QSize(300, 250) * hand.viewport.devicePixelRatioF());
+}
+
+}  // namespace pdr::ui
+
+QTEST_MAIN(pdr::ui::TestViewport)
+#include "viewport_test.moc"

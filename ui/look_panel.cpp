@@ -1,0 +1,94 @@
+#include "ui/look_panel.h"
+
+#include <QLabel>
+#include <QSignalBlocker>
+#include <cmath>
+
+namespace pdr::ui {
+namespace {
+
+constexpr int kStepsPerStop = 10;
+constexpr int kStops = 4;
+
+}  // namespace
+
+LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBoxLayout), brightness_(Qt::Horizontal) {
+    presetColumn_->setSpacing(4);
+    connect(&presets_, &QButtonGroup::idClicked, this, &LookPanel::presetChosen);
+
+    brightness_.setAccessibleName(tr("Brightness"));
+    brightness_.setToolTip(tr("Brighter to the right. It changes what is shown, not what is computed."));
+    brightness_.setRange(-kStops * kStepsPerStop, kStops * kStepsPerStop);
+    connect(&brightness_, &QSlider::valueChanged, this,
+            [this](int value) { emit brightnessChosen(double(value) / kStepsPerStop); });
+
+    iterations_.setAccessibleName(tr("Iterations per picture"));
+    iterations_.setToolTip(tr("How many iterations are computed before the picture is shown anew. More is a little faster, "
+                              "fewer is livelier; the result is the same."));
+    iterations_.setRange(1, 1000);
+    iterations_.setKeyboardTracking(false);
+    connect(&iterations_, &QSpinBox::valueChanged, this, &LookPanel::iterationsPerFrameChosen);
+
+    pause_.setAccessibleName(tr("Pause"));
+    pause_.setToolTip(tr("Hold the rendering, or let it go on (Space)"));
+    pause_.setCheckable(true);
+    connect(&pause_, &QPushButton::clicked, this, &LookPanel::pauseChosen);
+    setPaused(false);
+
+    auto* brightnessLabel = new QLabel(tr("&Brightness"));
+    brightnessLabel->setBuddy(&brightness_);
+    auto* iterationsLabel = new QLabel(tr("&Iterations per picture"));
+    iterationsLabel->setBuddy(&iterations_);
+    auto* iterationsRow = new QHBoxLayout;
+    iterationsRow->addWidget(iterationsLabel, 1);
+    iterationsRow->addWidget(&iterations_);
+
+    // A click leaves the keyboard with the picture, so that Space goes on to mean pause; Tab still reaches everything.
+    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &iterations_, &pause_})
+        control->setFocusPolicy(Qt::TabFocus);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 8, 10, 10);
+    column->setSpacing(8);
+    column->addLayout(presetColumn_);
+    column->addSpacing(14);
+    column->addWidget(brightnessLabel);
+    column->addWidget(&brightness_);
+    column->addStretch(1);
+    column->addLayout(iterationsRow);
+    column->addWidget(&pause_);
+}
+
+void LookPanel::setPresets(const QStringList& names) {
+    qDeleteAll(presets_.buttons());
+    for (int i = 0; i < names.size(); ++i) {
+        auto* button = new QPushButton(names[i]);
+        button->setAccessibleName(tr("Preset %1").arg(names[i]));
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        presets_.addButton(button, i);
+        presetColumn_->addWidget(button);
+    }
+}
+
+void LookPanel::setPreset(int index) {
+    if (QAbstractButton* button = presets_.button(index))
+        button->setChecked(true);
+}
+
+void LookPanel::setBrightness(double stops) {
+    const QSignalBlocker silent(this);
+    brightness_.setValue(int(std::lround(stops * kStepsPerStop)));
+}
+
+void LookPanel::setIterationsPerFrame(int n) {
+    const QSignalBlocker silent(this);
+    iterations_.setValue(n);
+}
+
+void LookPanel::setPaused(bool paused) {
+    pause_.setChecked(paused);
+    pause_.setText(paused ? tr("Go on") : tr("Pause"));
+}
+
+}  // namespace pdr::ui

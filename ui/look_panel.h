@@ -1,0 +1,42 @@
+#pragma once
+/// How the volume looks: presets, brightness, and how often the picture is shown anew. Setters are silent.
+
+#include <QButtonGroup>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <QWidget>
+
+namespace pdr::ui {
+
+class LookPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit LookPanel(QWidget* parent = nullptr);
+
+    void setPresets(const QStringList& names);
+    void setPreset(int index);
+    /// In stops: one more is twice as bright; 0 = as the preset says. Kept in [-4, 4].
+    void setBrightness(double stops);
+    void setIterationsPerFrame(int n);
+    void setPaused(bool paused);
+
+    QSize sizeHint() const override { return {220, 400}; }
+
+  signals:
+    void presetChosen(int index);
+    void brightnessChosen(double stops);
+    void iterationsPerFrameChosen(int n);
+    void pauseChosen(bool paused);
+
+  private:
+    QVBoxLayout* presetColumn_;
+    QButtonGroup presets_;
+    QSlider brightness_;
+    QSpinBox iterations_;
+    QPushButton pause_;
+};
+
+}  // namespace pdr::ui

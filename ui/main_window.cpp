@@ -1,0 +1,233 @@
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QShortcut>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <array>
+#include <utility>
+
+namespace pdr::ui {
+namespace {
+
+/// A quiet heading with a way to fold the panel.
+QWidget* panelTitle(const QString& title, QDockWidget* dock) {
+    auto* heading = new QLabel(title);
+    heading->setForegroundRole(QPalette::PlaceholderText);
+    auto* fold = new QToolButton;
+    fold->setText(QChar(0x00D7));
+    fold->setAutoRaise(true);
+    fold->setFocusPolicy(Qt::TabFocus);
+    fold->setAccessibleName(MainWindow::tr("Fold %1 away").arg(title));
+    fold->setToolTip(MainWindow::tr("Fold away (%1)").arg(dock->toggleViewAction()->shortcut().toString()));
+    QObject::connect(fold, &QToolButton::clicked, dock, &QWidget::close);
+
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(10, 4, 6, 2);
+    row->addWidget(heading, 1);
+    row->addWidget(fold);
+    return bar;
+}
+
+}  // namespace
+
+MainWindow::MainWindow()
+    : viewport_(new Viewport),
+      series_(new SeriesPanel),
+      look_(new LookPanel),
+      status_(new StatusLine),
+      message_(new MessageBar),
+      keys_(new KeysOverlay(this)) {
+    auto* middle = new QWidget;
+    auto* column = new QVBoxLayout(middle);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(message_);
+    column->addWidget(viewport_, 1);
+    setCentralWidget(middle);
+    statusBar()->addWidget(status_, 1);
+    statusBar()->setSizeGripEnabled(false);
+
+    seriesDock_ = addPanel(tr("Series"), series_, Qt::LeftDockWidgetArea, Qt::Key_F2);
+    lookDock_ = addPanel(tr("Look"), look_, Qt::RightDockWidgetArea, Qt::Key_F3);
+    fillFileMenu();
+    fillEditMenu();
+    fillViewMenu();
+    fillHelpMenu();
+    for (const QAction* menu : menuBar()->actions())
+        addActions(menu->menu()->actions());  // so that keys work while the menu bar is hidden
+
+    connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
+    connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
+    connect(status_, &StatusLine::cancelRequested, this, &MainWindow::cancelRequested);
+    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
+
+    setAcceptDrops(true);
+    setUndoAvailable(false, false);
+    setPictureAvailable(false);
+    setSubject({});
+    viewport_->setFocus();
+}
+
+void MainWindow::setSubject(const QString& subject) {
+    const QString program = tr("PD-Render - Not for diagnostic use");
+    setWindowTitle(subject.isEmpty() ? program : subject + " - " + program);
+}
+
+void MainWindow::setLastFolder(const QString& folder) {
+    lastFolder_ = folder;
+}
+
+void MainWindow::setUndoAvailable(bool undo, bool redo) {
+    undo_->setEnabled(undo);
+    redo_->setEnabled(redo);
+}
+
+void MainWindow::setPaused(bool paused) {
+    pause_->setChecked(paused);
+    look_->setPaused(paused);
+}
+
+void MainWindow::setPictureAvailable(bool available) {
+    save_->setEnabled(available);
+}
+
+QDockWidget* MainWindow::addPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(title);  // by which the window's state is kept
+    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    dock->setWidget(panel);
+    dock->toggleViewAction()->setShortcut(key);
+    dock->setTitleBarWidget(panelTitle(title, dock));
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::fillFileMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&File"));
+    connect(menu->addAction(tr("&Open folder..."), QKeySequence::Open), &QAction::triggered, this,
+            &MainWindow::chooseFolder);
+    save_ = menu->addAction(tr("&Save picture..."), QKeySequence::Save);
+    connect(save_, &QAction::triggered, this, &MainWindow::chooseFile);
+    menu->addSeparator();
+    connect(menu->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q)), &QAction::triggered, this,
+            &QWidget::close);
+}
+
+void MainWindow::fillEditMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+    undo_ = menu->addAction(tr("&Undo"), QKeySequence::Undo);
+    redo_ = menu->addAction(tr("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+    connect(undo_, &QAction::triggered, this, &MainWindow::undoRequested);
+    connect(redo_, &QAction::triggered, this, &MainWindow::redoRequested);
+}
+
+void MainWindow::fillViewMenu() {
+    const std::array<std::pair<QString, StandardView>, 6> views{{{tr("From the &front (A)"), StandardView::anterior},
+                                                                 {tr("From the &back (P)"), StandardView::posterior},
+                                                                 {tr("From the &left (L)"), StandardView::left},
+                                                                 {tr("From the &right (R)"), StandardView::right},
+                                                                 {tr("From the &head (S)"), StandardView::superior},
+                                                                 {tr("From the f&eet (I)"), StandardView::inferior}}};
+    QMenu* menu = menuBar()->addMenu(tr("&View"));
+    int key = Qt::Key_1;
+    for (const auto& [name, view] : views) {
+        QAction* action = menu->addAction(name, QKeySequence(Qt::Key(key++)));
+        connect(action, &QAction::triggered, this, [this, view = view] { emit viewChosen(view); });
+    }
+    connect(menu->addAction(tr("F&irst view"), QKeySequence(Qt::Key_R)), &QAction::triggered, this,
+            &MainWindow::resetRequested);
+    menu->addSeparator();
+    pause_ = menu->addAction(tr("&Pause"));
+    pause_->setCheckable(true);
+    pause_->setShortcut(Qt::Key_Space);
+    pause_->setShortcutContext(Qt::WidgetShortcut);  // elsewhere Space presses the button that has the focus
+    viewport_->addAction(pause_);
+    connect(pause_, &QAction::triggered, this, &MainWindow::pauseChosen);
+    menu->addSeparator();
+    menu->addAction(seriesDock_->toggleViewAction());
+    menu->addAction(lookDock_->toggleViewAction());
+    alone_ = menu->addAction(tr("Picture &alone"), QKeySequence(Qt::Key_F11));
+    alone_->setCheckable(true);
+    connect(alone_, &QAction::toggled, this, &MainWindow::showPictureAlone);
+}
+
+void MainWindow::fillHelpMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Help"));
+    QAction* keys = menu->addAction(tr("&Keys"));
+    keys->setShortcuts({QKeySequence(Qt::Key_H), QKeySequence(Qt::Key_Question)});
+    connect(keys, &QAction::triggered, keys_, &KeysOverlay::toggle);
+    connect(menu->addAction(tr("&About PD-Render")), &QAction::triggered, this, &MainWindow::about);
+}
+
+void MainWindow::chooseFolder() {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder with a CT"), lastFolder_);
+    if (!folder.isEmpty())
+        emit folderChosen(folder);
+}
+
+void MainWindow::chooseFile() {
+    const QString png = tr("PNG picture (*.png)"), exr = tr("OpenEXR with the error of every pixel (*.exr)");
+    QString filter = png;
+    QString file = QFileDialog::getSaveFileName(this, tr("Save the picture"), "picture.png", png + ";;" + exr, &filter);
+    if (file.isEmpty())
+        return;
+    if (QFileInfo(file).suffix().isEmpty())
+        file += filter == exr ? ".exr" : ".png";
+    emit saveRequested(file);
+}
+
+void MainWindow::showPictureAlone(bool alone) {
+    if (alone)
+        stateBeforeAlone_ = saveState();
+    menuBar()->setVisible(!alone);
+    statusBar()->setVisible(!alone);
+    seriesDock_->setVisible(!alone);
+    lookDock_->setVisible(!alone);
+    setWindowState(alone ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+    if (!alone)
+        restoreState(stateBeforeAlone_);
+}
+
+void MainWindow::escape() {
+    alone_->setChecked(false);
+    message_->clear();
+    emit cancelRequested();
+}
+
+void MainWindow::about() {
+    QMessageBox::about(this, tr("About PD-Render"),
+                       tr("<h3>PD-Render %1</h3><p>Photorealistic pictures of CT volumes, with a measure of how right "
+                          "they are.</p><p><b>Not for diagnostic use.</b> PD-Render is not a certified medical "
+                          "device.</p><p>Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.</p>")
+                           .arg(PDR_VERSION));
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.first().isLocalFile())
+        event->acceptProposedAction();
+}
+
+/// A file stands for the folder that it lies in.
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QFileInfo dropped(event->mimeData()->urls().value(0).toLocalFile());
+    event->acceptProposedAction();
+    emit folderChosen(dropped.isFile() ? dropped.absolutePath() : dropped.absoluteFilePath());
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    keys_->setGeometry(rect());
+}
+
+}  // namespace pdr::ui

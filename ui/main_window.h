@@ -1,0 +1,84 @@
+#pragma once
+/// The desktop's window: the picture in the middle, the series on the left, the look on the right, one line of truth
+/// below. It shows values and emits edits; it knows no renderer and no importer.
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+
+#include "render/scene/camera.h"
+#include "ui/keys_overlay.h"
+#include "ui/look_panel.h"
+#include "ui/message_bar.h"
+#include "ui/series_panel.h"
+#include "ui/status_line.h"
+#include "ui/viewport.h"
+
+namespace pdr::ui {
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    MainWindow();
+
+    Viewport& viewport() { return *viewport_; }
+    SeriesPanel& series() { return *series_; }
+    LookPanel& look() { return *look_; }
+    StatusLine& status() { return *status_; }
+    MessageBar& message() { return *message_; }
+
+    /// What is shown, for the title bar; empty for nothing. Never the patient's name.
+    void setSubject(const QString& subject);
+    /// Where the dialogs for opening and saving begin.
+    void setLastFolder(const QString& folder);
+    void setUndoAvailable(bool undo, bool redo);
+    void setPaused(bool paused);
+    /// Whether there is a picture to save.
+    void setPictureAvailable(bool available);
+
+  signals:
+    void folderChosen(const QString& folder);
+    void saveRequested(const QString& file);
+    void undoRequested();
+    void redoRequested();
+    void viewChosen(pdr::StandardView view);
+    void resetRequested();
+    void pauseChosen(bool paused);
+    void cancelRequested();
+
+  protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    QDockWidget* addPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key);
+    void fillFileMenu();
+    void fillEditMenu();
+    void fillViewMenu();
+    void fillHelpMenu();
+    void chooseFolder();
+    void chooseFile();
+    void showPictureAlone(bool alone);
+    void escape();
+    void about();
+
+    Viewport* viewport_;
+    SeriesPanel* series_;
+    LookPanel* look_;
+    StatusLine* status_;
+    MessageBar* message_;
+    KeysOverlay* keys_;
+    QDockWidget* seriesDock_ = nullptr;
+    QDockWidget* lookDock_ = nullptr;
+    QAction* save_ = nullptr;
+    QAction* undo_ = nullptr;
+    QAction* redo_ = nullptr;
+    QAction* pause_ = nullptr;
+    QAction* alone_ = nullptr;
+    QByteArray stateBeforeAlone_;
+    QString lastFolder_;
+};
+
+}  // namespace pdr::ui

@@ -1,0 +1,64 @@
+#include "ui/message_bar.h"
+
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace pdr::ui {
+namespace {
+
+QString sentence(const std::string& text) {
+    QString line = QString::fromStdString(text).trimmed();
+    if (line.isEmpty())
+        return line;
+    line[0] = line[0].toUpper();
+    return line.endsWith('.') ? line : line + '.';
+}
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
+    setAutoFillBackground(true);
+    QPalette colours = palette();
+    colours.setColor(QPalette::Window, QColor(92, 52, 40));
+    colours.setColor(QPalette::WindowText, QColor(250, 238, 230));
+    setPalette(colours);
+
+    auto* symbol = new QLabel(QString::fromUtf8("\u26A0"));
+    QFont large = symbol->font();
+    large.setPointSizeF(large.pointSizeF() * 1.6);
+    symbol->setFont(large);
+    text_.setAccessibleName(tr("Message"));
+    text_.setWordWrap(true);
+    text_.setTextFormat(Qt::PlainText);
+    text_.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* close = new QToolButton;
+    close->setAccessibleName(tr("Close the message"));
+    close->setText(QChar(0x00D7));
+    close->setAutoRaise(true);
+    connect(close, &QToolButton::clicked, this, &MessageBar::clear);
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 6, 6, 6);
+    row->setSpacing(12);
+    row->addWidget(symbol);
+    row->addWidget(&text_, 1);
+    row->addWidget(close, 0, Qt::AlignTop);
+    hide();
+}
+
+void MessageBar::showError(const Error& error) {
+    QString lines = sentence(error.what);
+    if (!error.hint.empty())
+        lines += ' ' + sentence(error.hint);
+    if (!error.where.empty())
+        lines += '\n' + QString::fromStdString(error.where);
+    text_.setText(lines);
+    show();
+}
+
+void MessageBar::clear() {
+    text_.clear();
+    hide();
+}
+
+}  // namespace pdr::ui

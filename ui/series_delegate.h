@@ -1,0 +1,21 @@
+#pragma once
+/// Paints one series as three lines: its name, its facts, its verdict.
+
+#include <QStyledItemDelegate>
+
+namespace pdr::ui {
+
+/// What an item of the series list holds.
+enum SeriesRole { kTitleRole = Qt::UserRole, kFactsRole, kVerdictRole, kLoadableRole, kDetailRole };
+
+class SeriesDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+}  // namespace pdr::ui

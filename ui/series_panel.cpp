@@ -1,0 +1,130 @@
+#include "ui/series_panel.h"
+
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "ui/series_delegate.h"
+#include "ui/series_text.h"
+#include "ui/to_qt.h"
+
+namespace pdr::ui {
+namespace {
+
+/// The reason why a series cannot be shown, or remarks about one that can.
+QString detailOf(const dicom::GeometryVerdict& verdict) {
+    QStringList lines;
+    if (!verdict.reason.empty())
+        lines << QString::fromStdString(verdict.reason);
+    for (const std::string& note : verdict.notes)
+        lines << QString::fromStdString(note);
+    return lines.join('\n');
+}
+
+QStandardItem* itemOf(const dicom::Series& series) {
+    const QString title = seriesTitle(series), facts = seriesFacts(series), date = seriesDate(series);
+    const QString verdict = verdictText(series.verdict) + (date.isEmpty() ? "" : ", " + date);
+    auto* item = new QStandardItem(title);
+    item->setEditable(false);
+    item->setData(title, kTitleRole);
+    item->setData(facts, kFactsRole);
+    item->setData(verdict, kVerdictRole);
+    item->setData(series.verdict.loadable(), kLoadableRole);
+    item->setData(detailOf(series.verdict), kDetailRole);
+    item->setToolTip(detailOf(series.verdict));
+    item->setData(QStringList{title, facts, verdict, detailOf(series.verdict)}.join(", "), Qt::AccessibleTextRole);
+    return item;
+}
+
+/// All patients of the scan, without repeats.
+QString patientNames(const dicom::ScanResult& scan) {
+    QStringList names;
+    for (const dicom::Series& series : scan.series)
+        names << patientName(series.patient);
+    names.removeDuplicates();
+    return names.join('\n');
+}
+
+QString fileNames(const std::vector<dicom::Problem>& problems) {
+    constexpr std::size_t kAtMost = 20;
+    QStringList lines;
+    for (std::size_t i = 0; i < std::min(problems.size(), kAtMost); ++i)
+        lines << toQt(problems[i].file.filename()) + ": " + QString::fromStdString(problems[i].reason);
+    if (problems.size() > kAtMost)
+        lines << SeriesPanel::tr("and %n more", nullptr, int(problems.size() - kAtMost));
+    return lines.join('\n');
+}
+
+}  // namespace
+
+SeriesPanel::SeriesPanel(QWidget* parent) : QWidget(parent) {
+    QFont large = font();
+    large.setPointSizeF(large.pointSizeF() * 1.15);
+    patient_.setFont(large);
+    patient_.setAccessibleName(tr("Patient"));
+    patient_.setTextFormat(Qt::PlainText);
+    patient_.setWordWrap(true);
+
+    list_.setAccessibleName(tr("Series"));
+    list_.setModel(&model_);
+    list_.setItemDelegate(new SeriesDelegate(&list_));
+    list_.setFrameShape(QFrame::NoFrame);
+    list_.setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    list_.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    connect(list_.selectionModel(), &QItemSelectionModel::currentChanged, this, &SeriesPanel::choose);
+
+    for (QLabel* label : {&detail_, &leftOut_}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+        label->hide();
+    }
+    detail_.setAccessibleName(tr("About the series"));
+    leftOut_.setAccessibleName(tr("Files that were left out"));
+    leftOut_.setForegroundRole(QPalette::PlaceholderText);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 8, 10, 10);
+    column->setSpacing(8);
+    column->addWidget(&patient_);
+    column->addWidget(&list_, 1);
+    column->addWidget(&detail_);
+    column->addWidget(&leftOut_);
+}
+
+void SeriesPanel::setScan(const dicom::ScanResult& scan) {
+    const QSignalBlocker silent(this);
+    model_.clear();
+    for (const dicom::Series& series : scan.series)
+        model_.appendRow(itemOf(series));
+    patient_.setText(patientNames(scan));
+    detail_.hide();
+    leftOut_.setVisible(!scan.problems.empty());
+    leftOut_.setText(QString::fromUtf8("\u26A0  ") + (scan.problems.size() == 1
+                                                          ? tr("1 damaged file was left out")
+                                                          : tr("%1 damaged files were left out").arg(scan.problems.size())));
+    leftOut_.setToolTip(fileNames(scan.problems));
+}
+
+void SeriesPanel::setCurrent(int index) {
+    const QSignalBlocker silent(this);
+    const QModelIndex item = model_.index(index, 0);
+    list_.selectionModel()->setCurrentIndex(item, QItemSelectionModel::ClearAndSelect);
+    showDetail(index);
+}
+
+int SeriesPanel::current() const {
+    return list_.currentIndex().row();
+}
+
+void SeriesPanel::showDetail(int index) {
+    const QString text = model_.index(index, 0).data(kDetailRole).toString();
+    detail_.setText(text);
+    detail_.setVisible(!text.isEmpty());
+}
+
+void SeriesPanel::choose(const QModelIndex& item) {
+    showDetail(item.row());
+    if (item.data(kLoadableRole).toBool())
+        emit seriesChosen(item.row());
+}
+
+}  // namespace pdr::ui

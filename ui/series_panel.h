@@ -1,0 +1,43 @@
+#pragma once
+/// The series of a folder, with what can be shown and what not, and why. Setters are silent.
+
+#include <QLabel>
+#include <QListView>
+#include <QStandardItemModel>
+#include <QWidget>
+
+#include "dicom/series.h"
+
+namespace pdr::ui {
+
+class SeriesPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit SeriesPanel(QWidget* parent = nullptr);
+
+    void setScan(const dicom::ScanResult& scan);
+    /// Marks the series that is shown: its place in the scan, -1 for none.
+    void setCurrent(int index);
+    int current() const;
+    QString detail() const { return detail_.text(); }
+    const QListView& list() const { return list_; }
+
+    QSize sizeHint() const override { return {330, 400}; }
+
+  signals:
+    /// A loadable series was clicked or reached by the keyboard.
+    void seriesChosen(int index);
+
+  private:
+    void showDetail(int index);
+    void choose(const QModelIndex& item);
+
+    QLabel patient_;
+    QListView list_;
+    QStandardItemModel model_;
+    QLabel detail_;
+    QLabel leftOut_;
+};
+
+}  // namespace pdr::ui

@@ -1,0 +1,79 @@
+#include "ui/series_text.h"
+
+#include <QCoreApplication>
+#include <QDate>
+#include <QStringList>
+
+namespace pdr::ui {
+namespace {
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("series", text);
+}
+
+/// DICOM's "20240131" as "2024-01-31"; anything else as it is.
+QString dateText(const std::string& dicomDate) {
+    const QString text = QString::fromStdString(dicomDate).trimmed();
+    const QDate date = QDate::fromString(text, "yyyyMMdd");
+    return date.isValid() ? date.toString(Qt::ISODate) : text;
+}
+
+const char* stackWord(dicom::Stack stack) {
+    using dicom::Stack;
+    switch (stack) {
+        case Stack::even: return "can be shown";
+        case Stack::singleSlice: return "a single slice";
+        case Stack::gap: return "a slice is missing";
+        case Stack::doubled: return "two slices at one place";
+        case Stack::tilted: return "tilted stack";
+        case Stack::mixedOrientation: return "slices look in different directions";
+        case Stack::mixedSize: return "slices of different size";
+        case Stack::noGeometry: return "no geometry";
+        case Stack::notCt: return "not a CT volume";
+        case Stack::unreadable: return "cannot be read";
+    }
+    return "";
+}
+
+}  // namespace
+
+QString seriesTitle(const dicom::Series& series) {
+    const QString own = QString::fromStdString(series.series.description).trimmed();
+    if (!own.isEmpty())
+        return own;
+    const QString study = QString::fromStdString(series.study.description).trimmed();
+    return study.isEmpty() ? translated("Series %1").arg(series.series.number) : study;
+}
+
+QString seriesFacts(const dicom::Series& series) {
+    const QChar times(0x00D7);
+    const ivec3 size = series.geometry.size;
+    QStringList parts;
+    if (size.x > 0 && size.y > 0)
+        parts << QString("%1 %4 %2 %4 %3").arg(size.x).arg(size.y).arg(std::max(size.z, 1)).arg(times);
+    if (series.verdict.loadable()) {
+        const dvec3 mm = series.geometry.spacingMm();
+        parts << QString("%1 %4 %2 %4 %3 mm").arg(mm.x, 0, 'f', 2).arg(mm.y, 0, 'f', 2).arg(mm.z, 0, 'f', 2).arg(times);
+    }
+    return parts.join(", ");
+}
+
+QString seriesDate(const dicom::Series& series) {
+    return dateText(series.series.date.empty() ? series.study.date : series.series.date);
+}
+
+QString verdictText(const dicom::GeometryVerdict& verdict) {
+    const QChar symbol(verdict.loadable() ? 0x2713 : 0x2717);
+    return QString("%1  %2").arg(symbol).arg(translated(stackWord(verdict.stack)));
+}
+
+QString patientName(const dicom::PatientFacts& patient) {
+    const QString first = QString::fromStdString(patient.name).section('=', 0, 0);
+    QStringList parts = first.split('^', Qt::SkipEmptyParts);
+    if (parts.isEmpty())
+        return translated("Name not given");
+    const QString family = parts.takeFirst().trimmed();
+    return parts.isEmpty() ? family : family + ", " + parts.join(' ').simplified();
+}
+
+}  // namespace pdr::ui

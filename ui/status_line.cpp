@@ -1,0 +1,56 @@
+#include "ui/status_line.h"
+
+#include <QHBoxLayout>
+#include <chrono>
+
+namespace pdr::ui {
+
+StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel")) {
+    text_.setAccessibleName(tr("How good the picture is"));
+    text_.setToolTip(tr("The error is the picture's standard error in relation to its brightness: it halves when the samples "
+                        "are four times as many."));
+    bar_.setAccessibleName(tr("Progress"));
+    bar_.setRange(0, 1000);
+    bar_.setTextVisible(false);
+    bar_.setFixedSize(180, 10);
+    cancel_.setAccessibleName(tr("Cancel reading"));
+    connect(&cancel_, &QPushButton::clicked, this, &StatusLine::cancelRequested);
+
+    remarkTimer_.setSingleShot(true);
+    remarkTimer_.setInterval(std::chrono::seconds(6));
+    connect(&remarkTimer_, &QTimer::timeout, &step_, &QWidget::hide);
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 2, 8, 2);
+    row->setSpacing(10);
+    row->addWidget(&text_, 1);
+    row->addWidget(&step_);
+    row->addWidget(&bar_);
+    row->addWidget(&cancel_);
+    endProgress();
+}
+
+void StatusLine::setText(const QString& text) {
+    text_.setText(text);
+}
+
+void StatusLine::showForAWhile(const QString& remark) {
+    step_.setText(remark);
+    step_.show();
+    remarkTimer_.start();
+}
+
+void StatusLine::setProgress(double fraction, const QString& step) {
+    remarkTimer_.stop();
+    step_.setText(step);
+    bar_.setValue(int(fraction * bar_.maximum()));
+    for (QWidget* part : std::initializer_list<QWidget*>{&step_, &bar_, &cancel_})
+        part->show();
+}
+
+void StatusLine::endProgress() {
+    for (QWidget* part : std::initializer_list<QWidget*>{&step_, &bar_, &cancel_})
+        part->hide();
+}
+
+}  // namespace pdr::ui

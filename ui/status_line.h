@@ -1,0 +1,36 @@
+#pragma once
+/// The line below the picture: how good it is, and how far a long step has come. Setters are silent.
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTimer>
+#include <QWidget>
+
+namespace pdr::ui {
+
+class StatusLine : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    void setText(const QString& text);
+    /// A remark on the right that goes away by itself.
+    void showForAWhile(const QString& remark);
+    /// Shows `step` and how far it is, [0, 1], with a button to cancel it.
+    void setProgress(double fraction, const QString& step);
+    void endProgress();
+
+  signals:
+    void cancelRequested();
+
+  private:
+    QLabel text_;
+    QLabel step_;
+    QTimer remarkTimer_;
+    QProgressBar bar_;
+    QPushButton cancel_;
+};
+
+}  // namespace pdr::ui

@@ -1,0 +1,52 @@
+#include "ui/status_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace pdr::ui {
+namespace {
+
+QString translated(const char* text, int n = -1) {
+    return QCoreApplication::translate("statusText", text, nullptr, n);
+}
+
+/// Two figures that mean something: 12, 1.8, 0.18.
+QString shortNumber(double value) {
+    if (value <= 0)
+        return "0";
+    const int decimals = std::clamp(1 - int(std::floor(std::log10(value))), 0, 6);
+    return QLocale::c().toString(value, 'f', decimals);
+}
+
+QString counted(std::uint64_t count, const char* one, const char* many) {
+    QLocale locale = QLocale::c();
+    locale.setNumberOptions(QLocale::DefaultNumberOptions);
+    return locale.toString(qulonglong(count)).replace(',', QChar(0x2009)) + ' ' + translated(count == 1 ? one : many);
+}
+
+QString errorText(double relativeError) {
+    if (!std::isfinite(relativeError))
+        return translated("error not known yet");
+    return translated("error %1 %").arg(shortNumber(100 * relativeError));
+}
+
+}  // namespace
+
+QString statusText(const FilmStatus& status, double iterationsPerSecond, bool paused) {
+    if (status.samplesPerPixel == 0)
+        return {};
+    QStringList parts;
+    if (paused)
+        parts << translated("paused");
+    parts << errorText(status.relativeError) << counted(status.samplesPerPixel, "sample", "samples");
+    if (!paused)
+        parts << translated("%1 iterations/s").arg(shortNumber(iterationsPerSecond));
+    if (status.rejectedSamples > 0)
+        parts << counted(status.rejectedSamples, "sample left out as not a number", "samples left out as not a number");
+    return parts.join(", ");
+}
+
+}  // namespace pdr::ui

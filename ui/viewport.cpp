@@ -1,0 +1,206 @@
+#include "ui/viewport.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <chrono>
+#include <cmath>
+
+#include "render/scene/orbit.h"
+#include "ui/orientation_cube.h"
+#include "ui/orientation_letters.h"
+
+namespace pdr::ui {
+namespace {
+
+constexpr double kKeyStep = 1.0 / 24;        // of the view's height: 7.5 degrees
+constexpr double kZoomPerWheelClick = 1.15;
+constexpr double kZoomPerHeight = 8;         // magnification of a drag over the whole height
+constexpr auto kRestAfter = std::chrono::milliseconds(250);
+constexpr int kMargin = 12;
+constexpr int kCubeSide = 64;
+
+}  // namespace
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setCursor(Qt::ArrowCursor);
+    setAccessibleName(tr("Picture"));
+    setAccessibleDescription(tr("The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom."));
+    restTimer_.setSingleShot(true);
+    restTimer_.setInterval(kRestAfter);
+    connect(&restTimer_, &QTimer::timeout, this, &Viewport::rest);
+}
+
+void Viewport::setImage(const QImage& image) {
+    image_ = image;
+    update();
+}
+
+void Viewport::setCamera(const std::optional<Camera>& camera) {
+    camera_ = camera;
+    if (!camera_)
+        moved_ = false;
+    update();
+}
+
+void Viewport::setMessage(const QString& message) {
+    message_ = message;
+    update();
+}
+
+QSize Viewport::sizeInPixels() const {
+    return (QSizeF(size()) * devicePixelRatioF()).toSize();
+}
+
+void Viewport::resizeEvent(QResizeEvent*) {
+    emit sizeInPixelsChanged(sizeInPixels());
+}
+
+Viewport::Gesture Viewport::gestureOf(const QMouseEvent& event) {
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    switch (event.button()) {
+        case Qt::LeftButton: return shift ? Gesture::pan : Gesture::orbit;
+        case Qt::MiddleButton: return Gesture::pan;
+        case Qt::RightButton: return Gesture::zoom;
+        default: return Gesture::none;
+    }
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+    if (gesture_ != Gesture::none)
+        return;
+    gesture_ = gestureOf(*event);
+    last_ = event->position();
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    if (!camera_ || gesture_ == Gesture::none)
+        return;
+    const dvec2 drag = inHeights(event->position() - last_);
+    last_ = event->position();
+    switch (gesture_) {
+        case Gesture::orbit: return edit(orbited(*camera_, drag));
+        case Gesture::pan: return edit(panned(*camera_, drag));
+        case Gesture::zoom: return edit(zoomed(*camera_, std::pow(kZoomPerHeight, -drag.y)));
+        case Gesture::none: return;
+    }
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->buttons() != Qt::NoButton)
+        return;
+    gesture_ = Gesture::none;
+    rest();
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent*) {
+    emit resetRequested();
+}
+
+/// The point under the cursor stays under it.
+void Viewport::wheelEvent(QWheelEvent* event) {
+    if (!camera_)
+        return;
+    const double factor = std::pow(kZoomPerWheelClick, event->angleDelta().y() / 120.0);
+    const dvec2 cursor = inHeights(event->position() - QRectF(rect()).center());
+    editInSteps(panned(zoomed(*camera_, factor), cursor * (1 - factor)));
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+    if (!camera_)
+        return QWidget::keyPressEvent(event);
+    const auto turnOrMove = [&](dvec2 drag) {
+        const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+        editInSteps(shift ? panned(*camera_, drag) : orbited(*camera_, drag));
+    };
+    switch (event->key()) {
+        case Qt::Key_Left: return turnOrMove({-kKeyStep, 0});
+        case Qt::Key_Right: return turnOrMove({kKeyStep, 0});
+        case Qt::Key_Up: return turnOrMove({0, -kKeyStep});
+        case Qt::Key_Down: return turnOrMove({0, kKeyStep});
+        case Qt::Key_Plus:
+        case Qt::Key_Equal: return editInSteps(zoomed(*camera_, kZoomPerWheelClick));
+        case Qt::Key_Minus: return editInSteps(zoomed(*camera_, 1 / kZoomPerWheelClick));
+        default: QWidget::keyPressEvent(event);
+    }
+}
+
+void Viewport::edit(const Camera& camera) {
+    camera_ = camera;
+    moved_ = true;
+    update();
+    emit cameraEdited(camera, true);
+}
+
+void Viewport::editInSteps(const Camera& camera) {
+    edit(camera);
+    restTimer_.start();
+}
+
+void Viewport::rest() {
+    if (gesture_ != Gesture::none || !moved_)
+        return;
+    restTimer_.stop();
+    moved_ = false;
+    emit cameraEdited(*camera_, false);
+}
+
+dvec2 Viewport::inHeights(QPointF distance) const {
+    return dvec2(distance.x(), distance.y()) / double(std::max(height(), 1));
+}
+
+void Viewport::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), Qt::black);
+    if (image_.isNull())
+        return paintMessage(painter);
+    paintPicture(painter);
+    if (camera_)
+        paintLetters(painter);
+}
+
+/// The field of view belongs to the height, so the picture is fitted to it: while the window is resized the patient keeps
+/// his size until the new picture comes.
+void Viewport::paintPicture(QPainter& painter) const {
+    const double scale = double(height()) / image_.height();
+    QRectF target(0, 0, image_.width() * scale, height());
+    target.moveCenter(QRectF(rect()).center());
+    if (std::abs(target.width() - width()) <= 2 * scale)
+        target = rect();  // only the rounding of the film's size
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != sizeInPixels());
+    painter.drawImage(target, image_);
+}
+
+void Viewport::paintLetters(QPainter& painter) const {
+    QFont letters = font();
+    letters.setPointSizeF(letters.pointSizeF() * 1.25);
+    letters.setBold(true);
+    painter.setFont(letters);
+    const EdgeLetters edges = edgeLetters(*camera_);
+    const QRect area = rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
+    const auto write = [&](int where, const std::string& text) {
+        painter.setPen(Qt::black);
+        painter.drawText(area.translated(1, 1), where, QString::fromStdString(text));
+        painter.setPen(QColor(225, 225, 215));
+        painter.drawText(area, where, QString::fromStdString(text));
+    };
+    write(Qt::AlignLeft | Qt::AlignVCenter, edges.left);
+    write(Qt::AlignRight | Qt::AlignVCenter, edges.right);
+    write(Qt::AlignTop | Qt::AlignHCenter, edges.top);
+    write(Qt::AlignBottom | Qt::AlignHCenter, edges.bottom);
+    const QRectF cube(width() - kMargin - kCubeSide, height() - kMargin - kCubeSide, kCubeSide, kCubeSide);
+    paintOrientationCube(painter, cube, *camera_);
+}
+
+void Viewport::paintMessage(QPainter& painter) const {
+    QFont large = font();
+    large.setPointSizeF(large.pointSizeF() * 1.4);
+    painter.setFont(large);
+    painter.setPen(QColor(175, 175, 175));
+    painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, message_);
+}
+
+}  // namespace pdr::ui

@@ -1,0 +1,72 @@
+#pragma once
+/// The picture, and the hand on it: drags and wheels become camera edits. Setters are silent.
+
+#include <QImage>
+#include <QPoint>
+#include <QTimer>
+#include <QWidget>
+#include <optional>
+
+#include "render/scene/camera.h"
+
+namespace pdr::ui {
+
+class Viewport : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit Viewport(QWidget* parent = nullptr);
+
+    /// The latest picture of whatever size; it is stretched to the view's height. A null image: nothing to show.
+    void setImage(const QImage& image);
+    /// The camera that the next edit starts from, and the orientation letters show. None: edits are ignored.
+    void setCamera(const std::optional<Camera>& camera);
+    /// What stands in the middle as long as there is no picture.
+    void setMessage(const QString& message);
+
+    /// The view's size in the screen's own pixels.
+    QSize sizeInPixels() const;
+
+    QSize sizeHint() const override { return {900, 700}; }
+    QSize minimumSizeHint() const override { return {200, 150}; }
+
+  signals:
+    /// A drag, a wheel or an arrow key. `moving`: the hand is still at it; the last edit of a gesture comes with false.
+    void cameraEdited(const pdr::Camera& camera, bool moving);
+    /// A double click.
+    void resetRequested();
+    void sizeInPixelsChanged(QSize size);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    enum class Gesture { none, orbit, pan, zoom };
+    static Gesture gestureOf(const QMouseEvent& event);
+
+    void edit(const Camera& camera);
+    void rest();
+    void editInSteps(const Camera& camera);
+    /// From widget coordinates to fractions of the view's height.
+    dvec2 inHeights(QPointF distance) const;
+    void paintPicture(QPainter& painter) const;
+    void paintLetters(QPainter& painter) const;
+    void paintMessage(QPainter& painter) const;
+
+    QImage image_;
+    QString message_;
+    std::optional<Camera> camera_;
+    Gesture gesture_ = Gesture::none;
+    bool moved_ = false;  ///< the gesture has edited the camera
+    QPointF last_;
+    QTimer restTimer_;  ///< wheels and keys have no release: they rest when this runs out
+};
+
+}  // namespace pdr::ui
