@@ -71,7 +71,6 @@ struct FlatLight {
     vec3 normal;        ///< unit: to the light (directional) or out of the panel's shining side
     vec3 halfU, halfV;  ///< half edges of a panel, mm
     float area;         ///< mm^2
-    float probability;  ///< of being picked
 };
 
 /// For each block of kViewBlock x kViewBlock pixels: the depths along the view between which all matter lies.
@@ -91,7 +90,6 @@ struct FlatScene {
     int lightCount;
     vec3 environment;              ///< radiance from all around
     float environmentVisible;      ///< 1: the camera sees it, 0: it does not
-    float environmentProbability;  ///< of being picked as the light of an event
     float phaseG;
     float surfaceFactor;  ///< see surfaceNormal() [mm/HU]; 0: no surfaces
     int maxBounces;

@@ -32,26 +32,47 @@ PDR_HD inline vec3 background(const FlatScene& scene) {
     return scene.environment * scene.environmentVisible;
 }
 
-/// Light that reaches the event straight from one light, picked by chance, and is scattered into the camera.
+/// Of several light paths one, picked in proportion to what each would bring if nothing stood in its way, and weighted so
+/// that the sum of all is what it stands for on average (resampled importance sampling, Talbot et al. 2005).
+struct LightChoice {
+    LightPath chosen{{vec3(0), vec3(0), 0}, vec3(0)};
+    float weight = 0, total = 0;
+
+    PDR_HD void offer(const LightPath& path, float u) {
+        const float strength = path.radiance.x + path.radiance.y + path.radiance.z;
+        total += strength;
+        if (u * total < strength) {
+            chosen = path;
+            weight = strength;
+        }
+    }
+    PDR_HD LightPath path() const {
+        LightPath result = chosen;
+        if (weight > 0)
+            result.radiance *= total / weight;
+        return result;
+    }
+};
+
+/// Light that reaches the event straight from one of the lights and is scattered into the camera.
 template <std::uint32_t F>
 PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Random& random, int bounce) {
-    RandomStream choice = random.stream(bounce, BounceDimension::light);
-    const float u = choice.pair().x;
-    const auto towards = [&](vec3 direction, float distance, vec3 radiance) {
-        return LightPath{{event.position, scene.volume.indexFromLocal * direction, distance}, radiance};
+    RandomStream numbers = random.stream(bounce, BounceDimension::light);
+    LightChoice choice;
+    const auto offer = [&](vec3 towards, float distance, vec3 radiance) {
+        choice.offer({{event.position, scene.volume.indexFromLocal * towards, distance}, radiance}, numbers.pair().x);
     };
-    if (has(F, kEnvironment) && (u < scene.environmentProbability || scene.lightCount == 0)) {
-        const Scattered scattered = scatterSample<F>(scene, event, random.stream(bounce, BounceDimension::direction));
-        return towards(scattered.towards, kFarAway,
-                       scattered.weight * scene.environment / scene.environmentProbability);
-    }
-    if (scene.lightCount == 0)
-        return towards(vec3(0), 0, vec3(0));
-    const FlatLight& light = pickLight(scene, u - scene.environmentProbability);
     const vec3 from = has(F, kPlacedLights) ? localPosition(scene.volume, event.position) : vec3(0);
-    const LightSample sample = sampleLight<F>(light, from, has(F, kPlacedLights) ? choice.pair() : vec2(0));
-    return towards(sample.towards, sample.distance,
-                   scatterEval<F>(scene, event, sample.towards) * sample.radiance / light.probability);
+    for (int i = 0; i < scene.lightCount; ++i) {
+        const LightSample sample =
+            sampleLight<F>(scene.lights[i], from, has(F, kPlacedLights) ? numbers.pair() : vec2(0));
+        offer(sample.towards, sample.distance, scatterEval<F>(scene, event, sample.towards) * sample.radiance);
+    }
+    if constexpr (has(F, kEnvironment)) {
+        const Scattered scattered = scatterSample<F>(scene, event, random.stream(bounce, BounceDimension::direction));
+        offer(scattered.towards, kFarAway, scattered.weight * scene.environment);
+    }
+    return choice.path();
 }
 
 /// What happens at the end of the camera ray: `collision` is its distance [mm].

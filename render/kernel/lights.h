@@ -35,12 +35,4 @@ PDR_HD inline LightSample sampleLight(const FlatLight& light, vec3 from, vec2 u)
     return {light.normal, kFarAway, light.radiance};
 }
 
-/// The light that `u` picks, each with its probability; `u` < the sum of all.
-PDR_HD inline const FlatLight& pickLight(const FlatScene& scene, float u) {
-    int index = 0;
-    while (index + 1 < scene.lightCount && u >= scene.lights[index].probability)
-        u -= scene.lights[index++].probability;
-    return scene.lights[index];
-}
-
 }  // namespace pdr

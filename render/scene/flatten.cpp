@@ -99,35 +99,17 @@ FlatLight flatLight(const SphereLight&, dvec3) {
     return {};  // refused by Scene::check()
 }
 
-/// Irradiance at the volume's centre, roughly: what the light's share of the samples is made from.
-double power(const FlatLight& light) {
-    const double radiance = light.radiance.x + light.radiance.y + light.radiance.z;
-    if (light.type == LightType::directional)
-        return radiance;
-    return radiance * light.area / (double(glm::dot(light.position, light.position)) + light.area);
-}
-
 void flattenLights(PreparedScene& prepared, const Scene& scene) {
     const dvec3 centre = scene.volume->geometry().centreMm();
     FlatScene& flat = prepared.flat;
-    double total = 0;
     for (const Light& light : scene.lights) {
         prepared.lights.push_back(std::visit([&](const auto& one) { return flatLight(one, centre); }, light));
-        prepared.lights.back().probability = float(power(prepared.lights.back()));
-        total += prepared.lights.back().probability;
         if (prepared.lights.back().type == LightType::rectangle)
             flat.features |= kPlacedLights;
     }
     const vec3 environment = scene.environment.radiance;
-    const double ambient = kPi * (environment.x + environment.y + environment.z);
-    total += ambient;
-    if (ambient > 0)
+    if (environment != vec3(0))
         flat.features |= kEnvironment;
-    if (total > 0) {
-        for (FlatLight& light : prepared.lights)
-            light.probability /= float(total);
-        flat.environmentProbability = float(ambient / total);
-    }
     flat.environment = environment;
     flat.environmentVisible = scene.environment.visible ? 1 : 0;
     flat.lights = prepared.lights.data();

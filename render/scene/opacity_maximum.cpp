@@ -10,13 +10,13 @@ OpacityMaximum::OpacityMaximum(const TransferFunction& function, HuRange domain)
     const int bins = std::max(int(domain.highest) - domain.lowest, 0);
     points_.resize(bins + 1);
     for (int i = 0; i <= bins; ++i)
-        points_[i] = function.at(float(first_ + i)).opacity;
+        points_[i] = function.opacityAt(float(first_ + i));
 
     // A linear piece has its maximum at an end, so the ends of a bin and the nodes inside it suffice.
     std::vector<float> bin(bins);
     for (int i = 0; i < bins; ++i)
-        bin[i] = std::max({function.at(float(first_ + i) - kHuSlack).opacity, points_[i], points_[i + 1],
-                           function.at(float(first_ + i + 1) + kHuSlack).opacity});
+        bin[i] = std::max({function.opacityAt(float(first_ + i) - kHuSlack), points_[i], points_[i + 1],
+                           function.opacityAt(float(first_ + i + 1) + kHuSlack)});
     for (const TransferNode& node : function.nodes) {
         // A node on a bin's border belongs to both neighbours; both sides of a step are nodes.
         const int last = int(std::floor(node.hu + kHuSlack)) - first_;

@@ -17,6 +17,11 @@ TransferNode between(const TransferNode& a, const TransferNode& b, float hu) {
             glm::mix(a.roughness, b.roughness, share)};
 }
 
+std::vector<TransferNode>::const_iterator firstAfter(const std::vector<TransferNode>& nodes, float hu) {
+    return std::upper_bound(nodes.begin(), nodes.end(), hu,
+                            [](float value, const TransferNode& node) { return value < node.hu; });
+}
+
 bool inside(float value, float low, float high) {
     return value >= low && value <= high;  // false for NaN
 }
@@ -28,14 +33,20 @@ bool inside(vec3 value, float low, float high) {
 }  // namespace
 
 TransferNode TransferFunction::at(float hu) const {
-    const auto after = std::upper_bound(nodes.begin(), nodes.end(), hu,
-                                        [](float value, const TransferNode& node) { return value < node.hu; });
-    if (after == nodes.begin() || after == nodes.end()) {
-        TransferNode outermost = after == nodes.begin() ? nodes.front() : nodes.back();
-        outermost.hu = hu;
-        return outermost;
-    }
-    return between(*(after - 1), *after, hu);
+    const auto after = firstAfter(nodes, hu);
+    if (after != nodes.begin() && after != nodes.end())
+        return between(*(after - 1), *after, hu);
+    TransferNode outermost = after == nodes.begin() ? nodes.front() : nodes.back();
+    outermost.hu = hu;
+    return outermost;
+}
+
+float TransferFunction::opacityAt(float hu) const {
+    const auto after = firstAfter(nodes, hu);
+    if (after == nodes.begin() || after == nodes.end())
+        return after == nodes.begin() ? nodes.front().opacity : nodes.back().opacity;
+    const auto before = after - 1;
+    return glm::mix(before->opacity, after->opacity, (hu - before->hu) / (after->hu - before->hu));
 }
 
 Result<void> TransferFunction::check() const {

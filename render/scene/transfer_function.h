@@ -30,6 +30,9 @@ struct TransferFunction {
     /// All properties at `hu`, by the rules above. Needs at least one node.
     TransferNode at(float hu) const;
 
+    /// at(hu).opacity, without the rest.
+    float opacityAt(float hu) const;
+
     /// The rules above, checked: ranges, ascending order, at least one node. `where` names the offending node.
     Result<void> check() const;
 

@@ -1,0 +1,21 @@
+#pragma once
+/// What pdrender-bench can measure. Each command takes the words after its name, prints one line of JSON or a short table
+/// to standard output, and returns the exit code: 0, 1 for an error, 2 for wrong usage.
+
+#include <string>
+#include <vector>
+
+namespace pdr::bench {
+
+using Arguments = std::vector<std::string>;
+
+/// picture SCENE.json [--samples N] [--threads N] [--pfm FILE]: renders, and says how fast and how noisy.
+int picture(const Arguments& arguments);
+
+/// compare A.pfm REFERENCE.pfm: ratio of the means, and the root mean square difference over the reference's mean.
+int compare(const Arguments& arguments);
+
+/// rebound [--size N] [--edits N]: time to bound an N x N x N head anew after a transfer-function edit, on one core.
+int rebound(const Arguments& arguments);
+
+}  // namespace pdr::bench

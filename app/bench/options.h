@@ -1,0 +1,47 @@
+#pragma once
+/// The words of a command line: files in order, and numbers by name.
+
+#include <charconv>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace pdr::bench {
+
+struct Options {
+    std::vector<std::string> files;
+    std::map<std::string, std::string> named;  ///< "--samples" -> "64"
+
+    /// Nothing for a name that is not `known` or that lacks its value.
+    static std::optional<Options> read(const std::vector<std::string>& words, const std::set<std::string>& known) {
+        Options options;
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            if (!words[i].starts_with("--")) {
+                options.files.push_back(words[i]);
+                continue;
+            }
+            if (!known.contains(words[i]) || i + 1 == words.size())
+                return std::nullopt;
+            options.named[words[i]] = words[i + 1];
+            ++i;
+        }
+        return options;
+    }
+
+    /// A whole number of at least `least`, `otherwise` where it is not given, nothing where it is something else.
+    std::optional<int> number(const std::string& name, int otherwise, int least) const {
+        const auto found = named.find(name);
+        if (found == named.end())
+            return otherwise;
+        int value = 0;
+        const char* end = found->second.data() + found->second.size();
+        const auto [stop, error] = std::from_chars(found->second.data(), end, value);
+        if (error != std::errc() || stop != end || value < least)
+            return std::nullopt;
+        return value;
+    }
+};
+
+}  // namespace pdr::bench

@@ -1,0 +1,100 @@
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "app/bench/commands.h"
+#include "app/bench/options.h"
+#include "app/bench/pfm.h"
+#include "render/device/device.h"
+#include "render/film/film.h"
+#include "render/scene/scene_file.h"
+
+namespace pdr::bench {
+
+namespace {
+
+int fail(const Error& error) {
+    std::fprintf(stderr, "pdrender-bench: %s\n", error.text().c_str());
+    return 1;
+}
+
+Result<Scene> loadScene(const std::string& path) {
+    Result<SceneFile> file = readSceneFile(path);
+    if (!file)
+        return file.error();
+    if (!file->source.dicomFolder.empty())
+        return Error{"this program reads raw volumes only", path, "Render DICOM folders with pdrender-cli."};
+    Result<std::shared_ptr<const Volume>> volume = fetchRawVolume(file->source);
+    if (!volume)
+        return volume.error();
+    file->scene.volume = *volume;
+    return file->scene;
+}
+
+GreyImage greyImage(const Film& film) {
+    GreyImage image{film.size(), {}};
+    for (int y = 0; y < film.size().y; ++y)
+        for (int x = 0; x < film.size().x; ++x)
+            image.pixels.push_back(float(luminance(film.pixel(x, y).mean)));
+    return image;
+}
+
+}  // namespace
+
+int picture(const Arguments& arguments) {
+    const auto options = Options::read(arguments, {"--samples", "--threads", "--pfm"});
+    const auto samples = options ? options->number("--samples", 64, 1) : std::nullopt;
+    const auto threads = options ? options->number("--threads", 0, 0) : std::nullopt;
+    if (!samples || !threads || options->files.size() != 1)
+        return 2;
+    const Result<Scene> scene = loadScene(options->files[0]);
+    if (!scene)
+        return fail(scene.error());
+
+    const std::unique_ptr<Device> device = makeCpuDevice(*threads);
+    if (const auto uploaded = device->upload(Flattener().prepare(*scene)); !uploaded)
+        return fail(uploaded.error());
+    Film film(scene->film, 0);
+    const Tile whole{0, 0, scene->film.x, scene->film.y};
+    const auto start = std::chrono::steady_clock::now();
+    while (film.samplesPerPixel() < std::uint64_t(*samples)) {
+        const SampleRange range = film.nextSamples(std::uint32_t(*samples - film.samplesPerPixel()));
+        if (const auto rendered = device->render(whole, range, film.sums(whole), {}); !rendered)
+            return fail(rendered.error());
+        film.commit(range);
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const FilmStatus status = film.status();
+    std::printf(
+        "{\"samples\": %d, \"seconds\": %.4f, \"samplesPerSecond\": %.4g, \"mean\": %.7g, \"relativeError\": %.5g, "
+        "\"rejected\": %llu}\n",
+        *samples, seconds, double(*samples) * whole.width * whole.height / seconds, status.meanLuminance,
+        status.relativeError, static_cast<unsigned long long>(status.rejectedSamples));
+    if (const auto pfm = options->named.find("--pfm"); pfm != options->named.end())
+        if (const auto written = writePfm(greyImage(film), pfm->second); !written)
+            return fail(written.error());
+    return 0;
+}
+
+int compare(const Arguments& arguments) {
+    if (arguments.size() != 2)
+        return 2;
+    const Result<GreyImage> image = readPfm(arguments[0]), reference = readPfm(arguments[1]);
+    if (!image || !reference)
+        return fail(image ? reference.error() : image.error());
+    if (image->size != reference->size)
+        return fail({"the pictures differ in size", arguments[0], ""});
+    double mean = 0, truth = 0, squares = 0;
+    for (std::size_t i = 0; i < image->pixels.size(); ++i) {
+        const double difference = double(image->pixels[i]) - reference->pixels[i];
+        mean += image->pixels[i];
+        truth += reference->pixels[i];
+        squares += difference * difference;
+    }
+    const double pixels = double(image->pixels.size());
+    std::printf("{\"meanRatio\": %.6f, \"relativeRmse\": %.5f}\n", mean / truth,
+                std::sqrt(squares / pixels) / (truth / pixels));
+    return 0;
+}
+
+}  // namespace pdr::bench

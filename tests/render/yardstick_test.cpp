@@ -1,0 +1,100 @@
+/// A real head against a picture of it by a renderer that nobody here wrote, and against itself without accelerators.
+
+#include <QFileInfo>
+#include <QTest>
+
+#include "app/bench/pfm.h"
+#include "render/scene/scene_file.h"
+#include "tests/support/scenes.h"
+#include "tests/support/statistics.h"
+
+using namespace pdr;
+
+namespace {
+
+const QString kScene = PDR_SOURCE_DIR "/tests/scenes/yardstick.json";
+
+/// The scene, or nothing (and `reason`) where its volume is not there.
+std::optional<Scene> yardstick(QString& reason) {
+    Result<SceneFile> file = readSceneFile(kScene.toStdString());
+    if (!file) {
+        reason = QString::fromStdString(file.error().text());
+        return std::nullopt;
+    }
+    auto volume = fetchRawVolume(file->source);
+    if (!volume) {
+        reason = QString::fromStdString(volume.error().text());
+        return std::nullopt;
+    }
+    file->scene.volume = *volume;
+    return file->scene;
+}
+
+Film sampled(Device& device, std::shared_ptr<const PreparedScene> prepared, ivec2 size, std::uint64_t samples) {
+    (void)device.upload(std::move(prepared));
+    Film film(size, 0);
+    const Tile whole{0, 0, size.x, size.y};
+    while (film.samplesPerPixel() < samples) {
+        const SampleRange range = film.nextSamples(64);
+        (void)device.render(whole, range, film.sums(whole), {});
+        film.commit(range);
+    }
+    return film;
+}
+
+}  // namespace
+
+class YardstickTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void agreesWithTheReferencePicture() {
+        const QString shared = qEnvironmentVariable("PDR_SHARED", PDR_SOURCE_DIR "/../shared");
+        const QString path = shared + "/yardstick/reference.pfm";
+        if (!QFileInfo::exists(path))
+            QSKIP("the reference picture is not here");
+        QString reason;
+        const std::optional<Scene> scene = yardstick(reason);
+        if (!scene)
+            QSKIP(qPrintable("the cranium is not here: " + reason));
+        const Result<bench::GreyImage> reference = bench::readPfm(path.toStdString());
+        QVERIFY(bool(reference));
+
+        const Film film = test::render(*scene, 1024);
+        const double referenceError = 0.0215 * 0.0257844;
+        double mean = 0, truth = 0, squares = 0, variance = 0;
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x) {
+                const PixelEstimate pixel = film.pixel(x, y);
+                const double expected = reference->pixels[std::size_t(y) * 256 + x];
+                mean += pixel.mean.x;
+                truth += expected;
+                squares += (pixel.mean.x - expected) * (pixel.mean.x - expected);
+                variance += pixel.standardError.x * pixel.standardError.x + referenceError * referenceError;
+            }
+        qInfo("mean ratio %.5f, z squared %.4f", mean / truth, squares / variance);
+        QVERIFY(std::fabs(mean / truth - 1) < 0.005);
+        QVERIFY(squares / variance > 0.9 && squares / variance < 1.1);
+    }
+
+    void macrocellsGiveTheImageOfOneGlobalBound() {
+        QString reason;
+        std::optional<Scene> scene = yardstick(reason);
+        if (!scene)
+            QSKIP(qPrintable("the cranium is not here: " + reason));
+        scene->film = {96, 96};
+        const auto prepared = Flattener().prepare(*scene);
+        const auto device = makeCpuDevice();
+        const Film cells = sampled(*device, prepared, scene->film, 128);
+        const Film global = sampled(*device, test::withGlobalMajorant(*prepared), scene->film, 128);
+        test::Sample difference;  // of pixels: a paired t-test on 9216 of them
+        for (int y = 0; y < 96; ++y)
+            for (int x = 0; x < 96; ++x)
+                difference.add(cells.pixel(x, y).mean.x - global.pixel(x, y).mean.x);
+        qInfo("mean difference %.2g of %.4g, t = %.2f", difference.mean(), cells.status().meanLuminance, difference.z(0));
+        QVERIFY(std::fabs(difference.z(0)) < test::allowedZ(1));
+    }
+};
+
+QTEST_GUILESS_MAIN(YardstickTest)
+#include "yardstick_test.moc"
