@@ -42,8 +42,7 @@ bool sameBytes(const std::filesystem::path& a, const std::filesystem::path& b) {
     if (std::filesystem::file_size(a, failure) != std::filesystem::file_size(b, failure) || failure)
         return false;
     std::ifstream left(a, std::ios::binary), right(b, std::ios::binary);
-    return left && right &&
-           std::equal(std::istreambuf_iterator<char>(left), {}, std::istreambuf_iterator<char>(right));
+    return left && right && std::equal(std::istreambuf_iterator<char>(left), {}, std::istreambuf_iterator<char>(right));
 }
 
 bool samePicture(const SliceHeader& a, const SliceHeader& b) {
@@ -106,9 +105,9 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
 Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::filesystem::path& root) {
     StackAnalysis analysis = analyseStack(planesOf(headers, root));
     analysis.geometry = {analysis.geometry.size, dmat4(1.0)};
-    const std::string subject = headers.size() == 1 ? shortName(*headers.front(), root)
-                                                    : std::to_string(headers.size()) + " files (" +
-                                                          shortName(*headers.front(), root) + " ...)";
+    const std::string subject =
+        headers.size() == 1 ? shortName(*headers.front(), root)
+                            : std::to_string(headers.size()) + " files (" + shortName(*headers.front(), root) + " ...)";
     analysis.verdict = {refusal.stack, subject + ": " + refusal.reason, {}};
     return seriesOf(headers, analysis);
 }

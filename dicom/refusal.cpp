@@ -26,7 +26,7 @@ std::string formatText(const PixelFormat& format) {
 std::optional<Refusal> refusePixels(const SliceHeader& header) {
     if (header.pixelBytes == 0)
         return Refusal{Stack::notCt, "no image, but " + (header.series.modality.empty() ? "another kind of object"
-                                                                                         : header.series.modality)};
+                                                                                        : header.series.modality)};
     if (header.format.samplesPerPixel != 1 || header.format.photometric.rfind("MONOCHROME", 0) != 0)
         return Refusal{Stack::notCt, "a colour picture (" + header.format.photometric + "), not a CT slice"};
     if (!canDecode(header.transferSyntaxUid))

@@ -108,8 +108,9 @@ Result<ScanResult> scanFolder(const fs::path& folder, const Progress& progress) 
     std::vector<SliceHeader> headers, damaged;
     sortOut(reads, headers, damaged, result);
     if (headers.empty() && result.problems.empty())
-        return Error{result.filesSeen == 0 ? "the folder is empty"
-                                           : "none of the " + std::to_string(result.filesSeen) + " files is a DICOM image",
+        return Error{result.filesSeen == 0
+                         ? "the folder is empty"
+                         : "none of the " + std::to_string(result.filesSeen) + " files is a DICOM image",
                      folder.string(), "Give the folder that holds the DICOM files."};
     result.series = groupIntoSeries(headers, damaged, folder);
     std::sort(result.problems.begin(), result.problems.end(),

@@ -134,10 +134,10 @@ Json reportOf(const dicom::Series& series) {
 }
 
 std::string textOf(const Json& report) {
-    std::string text = report["modality"].get<std::string>() + " series " + std::to_string(report["number"].get<int>()) +
-                       " \"" + report["description"].get<std::string>() + "\", " +
-                       std::to_string(report["slices"].get<int>()) + " slices: " +
-                       (report["loadable"].get<bool>() ? "can be loaded" : report["verdict"].get<std::string>()) + "\n";
+    std::string text =
+        report["modality"].get<std::string>() + " series " + std::to_string(report["number"].get<int>()) + " \"" +
+        report["description"].get<std::string>() + "\", " + std::to_string(report["slices"].get<int>()) +
+        " slices: " + (report["loadable"].get<bool>() ? "can be loaded" : report["verdict"].get<std::string>()) + "\n";
     if (const auto reason = report["reason"].get<std::string>(); !reason.empty())
         text += "  reason           " + reason + "\n";
     for (const Json& note : report["notes"])

@@ -124,7 +124,9 @@ class PixelsTest : public QObject {
         QCOMPARE(Folder(unsignedSlice).paddingCount(), std::size_t(2));
 
         SliceFile twelveBits{.raw = {0x0830, 100}, .bitsStored = 12};
-        twelveBits.change = [](DcmDataset& data) { data.putAndInsertUint16(DcmTag(DCM_PixelPaddingValue, EVR_US), 0x0830); };
+        twelveBits.change = [](DcmDataset& data) {
+            data.putAndInsertUint16(DcmTag(DCM_PixelPaddingValue, EVR_US), 0x0830);
+        };
         QCOMPARE(Folder(twelveBits).paddingCount(), std::size_t(2));
     }
 

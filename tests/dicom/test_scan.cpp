@@ -24,7 +24,8 @@ class Folder {
 
     void addStack(int count, const std::string& seriesUid = "1.2.3.1", const std::string& prefix = "s") {
         for (int k = 0; k < count; ++k)
-            test::writeSliceFile(path() / (prefix + std::to_string(k)), {.position = {0, 0, 2.0 * k}, .seriesUid = seriesUid});
+            test::writeSliceFile(path() / (prefix + std::to_string(k)),
+                                 {.position = {0, 0, 2.0 * k}, .seriesUid = seriesUid});
     }
 
     void addText(const std::string& name, const std::string& text) { std::ofstream(path() / name) << text; }
@@ -148,10 +149,14 @@ class ScanTest : public QObject {
     void wrongPlacesGetASentence_data() {
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("word");
-        QTest::newRow("missing") << "missing" << "no such folder";
-        QTest::newRow("file") << "file" << "not a folder";
-        QTest::newRow("empty") << "empty" << "empty";
-        QTest::newRow("text") << "text" << "none of the 1 files";
+        QTest::newRow("missing") << "missing"
+                                 << "no such folder";
+        QTest::newRow("file") << "file"
+                              << "not a folder";
+        QTest::newRow("empty") << "empty"
+                               << "empty";
+        QTest::newRow("text") << "text"
+                              << "none of the 1 files";
     }
     void wrongPlacesGetASentence() {
         QFETCH(QString, place);
