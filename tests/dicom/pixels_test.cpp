@@ -222,4 +222,4 @@ class PixelsTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(PixelsTest)
-#include "test_pixels.moc"
+#include "pixels_test.moc"

@@ -290,4 +290,4 @@ class RealSeriesTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(RealSeriesTest)
-#include "test_real_series.moc"
+#include "real_series_test.moc"

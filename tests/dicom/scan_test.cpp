@@ -259,4 +259,4 @@ class ScanTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(ScanTest)
-#include "test_scan.moc"
+#include "scan_test.moc"

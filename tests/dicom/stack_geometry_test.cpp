@@ -222,4 +222,4 @@ class StackGeometryTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(StackGeometryTest)
-#include "test_stack_geometry.moc"
+#include "stack_geometry_test.moc"

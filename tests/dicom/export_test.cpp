@@ -179,4 +179,4 @@ class ExportTest : public QObject {
 };
 
 QTEST_GUILESS_MAIN(ExportTest)
-#include "test_export.moc"
+#include "export_test.moc"

@@ -301,4 +301,4 @@ class RobustnessTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(RobustnessTest)
-#include "test_robustness.moc"
+#include "robustness_test.moc"

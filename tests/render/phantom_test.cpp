@@ -82,4 +82,4 @@ class PhantomTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(PhantomTest)
-#include "test_phantom.moc"
+#include "phantom_test.moc"
