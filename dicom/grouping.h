@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dicom/slice_header.h"
+#include "render/base/progress.h"
 
 namespace pdr::dicom {
 
@@ -13,6 +14,6 @@ namespace pdr::dicom {
 /// whose headers could still be read: the series they belong to carries a note. Names in messages are relative to
 /// `root`. Reads pixels only of slices that lie at the same position, to tell copies from conflicts.
 std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, const std::vector<SliceHeader>& damaged,
-                                    const std::filesystem::path& root);
+                                    const std::filesystem::path& root, const Progress& progress);
 
 }  // namespace pdr::dicom

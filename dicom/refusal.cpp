@@ -40,6 +40,10 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
                           std::to_string(header.rows) + " pixels");
     if (!soundFormat(header.format))
         return unreadable("its pixel format cannot be read (" + formatText(header.format) + ")");
+    const auto bytes = std::uint64_t(header.columns) * std::uint64_t(header.rows) * (header.format.bitsAllocated / 8);
+    if (!isCompressed(header.transferSyntaxUid) && header.pixelBytes < bytes)
+        return unreadable("it holds fewer pixels than its size of " + std::to_string(header.columns) + " x " +
+                          std::to_string(header.rows) + " says");
     return {};
 }
 

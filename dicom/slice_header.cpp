@@ -127,6 +127,7 @@ void readMeaning(DcmItem& item, ValueMeaning& meaning) {
         meaning.intercept = (*intercept)[0];
     meaning.rescaleIsBroken = (!slope && item.tagExistsWithValue(DCM_RescaleSlope)) || meaning.slope == 0.0 ||
                               (!intercept && item.tagExistsWithValue(DCM_RescaleIntercept));
+    meaning.unit = text(item, DCM_RescaleType);
     meaning.paddingValue = sixteenBits(item, DCM_PixelPaddingValue);
     meaning.paddingLimit = sixteenBits(item, DCM_PixelPaddingRangeLimit);
 }

@@ -2,6 +2,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -23,8 +24,10 @@ struct Run {
     QJsonObject firstSeries() const { return json()["series"].toArray().at(0).toObject(); }
 };
 
-Run run(const QStringList& arguments) {
+Run run(const QStringList& arguments,
+        const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
     QProcess process;
+    process.setProcessEnvironment(environment);
     process.start(PDR_BINARY_DIR "/bin/pdrender-cli", arguments);
     if (!process.waitForFinished(120'000))
         qFatal("pdrender-cli did not end");
@@ -99,6 +102,14 @@ class DicomCommandsTest : public QObject {
         const Run missing = run({"info", at("missing")});
         QCOMPARE(missing.code, 1);
         QVERIFY(missing.err.contains("no such folder"));
+    }
+
+    void missingDictionaryIsSaid() {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("DCMDICTPATH", at("missing.dic"));
+        const Run info = run({"info", root_.path()}, environment);
+        QCOMPARE(info.code, 1);
+        QVERIFY2(info.err.contains("dictionary"), info.err.constData());
     }
 
     void craniumIsNeitherMirroredNorTurned() {

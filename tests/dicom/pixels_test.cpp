@@ -174,6 +174,13 @@ class PixelsTest : public QObject {
         QVERIFY((folder.voxels(1) == Values{42}));
     }
 
+    void unitsOtherThanHuAreSaid() {
+        SliceFile slice;
+        slice.change = [](DcmDataset& data) { data.putAndInsertString(DCM_RescaleType, "Z_EFF"); };
+        const auto scan = scanFolder(Folder(slice).path(), noProgress);
+        QVERIFY(scan->series.front().verdict.notes.front().find("Z_EFF") != std::string::npos);
+    }
+
     void unusableRescaleIsRefused_data() {
         QTest::addColumn<QString>("slope");
         for (const char* slope : {"0", "nan", "1e999", "1,5", "x"})

@@ -116,6 +116,18 @@ class ScanTest : public QObject {
         QVERIFY(scan.series[0].verdict.reason.find("s1") != std::string::npos);
     }
 
+    void seriesThatLiesThereTwiceLoadsOnce() {
+        Folder folder;
+        folder.addStack(5);
+        for (int k = 0; k < 5; ++k)
+            fs::copy_file(folder.path() / ("s" + std::to_string(k)), folder.path() / ("again" + std::to_string(k)));
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(1));
+        QVERIFY(scan.series[0].verdict.loadable());
+        QCOMPARE(scan.series[0].slices.size(), std::size_t(5));
+        QVERIFY(scan.series[0].verdict.notes[0].find("5 copies of slices left out") != std::string::npos);
+    }
+
     void localizerWithinTheSeriesDoesNotSpoilIt() {
         Folder folder;
         folder.addStack(3);
