@@ -22,7 +22,8 @@ ByteSource::ByteSource(const std::filesystem::path& file) : file_(file, std::ios
         size_ = 0;
 }
 
-ByteSource::ByteSource(std::vector<std::uint8_t> bytes) : window_(std::move(bytes)), size_(window_.size()), open_(true) {}
+ByteSource::ByteSource(std::vector<std::uint8_t> bytes)
+    : window_(std::move(bytes)), size_(window_.size()), open_(true) {}
 
 bool ByteSource::fillWindow(std::uint64_t offset) {
     window_.resize(std::size_t(std::min<std::uint64_t>(kWindowBytes, size_ - offset)));

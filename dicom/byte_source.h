@@ -1,5 +1,6 @@
 #pragma once
-/// Random access to the bytes of a file (through a small window) or of memory. Never holds more of a file than the window.
+/// Random access to the bytes of a file (through a small window) or of memory. Never holds more of a file than the
+/// window.
 
 #include <cstdint>
 #include <filesystem>
@@ -31,8 +32,8 @@ class ByteSource {
     bool open_ = false;
 };
 
-/// The data set of a deflated file: everything from `offset` on, inflated. Empty if the stream is damaged or inflates to
-/// more than `limit` bytes (a bomb).
+/// The data set of a deflated file: everything from `offset` on, inflated. Empty if the stream is damaged or inflates
+/// to more than `limit` bytes (a bomb).
 std::vector<std::uint8_t> inflateFrom(ByteSource& source, std::uint64_t offset, std::size_t limit);
 
 }  // namespace pdr::dicom

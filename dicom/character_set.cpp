@@ -31,8 +31,9 @@ std::string readable(const std::string& raw, const std::string& characterSet) {
     const bool converted = !text.empty();
     if (!converted)
         text = raw;
-    std::replace_if(text.begin(), text.end(),
-                    [&](unsigned char c) { return c < 0x20 || c == 0x7F || (c >= 0x80 && !converted); }, '?');
+    std::replace_if(
+        text.begin(), text.end(), [&](unsigned char c) { return c < 0x20 || c == 0x7F || (c >= 0x80 && !converted); },
+        '?');
     return text;
 }
 

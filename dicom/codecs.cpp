@@ -2,6 +2,7 @@
 
 #include <dcmtk/config/osconfig.h>
 
+#include <dcmtk/dcmdata/dcdict.h>
 #include <dcmtk/dcmdata/dcobject.h>
 #include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmdata/dcvr.h>
@@ -27,6 +28,14 @@ void prepareToolkit() {
         DJDecoderRegistration::registerCodecs(EDC_never);
         DJLSDecoderRegistration::registerCodecs();
     });
+}
+
+bool dictionaryIsThere() {
+    return dcmDataDict.isDictionaryLoaded();
+}
+
+bool isCompressed(const std::string& transferSyntaxUid) {
+    return DcmXfer(transferSyntaxUid.c_str()).isEncapsulated();
 }
 
 bool canDecode(const std::string& transferSyntaxUid) {

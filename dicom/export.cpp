@@ -72,7 +72,8 @@ bool isUpright(const VolumeGeometry& geometry) {
     const dvec3 row = glm::normalize(dvec3(geometry.patientFromIndex[0]));
     const dvec3 column = glm::normalize(dvec3(geometry.patientFromIndex[1]));
     const dvec3 step = glm::normalize(dvec3(geometry.patientFromIndex[2]));
-    const double off = std::abs(glm::dot(row, column)) + std::abs(glm::dot(row, step)) + std::abs(glm::dot(column, step));
+    const double off =
+        std::abs(glm::dot(row, column)) + std::abs(glm::dot(row, step)) + std::abs(glm::dot(column, step));
     return off < 1e-6;
 }
 
@@ -208,7 +209,8 @@ Result<void> writeSeries(const Volume& volume, const ExportFacts& facts, const f
     if (!error) {
         fs::rename(partial, place, failure);
         if (failure)
-            error = Error{"the folder cannot be made (" + failure.message() + ")", place.string(), "Choose another place."};
+            error =
+                Error{"the folder cannot be made (" + failure.message() + ")", place.string(), "Choose another place."};
     }
     if (error) {
         fs::remove_all(partial, ignored);

@@ -12,11 +12,11 @@ namespace pdr::dicom {
 
 /// What the files say about themselves. Never real patient data.
 struct ExportFacts {
-    std::string patientName;        ///< DICOM person name, "Family^Given"
+    std::string patientName;  ///< DICOM person name, "Family^Given"
     std::string patientId;
     std::string studyDescription;
     std::string seriesDescription;
-    std::string derivation;         ///< where the voxels come from, in a sentence
+    std::string derivation;  ///< where the voxels come from, in a sentence
 };
 
 /// Creates `folder` (which must not hold files) and writes size.z files into it. Written beside and renamed into place:

@@ -269,7 +269,7 @@ void walkDataSet(ByteSource& source, std::uint64_t start, FileStructure& found) 
     }
     ByteSource inflated(inflateFrom(source, start, kMaxInflatedBytes));
     if (inflated.size() == 0)
-        found.damage = "its deflated content is damaged, or larger than 512 MB";
+        found.damage = "its deflated content is damaged, or larger than 256 MB";
     else
         Walk(inflated, 0, encoding, found).run();
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// Walks the elements of a file, without building anything, before the DICOM toolkit may touch it. The toolkit recurses
-/// into nested sequences (20,000 levels overflow the stack) and allocates what a length field says; neither is left to a
-/// damaged or hostile file.
+/// into nested sequences (20,000 levels overflow the stack) and allocates what a length field says; neither is left to
+/// a damaged or hostile file.
 
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +21,7 @@ struct FileStructure {
 /// Sequences nested deeper than this are refused. Real files stay below ten.
 inline constexpr int kMaxNesting = 64;
 /// A deflated data set may not grow beyond this many bytes.
-inline constexpr std::size_t kMaxInflatedBytes = std::size_t(512) << 20;
+inline constexpr std::size_t kMaxInflatedBytes = std::size_t(256) << 20;
 
 /// Reads `file`; never throws for what is in it. `damage` also tells when it cannot be opened.
 FileStructure checkStructure(const std::filesystem::path& file);

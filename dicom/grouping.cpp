@@ -42,8 +42,15 @@ bool sameBytes(const std::filesystem::path& a, const std::filesystem::path& b) {
     if (std::filesystem::file_size(a, failure) != std::filesystem::file_size(b, failure) || failure)
         return false;
     std::ifstream left(a, std::ios::binary), right(b, std::ios::binary);
-    return left && right &&
-           std::equal(std::istreambuf_iterator<char>(left), {}, std::istreambuf_iterator<char>(right));
+    std::vector<char> leftPart(1 << 16), rightPart(1 << 16);
+    while (left && right) {
+        left.read(leftPart.data(), std::streamsize(leftPart.size()));
+        right.read(rightPart.data(), std::streamsize(rightPart.size()));
+        if (left.gcount() != right.gcount() ||
+            !std::equal(leftPart.begin(), leftPart.begin() + left.gcount(), rightPart.begin()))
+            return false;
+    }
+    return left.eof() && right.eof();
 }
 
 bool samePicture(const SliceHeader& a, const SliceHeader& b) {
@@ -53,43 +60,70 @@ bool samePicture(const SliceHeader& a, const SliceHeader& b) {
     return left && right && left->hu == right->hu;
 }
 
-/// Leaves out every slice that repeats another one; stops at the first conflict, which the verdict then names.
-StackAnalysis withoutCopies(Headers& headers, StackAnalysis analysis, const std::filesystem::path& root) {
+/// The first three names, and a sign that there are more.
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 3); ++i) {
+        if (i > 0)
+            list += ", ";
+        list += names[i];
+    }
+    return names.size() > 3 ? list + " ..." : list;
+}
+
+/// The slices that repeat another one; empty as soon as there is one conflict (or the user has lost patience).
+std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis, const Progress& progress) {
     std::set<int> copies;
     for (const auto& [first, other] : analysis.samePlace) {
-        if (!samePicture(*headers[first], *headers[other]))
-            return analysis;
+        const double done = double(copies.size()) / double(analysis.samePlace.size());
+        if (!progress(done, "comparing slices at the same place") || !samePicture(*headers[first], *headers[other]))
+            return {};
         copies.insert(other);
     }
+    return copies;
+}
+
+/// Judges the stack; copies of slices are taken out of `headers` first, and noted.
+StackAnalysis analyseWithoutCopies(Headers& headers, const std::filesystem::path& root, const Progress& progress) {
+    StackAnalysis analysis = analyseStack(planesOf(headers, root));
+    const std::set<int> copies = copiesAmong(headers, analysis, progress);
     if (copies.empty())
         return analysis;
-    std::string names;
+    std::vector<std::string> names;
     Headers kept;
     for (int i = 0; i < int(headers.size()); ++i) {
-        if (!copies.contains(i))
+        if (copies.contains(i))
+            names.push_back(shortName(*headers[i], root));
+        else
             kept.push_back(headers[i]);
-        else if (copies.size() <= 3)
-            names += (names.empty() ? "" : ", ") + shortName(*headers[i], root);
     }
     headers = kept;
     analysis = analyseStack(planesOf(headers, root));
-    analysis.verdict.notes.push_back(counted(copies.size(), "copy of a slice", "copies of slices") + " left out" +
-                                     (names.empty() ? "" : " (" + names + ")"));
+    analysis.verdict.notes.push_back(counted(copies.size(), "copy of a slice", "copies of slices") + " left out (" +
+                                     listed(names) + ")");
     return analysis;
 }
 
+/// What a user should know about slices that load all the same.
 void addNotes(GeometryVerdict& verdict, const Headers& headers) {
-    const std::size_t withoutRescale = std::count_if(headers.begin(), headers.end(), [](const SliceHeader* header) {
-        return !header->meaning.slope || !header->meaning.intercept;
-    });
-    if (verdict.loadable() && withoutRescale > 0)
+    if (!verdict.loadable())
+        return;
+    std::size_t withoutRescale = 0;
+    std::set<std::string> frames, units;
+    for (const SliceHeader* header : headers) {
+        withoutRescale += !header->meaning.slope || !header->meaning.intercept;
+        frames.insert(header->frameOfReferenceUid);
+        units.insert(header->meaning.unit);
+    }
+    if (withoutRescale > 0)
         verdict.notes.push_back(counted(withoutRescale, "slice states", "slices state") +
                                 " no rescale; stored values are taken as HU");
-    std::set<std::string> frames;
-    for (const SliceHeader* header : headers)
-        frames.insert(header->frameOfReferenceUid);
+    for (const std::string& unit : units) {
+        if (!unit.empty() && unit != "HU")
+            verdict.notes.push_back("the files say that their values are in \"" + unit + "\"; they are taken as HU");
+    }
     // Some de-identifiers give every file a frame of its own; a true second frame would show as a broken stack.
-    if (verdict.loadable() && frames.size() > 1)
+    if (frames.size() > 1)
         verdict.notes.push_back("the files name " + std::to_string(frames.size()) +
                                 " frames of reference; their positions are taken as one");
 }
@@ -106,21 +140,22 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
 Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::filesystem::path& root) {
     StackAnalysis analysis = analyseStack(planesOf(headers, root));
     analysis.geometry = {analysis.geometry.size, dmat4(1.0)};
-    const std::string subject = headers.size() == 1 ? shortName(*headers.front(), root)
-                                                    : std::to_string(headers.size()) + " files (" +
-                                                          shortName(*headers.front(), root) + " ...)";
+    const std::string subject =
+        headers.size() == 1 ? shortName(*headers.front(), root)
+                            : std::to_string(headers.size()) + " files (" + shortName(*headers.front(), root) + " ...)";
     analysis.verdict = {refusal.stack, subject + ": " + refusal.reason, {}};
     return seriesOf(headers, analysis);
 }
 
 /// The entries of CT slices that share a series.
-void addStacks(const Headers& headers, const std::filesystem::path& root, std::vector<Series>& out) {
+void addStacks(const Headers& headers, const std::filesystem::path& root, const Progress& progress,
+               std::vector<Series>& out) {
     const std::vector<std::vector<int>> parts = splitByGrid(planesOf(headers, root));
     for (const std::vector<int>& part : parts) {
         Headers slices;
         for (const int index : part)
             slices.push_back(headers[index]);
-        StackAnalysis analysis = withoutCopies(slices, analyseStack(planesOf(slices, root)), root);
+        StackAnalysis analysis = analyseWithoutCopies(slices, root, progress);
         addNotes(analysis.verdict, slices);
         if (parts.size() > 1)
             analysis.verdict.notes.push_back(counted(headers.size() - part.size(), "slice", "slices") +
@@ -134,19 +169,24 @@ std::string seriesKey(const SliceHeader& header) {
 }
 
 void noteDamaged(const std::vector<SliceHeader>& damaged, const std::filesystem::path& root, std::vector<Series>& all) {
+    std::map<std::string, std::vector<std::string>> namesOf;
     for (const SliceHeader& header : damaged) {
-        for (Series& series : all) {
-            if (series.series.uid == header.series.uid && !header.series.uid.empty() &&
-                series.verdict.stack != Stack::notCt)
-                series.verdict.notes.push_back(shortName(header, root) + " of this series is damaged and left out");
-        }
+        if (!header.series.uid.empty())
+            namesOf[header.series.uid].push_back(shortName(header, root));
+    }
+    for (Series& series : all) {
+        const auto found = namesOf.find(series.series.uid);
+        if (found == namesOf.end() || series.verdict.stack == Stack::notCt)
+            continue;
+        series.verdict.notes.push_back(counted(found->second.size(), "damaged file", "damaged files") +
+                                       " of this series left out (" + listed(found->second) + ")");
     }
 }
 
 }  // namespace
 
 std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, const std::vector<SliceHeader>& damaged,
-                                    const std::filesystem::path& root) {
+                                    const std::filesystem::path& root, const Progress& progress) {
     struct Kind {
         Headers headers;
         std::optional<Refusal> refusal;
@@ -163,7 +203,7 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
         if (kind.refusal)
             all.push_back(refusedSeries(kind.headers, *kind.refusal, root));
         else
-            addStacks(kind.headers, root, all);
+            addStacks(kind.headers, root, progress, all);
     }
     noteDamaged(damaged, root, all);
     const auto rank = [](const Series& series) {

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "dicom/slice_header.h"
+#include "render/base/progress.h"
 
 namespace pdr::dicom {
 
-/// Sorts `headers` into series and judges each. Slices of one series that cannot share a grid become entries of their own
-/// with the same facts; so do colour pictures, localizers and the like. `damaged` are files that could not be used, whose
-/// headers could still be read: the series they belong to carries a note. Names in messages are relative to `root`.
-/// Reads pixels only of slices that lie at the same position, to tell copies from conflicts.
+/// Sorts `headers` into series and judges each. Slices of one series that cannot share a grid become entries of their
+/// own with the same facts; so do colour pictures, localizers and the like. `damaged` are files that could not be used,
+/// whose headers could still be read: the series they belong to carries a note. Names in messages are relative to
+/// `root`. Reads pixels only of slices that lie at the same position, to tell copies from conflicts.
 std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, const std::vector<SliceHeader>& damaged,
-                                    const std::filesystem::path& root);
+                                    const std::filesystem::path& root, const Progress& progress);
 
 }  // namespace pdr::dicom

@@ -26,7 +26,7 @@ std::string formatText(const PixelFormat& format) {
 std::optional<Refusal> refusePixels(const SliceHeader& header) {
     if (header.pixelBytes == 0)
         return Refusal{Stack::notCt, "no image, but " + (header.series.modality.empty() ? "another kind of object"
-                                                                                         : header.series.modality)};
+                                                                                        : header.series.modality)};
     if (header.format.samplesPerPixel != 1 || header.format.photometric.rfind("MONOCHROME", 0) != 0)
         return Refusal{Stack::notCt, "a colour picture (" + header.format.photometric + "), not a CT slice"};
     if (!canDecode(header.transferSyntaxUid))
@@ -40,6 +40,10 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
                           std::to_string(header.rows) + " pixels");
     if (!soundFormat(header.format))
         return unreadable("its pixel format cannot be read (" + formatText(header.format) + ")");
+    const auto bytes = std::uint64_t(header.columns) * std::uint64_t(header.rows) * (header.format.bitsAllocated / 8);
+    if (!isCompressed(header.transferSyntaxUid) && header.pixelBytes < bytes)
+        return unreadable("it holds fewer pixels than its size of " + std::to_string(header.columns) + " x " +
+                          std::to_string(header.rows) + " says");
     return {};
 }
 

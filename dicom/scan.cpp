@@ -96,6 +96,8 @@ Result<ScanResult> scanFolder(const fs::path& folder, const Progress& progress) 
     if (const std::optional<Error> error = refuseFolder(folder))
         return *error;
     prepareToolkit();
+    if (!dictionaryIsThere())
+        return Error{"the DICOM dictionary is not there, so no file can be read", "", "Install libdcmtk17 again."};
     ScanResult result;
     const auto files = listFiles(folder, progress, result);
     if (!files)
@@ -108,10 +110,13 @@ Result<ScanResult> scanFolder(const fs::path& folder, const Progress& progress) 
     std::vector<SliceHeader> headers, damaged;
     sortOut(reads, headers, damaged, result);
     if (headers.empty() && result.problems.empty())
-        return Error{result.filesSeen == 0 ? "the folder is empty"
-                                           : "none of the " + std::to_string(result.filesSeen) + " files is a DICOM image",
+        return Error{result.filesSeen == 0
+                         ? "the folder is empty"
+                         : "none of the " + std::to_string(result.filesSeen) + " files is a DICOM image",
                      folder.string(), "Give the folder that holds the DICOM files."};
-    result.series = groupIntoSeries(headers, damaged, folder);
+    result.series = groupIntoSeries(headers, damaged, folder, progress);
+    if (!progress(1.0, "sorting slices"))
+        return kCancelled;
     std::sort(result.problems.begin(), result.problems.end(),
               [](const Problem& a, const Problem& b) { return a.file < b.file; });
     return result;

@@ -40,7 +40,8 @@ enum class Stack {
 
 struct GeometryVerdict {
     Stack stack = Stack::noGeometry;
-    /// A sentence that names files and millimetres ("a.dcm and b.dcm are 10 mm apart, the others 5 mm"); empty for `even`.
+    /// A sentence that names files and millimetres ("a.dcm and b.dcm are 10 mm apart, the others 5 mm"); empty for
+    /// `even`.
     std::string reason;
     /// Harmless remarks ("1 copy of a slice left out"), one sentence each.
     std::vector<std::string> notes;
@@ -72,10 +73,10 @@ struct Problem {
 };
 
 struct ScanResult {
-    std::vector<Series> series;      ///< loadable ones first, larger first
-    std::vector<Problem> problems;   ///< damaged files, by name
+    std::vector<Series> series;     ///< loadable ones first, larger first
+    std::vector<Problem> problems;  ///< damaged files, by name
     int filesSeen = 0;
-    int notDicom = 0;                ///< files skipped because they are something else
+    int notDicom = 0;  ///< files skipped because they are something else
 };
 
 }  // namespace pdr::dicom

@@ -88,8 +88,8 @@ void readFacts(DcmItem& item, SliceHeader& header) {
                      text(item, DCM_SeriesDate), integerValue(item, DCM_SeriesNumber, 0)};
     if (isUtf8)
         return;
-    for (std::string* value : {&header.patient.name, &header.patient.id, &header.study.description,
-                               &header.series.description})
+    for (std::string* value :
+         {&header.patient.name, &header.patient.id, &header.study.description, &header.series.description})
         *value = readable(*value, characterSet);
 }
 
@@ -127,6 +127,7 @@ void readMeaning(DcmItem& item, ValueMeaning& meaning) {
         meaning.intercept = (*intercept)[0];
     meaning.rescaleIsBroken = (!slope && item.tagExistsWithValue(DCM_RescaleSlope)) || meaning.slope == 0.0 ||
                               (!intercept && item.tagExistsWithValue(DCM_RescaleIntercept));
+    meaning.unit = text(item, DCM_RescaleType);
     meaning.paddingValue = sixteenBits(item, DCM_PixelPaddingValue);
     meaning.paddingLimit = sixteenBits(item, DCM_PixelPaddingRangeLimit);
 }
@@ -143,6 +144,25 @@ void readPlane(DcmItem& item, SliceHeader& header) {
         header.spacingMm = dvec2((*s)[1], (*s)[0]);
 }
 
+/// Fills `header` from the elements before the pixels. False where the toolkit cannot parse them.
+bool parseHeader(SliceHeader& header, bool& isDirectory) {
+    DcmFileFormat content;
+    const E_TransferSyntax coding =
+        header.hasMetaHeader ? EXS_Unknown : DcmXfer(header.transferSyntaxUid.c_str()).getXfer();
+    const E_FileReadMode mode = header.hasMetaHeader ? ERM_autoDetect : ERM_dataset;
+    const OFCondition outcome =
+        content.loadFileUntilTag(header.file.c_str(), coding, EGL_noChange, DCM_MaxReadLength, mode, DCM_PixelData);
+    DcmItem& item = *content.getDataset();
+    isDirectory = text(*content.getMetaInfo(), DCM_MediaStorageSOPClassUID) == UID_MediaStorageDirectoryStorage;
+    header.imageType = text(item, DCM_ImageType);
+    header.frameOfReferenceUid = text(item, DCM_FrameOfReferenceUID);
+    readFacts(item, header);
+    readPixelFormat(item, header);
+    readMeaning(item, header.meaning);
+    readPlane(item, header);
+    return outcome.good();
+}
+
 }  // namespace
 
 HeaderRead readSliceHeader(const std::filesystem::path& file) {
@@ -153,38 +173,21 @@ HeaderRead readSliceHeader(const std::filesystem::path& file) {
     const FileStructure structure = checkStructure(file);
     if (!structure.isDicom)
         return read;
-    read.kind = structure.damage.empty() ? HeaderRead::Kind::object : HeaderRead::Kind::damaged;
-    read.damage = structure.damage;
     header.hasMetaHeader = structure.hasMetaHeader;
     header.transferSyntaxUid = structure.transferSyntaxUid;
     header.pixelBytes = structure.pixelBytes;
+    read.damage = structure.damage;
+    read.kind = structure.damage.empty() ? HeaderRead::Kind::object : HeaderRead::Kind::damaged;
     if (!structure.damage.empty() && !structure.reachesPixels)
         return read;
-
-    DcmFileFormat content;
-    const E_TransferSyntax coding =
-        structure.hasMetaHeader ? EXS_Unknown : DcmXfer(structure.transferSyntaxUid.c_str()).getXfer();
-    const OFCondition outcome =
-        content.loadFileUntilTag(file.c_str(), coding, EGL_noChange, DCM_MaxReadLength,
-                                 structure.hasMetaHeader ? ERM_autoDetect : ERM_dataset, DCM_PixelData);
-    if (outcome.bad() && read.kind == HeaderRead::Kind::object) {
+    bool isDirectory = false;
+    const bool parsed = parseHeader(header, isDirectory);
+    if (isDirectory) {
+        read.kind = HeaderRead::Kind::directory;
+    } else if (!parsed && structure.damage.empty()) {
         read.kind = HeaderRead::Kind::damaged;
         read.damage = "its header cannot be read";
-        return read;
     }
-    DcmItem& item = *content.getDataset();
-    header.sopClassUid = text(item, DCM_SOPClassUID);
-    header.sopInstanceUid = text(item, DCM_SOPInstanceUID);
-    header.frameOfReferenceUid = text(item, DCM_FrameOfReferenceUID);
-    header.imageType = text(item, DCM_ImageType);
-    if (text(*content.getMetaInfo(), DCM_MediaStorageSOPClassUID) == UID_MediaStorageDirectoryStorage) {
-        read.kind = HeaderRead::Kind::directory;
-        return read;
-    }
-    readFacts(item, header);
-    readPixelFormat(item, header);
-    readMeaning(item, header.meaning);
-    readPlane(item, header);
     return read;
 }
 

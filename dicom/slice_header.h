@@ -20,8 +20,9 @@ struct PixelFormat {
 
 /// How that number becomes Hounsfield units, or says "nothing was measured here".
 struct ValueMeaning {
-    std::optional<double> slope, intercept;        ///< HU = stored * slope + intercept
-    bool rescaleIsBroken = false;                  ///< stated, but not a finite number, or a slope of 0
+    std::optional<double> slope, intercept;         ///< HU = stored * slope + intercept
+    std::string unit;                               ///< RescaleType: "HU", or empty where nothing is said
+    bool rescaleIsBroken = false;                   ///< stated, but not a finite number, or a slope of 0
     std::optional<int> paddingValue, paddingLimit;  ///< the 16 bits as written, read as unsigned [0, 65535]
 };
 
@@ -31,7 +32,7 @@ struct SliceHeader {
     StudyFacts study;
     SeriesFacts series;
 
-    std::string sopClassUid, sopInstanceUid, frameOfReferenceUid;
+    std::string frameOfReferenceUid;
     std::string imageType;  ///< values joined by a backslash: "ORIGINAL\PRIMARY\AXIAL"
 
     bool hasMetaHeader = false;

@@ -40,7 +40,8 @@ std::string missingGeometry(const SlicePlane& slice) {
         return slice.name + " states a pixel spacing of " + inMm(slice.spacingMm->x) + " x " + inMm(slice.spacingMm->y);
     const double row = glm::length(*slice.rowDirection), column = glm::length(*slice.columnDirection);
     const double cosine = glm::dot(*slice.rowDirection, *slice.columnDirection);
-    if (std::abs(row - 1) > kUnitTolerance || std::abs(column - 1) > kUnitTolerance || std::abs(cosine) > kUnitTolerance)
+    if (std::abs(row - 1) > kUnitTolerance || std::abs(column - 1) > kUnitTolerance ||
+        std::abs(cosine) > kUnitTolerance)
         return slice.name + " states an orientation that is no pair of perpendicular directions";
     return {};
 }
@@ -157,9 +158,11 @@ std::string tiltReason(const SortedStack& stack) {
         if (drift <= tolerance)
             continue;
         if (glm::distance(stack.drift(k), step * double(k)) > tolerance)
-            return stack.name(k) + " lies " + inMm(drift) + " sideways of " + stack.name(0) + ", and not in one line with the others";
+            return stack.name(k) + " lies " + inMm(drift) + " sideways of " + stack.name(0) +
+                   ", and not in one line with the others";
         char degrees[32];
-        std::snprintf(degrees, sizeof degrees, "%.1f", std::atan2(glm::length(step), stack.gap()) * 180.0 / 3.14159265358979);
+        std::snprintf(degrees, sizeof degrees, "%.1f",
+                      std::atan2(glm::length(step), stack.gap()) * 180.0 / 3.14159265358979);
         return "the slices drift sideways by " + inMm(glm::length(step)) + " for each " + inMm(stack.gap()) +
                " of height (gantry tilt of " + degrees + " degrees), from " + stack.name(0) + " to " + stack.name(last);
     }
@@ -208,7 +211,9 @@ GeometryVerdict judgeAgreement(const std::vector<SlicePlane>& slices) {
     const SlicePlane& first = slices.front();
     for (const SlicePlane& slice : slices) {
         if (!sameSize(slice, first))
-            return {Stack::mixedSize, first.name + " has " + sizeText(first) + ", " + slice.name + " has " + sizeText(slice), {}};
+            return {Stack::mixedSize,
+                    first.name + " has " + sizeText(first) + ", " + slice.name + " has " + sizeText(slice),
+                    {}};
     }
     for (const SlicePlane& slice : slices) {
         if (std::string reason = missingGeometry(slice); !reason.empty())
@@ -216,7 +221,9 @@ GeometryVerdict judgeAgreement(const std::vector<SlicePlane>& slices) {
     }
     for (const SlicePlane& slice : slices) {
         if (!sameSpacing(slice, first))
-            return {Stack::mixedSize, first.name + " has " + sizeText(first) + ", " + slice.name + " has " + sizeText(slice), {}};
+            return {Stack::mixedSize,
+                    first.name + " has " + sizeText(first) + ", " + slice.name + " has " + sizeText(slice),
+                    {}};
         if (!sameDirection(slice, first))
             return {Stack::mixedOrientation, first.name + " and " + slice.name + " look in different directions", {}};
     }

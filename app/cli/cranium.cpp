@@ -22,7 +22,8 @@ Result<Volume> readCranium(const std::filesystem::path& matrixFile) {
     const std::uintmax_t bytes = std::filesystem::file_size(matrixFile, failure);
     std::ifstream file(matrixFile, std::ios::binary);
     if (failure || !file)
-        return Error{"the file cannot be opened", matrixFile.string(), "It is matrix.dat inside Cranium.inv3, a tar.gz."};
+        return Error{"the file cannot be opened", matrixFile.string(),
+                     "It is matrix.dat inside Cranium.inv3, a tar.gz."};
     if (bytes != voxels.size() * sizeof voxels[0])
         return Error{"the file holds " + std::to_string(bytes) + " bytes, not 256 x 256 x 108 voxels of two bytes",
                      matrixFile.string(), "It is matrix.dat inside Cranium.inv3, a tar.gz."};

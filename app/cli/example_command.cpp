@@ -4,12 +4,21 @@
 #include <optional>
 
 #include "app/cli/cranium.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress_line.h"
 #include "dicom/export.h"
 #include "render/volume/phantom.h"
 
 namespace pdr::app {
 
 namespace {
+
+constexpr const char* kHelp =
+    "pdrender-cli example FOLDER [--cranium MATRIX.DAT]\n"
+    "\n"
+    "Writes a DICOM CT series into FOLDER, which must be new or empty: a head with a cranial defect from the voxels "
+    "that\n"
+    "InVesalius ships (matrix.dat out of Cranium.inv3), or without them a computed head phantom.\n";
 
 struct Request {
     std::string folder;
@@ -38,37 +47,47 @@ dicom::ExportFacts factsOf(const Request& request) {
             "Written by PD-Render from the voxels of Cranium.inv3, an example of InVesalius."};
 }
 
-/// A line at every tenth part.
-Progress linesOnStderr() {
-    return [next = 0.1](double fraction, std::string_view step) mutable {
-        for (; fraction >= next - 1e-9; next += 0.1)
-            std::fprintf(stderr, "%.*s: %.0f %%\n", int(step.size()), step.data(), next * 100);
-        return true;
+Result<Volume> voxelsOf(const Request& request) {
+    if (!request.cranium.empty())
+        return readCranium(request.cranium);
+    std::fprintf(stderr, "No real CT was given: computing an analytic head phantom in its place.\n");
+    return headPhantom();
+}
+
+Result<int> writeExample(const Request& request, const std::stop_token& stop) {
+    const Result<Volume> volume = voxelsOf(request);
+    if (!volume)
+        return volume.error();
+    ProgressLine line;
+    const Progress progress = [&](double fraction, std::string_view step) {
+        line.show(fraction, step);
+        return !stop.stop_requested();
     };
+    const Result<void> written = dicom::writeSeries(*volume, factsOf(request), request.folder, progress);
+    if (!written)
+        return written.error();
+    return volume->size().z;
 }
 
 }  // namespace
 
 int runExample(const QStringList& arguments) {
+    if (arguments.contains("--help") || arguments.contains("-h")) {
+        std::fputs(kHelp, stdout);
+        return 0;
+    }
     const std::optional<Request> request = parse(arguments);
     if (!request) {
-        std::fprintf(stderr, "usage: pdrender-cli example FOLDER [--cranium MATRIX.DAT]\n");
+        std::fprintf(stderr, "usage: %s", kHelp);
         return 2;
     }
-    if (request->cranium.empty())
-        std::fprintf(stderr, "No real CT was given: computing an analytic head phantom in its place.\n");
-    const Result<Volume> volume =
-        request->cranium.empty() ? Result<Volume>(headPhantom()) : readCranium(request->cranium);
-    if (!volume) {
-        std::fprintf(stderr, "%s\n", volume.error().text().c_str());
+    const Interrupt interrupt;
+    const Result<int> slices = writeExample(*request, interrupt.token());
+    if (!slices) {
+        std::fprintf(stderr, "pdrender-cli: %s\n", slices.error().text().c_str());
         return 1;
     }
-    const Result<void> written = dicom::writeSeries(*volume, factsOf(*request), request->folder, linesOnStderr());
-    if (!written) {
-        std::fprintf(stderr, "%s\n", written.error().text().c_str());
-        return 1;
-    }
-    std::fprintf(stderr, "%d slices written to %s\n", volume->size().z, request->folder.c_str());
+    std::fprintf(stderr, "%d slices written to %s\n", *slices, request->folder.c_str());
     return 0;
 }
 

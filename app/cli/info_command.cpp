@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/progress_line.h"
 #include "app/cli/series_report.h"
 #include "dicom/import.h"
 
@@ -12,11 +13,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json scanReport(const dicom::ScanResult& scan, const std::string& folder) {
+constexpr const char* kHelp =
+    "pdrender-cli info FOLDER [--json]\n"
+    "\n"
+    "Lists every series below FOLDER: its grid in the patient, its HU with and without padding, a checksum (SHA-256 "
+    "of\n"
+    "the HU as int16, x fastest, before padding is masked), whether it can be loaded and if not, why. Never a name.\n"
+    "  --json   the same for other programs\n";
+
+Json scanReport(const dicom::ScanResult& scan, const std::string& folder, const Progress& progress) {
     Json report = {{"folder", folder}, {"filesSeen", scan.filesSeen}, {"notDicom", scan.notDicom}};
     report["series"] = Json::array();
     for (const dicom::Series& series : scan.series)
-        report["series"].push_back(reportOf(series));
+        report["series"].push_back(reportOf(series, progress));
     report["problems"] = Json::array();
     for (const dicom::Problem& problem : scan.problems)
         report["problems"].push_back({{"file", problem.file.string()}, {"reason", problem.reason}});
@@ -38,17 +47,28 @@ void printText(const Json& report) {
 int runInfo(const QStringList& arguments) {
     QStringList folders = arguments;
     const bool asJson = folders.removeAll(QStringLiteral("--json")) > 0;
+    if (folders.contains("--help") || folders.contains("-h")) {
+        std::fputs(kHelp, stdout);
+        return 0;
+    }
     if (folders.size() != 1 || folders.front().startsWith('-')) {
-        std::fprintf(stderr, "usage: pdrender-cli info FOLDER [--json]\n");
+        std::fprintf(stderr, "usage: %s", kHelp);
         return 2;
     }
+    ProgressLine line;
+    const Progress progress = [&line](double fraction, std::string_view step) {
+        line.show(fraction, step);
+        return true;
+    };
     const std::string folder = folders.front().toStdString();
-    const Result<dicom::ScanResult> scan = dicom::scanFolder(folder, noProgress);
+    const Result<dicom::ScanResult> scan = dicom::scanFolder(folder, progress);
     if (!scan) {
-        std::fprintf(stderr, "%s\n", scan.error().text().c_str());
+        line.finish();
+        std::fprintf(stderr, "pdrender-cli: %s\n", scan.error().text().c_str());
         return 1;
     }
-    const Json report = scanReport(*scan, folder);
+    const Json report = scanReport(*scan, folder, progress);
+    line.finish();
     if (asJson)
         std::printf("%s\n", report.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     else

@@ -78,8 +78,8 @@ std::string checksumOf(const Volume& volume) {
     return hash.result().toHex().toStdString();
 }
 
-void addPixels(Json& report, const dicom::Series& series) {
-    const Result<Volume> volume = dicom::loadSeries(series, dicom::Padding::keep, noProgress);
+void addPixels(Json& report, const dicom::Series& series, const Progress& progress) {
+    const Result<Volume> volume = dicom::loadSeries(series, dicom::Padding::keep, progress);
     if (!volume) {
         if (series.verdict.loadable())
             report["error"] = volume.error().text();
@@ -112,7 +112,7 @@ std::string statisticsLine(const char* label, const Json& statistics) {
 
 }  // namespace
 
-Json reportOf(const dicom::Series& series) {
+Json reportOf(const dicom::Series& series, const Progress& progress) {
     Json report = {{"uid", series.series.uid},
                    {"modality", series.series.modality},
                    {"description", series.series.description},
@@ -129,15 +129,15 @@ Json reportOf(const dicom::Series& series) {
     if (series.verdict.loadable())
         addGrid(report, series.geometry);
     if (series.verdict.stack != dicom::Stack::unreadable)
-        addPixels(report, series);
+        addPixels(report, series, progress);
     return report;
 }
 
 std::string textOf(const Json& report) {
-    std::string text = report["modality"].get<std::string>() + " series " + std::to_string(report["number"].get<int>()) +
-                       " \"" + report["description"].get<std::string>() + "\", " +
-                       std::to_string(report["slices"].get<int>()) + " slices: " +
-                       (report["loadable"].get<bool>() ? "can be loaded" : report["verdict"].get<std::string>()) + "\n";
+    std::string text =
+        report["modality"].get<std::string>() + " series " + std::to_string(report["number"].get<int>()) + " \"" +
+        report["description"].get<std::string>() + "\", " + std::to_string(report["slices"].get<int>()) +
+        " slices: " + (report["loadable"].get<bool>() ? "can be loaded" : report["verdict"].get<std::string>()) + "\n";
     if (const auto reason = report["reason"].get<std::string>(); !reason.empty())
         text += "  reason           " + reason + "\n";
     for (const Json& note : report["notes"])

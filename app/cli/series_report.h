@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dicom/series.h"
+#include "render/base/progress.h"
 
 namespace pdr::app {
 
@@ -13,7 +14,7 @@ namespace pdr::app {
 ///   hu: lowest, highest, mean over all voxels, and the same without padding
 ///   sha256 of the HU volume as int16 little-endian, x fastest, before padding is masked
 /// Decodes the pixels, so it takes as long as loading.
-nlohmann::ordered_json reportOf(const dicom::Series& series);
+nlohmann::ordered_json reportOf(const dicom::Series& series, const Progress& progress);
 
 /// The same for a person: a few lines, indented.
 std::string textOf(const nlohmann::ordered_json& report);

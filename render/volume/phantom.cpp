@@ -92,11 +92,11 @@ class Painter {
     }
 
     void paintCavities() {
-        paint(pair(p_, {31, -66, -4}, {20, 22, 18}), kTable);
-        paint(pair(p_, {31, -68, -4}, {18, 22, 16}), kFat);
-        paint(pair(p_, {31, -74, -4}, {12, 12, 12}), kWater);
-        paint(pair(p_, {31, -83, -4}, {5, 2.5, 5}), kLens);
-        paint(ellipsoid(p_, {0, -76, 22}, {20, 5, 9}), kAir);
+        paint(pair(p_, {31, -46, -4}, {20, 22, 18}), kTable);
+        paint(pair(p_, {31, -47, -4}, {18, 21, 16}), kFat);
+        paint(pair(p_, {31, -56, -4}, {12, 12, 12}), kWater);
+        paint(pair(p_, {31, -64, -4}, {5, 2.5, 5}), kLens);
+        paint(ellipsoid(p_, {0, -72, 22}, {20, 4, 9}), kAir);
         paint(pair(p_, {28, -58, -42}, {14, 16, 17}), kAir);
         paint(ellipsoid(p_, {0, -72, -38}, {11, 26, 20}), kAir);
         paint(std::max(ellipsoid(p_, {0, -72, -38}, {13, 28, 22}), std::abs(p_.x) - 1), kTable);

@@ -20,6 +20,6 @@ inline std::filesystem::path sharedCt() {
 }  // namespace pdr::test
 
 /// Leaves the test function where the real data is not there.
-#define PDR_NEEDS_SHARED_CT()                                                                                    \
-    if (!std::filesystem::is_directory(pdr::test::sharedCt()))                                                   \
+#define PDR_NEEDS_SHARED_CT()                                  \
+    if (!std::filesystem::is_directory(pdr::test::sharedCt())) \
     QSKIP("the real CT data is not there: put it beside the source tree as shared/data, or name it in PDR_SHARED")

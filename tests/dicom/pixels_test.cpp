@@ -124,7 +124,9 @@ class PixelsTest : public QObject {
         QCOMPARE(Folder(unsignedSlice).paddingCount(), std::size_t(2));
 
         SliceFile twelveBits{.raw = {0x0830, 100}, .bitsStored = 12};
-        twelveBits.change = [](DcmDataset& data) { data.putAndInsertUint16(DcmTag(DCM_PixelPaddingValue, EVR_US), 0x0830); };
+        twelveBits.change = [](DcmDataset& data) {
+            data.putAndInsertUint16(DcmTag(DCM_PixelPaddingValue, EVR_US), 0x0830);
+        };
         QCOMPARE(Folder(twelveBits).paddingCount(), std::size_t(2));
     }
 
@@ -170,6 +172,13 @@ class PixelsTest : public QObject {
         const auto scan = scanFolder(folder.path(), noProgress);
         QCOMPARE(scan->series.front().verdict.notes.size(), std::size_t(1));
         QVERIFY((folder.voxels(1) == Values{42}));
+    }
+
+    void unitsOtherThanHuAreSaid() {
+        SliceFile slice;
+        slice.change = [](DcmDataset& data) { data.putAndInsertString(DCM_RescaleType, "Z_EFF"); };
+        const auto scan = scanFolder(Folder(slice).path(), noProgress);
+        QVERIFY(scan->series.front().verdict.notes.front().find("Z_EFF") != std::string::npos);
     }
 
     void unusableRescaleIsRefused_data() {
@@ -220,4 +229,4 @@ class PixelsTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(PixelsTest)
-#include "test_pixels.moc"
+#include "pixels_test.moc"

@@ -20,8 +20,8 @@ ScanResult scanned(const std::string& folder) {
 
 std::string checksumOf(const Volume& volume) {
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(QByteArrayView(reinterpret_cast<const char*>(volume.voxels().data()),
-                                qsizetype(volume.voxels().size_bytes())));
+    hash.addData(
+        QByteArrayView(reinterpret_cast<const char*>(volume.voxels().data()), qsizetype(volume.voxels().size_bytes())));
     return hash.result().toHex().toStdString();
 }
 
@@ -49,7 +49,8 @@ const Series* withUid(const ScanResult& scan, const std::string& uid, int slices
 }
 
 int loadable(const ScanResult& scan) {
-    return int(std::count_if(scan.series.begin(), scan.series.end(), [](const Series& s) { return s.verdict.loadable(); }));
+    return int(
+        std::count_if(scan.series.begin(), scan.series.end(), [](const Series& s) { return s.verdict.loadable(); }));
 }
 
 bool noteSays(const Series& series, const std::string& word) {
@@ -105,7 +106,9 @@ class RealSeriesTest : public QObject {
         QCOMPARE(int(volume->highestHu()), 3071);
         QCOMPARE(volume->paddingCount(), std::size_t(5577200));
         QCOMPARE(int(*std::min_element(volume->voxels().begin(), volume->voxels().end())), -1024);
-        const auto at = [&](int x, int y, int k) { return int(volume->voxels()[(std::size_t(k) * 512 + y) * 512 + x]); };
+        const auto at = [&](int x, int y, int k) {
+            return int(volume->voxels()[(std::size_t(k) * 512 + y) * 512 + x]);
+        };
         QCOMPARE(at(256, 256, 50), -291);
         QCOMPARE(at(150, 200, 50), -863);
         QCOMPARE(at(256, 330, 20), 208);
@@ -120,12 +123,15 @@ class RealSeriesTest : public QObject {
         QTest::addColumn<double>("gapMm");
         QTest::addColumn<double>("mean");
         QTest::addColumn<double>("meanTolerance");
-        QTest::newRow("ct_plus_rtstruct") << "ct_plus_rtstruct" << 512 << 2 << 0.488281 << 5.0 << -835.510576248 << 1e-8;
+        QTest::newRow("ct_plus_rtstruct")
+            << "ct_plus_rtstruct" << 512 << 2 << 0.488281 << 5.0 << -835.510576248 << 1e-8;
         QTest::newRow("duplicates") << "duplicates" << 512 << 5 << 0.78125 << 1.0 << -620.207479095 << 1e-8;
-        QTest::newRow("rescale_per_slice") << "rescale_per_slice" << 512 << 4 << 0.78125 << 1.0 << -788.753465176 << 0.1;
+        QTest::newRow("rescale_per_slice")
+            << "rescale_per_slice" << 512 << 4 << 0.78125 << 1.0 << -788.753465176 << 0.1;
         QTest::newRow("reformat") << "reformat_mixed_orient" << 512 << 19 << 0.703125 << 3.0 << -657.821044721 << 1e-8;
         QTest::newRow("dicomdir_tree") << "dicomdir_tree" << 16 << 5 << 0.488281 << 2.5 << -138.53125 << 1e-8;
-        QTest::newRow("truncated") << "truncated" << 512 << 2 << 0.78125 << 1.0 << (-643.631137848 - 643.804855347) / 2 << 1e-8;
+        QTest::newRow("truncated") << "truncated" << 512 << 2 << 0.78125 << 1.0 << (-643.631137848 - 643.804855347) / 2
+                                   << 1e-8;
     }
     void evenStacksLoad() {
         PDR_NEEDS_SHARED_CT();
@@ -167,7 +173,8 @@ class RealSeriesTest : public QObject {
         QTest::addColumn<int>("stack");
         QTest::addColumn<QStringList>("words");
         QTest::newRow("missing_slice") << "missing_slice" << int(Stack::gap)
-                                       << QStringList{"10 mm apart", "5 mm", "IM-0001-0010-0001.dcm", "IM-0001-0009-0001.dcm"};
+                                       << QStringList{"10 mm apart", "5 mm", "IM-0001-0010-0001.dcm",
+                                                      "IM-0001-0009-0001.dcm"};
         QTest::newRow("tilt_siemens4") << "tilt_siemens4" << int(Stack::tilted)
                                        << QStringList{"1.21 mm", "4.851 mm", "14.0 degrees", "IM-0001-0001.dcm"};
         QTest::newRow("mixed_study_tilt") << "mixed_study_tilt" << int(Stack::tilted)
@@ -191,7 +198,8 @@ class RealSeriesTest : public QObject {
         const Series& series = scan.series.front();
         QCOMPARE(int(series.verdict.stack), stack);
         for (const QString& word : words)
-            QVERIFY2(series.verdict.reason.find(word.toStdString()) != std::string::npos, series.verdict.reason.c_str());
+            QVERIFY2(series.verdict.reason.find(word.toStdString()) != std::string::npos,
+                     series.verdict.reason.c_str());
         const auto refused = loadSeries(series, Padding::maskAsAir, noProgress);
         QVERIFY(!refused);
         QCOMPARE(refused.error().what, series.verdict.reason);
@@ -282,4 +290,4 @@ class RealSeriesTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(RealSeriesTest)
-#include "test_real_series.moc"
+#include "real_series_test.moc"

@@ -24,7 +24,8 @@ class Folder {
 
     void addStack(int count, const std::string& seriesUid = "1.2.3.1", const std::string& prefix = "s") {
         for (int k = 0; k < count; ++k)
-            test::writeSliceFile(path() / (prefix + std::to_string(k)), {.position = {0, 0, 2.0 * k}, .seriesUid = seriesUid});
+            test::writeSliceFile(path() / (prefix + std::to_string(k)),
+                                 {.position = {0, 0, 2.0 * k}, .seriesUid = seriesUid});
     }
 
     void addText(const std::string& name, const std::string& text) { std::ofstream(path() / name) << text; }
@@ -115,6 +116,18 @@ class ScanTest : public QObject {
         QVERIFY(scan.series[0].verdict.reason.find("s1") != std::string::npos);
     }
 
+    void seriesThatLiesThereTwiceLoadsOnce() {
+        Folder folder;
+        folder.addStack(5);
+        for (int k = 0; k < 5; ++k)
+            fs::copy_file(folder.path() / ("s" + std::to_string(k)), folder.path() / ("again" + std::to_string(k)));
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(1));
+        QVERIFY(scan.series[0].verdict.loadable());
+        QCOMPARE(scan.series[0].slices.size(), std::size_t(5));
+        QVERIFY(scan.series[0].verdict.notes[0].find("5 copies of slices left out") != std::string::npos);
+    }
+
     void localizerWithinTheSeriesDoesNotSpoilIt() {
         Folder folder;
         folder.addStack(3);
@@ -148,10 +161,14 @@ class ScanTest : public QObject {
     void wrongPlacesGetASentence_data() {
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("word");
-        QTest::newRow("missing") << "missing" << "no such folder";
-        QTest::newRow("file") << "file" << "not a folder";
-        QTest::newRow("empty") << "empty" << "empty";
-        QTest::newRow("text") << "text" << "none of the 1 files";
+        QTest::newRow("missing") << "missing"
+                                 << "no such folder";
+        QTest::newRow("file") << "file"
+                              << "not a folder";
+        QTest::newRow("empty") << "empty"
+                               << "empty";
+        QTest::newRow("text") << "text"
+                              << "none of the 1 files";
     }
     void wrongPlacesGetASentence() {
         QFETCH(QString, place);
@@ -254,4 +271,4 @@ class ScanTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(ScanTest)
-#include "test_scan.moc"
+#include "scan_test.moc"

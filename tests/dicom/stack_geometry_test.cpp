@@ -76,7 +76,8 @@ class StackGeometryTest : public QObject {
         const dvec3 column = glm::cross(normal, row);
         std::vector<SlicePlane> slices;
         for (int k = 0; k < 5; ++k)
-            slices.push_back({letter(k), {64, 32}, dvec3(3, 4, 5) + normal * (1.25 * (4 - k)), row, column, dvec2(0.5, 0.5)});
+            slices.push_back(
+                {letter(k), {64, 32}, dvec3(3, 4, 5) + normal * (1.25 * (4 - k)), row, column, dvec2(0.5, 0.5)});
         const auto analysis = analyseStack(slices);
         QCOMPARE(analysis.verdict.stack, Stack::even);
         QVERIFY(distance(analysis.geometry.patientFromIndex, 2, normal * 1.25) < 1e-9);
@@ -156,7 +157,8 @@ class StackGeometryTest : public QObject {
         const double angle = 0.3;
         for (int k = 0; k < 200; ++k) {
             slices.push_back(planeAt(std::to_string(k), dvec3(0, std::sin(angle), std::cos(angle)) * (1.5 * k)));
-            slices.back().columnDirection = dvec3(0, std::round(std::cos(angle) * 1e4) / 1e4, -std::round(std::sin(angle) * 1e4) / 1e4);
+            slices.back().columnDirection =
+                dvec3(0, std::round(std::cos(angle) * 1e4) / 1e4, -std::round(std::sin(angle) * 1e4) / 1e4);
         }
         QCOMPARE(QString::fromStdString(analyseStack(slices).verdict.reason), QString());
     }
@@ -182,9 +184,7 @@ class StackGeometryTest : public QObject {
         QCOMPARE(analyseStack(slices).verdict.stack, Stack::noGeometry);
     }
 
-    void singleSliceIsNoVolume() {
-        QCOMPARE(analyseStack(axial({3})).verdict.stack, Stack::singleSlice);
-    }
+    void singleSliceIsNoVolume() { QCOMPARE(analyseStack(axial({3})).verdict.stack, Stack::singleSlice); }
 
     void mixedSlicesAreRefused() {
         auto slices = axial({0, 1, 2});
@@ -222,4 +222,4 @@ class StackGeometryTest : public QObject {
 };
 
 QTEST_APPLESS_MAIN(StackGeometryTest)
-#include "test_stack_geometry.moc"
+#include "stack_geometry_test.moc"

@@ -105,7 +105,8 @@ class ExportTest : public QObject {
         const auto dumped = outputOf("dcmdump", {file});
         const QString nifti = QString::fromStdString(place("nifti").string());
         QDir().mkpath(nifti);
-        const auto converted = outputOf("dcm2niix", {"-b", "n", "-z", "n", "-o", nifti, QString::fromStdString(folder.string())});
+        const auto converted =
+            outputOf("dcm2niix", {"-b", "n", "-z", "n", "-o", nifti, QString::fromStdString(folder.string())});
         if (!verified || !dumped || !converted)
             QSKIP("dciodvfy, dcmdump or dcm2niix is not installed");
         QVERIFY2(!verified->contains("Error"), qPrintable(*verified));
@@ -113,7 +114,8 @@ class ExportTest : public QObject {
         QVERIFY(dumped->contains("=CTImageStorage") && dumped->contains("=LittleEndianExplicit"));
         QVERIFY2(converted->contains("(40x30x6x1)"), qPrintable(*converted));
         // It knows no vendor by our name, and says so; nothing else may trouble it.
-        QVERIFY2(converted->count("Warning") == converted->count("Unable to determine manufacturer"), qPrintable(*converted));
+        QVERIFY2(converted->count("Warning") == converted->count("Unable to determine manufacturer"),
+                 qPrintable(*converted));
     }
 
     void uidsAreFreshAndWellFormed() {
@@ -177,4 +179,4 @@ class ExportTest : public QObject {
 };
 
 QTEST_GUILESS_MAIN(ExportTest)
-#include "test_export.moc"
+#include "export_test.moc"

@@ -1,0 +1,153 @@
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cstdint>
+#include <fstream>
+#include <vector>
+
+#include "dicom/import.h"
+#include "tests/support/shared_data.h"
+
+using namespace pdr;
+
+namespace {
+
+struct Run {
+    int code = -1;
+    QByteArray out, err;
+    QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
+    QJsonObject firstSeries() const { return json()["series"].toArray().at(0).toObject(); }
+};
+
+Run run(const QStringList& arguments,
+        const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(PDR_BINARY_DIR "/bin/pdrender-cli", arguments);
+    if (!process.waitForFinished(120'000))
+        qFatal("pdrender-cli did not end");
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
+            process.readAllStandardError()};
+}
+
+}  // namespace
+
+class DicomCommandsTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir root_;
+    QString at(const char* name) const { return root_.filePath(name); }
+
+    /// A file like InVesalius' matrix.dat: every voxel tells its row and its slice.
+    QString craniumFile() const {
+        std::vector<std::int16_t> voxels;
+        for (int z = 0; z < 108; ++z)
+            for (int y = 0; y < 256; ++y)
+                voxels.insert(voxels.end(), 256, std::int16_t(y * 100 + z));
+        std::ofstream(at("matrix.dat").toStdString(), std::ios::binary)
+            .write(reinterpret_cast<const char*>(voxels.data()), std::streamsize(voxels.size() * 2));
+        return at("matrix.dat");
+    }
+
+  private slots:
+    void infoGivesTheChestInFigures() {
+        PDR_NEEDS_SHARED_CT();
+        const QString folder = QString::fromStdString((test::sharedCt() / "chest_contrast").string());
+        const Run info = run({"info", folder, "--json"});
+        QCOMPARE(info.code, 0);
+        QCOMPARE(info.json()["filesSeen"].toInt(), 100);
+        const QJsonObject series = info.firstSeries();
+        QCOMPARE(series["size"].toArray(), (QJsonArray{512, 512, 100}));
+        QVERIFY(std::abs(series["spacingMm"].toArray()[0].toDouble() - 0.898438) < 1e-9);
+        QVERIFY(std::abs(series["spacingMm"].toArray()[2].toDouble() - 2.5) < 1e-9);
+        QCOMPARE(series["hu"]["lowest"].toInt(), -3024);
+        QCOMPARE(series["hu"]["highest"].toInt(), 3071);
+        QVERIFY(std::abs(series["hu"]["mean"].toDouble() + 1138.338608742) < 1e-9);
+        QVERIFY(std::abs(series["huWithoutPadding"]["mean"].toDouble() + 628.738919282) < 1e-9);
+        QCOMPARE(series["sha256"].toString(), "946f8eff4f00ddee9198713a6dbe7822f6d69311d2c0ab09ab32376039bf2b66");
+        QCOMPARE(series["verdict"].toString(), "even");
+    }
+
+    void infoTellsFiguresOfAStackItRefuses() {
+        PDR_NEEDS_SHARED_CT();
+        const QString folder = QString::fromStdString((test::sharedCt() / "missing_slice").string());
+        const QJsonObject series = run({"info", folder, "--json"}).firstSeries();
+        QCOMPARE(series["verdict"].toString(), "gap");
+        QVERIFY(series["reason"].toString().contains("10 mm apart"));
+        QVERIFY(series["sha256"].toString().startsWith("21db65407cd46cdf"));
+    }
+
+    void infoNeverNamesThePatient() {
+        PDR_NEEDS_SHARED_CT();
+        const QString folder = QString::fromStdString((test::sharedCt() / "charsets").string());
+        for (const QStringList& arguments : {QStringList{"info", folder}, QStringList{"info", folder, "--json"}}) {
+            const Run info = run(arguments);
+            QCOMPARE(info.code, 0);
+            QVERIFY(!info.out.contains("Yamada") && !info.out.contains("Hong") && !info.err.contains("Yamada"));
+        }
+    }
+
+    void wrongUseIsTwoAndErrorsAreOne() {
+        QCOMPARE(run({"info"}).code, 2);
+        QCOMPARE(run({"info", "--nonsense"}).code, 2);
+        QCOMPARE(run({"info", "--help"}).code, 0);
+        QCOMPARE(run({"example"}).code, 2);
+        QCOMPARE(run({"example", at("x"), "--cranium"}).code, 2);
+        QCOMPARE(run({"example", "--help"}).code, 0);
+        const Run missing = run({"info", at("missing")});
+        QCOMPARE(missing.code, 1);
+        QVERIFY(missing.err.contains("no such folder"));
+    }
+
+    void missingDictionaryIsSaid() {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("DCMDICTPATH", at("missing.dic"));
+        const Run info = run({"info", root_.path()}, environment);
+        QCOMPARE(info.code, 1);
+        QVERIFY2(info.err.contains("dictionary"), info.err.constData());
+    }
+
+    void craniumIsNeitherMirroredNorTurned() {
+        const Run example = run({"example", at("cranium"), "--cranium", craniumFile()});
+        QVERIFY2(example.code == 0, example.err.constData());
+        const auto scan = dicom::scanFolder(at("cranium").toStdString(), noProgress);
+        QVERIFY(bool(scan));
+        const dicom::Series& series = scan->series.front();
+        QVERIFY(series.verdict.loadable());
+        QVERIFY(series.geometry.size == ivec3(256, 256, 108));
+        QVERIFY(glm::distance(series.geometry.spacingMm(), dvec3(0.9570312, 0.9570312, 1.5)) < 1e-9);
+        const auto volume = dicom::loadSeries(series, dicom::Padding::maskAsAir, noProgress);
+        QVERIFY(bool(volume));
+        // The file's last row is the face; in the patient, low y is the front.
+        const auto hu = [&](std::size_t y, std::size_t z) { return int(volume->voxels()[(z * 256 + y) * 256]); };
+        QCOMPARE(hu(0, 0), 25500);
+        QCOMPARE(hu(255, 0), 0);
+        QCOMPARE(hu(255, 107), 107);
+        QVERIFY(series.geometry.patientFromIndex[1].y > 0 && series.geometry.patientFromIndex[2].z > 0);
+    }
+
+    void wrongMatrixLeavesNothing() {
+        std::ofstream(at("short.dat").toStdString()) << "short";
+        const Run example = run({"example", at("none"), "--cranium", at("short.dat")});
+        QCOMPARE(example.code, 1);
+        QVERIFY(example.err.contains("256 x 256 x 108"));
+        QVERIFY(!QFileInfo::exists(at("none")));
+    }
+
+    void phantomStandsInAndSaysSo() {
+        const Run example = run({"example", at("phantom")});
+        QCOMPARE(example.code, 0);
+        QVERIFY(example.err.contains("phantom"));
+        const Run info = run({"info", at("phantom"), "--json"});
+        QCOMPARE(info.firstSeries()["size"].toArray(), (QJsonArray{256, 230, 256}));
+        QCOMPARE(info.firstSeries()["loadable"].toBool(), true);
+    }
+};
+
+QTEST_GUILESS_MAIN(DicomCommandsTest)
+#include "dicom_commands_test.moc"
