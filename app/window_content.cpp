@@ -16,6 +16,10 @@ QImage imageOf(const std::shared_ptr<const Frame>& frame) {
                   kept);
 }
 
+QString invitation() {
+    return ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O");
+}
+
 Error nothingLoadable(const dicom::ScanResult& scan, const QString& folder) {
     Error error{"no series in this folder can be shown", folder.toStdString(), "Open a folder with a CT series."};
     if (!scan.series.empty() && !scan.series.front().verdict.reason.empty())
@@ -29,7 +33,7 @@ void showNothing(const DesktopParts& parts) {
     parts.document.close();
     parts.bridge.dropFrames();
     parts.window.viewport().setImage({});
-    parts.window.viewport().setMessage(ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O"));
+    parts.window.viewport().setMessage(invitation());
     parts.window.status().setText({});
     parts.window.setSubject({});
     parts.window.setPictureAvailable(false);
@@ -57,6 +61,16 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
     parts.window.viewport().setImage({});
     parts.window.viewport().setMessage({});
     parts.document.open(std::move(volume));
+}
+
+void showProgress(const DesktopParts& parts, double fraction, const QString& step) {
+    parts.window.status().setProgress(fraction, step);
+    parts.window.viewport().setMessage(step);
+}
+
+void showReadingEnded(const DesktopParts& parts) {
+    parts.window.viewport().setMessage(invitation());
+    parts.window.series().setCurrent(parts.window.series().current());
 }
 
 void showFailure(const DesktopParts& parts, const Error& error) {

@@ -11,8 +11,11 @@ void wireImport(const DesktopParts& parts) {
     QObject::connect(&window.series(), &ui::SeriesPanel::seriesChosen, &import, &ImportJob::loadSeries);
     QObject::connect(&window, &ui::MainWindow::cancelRequested, &import, &ImportJob::cancel);
 
-    QObject::connect(&import, &ImportJob::progressed, &window.status(), &ui::StatusLine::setProgress);
+    QObject::connect(&import, &ImportJob::progressed, &window,
+                     [parts](double fraction, const QString& step) { showProgress(parts, fraction, step); });
     QObject::connect(&import, &ImportJob::finished, &window.status(), &ui::StatusLine::endProgress);
+    QObject::connect(&import, &ImportJob::cancelled, &window, [parts] { showReadingEnded(parts); });
+    QObject::connect(&import, &ImportJob::failed, &window, [parts] { showReadingEnded(parts); });
     QObject::connect(&import, &ImportJob::failed, &window, [parts](const Error& error) { showFailure(parts, error); });
     QObject::connect(&import, &ImportJob::scanned, &window,
                      [parts](const dicom::ScanResult& scan, const QString& folder) { showScan(parts, scan, folder); });
