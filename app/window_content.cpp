@@ -88,8 +88,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
 void showStatus(const DesktopParts& parts) {
     const auto& frame = parts.bridge.lastFrame();
     if (frame && frame->error.empty())
-        parts.window.status().setText(
-            ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()));
+        parts.window.status().setText(ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()));
 }
 
 void showDocument(const DesktopParts& parts) {

@@ -24,7 +24,8 @@ QString detailOf(const dicom::GeometryVerdict& verdict) {
 /// Whether the scan holds series of more than one patient.
 bool severalPatients(const dicom::ScanResult& scan) {
     const auto another = [&](const dicom::Series& series) {
-        return series.patient.name != scan.series.front().patient.name || series.patient.id != scan.series.front().patient.id;
+        return series.patient.name != scan.series.front().patient.name ||
+               series.patient.id != scan.series.front().patient.id;
     };
     return std::any_of(scan.series.begin(), scan.series.end(), another);
 }
@@ -99,9 +100,9 @@ void SeriesPanel::setScan(const dicom::ScanResult& scan) {
         model_.appendRow(itemOf(series, severalPatients(scan)));
     setCurrent(-1);
     leftOut_.setVisible(!scan.problems.empty());
-    leftOut_.setText(QString::fromUtf8("\u26A0  ") + (scan.problems.size() == 1
-                                                          ? tr("1 damaged file was left out")
-                                                          : tr("%1 damaged files were left out").arg(scan.problems.size())));
+    leftOut_.setText(QString::fromUtf8("\u26A0  ") +
+                     (scan.problems.size() == 1 ? tr("1 damaged file was left out")
+                                                : tr("%1 damaged files were left out").arg(scan.problems.size())));
     leftOut_.setToolTip(fileNames(scan.problems));
 }
 

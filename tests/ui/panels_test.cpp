@@ -245,7 +245,8 @@ void TestPanels::everyControlHasAnAccessibleName() {
     MessageBar message;
     for (QWidget* panel : std::initializer_list<QWidget*>{&series, &look, &status, &message}) {
         for (const QWidget* widget : panel->findChildren<QWidget*>()) {
-            const bool control = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QListView*>(widget) ||
+            const bool control = qobject_cast<const QAbstractButton*>(widget) ||
+                                 qobject_cast<const QListView*>(widget) ||
                                  qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QSpinBox*>(widget);
             const bool own = !widget->objectName().startsWith("qt_");  // not the parts that Qt makes a control of
             if (control && own && !qobject_cast<const QScrollBar*>(widget))
