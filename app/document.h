@@ -12,8 +12,8 @@
 
 namespace pdr::app {
 
-/// The film for a view of `pixels`: as large, but its longer side at most kLargestSide pixels, so that a processor without a
-/// GPU still shows a picture at once; the view stretches it. At least 1 x 1.
+/// The film for a view of `pixels`: as large, but its longer side at most kLargestSide pixels, so that a processor
+/// without a GPU still shows a picture at once; the view stretches it. At least 1 x 1.
 ivec2 filmFor(ivec2 pixels);
 inline constexpr int kLargestSide = 1024;
 

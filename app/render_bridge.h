@@ -54,7 +54,7 @@ class RenderBridge : public QObject {
     std::uint64_t oldestShown_ = 0;  ///< frames of earlier revisions are stale
     Display display_;
     bool paused_ = false;
-    Session session_;                ///< last, so that it ends first: its thread calls take()
+    Session session_;  ///< last, so that it ends first: its thread calls take()
 };
 
 }  // namespace pdr::app

@@ -16,6 +16,10 @@ QImage imageOf(const std::shared_ptr<const Frame>& frame) {
                   kept);
 }
 
+QString invitation() {
+    return ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O");
+}
+
 Error nothingLoadable(const dicom::ScanResult& scan, const QString& folder) {
     Error error{"no series in this folder can be shown", folder.toStdString(), "Open a folder with a CT series."};
     if (!scan.series.empty() && !scan.series.front().verdict.reason.empty())
@@ -29,7 +33,7 @@ void showNothing(const DesktopParts& parts) {
     parts.document.close();
     parts.bridge.dropFrames();
     parts.window.viewport().setImage({});
-    parts.window.viewport().setMessage(ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O"));
+    parts.window.viewport().setMessage(invitation());
     parts.window.status().setText({});
     parts.window.setSubject({});
     parts.window.setPictureAvailable(false);
@@ -59,6 +63,16 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
     parts.document.open(std::move(volume));
 }
 
+void showProgress(const DesktopParts& parts, double fraction, const QString& step) {
+    parts.window.status().setProgress(fraction, step);
+    parts.window.viewport().setMessage(step);
+}
+
+void showReadingEnded(const DesktopParts& parts) {
+    parts.window.viewport().setMessage(invitation());
+    parts.window.series().setCurrent(parts.window.series().current());
+}
+
 void showFailure(const DesktopParts& parts, const Error& error) {
     parts.window.message().showError(error);
 }
@@ -74,8 +88,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
 void showStatus(const DesktopParts& parts) {
     const auto& frame = parts.bridge.lastFrame();
     if (frame && frame->error.empty())
-        parts.window.status().setText(
-            ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()));
+        parts.window.status().setText(ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()));
 }
 
 void showDocument(const DesktopParts& parts) {

@@ -26,6 +26,10 @@ void showNothing(const DesktopParts& parts);
 void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder);
 /// The series `index` of the last scan, whose voxels are `volume`.
 void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index);
+/// How far reading has come.
+void showProgress(const DesktopParts& parts, double fraction, const QString& step);
+/// Reading has ended without a new picture: what was shown before stays.
+void showReadingEnded(const DesktopParts& parts);
 /// A message. What was shown before stays.
 void showFailure(const DesktopParts& parts, const Error& error);
 /// The picture and how good it is.

@@ -11,8 +11,11 @@ void wireImport(const DesktopParts& parts) {
     QObject::connect(&window.series(), &ui::SeriesPanel::seriesChosen, &import, &ImportJob::loadSeries);
     QObject::connect(&window, &ui::MainWindow::cancelRequested, &import, &ImportJob::cancel);
 
-    QObject::connect(&import, &ImportJob::progressed, &window.status(), &ui::StatusLine::setProgress);
+    QObject::connect(&import, &ImportJob::progressed, &window,
+                     [parts](double fraction, const QString& step) { showProgress(parts, fraction, step); });
     QObject::connect(&import, &ImportJob::finished, &window.status(), &ui::StatusLine::endProgress);
+    QObject::connect(&import, &ImportJob::cancelled, &window, [parts] { showReadingEnded(parts); });
+    QObject::connect(&import, &ImportJob::failed, &window, [parts] { showReadingEnded(parts); });
     QObject::connect(&import, &ImportJob::failed, &window, [parts](const Error& error) { showFailure(parts, error); });
     QObject::connect(&import, &ImportJob::scanned, &window,
                      [parts](const dicom::ScanResult& scan, const QString& folder) { showScan(parts, scan, folder); });
@@ -26,8 +29,9 @@ void wireEdits(const DesktopParts& parts) {
     Document& document = parts.document;
     ui::MainWindow& window = parts.window;
     QObject::connect(&window.viewport(), &ui::Viewport::cameraEdited, &document, &Document::setCamera);
-    QObject::connect(&window.viewport(), &ui::Viewport::sizeInPixelsChanged, &document,
-                     [&document](QSize size) { document.setViewSize({size.width(), size.height()}); });
+    QObject::connect(&window.viewport(), &ui::Viewport::sizeInPixelsChanged, &document, [&document](QSize size) {
+        document.setViewSize({size.width(), size.height()});
+    });
     QObject::connect(&window, &ui::MainWindow::viewChosen, &document, &Document::setView);
     QObject::connect(&window, &ui::MainWindow::resetRequested, &document,
                      [&document] { document.setView(StandardView::anterior); });
@@ -57,8 +61,9 @@ void wireScreen(const DesktopParts& parts) {
                      [parts](const std::shared_ptr<const Frame>& frame) { showFrame(parts, frame); });
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, &ui::MainWindow::setPaused);
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, [parts] { showStatus(parts); });
-    QObject::connect(&parts.bridge, &RenderBridge::saved, &window,
-                     [parts](const QString& file) { parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file)); });
+    QObject::connect(&parts.bridge, &RenderBridge::saved, &window, [parts](const QString& file) {
+        parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file));
+    });
     QObject::connect(&parts.bridge, &RenderBridge::saveFailed, &window,
                      [parts](const Error& error) { showFailure(parts, error); });
     QObject::connect(&parts.document, &Document::sceneChanged, &window, [parts] { showDocument(parts); });

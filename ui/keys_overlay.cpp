@@ -61,7 +61,8 @@ void KeysOverlay::paintEvent(QPaintEvent*) {
         painter.setPen(Qt::white);
         painter.drawText(QRect(0, y, middle - 20, lineHeight), Qt::AlignRight | Qt::AlignVCenter, tr(line.keys));
         painter.setPen(QColor(190, 192, 196));
-        painter.drawText(QRect(middle + 20, y, middle - 20, lineHeight), Qt::AlignLeft | Qt::AlignVCenter, tr(line.effect));
+        painter.drawText(QRect(middle + 20, y, middle - 20, lineHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                         tr(line.effect));
     }
 }
 

@@ -23,8 +23,9 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
             [this](int value) { emit brightnessChosen(double(value) / kStepsPerStop); });
 
     iterations_.setAccessibleName(tr("Iterations per picture"));
-    iterations_.setToolTip(tr("How many iterations are computed before the picture is shown anew. More is a little faster, "
-                              "fewer is livelier; the result is the same."));
+    iterations_.setToolTip(
+        tr("How many iterations are computed before the picture is shown anew. More is a little faster, "
+           "fewer is livelier; the result is the same."));
     iterations_.setRange(1, 1000);
     iterations_.setKeyboardTracking(false);
     connect(&iterations_, &QSpinBox::valueChanged, this, &LookPanel::iterationsPerFrameChosen);

@@ -101,7 +101,8 @@ void MainWindow::setPictureAvailable(bool available) {
     save_->setEnabled(available);
 }
 
-QDockWidget* MainWindow::addPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key) {
+QDockWidget* MainWindow::addPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area,
+                                  const QKeySequence& key) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(title);  // by which the window's state is kept
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);

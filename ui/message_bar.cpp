@@ -3,18 +3,9 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "ui/to_qt.h"
+
 namespace pdr::ui {
-namespace {
-
-QString sentence(const std::string& text) {
-    QString line = QString::fromStdString(text).trimmed();
-    if (line.isEmpty())
-        return line;
-    line[0] = line[0].toUpper();
-    return line.endsWith('.') ? line : line + '.';
-}
-
-}  // namespace
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     setAutoFillBackground(true);

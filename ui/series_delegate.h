@@ -6,7 +6,7 @@
 namespace pdr::ui {
 
 /// What an item of the series list holds.
-enum SeriesRole { kTitleRole = Qt::UserRole, kFactsRole, kVerdictRole, kLoadableRole, kDetailRole };
+enum SeriesRole { kPatientRole = Qt::UserRole, kTitleRole, kFactsRole, kVerdictRole, kLoadableRole, kDetailRole };
 
 class SeriesDelegate : public QStyledItemDelegate {
     Q_OBJECT

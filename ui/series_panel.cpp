@@ -2,6 +2,7 @@
 
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/series_delegate.h"
 #include "ui/series_text.h"
@@ -14,17 +15,28 @@ namespace {
 QString detailOf(const dicom::GeometryVerdict& verdict) {
     QStringList lines;
     if (!verdict.reason.empty())
-        lines << QString::fromStdString(verdict.reason);
+        lines << sentence(verdict.reason);
     for (const std::string& note : verdict.notes)
-        lines << QString::fromStdString(note);
+        lines << sentence(note);
     return lines.join('\n');
 }
 
-QStandardItem* itemOf(const dicom::Series& series) {
-    const QString title = seriesTitle(series), facts = seriesFacts(series), date = seriesDate(series);
+/// Whether the scan holds series of more than one patient.
+bool severalPatients(const dicom::ScanResult& scan) {
+    const auto another = [&](const dicom::Series& series) {
+        return series.patient.name != scan.series.front().patient.name ||
+               series.patient.id != scan.series.front().patient.id;
+    };
+    return std::any_of(scan.series.begin(), scan.series.end(), another);
+}
+
+QStandardItem* itemOf(const dicom::Series& series, bool withPatient) {
+    const QString patient = patientName(series.patient), facts = seriesFacts(series), date = seriesDate(series);
+    const QString title = withPatient ? patient + ": " + seriesTitle(series) : seriesTitle(series);
     const QString verdict = verdictText(series.verdict) + (date.isEmpty() ? "" : ", " + date);
     auto* item = new QStandardItem(title);
     item->setEditable(false);
+    item->setData(patient, kPatientRole);
     item->setData(title, kTitleRole);
     item->setData(facts, kFactsRole);
     item->setData(verdict, kVerdictRole);
@@ -33,15 +45,6 @@ QStandardItem* itemOf(const dicom::Series& series) {
     item->setToolTip(detailOf(series.verdict));
     item->setData(QStringList{title, facts, verdict, detailOf(series.verdict)}.join(", "), Qt::AccessibleTextRole);
     return item;
-}
-
-/// All patients of the scan, without repeats.
-QString patientNames(const dicom::ScanResult& scan) {
-    QStringList names;
-    for (const dicom::Series& series : scan.series)
-        names << patientName(series.patient);
-    names.removeDuplicates();
-    return names.join('\n');
 }
 
 QString fileNames(const std::vector<dicom::Problem>& problems) {
@@ -94,25 +97,22 @@ void SeriesPanel::setScan(const dicom::ScanResult& scan) {
     const QSignalBlocker silent(this);
     model_.clear();
     for (const dicom::Series& series : scan.series)
-        model_.appendRow(itemOf(series));
-    patient_.setText(patientNames(scan));
-    detail_.hide();
+        model_.appendRow(itemOf(series, severalPatients(scan)));
+    setCurrent(-1);
     leftOut_.setVisible(!scan.problems.empty());
-    leftOut_.setText(QString::fromUtf8("\u26A0  ") + (scan.problems.size() == 1
-                                                          ? tr("1 damaged file was left out")
-                                                          : tr("%1 damaged files were left out").arg(scan.problems.size())));
+    leftOut_.setText(QString::fromUtf8("\u26A0  ") +
+                     (scan.problems.size() == 1 ? tr("1 damaged file was left out")
+                                                : tr("%1 damaged files were left out").arg(scan.problems.size())));
     leftOut_.setToolTip(fileNames(scan.problems));
 }
 
 void SeriesPanel::setCurrent(int index) {
     const QSignalBlocker silent(this);
+    shown_ = index;
     const QModelIndex item = model_.index(index, 0);
+    patient_.setText(item.data(kPatientRole).toString());
     list_.selectionModel()->setCurrentIndex(item, QItemSelectionModel::ClearAndSelect);
     showDetail(index);
-}
-
-int SeriesPanel::current() const {
-    return list_.currentIndex().row();
 }
 
 void SeriesPanel::showDetail(int index) {

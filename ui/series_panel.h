@@ -17,9 +17,11 @@ class SeriesPanel : public QWidget {
     explicit SeriesPanel(QWidget* parent = nullptr);
 
     void setScan(const dicom::ScanResult& scan);
-    /// Marks the series that is shown: its place in the scan, -1 for none.
+    /// Marks the series that is shown: its place in the scan, -1 for none. The patient named above the list is always
+    /// the one in the picture, whatever the hand has marked since.
     void setCurrent(int index);
-    int current() const;
+    int current() const { return shown_; }
+    QString patient() const { return patient_.text(); }
     QString detail() const { return detail_.text(); }
     const QListView& list() const { return list_; }
 
@@ -33,6 +35,7 @@ class SeriesPanel : public QWidget {
     void showDetail(int index);
     void choose(const QModelIndex& item);
 
+    int shown_ = -1;
     QLabel patient_;
     QListView list_;
     QStandardItemModel model_;

@@ -21,16 +21,26 @@ QString dateText(const std::string& dicomDate) {
 const char* stackWord(dicom::Stack stack) {
     using dicom::Stack;
     switch (stack) {
-        case Stack::even: return "can be shown";
-        case Stack::singleSlice: return "a single slice";
-        case Stack::gap: return "a slice is missing";
-        case Stack::doubled: return "two slices at one place";
-        case Stack::tilted: return "tilted stack";
-        case Stack::mixedOrientation: return "slices look in different directions";
-        case Stack::mixedSize: return "slices of different size";
-        case Stack::noGeometry: return "no geometry";
-        case Stack::notCt: return "not a CT volume";
-        case Stack::unreadable: return "cannot be read";
+        case Stack::even:
+            return "can be shown";
+        case Stack::singleSlice:
+            return "a single slice";
+        case Stack::gap:
+            return "a slice is missing";
+        case Stack::doubled:
+            return "two slices at one place";
+        case Stack::tilted:
+            return "tilted stack";
+        case Stack::mixedOrientation:
+            return "slices look in different directions";
+        case Stack::mixedSize:
+            return "slices of different size";
+        case Stack::noGeometry:
+            return "no geometry";
+        case Stack::notCt:
+            return "not a CT volume";
+        case Stack::unreadable:
+            return "cannot be read";
     }
     return "";
 }

@@ -7,8 +7,9 @@ namespace pdr::ui {
 
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel")) {
     text_.setAccessibleName(tr("How good the picture is"));
-    text_.setToolTip(tr("The error is the picture's standard error in relation to its brightness: it halves when the samples "
-                        "are four times as many."));
+    text_.setToolTip(
+        tr("The error is the picture's standard error in relation to its brightness: it halves when the samples "
+           "are four times as many."));
     bar_.setAccessibleName(tr("Progress"));
     bar_.setRange(0, 1000);
     bar_.setTextVisible(false);

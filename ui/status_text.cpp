@@ -9,8 +9,8 @@
 namespace pdr::ui {
 namespace {
 
-QString translated(const char* text, int n = -1) {
-    return QCoreApplication::translate("statusText", text, nullptr, n);
+QString translated(const char* text) {
+    return QCoreApplication::translate("statusText", text);
 }
 
 /// Two figures that mean something: 12, 1.8, 0.18.
@@ -21,10 +21,12 @@ QString shortNumber(double value) {
     return QLocale::c().toString(value, 'f', decimals);
 }
 
+/// "1 sample", "123 456 samples" with thin spaces between the thousands.
 QString counted(std::uint64_t count, const char* one, const char* many) {
     QLocale locale = QLocale::c();
-    locale.setNumberOptions(QLocale::DefaultNumberOptions);
-    return locale.toString(qulonglong(count)).replace(',', QChar(0x2009)) + ' ' + translated(count == 1 ? one : many);
+    locale.setNumberOptions(QLocale::DefaultNumberOptions);  // the C locale leaves the separators out
+    const QString number = locale.toString(qulonglong(count)).replace(',', QChar(0x2009));
+    return number + ' ' + translated(count == 1 ? one : many);
 }
 
 QString errorText(double relativeError) {

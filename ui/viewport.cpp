@@ -14,9 +14,9 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kKeyStep = 1.0 / 24;        // of the view's height: 7.5 degrees
+constexpr double kKeyStep = 1.0 / 24;  // of the view's height: 7.5 degrees
 constexpr double kZoomPerWheelClick = 1.15;
-constexpr double kZoomPerHeight = 8;         // magnification of a drag over the whole height
+constexpr double kZoomPerHeight = 8;  // magnification of a drag over the whole height
 constexpr auto kRestAfter = std::chrono::milliseconds(250);
 constexpr int kMargin = 12;
 constexpr int kCubeSide = 64;
@@ -28,7 +28,8 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::ArrowCursor);
     setAccessibleName(tr("Picture"));
-    setAccessibleDescription(tr("The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom."));
+    setAccessibleDescription(
+        tr("The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom."));
     restTimer_.setSingleShot(true);
     restTimer_.setInterval(kRestAfter);
     connect(&restTimer_, &QTimer::timeout, this, &Viewport::rest);
@@ -62,10 +63,14 @@ void Viewport::resizeEvent(QResizeEvent*) {
 Viewport::Gesture Viewport::gestureOf(const QMouseEvent& event) {
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     switch (event.button()) {
-        case Qt::LeftButton: return shift ? Gesture::pan : Gesture::orbit;
-        case Qt::MiddleButton: return Gesture::pan;
-        case Qt::RightButton: return Gesture::zoom;
-        default: return Gesture::none;
+        case Qt::LeftButton:
+            return shift ? Gesture::pan : Gesture::orbit;
+        case Qt::MiddleButton:
+            return Gesture::pan;
+        case Qt::RightButton:
+            return Gesture::zoom;
+        default:
+            return Gesture::none;
     }
 }
 
@@ -82,10 +87,14 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     const dvec2 drag = inHeights(event->position() - last_);
     last_ = event->position();
     switch (gesture_) {
-        case Gesture::orbit: return edit(orbited(*camera_, drag));
-        case Gesture::pan: return edit(panned(*camera_, drag));
-        case Gesture::zoom: return edit(zoomed(*camera_, std::pow(kZoomPerHeight, -drag.y)));
-        case Gesture::none: return;
+        case Gesture::orbit:
+            return edit(orbited(*camera_, drag));
+        case Gesture::pan:
+            return edit(panned(*camera_, drag));
+        case Gesture::zoom:
+            return edit(zoomed(*camera_, std::pow(kZoomPerHeight, -drag.y)));
+        case Gesture::none:
+            return;
     }
 }
 
@@ -117,14 +126,21 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
         editInSteps(shift ? panned(*camera_, drag) : orbited(*camera_, drag));
     };
     switch (event->key()) {
-        case Qt::Key_Left: return turnOrMove({-kKeyStep, 0});
-        case Qt::Key_Right: return turnOrMove({kKeyStep, 0});
-        case Qt::Key_Up: return turnOrMove({0, -kKeyStep});
-        case Qt::Key_Down: return turnOrMove({0, kKeyStep});
+        case Qt::Key_Left:
+            return turnOrMove({-kKeyStep, 0});
+        case Qt::Key_Right:
+            return turnOrMove({kKeyStep, 0});
+        case Qt::Key_Up:
+            return turnOrMove({0, -kKeyStep});
+        case Qt::Key_Down:
+            return turnOrMove({0, kKeyStep});
         case Qt::Key_Plus:
-        case Qt::Key_Equal: return editInSteps(zoomed(*camera_, kZoomPerWheelClick));
-        case Qt::Key_Minus: return editInSteps(zoomed(*camera_, 1 / kZoomPerWheelClick));
-        default: QWidget::keyPressEvent(event);
+        case Qt::Key_Equal:
+            return editInSteps(zoomed(*camera_, kZoomPerWheelClick));
+        case Qt::Key_Minus:
+            return editInSteps(zoomed(*camera_, 1 / kZoomPerWheelClick));
+        default:
+            QWidget::keyPressEvent(event);
     }
 }
 
@@ -162,8 +178,8 @@ void Viewport::paintEvent(QPaintEvent*) {
         paintLetters(painter);
 }
 
-/// The field of view belongs to the height, so the picture is fitted to it: while the window is resized the patient keeps
-/// his size until the new picture comes.
+/// The field of view belongs to the height, so the picture is fitted to it: while the window is resized the patient
+/// keeps his size until the new picture comes.
 void Viewport::paintPicture(QPainter& painter) const {
     const double scale = double(height()) / image_.height();
     QRectF target(0, 0, image_.width() * scale, height());

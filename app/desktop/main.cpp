@@ -15,9 +15,9 @@ namespace {
 constexpr int kUsageError = 2;
 
 struct Options {
-    QString folder;       ///< empty: nothing is opened
-    int threads = 0;      ///< 0 = one per core
-    QString screenshot;   ///< file for a picture of the window; empty: none
+    QString folder;      ///< empty: nothing is opened
+    int threads = 0;     ///< 0 = one per core
+    QString screenshot;  ///< file for a picture of the window; empty: none
     double afterSeconds = 5;
 };
 
@@ -41,7 +41,7 @@ Options readOptions(const QApplication& application) {
     if (threadsRight && secondsRight && parser.positionalArguments().size() <= 1)
         return options;
     std::cerr << "pdrender: "
-              << (!threadsRight    ? "--threads takes a number from 1 to 1024"
+              << (!threadsRight   ? "--threads takes a number from 1 to 1024"
                   : !secondsRight ? "--after takes seconds from 0 to 86400"
                                   : "only one folder can be opened")
               << "\nTry 'pdrender --help'.\n";
@@ -51,7 +51,8 @@ Options readOptions(const QApplication& application) {
 void takeScreenshot(ui::MainWindow& window, const QString& file) {
     const bool saved = window.grab().save(file, "PNG");
     if (!saved)
-        std::cerr << "pdrender: " << file.toStdString() << ": the screenshot cannot be written there. Choose another file.\n";
+        std::cerr << "pdrender: " << file.toStdString()
+                  << ": the screenshot cannot be written there. Choose another file.\n";
     QApplication::exit(saved ? 0 : 1);
 }
 

@@ -7,7 +7,7 @@
 namespace pdr {
 namespace {
 
-constexpr double kNearestMm = 1;    ///< the eye comes no closer to the target
+constexpr double kNearestMm = 1;     ///< the eye comes no closer to the target
 constexpr double kFarthestMm = 1e6;  ///< nor goes farther: beyond, a volume is less than a pixel
 constexpr double kHalfTurn = 3.14159265358979323846;
 
@@ -26,8 +26,8 @@ double seenHeightMm(const Camera& camera) {
 
 }  // namespace
 
-/// Eye and up turn together about one axis of the image plane, so no direction is special and there is no pole. The axes
-/// are made square again each time, so rounding does not add up.
+/// Eye and up turn together about one axis of the image plane, so no direction is special and there is no pole. The
+/// axes are made square again each time, so rounding does not add up.
 Camera orbited(const Camera& camera, dvec2 drag) {
     const double length = glm::length(drag);
     if (length == 0)

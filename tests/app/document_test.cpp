@@ -31,7 +31,8 @@ struct Told {
             scenes.push_back(scene);
             lastMoves = moving;
         });
-        QObject::connect(&document, &Document::displayChanged, [this](const Display& display) { displays.push_back(display); });
+        QObject::connect(&document, &Document::displayChanged,
+                         [this](const Display& display) { displays.push_back(display); });
         document.setViewSize({400, 200});
         document.open(cube());
     }

@@ -47,6 +47,7 @@ class TestPanels : public QObject {
     void theListShowsAllSeriesAndTheirVerdicts();
     void choosingALoadableSeriesAsksForIt();
     void anUnloadableSeriesGivesItsReasonInsteadOfAPicture();
+    void thePatientNamedIsTheOneInThePicture();
     void seriesSettersAreSilent();
     void lookControlsEmitWhatTheHandChose();
     void lookSettersAreSilent();
@@ -112,7 +113,25 @@ void TestPanels::anUnloadableSeriesGivesItsReasonInsteadOfAPicture() {
     const QRect second = panel.list().visualRect(panel.list().model()->index(1, 0));
     QTest::mouseClick(panel.list().viewport(), Qt::LeftButton, {}, second.center());
     QCOMPARE(chosen.count(), 0);
-    QCOMPARE(panel.detail(), "a.dcm and b.dcm are 10 mm apart, the others 5 mm");
+    QCOMPARE(panel.detail(), "a.dcm and b.dcm are 10 mm apart, the others 5 mm.");
+}
+
+void TestPanels::thePatientNamedIsTheOneInThePicture() {
+    dicom::ScanResult scan = threeSeries();
+    scan.series[2].patient.name = "Other^Somebody";
+    SeriesPanel panel;
+    panel.resize(330, 500);
+    panel.show();
+    panel.setScan(scan);
+    panel.setCurrent(0);
+    QCOMPARE(panel.patient(), "Family, Given");
+    // Marking another series is not yet showing it.
+    const QRect third = panel.list().visualRect(panel.list().model()->index(2, 0));
+    QTest::mouseClick(panel.list().viewport(), Qt::LeftButton, {}, third.center());
+    QCOMPARE(panel.patient(), "Family, Given");
+    QVERIFY(panel.list().model()->index(2, 0).data(Qt::AccessibleTextRole).toString().contains("Other, Somebody"));
+    panel.setCurrent(2);
+    QCOMPARE(panel.patient(), "Other, Somebody");
 }
 
 void TestPanels::seriesSettersAreSilent() {
@@ -121,7 +140,7 @@ void TestPanels::seriesSettersAreSilent() {
     panel.setScan(threeSeries());
     panel.setCurrent(0);
     QCOMPARE(panel.current(), 0);
-    QCOMPARE(panel.detail(), "1 copy of a slice left out");
+    QCOMPARE(panel.detail(), "1 copy of a slice left out.");
     panel.setCurrent(2);
     panel.setCurrent(-1);
     panel.setScan({});
@@ -226,7 +245,8 @@ void TestPanels::everyControlHasAnAccessibleName() {
     MessageBar message;
     for (QWidget* panel : std::initializer_list<QWidget*>{&series, &look, &status, &message}) {
         for (const QWidget* widget : panel->findChildren<QWidget*>()) {
-            const bool control = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QListView*>(widget) ||
+            const bool control = qobject_cast<const QAbstractButton*>(widget) ||
+                                 qobject_cast<const QListView*>(widget) ||
                                  qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QSpinBox*>(widget);
             const bool own = !widget->objectName().startsWith("qt_");  // not the parts that Qt makes a control of
             if (control && own && !qobject_cast<const QScrollBar*>(widget))

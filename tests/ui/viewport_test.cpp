@@ -129,8 +129,8 @@ void TestViewport::theWheelKeepsThePointUnderTheCursor() {
     const dvec3 point = (hand.camera.right() * 60.0 - hand.camera.imageUp() * 20.0) * mmPerPixel;
     hand.wheel({260, 120}, 240);
     const dvec3 ray = point - hand.last.eyeMm;
-    const double pixels = 200 / (2 * glm::dot(ray, hand.last.forward()) *
-                                 std::tan(glm::radians(hand.last.fovDegrees) / 2));
+    const double pixels =
+        200 / (2 * glm::dot(ray, hand.last.forward()) * std::tan(glm::radians(hand.last.fovDegrees) / 2));
     QVERIFY(glm::length(hand.last.eyeMm - hand.last.targetMm) < 0.8 * glm::length(hand.camera.eyeMm));
     QVERIFY(std::abs(glm::dot(ray, hand.last.right()) * pixels - 60) < 1e-6);
     QVERIFY(std::abs(glm::dot(ray, hand.last.imageUp()) * pixels + 20) < 1e-6);
