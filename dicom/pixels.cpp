@@ -43,9 +43,11 @@ class StoredValue {
     int ofPadding(int sixteenBits) const {
         if (signBit_ == 0)
             return sixteenBits;
-        const int wide = std::int16_t(sixteenBits);
-        const bool fits = wide >= -int(signBit_) && wide < int(signBit_);
-        return fits ? wide : int((unsigned(sixteenBits) & mask_) ^ signBit_) - int(signBit_);
+        const int asSigned = std::int16_t(sixteenBits);
+        if (asSigned >= -int(signBit_) && asSigned < int(signBit_))
+            return asSigned;
+        const bool isPattern = unsigned(sixteenBits) <= mask_;  // the bits of a pixel, not a number
+        return isPattern ? int(unsigned(sixteenBits) ^ signBit_) - int(signBit_) : asSigned;
     }
 
   private:

@@ -130,6 +130,14 @@ class PixelsTest : public QObject {
         QCOMPARE(Folder(twelveBits).paddingCount(), std::size_t(2));
     }
 
+    void paddingMeetsPixelsOfFewerBits() {
+        SliceFile slice{.raw = {0x0830, 0}, .bitsStored = 12};
+        slice.change = [](DcmDataset& data) { data.putAndInsertSint16(DCM_PixelPaddingValue, -2000); };
+        QVERIFY((Folder(slice).voxels(2) == Values{-1024, 0}));
+        slice.change = [](DcmDataset& data) { data.putAndInsertSint16(DCM_PixelPaddingValue, -32768); };
+        QVERIFY((Folder(slice).voxels(2) == Values{-2000, 0}));
+    }
+
     void paddingRangeTakesBothEnds() {
         SliceFile slice{.raw = {bits(-2000), bits(-1990), bits(-1989), bits(-2001)}};
         slice.change = [](DcmDataset& data) {

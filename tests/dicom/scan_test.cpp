@@ -106,6 +106,16 @@ class ScanTest : public QObject {
         QCOMPARE(scan.series[0].slices.back().file.filename().string(), std::string("0"));
     }
 
+    void pixelSpacingNamesTheRowsFirst() {
+        Folder folder;
+        for (int k = 0; k < 2; ++k) {
+            SliceFile slice{.position = {0, 0, 3.0 * k}};
+            slice.change = [](DcmDataset& data) { data.putAndInsertString(DCM_PixelSpacing, "2\\0.5"); };
+            test::writeSliceFile(folder.path() / std::to_string(k), slice);
+        }
+        QVERIFY(glm::distance(folder.scan().series[0].geometry.spacingMm(), dvec3(0.5, 2, 3)) < 1e-12);
+    }
+
     void samePlaceWithOtherPixelsIsAConflict() {
         Folder folder;
         folder.addStack(3);
