@@ -15,11 +15,14 @@ namespace pdr::dicom {
 Result<ScanResult> scanFolder(const std::filesystem::path& folder, const Progress& progress);
 
 enum class Padding {
-    maskAsAir,  ///< padding voxels become Volume::kAirHu and are flagged
-    keep,       ///< padding voxels keep the stored HU (flagged too); for checksums only
+    /// Padding voxels become Volume::kAirHu and are flagged; so do those of the round field that some GE scanners leave
+    /// undeclared (stored -2000 where slope is 1 and intercept -1024).
+    maskAsAir,
+    keep,  ///< padding voxels keep the stored HU (flagged too); for checksums only
 };
 
-/// Decodes the pixels of `series` into HU = stored * slope + intercept, rounded to int16, slices in the order given.
+/// Decodes the pixels of `series` into HU = stored * slope + intercept, rounded and held within int16, slices in the
+/// order given, on all cores.
 /// Needs verdict.loadable(); `Padding::keep` also takes any stack whose slices agree in size.
 /// Errors: the verdict's reason, a file that went away or is damaged (named), not enough memory (figures), cancelled.
 Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress);

@@ -46,8 +46,8 @@ class StoredValue {
         const int asSigned = std::int16_t(sixteenBits);
         if (asSigned >= -int(signBit_) && asSigned < int(signBit_))
             return asSigned;
-        const bool isPattern = unsigned(sixteenBits) <= mask_;  // the bits of a pixel, not a number
-        return isPattern ? int(unsigned(sixteenBits) ^ signBit_) - int(signBit_) : asSigned;
+        // The bits of a pixel, then, and not a number; what is wider than a pixel stays so and matches none.
+        return int(unsigned(sixteenBits) ^ signBit_) - int(signBit_);
     }
 
   private:

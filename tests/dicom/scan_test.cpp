@@ -130,7 +130,8 @@ class ScanTest : public QObject {
         Folder folder;
         folder.addStack(5);
         for (int k = 0; k < 5; ++k)
-            fs::copy_file(folder.path() / ("s" + std::to_string(k)), folder.path() / ("again" + std::to_string(k)));
+            fs::copy_file(folder.path() / std::string("s").append(std::to_string(k)),
+                          folder.path() / std::string("again").append(std::to_string(k)));
         const ScanResult scan = folder.scan();
         QCOMPARE(scan.series.size(), std::size_t(1));
         QVERIFY(scan.series[0].verdict.loadable());
