@@ -73,6 +73,7 @@ class TestDesktop : public QObject {
     void thePictureIsSaved_data();
     void thePictureIsSaved();
     void aPictureThatCannotBeWrittenIsSaid();
+    void anUnknownFormatIsSaid();
     void aFailedFolderIsSaidAndThePictureStays();
     void theTitleNamesTheSeriesButNotThePatient();
     void onlyGeometryAndFolderAreKept();
@@ -246,6 +247,14 @@ void TestDesktop::aPictureThatCannotBeWrittenIsSaid() {
     trial.openAndWait(series_);
     emit trial.desktop.window().saveRequested(trial.folder.filePath("no/such/folder/picture.png"));
     QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("picture.png"), 20000);
+}
+
+void TestDesktop::anUnknownFormatIsSaid() {
+    Trial trial;
+    trial.openAndWait(series_);
+    emit trial.desktop.window().saveRequested(trial.folder.filePath("picture.jpg"));
+    QVERIFY(trial.desktop.window().message().text().contains(".png or .exr"));
+    QVERIFY(!QFileInfo::exists(trial.folder.filePath("picture.jpg")));
 }
 
 void TestDesktop::aFailedFolderIsSaidAndThePictureStays() {
