@@ -48,7 +48,13 @@ void RenderBridge::dropFrames() {
 }
 
 void RenderBridge::save(const QString& file) {
-    session_.inspect([this, file, display = display_](const Film& film, const Scene& scene, double seconds) {
+    const bool exr = file.endsWith(".exr", Qt::CaseInsensitive);
+    if (!exr && !file.endsWith(".png", Qt::CaseInsensitive)) {
+        emit saveFailed({"the name says no format that pictures are saved in", file.toStdString(),
+                         "Choose a name that ends in .png or .exr."});
+        return;
+    }
+    session_.inspect([this, file, exr, display = display_](const Film& film, const Scene& scene, double seconds) {
         const FilmStatus status = film.status();
         const Provenance provenance{status.samplesPerPixel,
                                     seconds,
@@ -59,7 +65,6 @@ void RenderBridge::save(const QString& file) {
                                     scene.transferFunction.extinctionPerMm,
                                     "PD-Render " PDR_VERSION};
         const std::filesystem::path path = ui::fromQt(file);
-        const bool exr = file.endsWith(".exr", Qt::CaseInsensitive);
         const Result<void> written = exr ? writeExr(film, provenance, path) : writePng(film, display, provenance, path);
         QMetaObject::invokeMethod(this, [this, file, written] {
             if (written)

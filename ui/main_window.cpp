@@ -137,8 +137,8 @@ void MainWindow::fillViewMenu() {
                                                                  {tr("From the &back (P)"), StandardView::posterior},
                                                                  {tr("From the &left (L)"), StandardView::left},
                                                                  {tr("From the &right (R)"), StandardView::right},
-                                                                 {tr("From the &head (S)"), StandardView::superior},
-                                                                 {tr("From the f&eet (I)"), StandardView::inferior}}};
+                                                                 {tr("From the &head (H)"), StandardView::superior},
+                                                                 {tr("From the f&eet (F)"), StandardView::inferior}}};
     QMenu* menu = menuBar()->addMenu(tr("&View"));
     int key = Qt::Key_1;
     for (const auto& [name, view] : views) {
@@ -178,13 +178,16 @@ void MainWindow::chooseFolder() {
 
 void MainWindow::chooseFile() {
     const QString png = tr("PNG picture (*.png)"), exr = tr("OpenEXR with the error of every pixel (*.exr)");
-    QString filter = png;
-    QString file = QFileDialog::getSaveFileName(this, tr("Save the picture"), "picture.png", png + ";;" + exr, &filter);
-    if (file.isEmpty())
-        return;
-    if (QFileInfo(file).suffix().isEmpty())
-        file += filter == exr ? ".exr" : ".png";
-    emit saveRequested(file);
+    QFileDialog dialog(this, tr("Save the picture"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({png, exr});
+    // With a suffix from the dialog itself it also asks before it overwrites.
+    dialog.setDefaultSuffix("png");
+    connect(&dialog, &QFileDialog::filterSelected, &dialog,
+            [&](const QString& filter) { dialog.setDefaultSuffix(filter == exr ? "exr" : "png"); });
+    dialog.selectFile("picture");
+    if (dialog.exec() == QDialog::Accepted)
+        emit saveRequested(dialog.selectedFiles().constFirst());
 }
 
 void MainWindow::showPictureAlone(bool alone) {

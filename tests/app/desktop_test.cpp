@@ -35,6 +35,15 @@ struct Trial {
         QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == newest, 30000);
     }
 
+    /// After a pause: until the launch that was on its way has been shown.
+    void waitUntilStill() {
+        std::size_t seen;
+        do {
+            seen = frames.size();
+            QTest::qWait(700);
+        } while (frames.size() > seen);
+    }
+
     QTemporaryDir folder;
     Desktop desktop;
     std::vector<std::shared_ptr<const Frame>> frames;
@@ -73,6 +82,7 @@ class TestDesktop : public QObject {
     void thePictureIsSaved_data();
     void thePictureIsSaved();
     void aPictureThatCannotBeWrittenIsSaid();
+    void anUnknownFormatIsSaid();
     void aFailedFolderIsSaidAndThePictureStays();
     void theTitleNamesTheSeriesButNotThePatient();
     void onlyGeometryAndFolderAreKept();
@@ -169,7 +179,7 @@ void TestDesktop::brightnessWorksWithoutARestart() {
     Trial trial;
     trial.openAndWait(series_);
     trial.desktop.parts().bridge.setPaused(true);
-    QTest::qWait(300);
+    trial.waitUntilStill();
     const auto mean = [&] {
         double sum = 0;
         for (const std::uint8_t level : trial.frames.back()->rgba)
@@ -188,7 +198,7 @@ void TestDesktop::pauseHoldsTheSamples() {
     trial.openAndWait(series_);
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
     QVERIFY(trial.desktop.parts().bridge.paused());
-    QTest::qWait(300);
+    trial.waitUntilStill();
     const std::uint64_t held = trial.frames.back()->status.samplesPerPixel;
     QTest::qWait(300);
     QCOMPARE(trial.frames.back()->status.samplesPerPixel, held);
@@ -246,6 +256,14 @@ void TestDesktop::aPictureThatCannotBeWrittenIsSaid() {
     trial.openAndWait(series_);
     emit trial.desktop.window().saveRequested(trial.folder.filePath("no/such/folder/picture.png"));
     QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("picture.png"), 20000);
+}
+
+void TestDesktop::anUnknownFormatIsSaid() {
+    Trial trial;
+    trial.openAndWait(series_);
+    emit trial.desktop.window().saveRequested(trial.folder.filePath("picture.jpg"));
+    QVERIFY(trial.desktop.window().message().text().contains(".png or .exr"));
+    QVERIFY(!QFileInfo::exists(trial.folder.filePath("picture.jpg")));
 }
 
 void TestDesktop::aFailedFolderIsSaidAndThePictureStays() {
