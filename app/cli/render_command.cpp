@@ -17,6 +17,7 @@
 #include "render/base/replacing_file.h"
 #include "render/device/device.h"
 #include "render/film/image_file.h"
+#include "render/scene/fit_view.h"
 #include "render/scene/flatten.h"
 
 namespace pdr::app {
@@ -75,7 +76,8 @@ Result<SceneFile> readInput(const RenderOptions& options) {
 
 Camera cameraFrom(StandardView view, const Scene& scene) {
     const VolumeGeometry& geometry = scene.volume->geometry();
-    return standardView(view, geometry.centreMm(), geometry.radiusMm(), double(scene.film.x) / double(scene.film.y));
+    const double aspect = double(scene.film.x) / double(scene.film.y);
+    return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, 0.95);
 }
 
 /// The preset that was asked for; a folder, which has no look of its own, gets the first one.
