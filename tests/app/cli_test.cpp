@@ -176,7 +176,7 @@ class CliTest : public QObject {
     }
 
     void optionsOverruleTheScene() {
-        const Run result = run({"render", scene(), "-o", at("b.png"), "--samples", "4", "--size", "30x20", "--preset",
+        const Run result = run({"render", scene(), "-o", at("b.png"), "--samples", "64", "--size", "30x20", "--preset",
                                 "bone", "--view", "left", "--seed", "9", "--json"});
         QVERIFY2(result.code == 0, result.err.constData());
         QCOMPARE(QImage(at("b.png")).size(), QSize(30, 20));
