@@ -7,7 +7,7 @@
 namespace pdr::app {
 namespace {
 
-constexpr double kLaunchSeconds = 0.25;   ///< so that Ctrl-C and --seconds are obeyed soon
+constexpr double kLaunchSeconds = 0.25;  ///< so that Ctrl-C and --seconds are obeyed soon
 constexpr double kReportSeconds = 0.5;
 constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two looks at the error; fewer tell too little about it
 

@@ -43,7 +43,8 @@ void ProgressLine::draw(double fraction, const std::string& text) {
     const int percent = int(100 * std::clamp(fraction, 0.0, 1.0));
     if (terminal_) {
         const int filled = percent * kBarWidth / 100;
-        const std::string bar = std::string(std::size_t(filled), '#') + std::string(std::size_t(kBarWidth - filled), '.');
+        const std::string bar =
+            std::string(std::size_t(filled), '#') + std::string(std::size_t(kBarWidth - filled), '.');
         std::fprintf(stderr, "\r\033[K[%s] %3d %%  %s", bar.c_str(), percent, text.c_str());
         std::fflush(stderr);
         open_ = true;

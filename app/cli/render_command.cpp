@@ -1,10 +1,5 @@
 #include "app/cli/render_command.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-
-#include <cmath>
 #include <cstdio>
 #include <new>
 
@@ -12,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
+#include "app/cli/render_report.h"
 #include "app/presets.h"
 #include "app/scene_volume.h"
 #include "render/base/replacing_file.h"
@@ -128,65 +124,12 @@ Provenance provenance(const Scene& scene, const BatchResult& result) {
 Result<void> writeAll(const RenderOptions& options, const Work& work, const Film& film, const BatchResult& result) {
     const Provenance facts = provenance(work.scene, result);
     for (const auto& path : options.outputs) {
-        const auto ok = path.extension() == ".png" ? writePng(film, work.display, facts, path)
-                                                   : writeExr(film, facts, path);
+        const auto ok =
+            path.extension() == ".png" ? writePng(film, work.display, facts, path) : writeExr(film, facts, path);
         if (!ok)
             return ok;
     }
     return {};
-}
-
-const char* reasonWord(StopReason reason) {
-    switch (reason) {
-        case StopReason::samples:
-            return "samples";
-        case StopReason::seconds:
-            return "seconds";
-        case StopReason::error:
-            return "error";
-        case StopReason::interrupted:
-            break;
-    }
-    return "interrupted";
-}
-
-double samplesPerSecond(const Scene& scene, const BatchResult& result) {
-    const double samples = double(result.film.samplesPerPixel) * scene.film.x * scene.film.y;
-    return samples / std::max(result.seconds, 1e-9);
-}
-
-void printJson(const RenderOptions& options, const Scene& scene, const DeviceInfo& device, const BatchResult& result) {
-    QJsonArray outputs;
-    for (const auto& path : options.outputs)
-        outputs.append(QString::fromStdString(path.string()));
-    const double error = result.film.relativeError;
-    const QJsonObject object{
-        {"outputs", outputs},
-        {"width", scene.film.x},
-        {"height", scene.film.y},
-        {"samplesPerPixel", double(result.film.samplesPerPixel)},
-        {"rejectedSamples", double(result.film.rejectedSamples)},
-        {"seconds", result.seconds},
-        {"samplesPerSecond", samplesPerSecond(scene, result)},
-        {"relativeError", std::isfinite(error) ? QJsonValue(error) : QJsonValue()},
-        {"meanLuminance", result.film.meanLuminance},
-        {"stoppedBy", reasonWord(result.reason)},
-        {"device", QString::fromStdString(device.name)},
-        {"seed", QString::number(scene.seed)},
-    };
-    std::fputs(QJsonDocument(object).toJson().constData(), stdout);
-}
-
-void printText(const RenderOptions& options, const Scene& scene, const DeviceInfo& device, const BatchResult& result) {
-    std::printf("%d x %d pixels, %llu samples per pixel in %.3g s (%.3g million samples per second) on %s, %s\n",
-                scene.film.x, scene.film.y, static_cast<unsigned long long>(result.film.samplesPerPixel), result.seconds,
-                samplesPerSecond(scene, result) / 1e6, device.name.c_str(), device.details.c_str());
-    std::printf("remaining error: %s of the mean brightness\n", errorText(result.film.relativeError).c_str());
-    if (result.film.rejectedSamples > 0)
-        std::printf("left out: %llu samples that were no numbers\n",
-                    static_cast<unsigned long long>(result.film.rejectedSamples));
-    for (const auto& path : options.outputs)
-        std::printf("written: %s\n", path.c_str());
 }
 
 /// Everything between the options and the exit code.
@@ -217,8 +160,8 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
         return Error{"ended before the first sample: nothing was written", "", ""};
     if (auto ok = writeAll(options, *work, film, *result); !ok)
         return ok.error();
-    const auto print = options.json ? printJson : printText;
-    print(options, work->scene, device->info(), *result);
+    const RenderReport report{options.outputs, film.size(), work->scene.seed, device->info(), *result};
+    std::fputs((options.json ? jsonText(report) : plainText(report)).c_str(), stdout);
     return result->reason;
 }
 

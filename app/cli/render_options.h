@@ -25,7 +25,7 @@ struct RenderOptions {
     std::optional<ivec2> size;                   ///< absent: 1024 x 1024 for a folder, the file's own film for a scene
     Stops stops;                                 ///< 256 samples when nothing was asked for
     std::optional<double> exposure;
-    int threads = 0;                             ///< 0 = one per core
+    int threads = 0;  ///< 0 = one per core
     std::optional<std::uint64_t> seed;
     bool json = false;
     bool help = false;

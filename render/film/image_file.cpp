@@ -134,8 +134,8 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
     std::vector<float> row(std::size_t(size.x) * kChannelCount);
     Imf::FrameBuffer frame;
     for (std::size_t channel = 0; channel < kChannelCount; ++channel)  // a row stride of 0: all rows pass through `row`
-        frame.insert(kChannels[channel], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&row[channel]),
-                                                    sizeof(float) * kChannelCount, 0));
+        frame.insert(kChannels[channel],
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&row[channel]), sizeof(float) * kChannelCount, 0));
     image.setFrameBuffer(frame);
     for (int y = 0; y < size.y; ++y) {
         float* out = row.data();

@@ -14,8 +14,8 @@ double linearFromSrgb(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-/// Entry k is the radiance, in units of the exposure, from which level k + 1 is shown. The curve is inverted once, where
-/// it rounds, so that a pixel costs a search instead of an exponential and a power, and the levels are exact.
+/// Entry k is the radiance, in units of the exposure, from which level k + 1 is shown. The curve is inverted once,
+/// where it rounds, so that a pixel costs a search instead of an exponential and a power, and the levels are exact.
 std::array<double, 255> makeThresholds() {
     std::array<double, 255> thresholds{};
     for (int k = 0; k < 255; ++k)

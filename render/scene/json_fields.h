@@ -1,6 +1,6 @@
 #pragma once
-/// Reads JSON objects field by field and strictly: a field that is missing, of another kind, unknown or written twice is
-/// an error that names its path ("lights[1].radiance"). Ranges are not its business; the values check themselves.
+/// Reads JSON objects field by field and strictly: a field that is missing, of another kind, unknown or written twice
+/// is an error that names its path ("lights[1].radiance"). Ranges are not its business; the values check themselves.
 ///
 /// Inside, errors travel as FieldError and are caught where the file was opened: readJson().
 

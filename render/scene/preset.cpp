@@ -92,8 +92,8 @@ Scene withPreset(Scene scene, const Preset& preset) {
 
 std::vector<Light> lightRig(const Preset& preset, const VolumeGeometry& geometry, const Camera& camera) {
     std::vector<Light> lights;
-    for (const auto& [panel, radiance] : {std::pair(kKey, preset.keyLight), std::pair(kFill, preset.fillLight),
-                                          std::pair(kRim, preset.rimLight)})
+    for (const auto& [panel, radiance] :
+         {std::pair(kKey, preset.keyLight), std::pair(kFill, preset.fillLight), std::pair(kRim, preset.rimLight)})
         if (radiance > 0)  // a dark panel would only take samples away from the others
             lights.push_back(placed(panel, radiance, geometry, camera));
     return lights;

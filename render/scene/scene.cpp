@@ -29,11 +29,11 @@ Result<void> checkCamera(const Camera& camera) {
 }
 
 Result<void> checkTransport(const Scene& scene) {
-    for (const auto& ok : {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
-                           checkRange(scene.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
-                           checkRange(scene.maxBounces, {1, 1000}, "maxBounces"),
-                           checkRange(scene.film.x, {1, 16384}, "film.width"),
-                           checkRange(scene.film.y, {1, 16384}, "film.height")})
+    for (const auto& ok :
+         {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
+          checkRange(scene.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
+          checkRange(scene.maxBounces, {1, 1000}, "maxBounces"), checkRange(scene.film.x, {1, 16384}, "film.width"),
+          checkRange(scene.film.y, {1, 16384}, "film.height")})
         if (!ok)
             return ok;
     if (scene.model != Model::singleScattering)
@@ -64,8 +64,7 @@ const char* modelName(Model model) {
 }
 
 Result<void> Scene::check() const {
-    for (const auto& ok :
-         {transferFunction.check(), checkTransport(*this), checkLights(*this), checkCamera(camera)})
+    for (const auto& ok : {transferFunction.check(), checkTransport(*this), checkLights(*this), checkCamera(camera)})
         if (!ok)
             return ok;
     return {};

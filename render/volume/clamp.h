@@ -8,8 +8,8 @@
 
 namespace pdr {
 
-/// Every voxel clamped to [first, second] HU, padding included; what is padding stays so. Without an interval the volume
-/// as it is. Needs first <= second, both within int16.
+/// Every voxel clamped to [first, second] HU, padding included; what is padding stays so. Without an interval the
+/// volume as it is. Needs first <= second, both within int16.
 Volume clamped(Volume volume, const std::optional<std::pair<int, int>>& interval);
 
 }  // namespace pdr

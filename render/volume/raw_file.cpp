@@ -35,13 +35,12 @@ Result<void> checkBytes(const RawFile& file) {
     const std::uintmax_t found = std::filesystem::file_size(file.path, failure);
     if (failure)
         return Error{"the file cannot be read (" + failure.message() + ")", file.path.string(), "Check the path."};
-    const std::uintmax_t needed =
-        std::uintmax_t(file.size.x) * std::uintmax_t(file.size.y) * std::uintmax_t(file.size.z) *
-        bytesPerVoxel(file.type);
+    const std::uintmax_t needed = std::uintmax_t(file.size.x) * std::uintmax_t(file.size.y) *
+                                  std::uintmax_t(file.size.z) * bytesPerVoxel(file.type);
     if (found == needed)
         return {};
-    return Error{"the file holds " + std::to_string(found) + " bytes, " + count(file.size) + " voxels of this type are " +
-                     std::to_string(needed),
+    return Error{"the file holds " + std::to_string(found) + " bytes, " + count(file.size) +
+                     " voxels of this type are " + std::to_string(needed),
                  file.path.string(), "Check size and type."};
 }
 

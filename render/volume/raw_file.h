@@ -19,8 +19,8 @@ struct RawFile {
     std::optional<dvec3> originMm;  ///< centre of voxel (0,0,0); default half a spacing, so that the box starts at 0
 };
 
-/// The file's voxels as int16 HU, floats rounded. Errors: no such file, a size in bytes that the dimensions do not give,
-/// a value that int16 does not hold, not enough memory.
+/// The file's voxels as int16 HU, floats rounded. Errors: no such file, a size in bytes that the dimensions do not
+/// give, a value that int16 does not hold, not enough memory.
 Result<Volume> loadRaw(const RawFile& file);
 
 }  // namespace pdr

@@ -3,13 +3,13 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
+#include <unistd.h>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
-#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -37,8 +37,8 @@ class CliTest : public QObject {
         process.start(program(), arguments);
         if (!process.waitForFinished(120'000))
             qFatal("pdrender-cli did not end");
-        return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-                process.readAllStandardOutput(), process.readAllStandardError()};
+        return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
+                process.readAllStandardError()};
     }
 
     static QByteArray contents(const QString& path) {
@@ -176,7 +176,7 @@ class CliTest : public QObject {
     }
 
     void optionsOverruleTheScene() {
-        const Run result = run({"render", scene(), "-o", at("b.png"), "--samples", "4", "--size", "30x20", "--preset",
+        const Run result = run({"render", scene(), "-o", at("b.png"), "--samples", "64", "--size", "30x20", "--preset",
                                 "bone", "--view", "left", "--seed", "9", "--json"});
         QVERIFY2(result.code == 0, result.err.constData());
         QCOMPARE(QImage(at("b.png")).size(), QSize(30, 20));
@@ -207,8 +207,8 @@ class CliTest : public QObject {
         std::vector<std::vector<float>> pictures;
         for (const char* threads : {"1", "2", "4"}) {
             const QString name = at(QString("threads%1").arg(threads));
-            const Run result = run({"render", scene(), "-o", name + ".png", "-o", name + ".exr", "--samples", "70",
-                                    "--threads", threads});
+            const Run result = run(
+                {"render", scene(), "-o", name + ".png", "-o", name + ".exr", "--samples", "70", "--threads", threads});
             QVERIFY2(result.code == 0, result.err.constData());
             pictures.push_back(exrPixels(name + ".exr"));
         }

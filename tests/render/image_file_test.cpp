@@ -7,9 +7,9 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfStringAttribute.h>
+#include <sys/resource.h>
 #include <QImage>
 #include <QTemporaryDir>
-#include <sys/resource.h>
 
 #include <csignal>
 #include <fstream>
@@ -43,7 +43,9 @@ class ImageFileTest : public QObject {
 
     QTemporaryDir folder_;
     std::filesystem::path at(const char* name) const { return folder_.filePath(name).toStdString(); }
-    QStringList names() const { return QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot); }
+    QStringList names() const {
+        return QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
 
   private slots:
     void cleanup() {

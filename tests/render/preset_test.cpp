@@ -54,7 +54,8 @@ class PresetTest : public QObject {
         const auto wrong = presetFromJson(text("ct_bone").replace("\"key\":", "\"main\":").toStdString(), "ct_bone");
         QVERIFY(!wrong);
         QCOMPARE(wrong.error().where, std::string("ct_bone, lights.main"));
-        const auto dark = presetFromJson(text("ct_bone").replace("\"exposure\": ", "\"exposure\": -").toStdString(), "x");
+        const auto dark =
+            presetFromJson(text("ct_bone").replace("\"exposure\": ", "\"exposure\": -").toStdString(), "x");
         QVERIFY(!dark);
         QCOMPARE(dark.error().where, std::string("x, exposure"));
     }

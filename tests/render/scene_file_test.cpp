@@ -87,8 +87,7 @@ class SceneFileTest : public QObject {
         QVERIFY((std::get<RectangleLight>(scene.lights[1]) ==
                  RectangleLight{{1, 2, 3}, {0, 0, 1}, {0, 1, 0}, 4, 5, vec3(6)}));
         QVERIFY((scene.environment == Environment{{0.1f, 0.2f, 0.3f}, false}));
-        QVERIFY((scene.camera ==
-                 Camera{Camera::Type::orthographic, {0, -10, 0}, {0, 1, 2}, {1, 0, 0}, 35, 33, 0, 12}));
+        QVERIFY((scene.camera == Camera{Camera::Type::orthographic, {0, -10, 0}, {0, 1, 2}, {1, 0, 0}, 35, 33, 0, 12}));
         QVERIFY(scene.film == ivec2(640, 480));
         QCOMPARE(scene.seed, 18446744073709551615u);
     }
@@ -191,7 +190,8 @@ class SceneFileTest : public QObject {
     }
 
     void brokenJsonIsTold() {
-        for (const char* text : {"", "{", "[]", "null", "{\"format\": \"pdrender-scene\"", "\xff\xfe", "{\"a\":1e999}"}) {
+        for (const char* text :
+             {"", "{", "[]", "null", "{\"format\": \"pdrender-scene\"", "\xff\xfe", "{\"a\":1e999}"}) {
             const auto file = read(text);
             QVERIFY(!file);
             QVERIFY(file.error().where.find("scene.json") != std::string::npos);

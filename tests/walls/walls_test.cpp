@@ -88,8 +88,8 @@ class WallsTest : public QObject {
     }
 
     void aCrossedWallIsSeen() {
-        for (const char* include : {"QString", "dicom/series.h", "render/scene/scene.h", "dcmtk/config/osconfig.h", "png.h",
-                                    "nlohmann/json.hpp", "cuda_runtime.h"})
+        for (const char* include : {"QString", "dicom/series.h", "render/scene/scene.h", "dcmtk/config/osconfig.h",
+                                    "png.h", "nlohmann/json.hpp", "cuda_runtime.h"})
             QCOMPARE(crossings("render/film/film.cpp", QStringLiteral("\n#include <%1>\n").arg(include)).size(), 1);
         QCOMPARE(crossings("render/film/film.cpp", "#include <vector>\n#include \"render/base/result.h\"").size(), 0);
         QCOMPARE(crossings("ui/viewport.cpp", "#include <QWidget>\n#include \"dicom/import.h\""),

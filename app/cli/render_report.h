@@ -1,0 +1,30 @@
+#pragma once
+/// What `pdrender-cli render` says on standard output when a picture is written.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli/batch_render.h"
+#include "render/base/portable.h"
+#include "render/device/device.h"
+
+namespace pdr::app {
+
+struct RenderReport {
+    std::vector<std::filesystem::path> outputs;
+    ivec2 size{0};  ///< pixels
+    std::uint64_t seed = 0;
+    DeviceInfo device;
+    BatchResult result;
+};
+
+/// A JSON object: outputs, width, height, samplesPerPixel, rejectedSamples, seconds, samplesPerSecond (of all pixels
+/// together), relativeError (null while unknown), meanLuminance, stoppedBy (samples, seconds, error, interrupted),
+/// device, seed (as text: 64 bits do not fit a JSON number).
+std::string jsonText(const RenderReport& report);
+/// The same for a person, in a few lines.
+std::string plainText(const RenderReport& report);
+
+}  // namespace pdr::app
