@@ -11,16 +11,20 @@ static void keepResources() {
 
 namespace pdr::app {
 
+Result<Preset> readPresetFile(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{"this preset cannot be read: " + file.errorString().toStdString(), path.toStdString(),
+                     "Check the name and the permissions."};
+    const QByteArray json = file.readAll();
+    return presetFromJson({json.constData(), std::size_t(json.size())}, path.toStdString());
+}
+
 Result<std::vector<Preset>> bundledPresets() {
     keepResources();
     std::vector<Preset> presets;
     for (const char* name : {"ct_bone", "ct_soft_tissue", "ct_angio", "ct_lung"}) {
-        const QString path = QStringLiteral(":/presets/%1.json").arg(QLatin1String(name));
-        QFile file(path);
-        if (!file.open(QIODevice::ReadOnly))
-            return Error{"this preset is missing from the program", path.toStdString(), "Install the program again."};
-        const QByteArray json = file.readAll();
-        Result<Preset> preset = presetFromJson({json.constData(), std::size_t(json.size())}, path.toStdString());
+        Result<Preset> preset = readPresetFile(QStringLiteral(":/presets/%1.json").arg(QLatin1String(name)));
         if (!preset)
             return preset.error();
         presets.push_back(*std::move(preset));

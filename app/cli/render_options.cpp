@@ -25,7 +25,7 @@ void describe(QCommandLineParser& parser) {
         {{"h", "help"}, "Show this text."},
         {{"o", "output"}, "Write the picture here; may be given several times.", "FILE.png|FILE.exr"},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
-        {"preset", "Look: \"CT bone\" (default), \"CT soft tissue\", \"CT angio\" or \"CT lung\".", "NAME"},
+        {"preset", "Look: \"CT bone\" (default), \"CT soft tissue\", \"CT angio\", \"CT lung\", or a preset file (.json).", "NAME"},
         {"view", "Look from anterior (default), posterior, left, right, superior or inferior.", "SIDE"},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
         {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
@@ -106,6 +106,12 @@ std::optional<Preset> readPreset(const Reader& reader) {
     const auto text = reader.text("preset");
     if (!text)
         return std::nullopt;
+    if (text->endsWith(".json")) {
+        const auto preset = readPresetFile(*text);
+        if (!preset)
+            throw preset.error();
+        return *preset;
+    }
     const auto presets = bundledPresets();
     if (!presets)
         throw presets.error();
