@@ -12,6 +12,7 @@
 #include "app/desktop.h"
 #include "app/presets.h"
 #include "tests/support/phantom_series.h"
+#include "tests/support/shared_data.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
@@ -302,12 +303,9 @@ void TestDesktop::onlyGeometryAndFolderAreKept() {
 }
 
 void TestDesktop::aRealChestIsShown() {
-    const QString shared = qEnvironmentVariable("PDR_SHARED", PDR_SOURCE_DIR "/../shared");
-    const QString chest = shared + "/data/ct/chest_contrast";
-    if (!QFileInfo::exists(chest))
-        QSKIP("The shared test data is not here: set PDR_SHARED to the folder that holds data/ct/chest_contrast.");
+    PDR_NEEDS_SHARED_CT();
     Trial trial;
-    trial.openAndWait(chest);
+    trial.openAndWait(ui::toQt(test::sharedCt() / "chest_contrast"));
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= 3, 60000);
     QVERIFY(trial.desktop.parts().document.scene().volume->size() == ivec3(512, 512, 100));
 }
