@@ -4,6 +4,7 @@
 
 #include "ui/series_text.h"
 #include "ui/status_text.h"
+#include "ui/to_qt.h"
 
 namespace pdr::app {
 namespace {
@@ -65,7 +66,7 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
 
 void showProgress(const DesktopParts& parts, double fraction, const QString& step) {
     parts.window.status().setProgress(fraction, step);
-    parts.window.viewport().setMessage(step);
+    parts.window.viewport().setMessage(ui::sentence(step.toStdString()));
 }
 
 void showReadingEnded(const DesktopParts& parts) {
