@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/accuracy/prediction.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -35,6 +37,15 @@ QString errorText(double relativeError) {
     return translated("error %1 %").arg(shortNumber(100 * relativeError));
 }
 
+/// "8 s", "1.5 min", "2.0 h"
+QString durationText(double seconds) {
+    if (seconds < 60)
+        return translated("%1 s").arg(std::max(1.0, std::round(seconds)));
+    const bool hours = seconds >= 3600;
+    const double value = seconds / (hours ? 3600 : 60);
+    return translated(hours ? "%1 h" : "%1 min").arg(QLocale::c().toString(value, 'f', value < 10 ? 1 : 0));
+}
+
 }  // namespace
 
 QString statusText(const FilmStatus& status, double iterationsPerSecond, bool paused) {
@@ -46,6 +57,8 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
     parts << errorText(status.relativeError) << counted(status.samplesPerPixel, "sample", "samples");
     if (!paused)
         parts << translated("%1 iterations/s").arg(shortNumber(iterationsPerSecond));
+    if (const auto next = nextQualityStep(status, iterationsPerSecond); next && !paused)
+        parts << translated("%1 % in about %2").arg(QLocale::c().toString(100 * next->relativeError, 'g', 2), durationText(next->seconds));
     if (status.rejectedSamples > 0)
         parts << counted(status.rejectedSamples, "sample left out as not a number", "samples left out as not a number");
     return parts.join(", ");

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "render/accuracy/prediction.h"
+
 namespace pdr::app {
 namespace {
 
@@ -79,8 +81,9 @@ BatchState BatchRender::state(double elapsed) const {
         state.fraction = std::max(state.fraction, double(film_.samplesPerPixel()) / double(*stops_.samples));
     if (stops_.seconds)
         state.fraction = std::max(state.fraction, elapsed / *stops_.seconds);
-    if (stops_.relativeError && state.film.relativeError > 0)  // the error falls with the root of the samples
-        state.fraction = std::max(state.fraction, std::pow(*stops_.relativeError / state.film.relativeError, 2));
+    if (stops_.relativeError)
+        state.fraction = std::max(
+            state.fraction, double(film_.samplesPerPixel()) / samplesToReach(*stops_.relativeError, state.film));
     state.fraction = std::min(state.fraction, 1.0);
     if (state.fraction > 0)
         state.secondsLeft = elapsed * (1 - state.fraction) / state.fraction;

@@ -192,7 +192,10 @@ void TestPanels::theStatusSaysErrorSamplesAndSpeed_data() {
     QTest::addColumn<double>("speed");
     QTest::addColumn<bool>("paused");
     QTest::addColumn<QString>("expected");
-    QTest::newRow("usual") << 256ull << 0.0183 << 31.4 << false << "error 1.8 %, 256 samples, 31 iterations/s";
+    QTest::newRow("usual") << 256ull << 0.0183 << 31.4 << false
+                           << "error 1.8 %, 256 samples, 31 iterations/s, 1 % in about 19 s";
+    QTest::newRow("long") << 64ull << 0.26 << 0.5 << false
+                          << "error 26 %, 64 samples, 0.50 iterations/s, 20 % in about 1.5 min";
     QTest::newRow("coarse") << 2ull << 0.42 << 0.73 << false << "error 42 %, 2 samples, 0.73 iterations/s";
     QTest::newRow("fine") << 123456ull << 0.000123 << 180.0 << false
                           << QString::fromUtf8("error 0.012 %, 123\u2009456 samples, 180 iterations/s");

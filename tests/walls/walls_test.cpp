@@ -17,13 +17,14 @@ class WallsTest : public QObject {
     inline static const QList<Wall> kOwn{
         {"render/base/", "^render/base/"},
         {"render/volume/", "^render/(base|volume)/"},
-        {"render/kernel/", "^render/(base|kernel)/|^render/film/tile.h"},
+        {"render/kernel/", "^render/(base|kernel)/"},
         {"render/film/", "^render/(base|film)/"},
+        {"render/accuracy/", "^render/(base|film|scene|accuracy)/"},
         {"render/scene/", "^render/(base|volume|kernel|scene)/|^render/film/display.h"},
         {"render/device/", "^render/(base|kernel|film|device)/|^render/scene/flatten.h"},
         {"render/session/", "^render/(base|kernel|film|scene|device|tiles|accuracy|session)/"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
-        {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy)/|^dicom/series.h|^render/session/session.h"},
+        {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy)/|^dicom/series.h"},
         {"app/bench/", "^app/bench/|^render/"},
         {"app/", "^(app|ui|dicom|render)/"},
     };

@@ -1,0 +1,45 @@
+#include <QTest>
+#include <cmath>
+
+#include "render/accuracy/prediction.h"
+#include "tests/support/scenes.h"
+
+using namespace pdr;
+
+class PredictionTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void halfTheErrorCostsFourTimesTheSamples() {
+        const FilmStatus status{.samplesPerPixel = 100, .relativeError = 0.2};
+        QCOMPARE(samplesToReach(0.1, status), 400.0);
+        QCOMPARE(samplesToReach(0.3, status), 100.0);
+    }
+
+    void nextStepIsRounderAndSmaller() {
+        const auto step = nextQualityStep({.samplesPerPixel = 100, .relativeError = 0.26}, 10);
+        QVERIFY(step.has_value());
+        QCOMPARE(step->relativeError, 0.2);
+        QCOMPARE(step->seconds, 100 * (1.3 * 1.3 - 1) / 10);
+    }
+
+    void nothingIsForetoldTooEarlyOrWithoutSpeed() {
+        QVERIFY(!nextQualityStep({.samplesPerPixel = 15, .relativeError = 0.3}, 10));
+        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .relativeError = INFINITY}, 10));
+        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .relativeError = 0.3}, 0));
+        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .relativeError = 0}, 10));
+    }
+
+    /// A forecast from 64 samples holds when the samples are taken.
+    void forecastComesTrue() {
+        Scene scene = test::plainScene(test::bumpyVolume({40, 40, 40}, dvec3(1), 3), 1);
+        scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 600, .opacity = 1}};
+        const FilmStatus early = test::render(scene, 64).status();
+        const double needed = samplesToReach(early.relativeError / 5, early);
+        const FilmStatus late = test::render(scene, std::uint64_t(needed)).status();
+        QVERIFY(std::fabs(late.relativeError / (early.relativeError / 5) - 1) < 0.03);
+    }
+};
+
+QTEST_GUILESS_MAIN(PredictionTest)
+#include "prediction_test.moc"
