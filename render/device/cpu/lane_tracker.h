@@ -36,6 +36,10 @@ class RayBatch {
     static constexpr int kIdleLanes = kLanes / 4;  ///< so many lanes wait before new rays are taken
     static constexpr std::uint32_t kAllLanes = (1u << kLanes) - 1;
 
+    template <template <class> class Rule>
+    void trackInLanes(const FlatScene& scene);
+    Ray ray(int row) const;
+
     /// Rays [row, row + kLanes) on their way; rows from size() on are left-overs that nobody takes.
     Flight<FloatLanes> started(const FlatScene& scene, int row) const;
     void keepResults(FloatLanes result, IntLanes ray, std::uint32_t lanes);
@@ -75,8 +79,29 @@ inline Flight<FloatLanes> RayBatch::started(const FlatScene& scene, int row) con
     return flight;
 }
 
+/// Lanes read voxels in pairs along x and count them in 32 bits.
+inline bool lanesCanRead(const FlatVolume& volume) {
+    const std::int64_t voxels = std::int64_t(volume.size.x) * volume.size.y * volume.size.z;
+    return volume.size.x > 1 && voxels <= INT32_MAX;
+}
+
 template <template <class> class Rule>
 inline void RayBatch::track(const FlatScene& scene) {
+    if (lanesCanRead(scene.volume))
+        trackInLanes<Rule>(scene);
+    else
+        for (int row = 0; row < size_; ++row)
+            result_[row] = pdr::track<Rule>(scene, ray(row), {{counter_[row], key_[row]}});
+}
+
+inline Ray RayBatch::ray(int row) const {
+    return {{origin_.x[row], origin_.y[row], origin_.z[row]},
+            {direction_.x[row], direction_.y[row], direction_.z[row]},
+            length_[row]};
+}
+
+template <template <class> class Rule>
+inline void RayBatch::trackInLanes(const FlatScene& scene) {
     int next = 0;                                    // the first ray that no lane has taken
     Flight<FloatLanes> waiting = started(scene, 0);  // rays [next rounded down, + kLanes)
     Flight<FloatLanes> flight = waiting;
