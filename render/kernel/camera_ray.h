@@ -17,11 +17,12 @@ struct CameraRay {
 PDR_HD inline CameraRay cameraRay(const FlatScene& scene, vec2 place, vec2 depths) {
     const FlatCamera& camera = scene.camera;
     // In double up to the border of the box: the camera may stand far away.
-    const dvec2 film = dvec2(place) / dvec2(camera.film) - 0.5;
+    const dvec2 film = dvec2(place) * camera.perPixel - 0.5;
     const dvec3 offset = camera.right * film.x - camera.up * film.y;
     const dvec3 towards = camera.forward + offset * camera.perspective;
     const double stretch = glm::length(towards);  // distance per depth
-    const dvec3 direction = scene.volume.exactIndexFromLocal * (towards / stretch);
+    const dvec3 unit = towards * (1 / stretch);
+    const dvec3 direction = scene.volume.exactIndexFromLocal * unit;
     const dvec3 eye = camera.eye + scene.volume.exactIndexFromLocal * (offset * (1 - camera.perspective));
     double enter = glm::max(0.0, depths.x * stretch), leave = depths.y * stretch;
     for (int axis = 0; axis < 3; ++axis) {
@@ -37,7 +38,7 @@ PDR_HD inline CameraRay cameraRay(const FlatScene& scene, vec2 place, vec2 depth
         leave = glm::min(leave, glm::max(a, b));
     }
     const Ray ray{vec3(eye + direction * enter), vec3(direction), float(leave - enter)};
-    return {ray, vec3(towards / stretch)};
+    return {ray, vec3(unit)};
 }
 
 }  // namespace pdr

@@ -59,7 +59,8 @@ struct FlatCamera {
     dvec3 forward, right, up;  ///< local; `forward` is a unit vector, `right` and `up` are what one image width and
                                ///< height add to it (perspective) or to the eye (orthographic, mm)
     double perspective;  ///< 1 or 0
-    ivec2 film;
+    ivec2 film;                ///< pixels
+    dvec2 perPixel;            ///< 1 / film
 };
 
 enum class LightType : std::uint32_t { directional, rectangle };

@@ -75,6 +75,7 @@ void flattenCamera(FlatCamera& flat, const Camera& camera, const VolumeGeometry&
     flat.up = camera.imageUp() * height;
     flat.perspective = perspective ? 1 : 0;
     flat.film = film;
+    flat.perPixel = 1.0 / dvec2(film);
 }
 
 FlatLight flatLight(const DirectionalLight& light, dvec3) {

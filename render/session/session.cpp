@@ -17,7 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kMovingSecondsPerFrame = 1.0 / 20;  ///< what a frame may take while the hand moves
+constexpr double kMovingSecondsPerFrame = 1.0 / 15;  ///< what a frame may take while the hand moves
+constexpr std::uint32_t kMovingSamples = 4;          ///< of its pixels: fewer, calmer pixels are easier to follow
 constexpr int kCoarsest = 8;                         ///< at most this many pixels of the film to one that is rendered
 
 double secondsSince(Clock::time_point start) {
@@ -131,7 +132,7 @@ class Session::Loop {
         Scene scene = order.scene;
         if (moving_) {
             const double pixels = double(scene.film.x) * scene.film.y;
-            const double affordable = std::max(pixelsPerSecond_ * kMovingSecondsPerFrame, 1.0);
+            const double affordable = std::max(pixelsPerSecond_ * kMovingSecondsPerFrame / kMovingSamples, 1.0);
             const int divider = std::clamp(int(std::ceil(std::sqrt(pixels / affordable))), 1, kCoarsest);
             scene.film = glm::max((scene.film + divider - 1) / divider, ivec2(1));
         }
@@ -150,7 +151,7 @@ class Session::Loop {
         const Clock::time_point start = Clock::now();
         const Tile whole{0, 0, film_->size().x, film_->size().y};
         if (moving_)
-            iterations = 1;
+            iterations = kMovingSamples;
         const std::uint32_t wanted = iterations;
         while (iterations > 0) {
             const SampleRange range = film_->nextSamples(iterations);

@@ -1,0 +1,143 @@
+#include <QTest>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+#include "render/session/session.h"
+#include "tests/support/scenes.h"
+
+using namespace pdr;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Keeps the newest frame and lets a test wait for one.
+class Screen {
+  public:
+    FrameSink sink() {
+        return [this](std::shared_ptr<const Frame> frame) {
+            const std::lock_guard lock(mutex_);
+            newest_ = std::move(frame);
+            ++count_;
+            arrived_.notify_all();
+        };
+    }
+
+    /// The first frame from now on that `wanted` holds for; null after 20 s.
+    template <class Wanted>
+    std::shared_ptr<const Frame> await(Wanted&& wanted) {
+        std::unique_lock lock(mutex_);
+        const bool found = arrived_.wait_for(lock, 20s, [&] { return newest_ && wanted(*newest_); });
+        return found ? newest_ : nullptr;
+    }
+
+    int count() {
+        const std::lock_guard lock(mutex_);
+        return count_;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::condition_variable arrived_;
+    std::shared_ptr<const Frame> newest_;
+    int count_ = 0;
+};
+
+Scene someScene(std::uint64_t revision) {
+    Scene scene = test::plainScene(test::bumpyVolume({40, 40, 40}, dvec3(1), 3), 1);
+    scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 600, .opacity = 1}};
+    scene.film = {96, 64};
+    scene.revision = revision;
+    return scene;
+}
+
+}  // namespace
+
+class SessionTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void framesCarryTheRevisionAndGrowByN() {
+        Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        session.setIterationsPerFrame(5);
+        session.submit(someScene(7), false);
+        const auto frame = screen.await([](const Frame& f) { return f.status.samplesPerPixel >= 50; });
+        QVERIFY(frame);
+        QCOMPARE(frame->revision, std::uint64_t(7));
+        QCOMPARE(frame->status.samplesPerPixel % 5, std::uint64_t(0));
+        QCOMPARE(frame->size.x, 96);
+        QCOMPARE(frame->rgba.size(), std::size_t(96 * 64 * 4));
+    }
+
+    void newestSceneWinsAtOnce() {
+        Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        session.setIterationsPerFrame(10000);  // a launch of many seconds
+        Scene slow = someScene(1);
+        slow.film = {1024, 1024};
+        session.submit(slow, false);
+        std::this_thread::sleep_for(200ms);
+        session.setIterationsPerFrame(1);
+        const auto start = std::chrono::steady_clock::now();
+        session.submit(someScene(2), false);
+        QVERIFY(screen.await([](const Frame& f) { return f.revision == 2; }));
+        QVERIFY(std::chrono::steady_clock::now() - start < 2s);
+    }
+
+    void pausedSessionShowsNewScenesOnceAndHolds() {
+        Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        session.setPaused(true);
+        session.submit(someScene(1), false);
+        QVERIFY(screen.await([](const Frame& f) { return f.status.samplesPerPixel == 1; }));
+        std::this_thread::sleep_for(200ms);
+        QCOMPARE(screen.count(), 1);
+        session.setPaused(false);
+        QVERIFY(screen.await([](const Frame& f) { return f.status.samplesPerPixel > 3; }));
+    }
+
+    void displayChangesWithoutARestart() {
+        Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        session.submit(someScene(1), false);
+        QVERIFY(screen.await([](const Frame& f) { return f.status.samplesPerPixel >= 20; }));
+        session.setPaused(true);
+        std::this_thread::sleep_for(100ms);
+        const auto before = screen.await([](const Frame&) { return true; });
+        session.setDisplay({.exposure = 0.01f});
+        const auto after = screen.await([&](const Frame& f) { return f.rgba != before->rgba; });
+        QVERIFY(after);
+        QCOMPARE(after->status.samplesPerPixel, before->status.samplesPerPixel);
+    }
+
+    void sceneThatCannotBeRenderedIsSaid() {
+        Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        Scene scene = someScene(3);
+        scene.model = Model::multipleScattering;
+        session.submit(scene, false);
+        const auto frame = screen.await([](const Frame& f) { return !f.error.empty(); });
+        QVERIFY(frame);
+        QCOMPARE(frame->revision, std::uint64_t(3));
+        session.submit(someScene(4), false);  // and the next one is rendered
+        QVERIFY(screen.await([](const Frame& f) { return f.revision == 4 && f.error.empty(); }));
+    }
+
+    void endsSoon() {
+        Screen screen;
+        auto session = std::make_unique<Session>(makeCpuDevice(), screen.sink());
+        session->setIterationsPerFrame(10000);
+        Scene slow = someScene(1);
+        slow.film = {1024, 1024};
+        session->submit(slow, false);
+        std::this_thread::sleep_for(100ms);
+        const auto start = std::chrono::steady_clock::now();
+        session.reset();
+        QVERIFY(std::chrono::steady_clock::now() - start < 2s);
+    }
+};
+
+QTEST_GUILESS_MAIN(SessionTest)
+#include "session_test.moc"
