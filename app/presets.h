@@ -1,11 +1,10 @@
 #pragma once
 /// The presets that the programs carry inside them.
 
+#include <QString>
 #include <vector>
 
 #include "render/base/result.h"
-#include <QString>
-
 #include "render/scene/preset.h"
 
 namespace pdr::app {

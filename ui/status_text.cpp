@@ -58,7 +58,8 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
     if (!paused)
         parts << translated("%1 iterations/s").arg(shortNumber(iterationsPerSecond));
     if (const auto next = nextQualityStep(status, iterationsPerSecond); next && !paused)
-        parts << translated("%1 % in about %2").arg(QLocale::c().toString(100 * next->relativeError, 'g', 2), durationText(next->seconds));
+        parts << translated("%1 % in about %2")
+                     .arg(QLocale::c().toString(100 * next->relativeError, 'g', 2), durationText(next->seconds));
     if (status.rejectedSamples > 0)
         parts << counted(status.rejectedSamples, "sample left out as not a number", "samples left out as not a number");
     return parts.join(", ");

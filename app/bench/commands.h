@@ -1,6 +1,6 @@
 #pragma once
-/// What pdrender-bench can measure. Each command takes the words after its name, prints one line of JSON or a short table
-/// to standard output, and returns the exit code: 0, 1 for an error, 2 for wrong usage.
+/// What pdrender-bench can measure. Each command takes the words after its name, prints one line of JSON or a short
+/// table to standard output, and returns the exit code: 0, 1 for an error, 2 for wrong usage.
 
 #include <string>
 #include <vector>

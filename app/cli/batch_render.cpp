@@ -82,8 +82,8 @@ BatchState BatchRender::state(double elapsed) const {
     if (stops_.seconds)
         state.fraction = std::max(state.fraction, elapsed / *stops_.seconds);
     if (stops_.relativeError)
-        state.fraction = std::max(
-            state.fraction, double(film_.samplesPerPixel()) / samplesToReach(*stops_.relativeError, state.film));
+        state.fraction = std::max(state.fraction,
+                                  double(film_.samplesPerPixel()) / samplesToReach(*stops_.relativeError, state.film));
     state.fraction = std::min(state.fraction, 1.0);
     if (state.fraction > 0)
         state.secondsLeft = elapsed * (1 - state.fraction) / state.fraction;

@@ -1,7 +1,9 @@
 #pragma once
-/// Several numbers that are computed in step. Code written for a type Real runs on float, one path at a time as on a GPU,
-/// and on FloatLanes, kLanes paths at a time in the CPU's vector registers:
-///   Numbers<Real>::Int    whole numbers     Numbers<Real>::Bits   64 bits     Numbers<Real>::Mask   per lane: holds or not
+/// Several numbers that are computed in step. Code written for a type Real runs on float, one path at a time as on a
+/// GPU, and on FloatLanes, kLanes paths at a time in the CPU's vector registers:
+///   Numbers<Real>::Int    whole numbers
+///   Numbers<Real>::Bits   64 bits
+///   Numbers<Real>::Mask   per lane: holds or does not
 /// Lanes never mix: a lane's numbers are the same whatever its neighbours do.
 
 #include <bit>

@@ -20,7 +20,8 @@ struct SampleRange {
 };
 
 /// Samples are summed in blocks of this many, then merged into the film's mean and variance: the block keeps the sum
-/// exact enough for 1e7 iterations, and its fixed place in the sequence keeps the image independent of how the work was cut.
+/// exact enough for 1e7 iterations, and its fixed place in the sequence keeps the image independent of how the work was
+/// cut.
 inline constexpr std::uint32_t kSamplesPerBlock = 64;
 
 /// Sums of the samples of one pixel in the running block; linear Rec. 709. Samples are added in order.

@@ -24,8 +24,8 @@ struct FilmStatus {
     std::uint64_t samplesPerPixel = 0;
     std::uint64_t rejectedSamples = 0;
     double meanLuminance = 0;
-    /// Root mean square over pixels of the standard error (its luminance), divided by the mean luminance. Infinite below
-    /// 2 samples; 0 for an image without noise.
+    /// Root mean square over pixels of the standard error (its luminance), divided by the mean luminance. Infinite
+    /// below 2 samples; 0 for an image without noise.
     double relativeError = 0;
 };
 

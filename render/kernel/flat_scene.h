@@ -58,7 +58,7 @@ struct FlatCamera {
     dvec3 eye;                 ///< index space
     dvec3 forward, right, up;  ///< local; `forward` is a unit vector, `right` and `up` are what one image width and
                                ///< height add to it (perspective) or to the eye (orthographic, mm)
-    double perspective;  ///< 1 or 0
+    double perspective;        ///< 1 or 0
     ivec2 film;                ///< pixels
     dvec2 perPixel;            ///< 1 / film
 };
@@ -89,11 +89,10 @@ struct FlatScene {
     FlatViewBounds viewBounds;
     const FlatLight* lights;
     int lightCount;
-    vec3 environment;              ///< radiance from all around
-    float environmentVisible;      ///< 1: the camera sees it, 0: it does not
+    vec3 environment;          ///< radiance from all around
+    float environmentVisible;  ///< 1: the camera sees it, 0: it does not
     float phaseG;
     float surfaceFactor;  ///< see surfaceNormal() [mm/HU]; 0: no surfaces
-    int maxBounces;
     std::uint64_t seed;
     std::uint32_t features;  ///< kernel/features.h
 };

@@ -32,8 +32,8 @@ PDR_HD inline vec3 background(const FlatScene& scene) {
     return scene.environment * scene.environmentVisible;
 }
 
-/// Of several light paths one, picked in proportion to what each would bring if nothing stood in its way, and weighted so
-/// that the sum of all is what it stands for on average (resampled importance sampling, Talbot et al. 2005).
+/// Of several light paths one, picked in proportion to what each would bring if nothing stood in its way, and weighted
+/// so that the sum of all is what it stands for on average (resampled importance sampling, Talbot et al. 2005).
 struct LightChoice {
     LightPath chosen{{vec3(0), vec3(0), 0}, vec3(0)};
     float weight = 0, total = 0;
@@ -48,7 +48,7 @@ struct LightChoice {
     }
     PDR_HD LightPath path() const {
         LightPath result = chosen;
-        if (weight > 0)
+        if (total != 0)  // a light that is not a number stays one, to be counted
             result.radiance *= total / weight;
         return result;
     }

@@ -10,13 +10,13 @@ struct Camera {
     enum class Type { perspective, orthographic };
 
     Type type = Type::perspective;
-    dvec3 eyeMm{0, -1000, 0};   ///< finite
-    dvec3 targetMm{0, 0, 0};    ///< finite, not the eye
-    dvec3 up{0, 0, 1};          ///< any length but 0; not along the view
-    double fovDegrees = 35;     ///< perspective: vertical field of view; (0, 180)
-    double heightMm = 300;      ///< orthographic: height of what is seen; (0, 1e9]
-    double apertureMm = 0;      ///< lens diameter; [0, 200]; 0 = pinhole
-    double focusMm = 0;         ///< distance of the sharp plane from the eye; 0 = the target's
+    dvec3 eyeMm{0, -1000, 0};  ///< finite
+    dvec3 targetMm{0, 0, 0};   ///< finite, not the eye
+    dvec3 up{0, 0, 1};         ///< any length but 0; not along the view
+    double fovDegrees = 35;    ///< perspective: vertical field of view; (0, 180)
+    double heightMm = 300;     ///< orthographic: height of what is seen; (0, 1e9]
+    double apertureMm = 0;     ///< lens diameter; [0, 200]; 0 = pinhole
+    double focusMm = 0;        ///< distance of the sharp plane from the eye; 0 = the target's
 
     dvec3 forward() const;  ///< unit
     dvec3 right() const;    ///< unit; the image's x

@@ -145,7 +145,6 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
     flat.surfaceFactor = 25 * scene.gradientFactor * scene.gradientFactor * scene.gradientFactor / kHuScale;
     if (flat.surfaceFactor > 0)
         flat.features |= kSurface;
-    flat.maxBounces = scene.maxBounces;
     flat.seed = scene.seed;
     prepared->viewDepths = viewDepths(flat);
     flat.viewBounds = {prepared->viewDepths.data(), (scene.film.x + kViewBlock - 1) / kViewBlock};

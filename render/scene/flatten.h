@@ -34,8 +34,8 @@ struct PreparedScene {
     std::vector<vec2> viewDepths;
 };
 
-/// Prepares scenes one after the other and keeps what the next one can use again: the ranges while the volume stays, the
-/// majorants while the transfer function stays too.
+/// Prepares scenes one after the other and keeps what the next one can use again: the ranges while the volume stays,
+/// the majorants while the transfer function stays too.
 class Flattener {
   public:
     /// `scene` must have passed Scene::check().

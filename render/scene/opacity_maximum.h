@@ -14,16 +14,17 @@ class OpacityMaximum {
     /// Answers for intervals inside `domain`.
     OpacityMaximum(const TransferFunction& function, HuRange domain);
 
-    /// The largest opacity that a value in [range.lowest, range.highest] can have, widened by kHuSlack at each end where
-    /// the interval is not a single value (interpolation rounds). 0 for an empty range.
+    /// The largest opacity that a value in [range.lowest, range.highest] can have, widened by kHuSlack at each end
+    /// where the interval is not a single value (interpolation rounds). 0 for an empty range.
     float over(HuRange range) const;
 
     static constexpr float kHuSlack = 1.0f / 1024;
 
   private:
     int first_;
-    std::vector<float> points_;               ///< opacity at first_ + i, exactly
-    std::vector<std::vector<float>> levels_;  ///< levels_[l][i]: maximum over bins i .. i + 2^l - 1; bin i is [first_+i, first_+i+1]
+    std::vector<float> points_;  ///< opacity at first_ + i, exactly
+    /// levels_[l][i]: maximum over bins i .. i + 2^l - 1; bin i is [first_ + i, first_ + i + 1].
+    std::vector<std::vector<float>> levels_;
 };
 
 }  // namespace pdr

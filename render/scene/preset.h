@@ -16,7 +16,7 @@ struct Preset {
     TransferFunction transferFunction;
     float phaseG = 0;
     float gradientFactor = 0;
-    float keyLight = 1;   ///< radiance scale of the main panel; [0, 1e6]
+    float keyLight = 1;      ///< radiance scale of the main panel; [0, 1e6]
     float fillLight = 0.3f;  ///< of the panel on the other side
     float rimLight = 0.5f;   ///< of the panel behind
     float ambient = 0.1f;    ///< radiance of the environment (not seen by the camera)

@@ -29,12 +29,13 @@ struct Scene {
     std::vector<Light> lights;
     Environment environment;
     Camera camera;
-    ivec2 film{512, 512};         ///< pixels; each in [1, 16384]
-    int maxBounces = 1;           ///< scattering events on a path; [1, 1000]
-    std::uint64_t seed = 1;       ///< any
-    std::uint64_t revision = 0;   ///< grows with each edit
+    ivec2 film{512, 512};        ///< pixels; each in [1, 16384]
+    int maxBounces = 1;          ///< scattering events on a path; [1, 1000]
+    std::uint64_t seed = 1;      ///< any
+    std::uint64_t revision = 0;  ///< grows with each edit
 
-    /// Every range above, and what cannot be rendered yet, with the field's name in `where`. The volume is not looked at.
+    /// Every range above, and what cannot be rendered yet, with the field's name in `where`. The volume is not looked
+    /// at.
     Result<void> check() const;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Scene files: JSON, "format": "pdrender-scene", "version": 1; every field is described in resources/manual/scene-file.md.
+/// Scene files: JSON, "format": "pdrender-scene", "version": 1; every field is described in
+/// resources/manual/scene-file.md.
 
 #include <filesystem>
 #include <memory>
@@ -15,9 +16,9 @@ namespace pdr {
 
 /// Where the voxels of a scene come from: a DICOM folder or a raw file.
 struct VolumeSource {
-    std::filesystem::path dicomFolder;  ///< empty for a raw file
-    std::string seriesUid;              ///< empty: the first loadable series
-    RawFile raw;                        ///< its path is empty for a DICOM folder
+    std::filesystem::path dicomFolder;           ///< empty for a raw file
+    std::string seriesUid;                       ///< empty: the first loadable series
+    RawFile raw;                                 ///< its path is empty for a DICOM folder
     std::optional<std::pair<int, int>> clampHu;  ///< voxels are clamped to [first, second]; in [-32768, 32767]
 };
 

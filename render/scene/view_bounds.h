@@ -1,6 +1,6 @@
 #pragma once
-/// Between which depths a camera can meet matter, per block of pixels: rays start where the first occupied cell of their
-/// block begins, and pixels that can meet nothing cost nothing. An accelerator: it never changes the picture.
+/// Between which depths a camera can meet matter, per block of pixels: rays start where the first occupied cell of
+/// their block begins, and pixels that can meet nothing cost nothing. An accelerator: it never changes the picture.
 
 #include <vector>
 

@@ -16,8 +16,8 @@ namespace pdr {
 
 /// One displayed picture.
 struct Frame {
-    std::uint64_t revision = 0;  ///< of the Scene that it shows
-    ivec2 size{0};               ///< pixels; smaller than scene.film while the hand moves: stretch it
+    std::uint64_t revision = 0;      ///< of the Scene that it shows
+    ivec2 size{0};                   ///< pixels; smaller than scene.film while the hand moves: stretch it
     std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top
     FilmStatus status;
     double seconds = 0;              ///< spent on this revision
@@ -28,7 +28,8 @@ struct Frame {
 /// Called on the render thread; must return soon.
 using FrameSink = std::function<void(std::shared_ptr<const Frame>)>;
 
-/// Called on the render thread with all that is known about the picture, the scene that it shows, and the seconds spent.
+/// Called on the render thread with all that is known about the picture, the scene that it shows, and the seconds
+/// spent.
 using FilmLook = std::function<void(const Film& film, const Scene& scene, double seconds)>;
 
 class Session {

@@ -15,8 +15,9 @@ namespace pdr {
 
 /// Where a grid lies in the patient.
 struct VolumeGeometry {
-    ivec3 size{0};               ///< voxels along i, j, k; each >= 1
-    dmat4 patientFromIndex{1.0};  ///< affine, mm; columns 0..2 are one step along i, j, k; column 3 is the centre of voxel (0,0,0)
+    ivec3 size{0};  ///< voxels along i, j, k; each >= 1
+    dmat4 patientFromIndex{
+        1.0};  ///< affine, mm; columns 0..2 are one step along i, j, k; column 3 is the centre of voxel (0,0,0)
 
     /// Distance between voxel centres along i, j, k [mm].
     dvec3 spacingMm() const;

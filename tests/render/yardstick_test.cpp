@@ -91,7 +91,8 @@ class YardstickTest : public QObject {
         for (int y = 0; y < 96; ++y)
             for (int x = 0; x < 96; ++x)
                 difference.add(cells.pixel(x, y).mean.x - global.pixel(x, y).mean.x);
-        qInfo("mean difference %.2g of %.4g, t = %.2f", difference.mean(), cells.status().meanLuminance, difference.z(0));
+        qInfo("mean difference %.2g of %.4g, t = %.2f", difference.mean(), cells.status().meanLuminance,
+              difference.z(0));
         QVERIFY(std::fabs(difference.z(0)) < test::allowedZ(1));
     }
 };
