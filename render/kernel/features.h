@@ -9,8 +9,9 @@ enum Feature : std::uint32_t {
     kSurface = 1u << 0,       ///< events can be surface reflections (gradient, microfacets)
     kPlacedLights = 1u << 1,  ///< there are lights with a place: panels
     kEnvironment = 1u << 2,   ///< light from all around, or seen behind the volume
+    kEmission = 1u << 3,      ///< tissue shines by itself
 };
-inline constexpr std::uint32_t kFeatureMasks = 1u << 3;
+inline constexpr std::uint32_t kFeatureMasks = 1u << 4;
 
 constexpr bool has(std::uint32_t features, Feature feature) {
     return (features & feature) != 0;

@@ -122,7 +122,7 @@ class Flight {
         Int cell;  ///< fine cell
         Int up;    ///< 1: moves to higher cells, 0: to lower ones
 
-        PDR_HD void start(Real from, Real along, float low, float high, Real& enter, Real& leave) {
+        PDR_HD_INLINE inline void start(Real from, Real along, float low, float high, Real& enter, Real& leave) {
             origin = from;
             // A component of 0 becomes one that reaches no border within any volume.
             direction = ((along < 1e-20f) & (along > -1e-20f)) ? Real{} + 1e-20f : along;
@@ -146,7 +146,7 @@ class Flight {
 
         /// Into the cell beyond `leave`: the neighbour along the axis whose border was reached. Along the others a fine
         /// cell stays, and in a coarse one the fine cell is found anew, inside it.
-        PDR_HD void advance(Mask onward, Mask descend, Real leaveAt) {
+        PDR_HD_INLINE inline void advance(Mask onward, Mask descend, Real leaveAt) {
             const Int low = descend ? cell : (cell & ~3), high = descend ? cell : (cell | 3);
             const Real reach = descend ? leave<4>() : leave<16>();
             const Int inside = clamped(fineCell(at(leaveAt)), low, high);

@@ -1,6 +1,6 @@
 #pragma once
 /// The whole transport on one page: single scattering with shadows, by Monte Carlo, without bias.
-///   cameraStart -> track<DeltaTracking> -> scatteredLight -> track<RatioTracking> -> radiance
+///   cameraStart -> track<DeltaTracking> -> arrival -> track<RatioTracking> -> radiance
 /// A path is a value that goes through these steps; a GPU takes one at a time, the CPU many in step.
 
 #include "render/kernel/camera_ray.h"
@@ -75,13 +75,20 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
     return choice.path();
 }
 
-/// What happens at the end of the camera ray: `collision` is its distance [mm].
+/// What happens at the end of the camera ray: light that starts there, and light that is scattered there.
+struct Arrival {
+    vec3 emitted;  ///< radiance, linear Rec. 709
+    LightPath scattered;
+};
+
+/// `collision` is the distance of the first event [mm]. An event is met with the density of what extinction takes from
+/// the ray, so emission, which is counted per optical depth, comes in as it is.
 template <std::uint32_t F>
-PDR_HD inline LightPath scatteredLight(const FlatScene& scene, const Path& path, float collision) {
+PDR_HD inline Arrival arrival(const FlatScene& scene, const Path& path, float collision) {
     const int bounce = 0;
     const Event event = eventAt<F>(scene, path.camera.ray.origin + path.camera.ray.direction * collision,
                                    path.camera.direction, path.random.stream(bounce, BounceDimension::event));
-    return directLight<F>(scene, event, path.random, bounce);
+    return {has(F, kEmission) ? event.material.emission : vec3(0), directLight<F>(scene, event, path.random, bounce)};
 }
 
 PDR_HD inline bool isDark(const LightPath& light) {

@@ -8,7 +8,7 @@
 namespace pdr {
 
 /// NaN, infinite and negative samples are left out and counted; they never become black.
-PDR_HD inline void addSample(PixelSums& sums, vec3 radiance) {
+PDR_HD_INLINE inline void addSample(PixelSums& sums, vec3 radiance) {
     const float total = radiance.x + radiance.y + radiance.z;
     if (!(glm::min(glm::min(radiance.x, radiance.y), radiance.z) >= 0 && total < 3e38f)) {
         ++sums.rejected;
@@ -37,10 +37,11 @@ PDR_HD inline vec3 tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t 
         track<DeltaTracking>(scene, path.camera.ray, path.random.stream(0, BounceDimension::flight));
     if (collision < 0)
         return background(scene);
-    const LightPath light = scatteredLight<F>(scene, path, collision);
-    if (isDark(light))
-        return vec3(0);
-    return light.radiance * track<RatioTracking>(scene, light.ray, path.random.stream(0, BounceDimension::shadow));
+    const Arrival met = arrival<F>(scene, path, collision);
+    if (isDark(met.scattered))
+        return met.emitted;
+    const RandomStream shadow = path.random.stream(0, BounceDimension::shadow);
+    return met.emitted + met.scattered.radiance * track<RatioTracking>(scene, met.scattered.ray, shadow);
 }
 
 }  // namespace pdr

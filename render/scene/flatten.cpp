@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/kernel/features.h"
+#include "render/scene/needs.h"
 #include "render/scene/view_bounds.h"
 
 namespace pdr {
@@ -103,15 +103,9 @@ FlatLight flatLight(const SphereLight&, dvec3) {
 void flattenLights(PreparedScene& prepared, const Scene& scene) {
     const dvec3 centre = scene.volume->geometry().centreMm();
     FlatScene& flat = prepared.flat;
-    for (const Light& light : scene.lights) {
+    for (const Light& light : scene.lights)
         prepared.lights.push_back(std::visit([&](const auto& one) { return flatLight(one, centre); }, light));
-        if (prepared.lights.back().type == LightType::rectangle)
-            flat.features |= kPlacedLights;
-    }
-    const vec3 environment = scene.environment.radiance;
-    if (environment != vec3(0))
-        flat.features |= kEnvironment;
-    flat.environment = environment;
+    flat.environment = scene.environment.radiance;
     flat.environmentVisible = scene.environment.visible ? 1 : 0;
     flat.lights = prepared.lights.data();
     flat.lightCount = int(prepared.lights.size());
@@ -143,8 +137,7 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
     FlatScene& flat = prepared->flat;
     flat.phaseG = scene.phaseG;
     flat.surfaceFactor = 25 * scene.gradientFactor * scene.gradientFactor * scene.gradientFactor / kHuScale;
-    if (flat.surfaceFactor > 0)
-        flat.features |= kSurface;
+    flat.features = neededFeatures(needs(scene));
     flat.seed = scene.seed;
     prepared->viewDepths = viewDepths(flat);
     flat.viewBounds = {prepared->viewDepths.data(), (scene.film.x + kViewBlock - 1) / kViewBlock};

@@ -18,8 +18,13 @@ struct Majorants {
     Majorants(const CellRanges& ranges, const TransferFunction& function, ivec3 volumeSize);
 };
 
-/// A FlatScene together with all that it points into. Immutable; devices share it.
+/// A FlatScene together with all that it points into. Immutable; devices share it. Never copied: `flat` points into
+/// this.
 struct PreparedScene {
+    PreparedScene() = default;
+    PreparedScene(const PreparedScene&) = delete;
+    PreparedScene& operator=(const PreparedScene&) = delete;
+
     FlatScene flat{};
     std::uint64_t revision = 0;
 

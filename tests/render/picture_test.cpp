@@ -114,6 +114,19 @@ class PictureTest : public QObject {
         QVERIFY(std::fabs(got.mean - (std::exp(-1.0) + 0.24818824)) < test::allowedZ(8) * got.standardError);
     }
 
+    /// Emission and absorption alone: L = e (1 - exp(-tau)), and the room behind it through exp(-tau).
+    void glowingSlabIsTheClosedForm() {
+        Scene scene = slab(1.3, {0, 0, -1}, 0);
+        scene.lights.clear();
+        scene.transferFunction.nodes[0].emission = vec3(2);
+        const ImageMean dark = imageMean(test::render(scene, 8192));
+        QVERIFY(std::fabs(dark.mean - 2 * -std::expm1(-1.3)) < test::allowedZ(8) * dark.standardError);
+        scene.environment = {vec3(2), true};  // as bright as the glow: nothing can be seen of the slab
+        const Film film = test::render(scene, 64);
+        for (int i = 0; i < 4; ++i)
+            QCOMPARE(film.pixel(i, i).mean.x, 2.0);
+    }
+
     void imageDoesNotDependOnThreadsTilesOrIterationsPerFrame() {
         const Scene scene = variedScene();
         const Film reference = test::render(scene, 100, *makeCpuDevice(1), 1);
@@ -145,7 +158,7 @@ class PictureTest : public QObject {
             }
             return film;
         };
-        const Film cells = sampled(prepared), global = sampled(test::withGlobalMajorant(*prepared));
+        const Film cells = sampled(prepared), global = sampled(test::withGlobalMajorant(scene));
         double square = 0;
         int pixels = 0;
         for (int y = 0; y < 32; ++y)

@@ -86,7 +86,7 @@ class YardstickTest : public QObject {
         const auto prepared = Flattener().prepare(*scene);
         const auto device = makeCpuDevice();
         const Film cells = sampled(*device, prepared, scene->film, 128);
-        const Film global = sampled(*device, test::withGlobalMajorant(*prepared), scene->film, 128);
+        const Film global = sampled(*device, test::withGlobalMajorant(*scene), scene->film, 128);
         test::Sample difference;  // of pixels: a paired t-test on 9216 of them
         for (int y = 0; y < 96; ++y)
             for (int x = 0; x < 96; ++x)

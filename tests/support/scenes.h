@@ -69,22 +69,24 @@ inline Film render(const Scene& scene, std::uint64_t samples) {
     return render(scene, samples, *device);
 }
 
-/// The same scene behind one bound for all: no cell is known to be emptier than another.
-inline std::shared_ptr<const PreparedScene> withGlobalMajorant(const PreparedScene& prepared) {
-    auto result = std::make_shared<PreparedScene>(prepared);
-    auto majorants = std::make_shared<Majorants>(*prepared.majorants);
+/// `scene` prepared, open to a test that wants to change what the kernel is told.
+inline std::shared_ptr<PreparedScene> prepared(const Scene& scene) {
+    return std::const_pointer_cast<PreparedScene>(Flattener().prepare(scene));
+}
+
+/// `scene` behind one bound for all: no cell is known to be emptier than another.
+inline std::shared_ptr<const PreparedScene> withGlobalMajorant(const Scene& scene) {
+    auto result = prepared(scene);
+    auto majorants = std::make_shared<Majorants>(*result->majorants);
     const float highest = *std::max_element(majorants->coarse.begin(), majorants->coarse.end());
     majorants->coarse.assign(majorants->coarse.size(), highest);
     majorants->fine.assign(majorants->fine.size(), highest);
-    majorants->occupiedLow = vec3(-0.5f);
-    majorants->occupiedHigh = vec3(prepared.volume->size()) - 0.5f;
-    result->majorants = majorants;
-    result->viewDepths.assign(prepared.viewDepths.size(), vec2(0, 1e30f));
+    result->viewDepths.assign(result->viewDepths.size(), vec2(0, 1e30f));
     result->flat.majorants.fine = majorants->fine.data();
     result->flat.majorants.coarse = majorants->coarse.data();
-    result->flat.majorants.occupiedLow = majorants->occupiedLow;
-    result->flat.majorants.occupiedHigh = majorants->occupiedHigh;
-    result->flat.viewBounds.depths = result->viewDepths.data();
+    result->flat.majorants.occupiedLow = vec3(-0.5f);
+    result->flat.majorants.occupiedHigh = vec3(scene.volume->size()) - 0.5f;
+    result->majorants = majorants;
     return result;
 }
 

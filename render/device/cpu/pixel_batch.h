@@ -43,31 +43,40 @@ class PixelBatch {
     void finish(const FlatScene& scene) {
         rays_.track<DeltaTracking>(scene);
         lights_.clear();
-        for (int row = 0; row < rays_.size(); ++row) {
-            radiance_[row] = vec3(0);
-            lightRow_[row] = -1;
-            if (rays_.result(row) < 0) {
-                radiance_[row] = background(scene);
-                continue;
-            }
-            const LightPath light = scatteredLight<F>(scene, paths_[row], rays_.result(row));
-            if (isDark(light))
-                continue;
-            radiance_[row] = light.radiance;
-            lightRow_[row] = lights_.size();
-            lights_.add(light.ray, paths_[row].random.stream(0, BounceDimension::shadow));
-        }
+        for (int row = 0; row < rays_.size(); ++row)
+            arrive<F>(scene, row);
         lights_.track<RatioTracking>(scene);
         for (int row = 0; row < rays_.size(); ++row) {
-            const float visible = lightRow_[row] < 0 ? 1.0f : lights_.result(lightRow_[row]);
-            addSample(*targets_[row], radiance_[row] * visible);
+            vec3 radiance = radiance_[row];
+            if (lightRow_[row] != kDark)
+                radiance += scattered_[row] * lights_.result(lightRow_[row]);
+            addSample(*targets_[row], radiance);
         }
         rays_.clear();
     }
 
+    /// The end of one camera ray: what is known of the radiance, and the light path that is still to be followed.
+    template <std::uint32_t F>
+    void arrive(const FlatScene& scene, int row) {
+        lightRow_[row] = kDark;
+        if (rays_.result(row) < 0) {
+            radiance_[row] = background(scene);
+            return;
+        }
+        const Arrival met = arrival<F>(scene, paths_[row], rays_.result(row));
+        radiance_[row] = met.emitted;
+        if (isDark(met.scattered))
+            return;
+        scattered_[row] = met.scattered.radiance;
+        lightRow_[row] = lights_.size();
+        lights_.add(met.scattered.ray, paths_[row].random.stream(0, BounceDimension::shadow));
+    }
+
+    static constexpr int kDark = -1;  ///< instead of a light path's row: there is none
+
     std::array<Path, RayBatch::kCapacity> paths_;
     std::array<PixelSums*, RayBatch::kCapacity> targets_;
-    std::array<vec3, RayBatch::kCapacity> radiance_;
+    std::array<vec3, RayBatch::kCapacity> radiance_, scattered_;
     std::array<int, RayBatch::kCapacity> lightRow_;
     RayBatch rays_, lights_;
 };

@@ -1,0 +1,111 @@
+#include "render/scene/needs.h"
+
+#include <algorithm>
+
+#include "render/kernel/features.h"
+
+namespace pdr {
+namespace {
+
+bool isBlack(vec3 colour) {
+    return colour == vec3(0);
+}
+
+/// Whether a property is anything but black where tissue can be met: at or beside an opacity above 0.
+template <class Property>
+bool anywhere(const TransferFunction& function, Property property) {
+    const std::vector<TransferNode>& nodes = function.nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const bool met = nodes[i].opacity > 0 || (i > 0 && nodes[i - 1].opacity > 0) ||
+                         (i + 1 < nodes.size() && nodes[i + 1].opacity > 0);
+        if (met && !isBlack(property(nodes[i])))
+            return true;
+    }
+    return false;
+}
+
+bool hasTissue(const Scene& scene) {
+    return scene.transferFunction.extinctionPerMm > 0 &&
+           std::ranges::any_of(scene.transferFunction.nodes, [](const TransferNode& node) { return node.opacity > 0; });
+}
+
+bool hasPanel(const Scene& scene) {
+    return std::ranges::any_of(scene.lights,
+                               [](const Light& light) { return std::holds_alternative<RectangleLight>(light); });
+}
+
+bool isLit(const Scene& scene) {
+    return !scene.lights.empty() || !isBlack(scene.environment.radiance);
+}
+
+/// "needed: YES" or "off: NO".
+Effect effect(std::string name, bool needed, std::string yes, std::string no, std::uint32_t features = 0) {
+    return {std::move(name), needed, needed ? std::move(yes) : std::move(no), features};
+}
+
+Effect shadows(const Scene& scene) {
+    if (!hasTissue(scene))
+        return effect("shadows", false, "", "no tissue is opaque");
+    return effect("shadows", isLit(scene), "light crosses tissue on its way", "there is no light");
+}
+
+Effect surfaces(const Scene& scene) {
+    if (!hasTissue(scene))
+        return effect("surface reflection", false, "", "no tissue is opaque");
+    return effect("surface reflection", scene.gradientFactor > 0, "the gradient factor is above 0",
+                  "the gradient factor is 0", kSurface);
+}
+
+Effect highlights(const Scene& scene) {
+    if (!surfaces(scene).needed)
+        return effect("highlights", false, "", "there are no surfaces");
+    const bool shiny = anywhere(scene.transferFunction, [](const TransferNode& node) { return node.specular; });
+    return effect("highlights", shiny, "a node is specular", "no node is specular");
+}
+
+Effect emission(const Scene& scene) {
+    const bool shines =
+        hasTissue(scene) && anywhere(scene.transferFunction, [](const TransferNode& node) { return node.emission; });
+    return effect("emission", shines, "a node emits light", "no node emits light", kEmission);
+}
+
+Effect surroundings(const Scene& scene) {
+    return effect("light from all around", !isBlack(scene.environment.radiance), "the environment shines",
+                  "the environment is black", kEnvironment);
+}
+
+Effect background(const Scene& scene) {
+    if (isBlack(scene.environment.radiance))
+        return effect("visible background", false, "", "the environment is black");
+    return effect("visible background", scene.environment.visible, "the camera sees the environment",
+                  "the environment is hidden from the camera");
+}
+
+}  // namespace
+
+std::vector<Effect> needs(const Scene& scene) {
+    return {
+        shadows(scene),
+        surfaces(scene),
+        highlights(scene),
+        effect("directed scattering", scene.phaseG != 0, "phase g is not 0", "phase g is 0: the same to all sides"),
+        effect("panel lights", hasPanel(scene), "a light has a place and a size", "no light has a place",
+               kPlacedLights),
+        surroundings(scene),
+        background(scene),
+        emission(scene),
+        effect("depth of field", scene.camera.apertureMm > 0, "the lens is open", "the aperture is 0"),
+        effect("multiple scattering", scene.maxBounces > 1, "paths may bend more than once",
+               "paths bend once at the most"),
+    };
+}
+
+std::uint32_t neededFeatures(const std::vector<Effect>& effects) {
+    std::uint32_t features = 0;
+    for (const Effect& effect : effects)
+        if (effect.needed)
+            features |= effect.features;
+    return features;
+}
+
+}  // namespace pdr

@@ -1,0 +1,116 @@
+#include <QTest>
+
+#include "render/kernel/features.h"
+#include "render/scene/needs.h"
+#include "tests/support/scenes.h"
+
+using namespace pdr;
+
+namespace {
+
+Scene plain() {
+    return test::plainScene(test::bumpyVolume({30, 30, 30}, dvec3(1), 1), 0.3f);
+}
+
+Effect effect(const Scene& scene, const std::string& name) {
+    for (const Effect& effect : needs(scene))
+        if (effect.name == name)
+            return effect;
+    return {};
+}
+
+/// A scene that has one effect, and what it is called.
+struct Case {
+    std::string name;
+    Scene scene;
+};
+
+std::vector<Case> onePerEffect() {
+    std::vector<Case> cases;
+    const auto add = [&](const char* name, auto&& change) {
+        cases.push_back({name, plain()});
+        change(cases.back().scene);
+    };
+    add("surface reflection", [](Scene& s) { s.gradientFactor = 1; });
+    add("highlights", [](Scene& s) {
+        s.gradientFactor = 1;
+        s.transferFunction.nodes[0].specular = vec3(0.1f);
+    });
+    add("directed scattering", [](Scene& s) { s.phaseG = 0.5f; });
+    add("panel lights", [](Scene& s) { s.lights.push_back(RectangleLight{}); });
+    add("light from all around", [](Scene& s) { s.environment.radiance = vec3(1); });
+    add("visible background", [](Scene& s) { s.environment.radiance = vec3(1); });
+    add("emission", [](Scene& s) { s.transferFunction.nodes[0].emission = vec3(1); });
+    return cases;
+}
+
+bool sameBits(const Film& a, const Film& b) {
+    for (int y = 0; y < a.size().y; ++y)
+        for (int x = 0; x < a.size().x; ++x)
+            if (a.pixel(x, y).mean != b.pixel(x, y).mean)
+                return false;
+    return true;
+}
+
+/// The picture of `scene` with more compiled in than it needs.
+Film renderedWith(const Scene& scene, std::uint32_t features) {
+    const auto prepared = test::prepared(scene);
+    prepared->flat.features |= features;
+    const auto device = makeCpuDevice();
+    (void)device->upload(prepared);
+    Film film(scene.film, 0);
+    const Tile whole{0, 0, scene.film.x, scene.film.y};
+    const SampleRange samples = film.nextSamples(32);
+    (void)device->render(whole, samples, film.sums(whole), {});
+    film.commit(samples);
+    return film;
+}
+
+}  // namespace
+
+class NeedsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void everyEffectIsOffUntilTheSceneCallsForIt() {
+        for (const Case& one : onePerEffect()) {
+            const Effect off = effect(plain(), one.name), on = effect(one.scene, one.name);
+            QVERIFY2(!off.needed && on.needed, one.name.c_str());
+            QVERIFY(!off.reason.empty() && !on.reason.empty() && off.reason != on.reason);
+        }
+    }
+
+    void plainestSceneRunsThePlainestKernel() {
+        QCOMPARE(neededFeatures(needs(plain())), 0u);
+        QVERIFY(effect(plain(), "shadows").needed);
+        Scene dark = plain();
+        dark.lights.clear();
+        QCOMPARE(effect(dark, "shadows").reason, std::string("there is no light"));
+    }
+
+    void whatCannotBeMetIsNotNeeded() {
+        Scene scene = plain();
+        scene.gradientFactor = 1;
+        scene.transferFunction.nodes = {{.hu = 0, .opacity = 0, .emission = vec3(1), .specular = vec3(1)},
+                                        {.hu = 10, .opacity = 0},
+                                        {.hu = 20, .opacity = 1}};
+        QVERIFY(!effect(scene, "emission").needed);
+        QVERIFY(!effect(scene, "highlights").needed);
+    }
+
+    /// An effect that is compiled in but has nothing to do leaves every bit as it is.
+    void effectsWithoutInfluenceLeaveThePictureBitIdentical() {
+        const Film lean = renderedWith(plain(), 0);
+        for (const Feature feature : {kSurface, kPlacedLights, kEnvironment, kEmission})
+            QVERIFY2(sameBits(lean, renderedWith(plain(), feature)), qPrintable(QString::number(feature)));
+    }
+
+    void effectsWithInfluenceChangeThePicture() {
+        const Film lean = renderedWith(plain(), 0);
+        for (const Case& one : onePerEffect())
+            QVERIFY2(!sameBits(lean, renderedWith(one.scene, 0)), one.name.c_str());
+    }
+};
+
+QTEST_GUILESS_MAIN(NeedsTest)
+#include "needs_test.moc"
