@@ -1,7 +1,7 @@
 #pragma once
 /// The one file that knows which compiler reads it. Every kernel header includes it first.
 ///   PDR_HD         marks a function that runs on the host and, where nvcc compiles it, on the device
-///   PDR_HD_INLINE  the same for the few inner loops whose state must stay in registers
+///   PDR_HD_INLINE  the same and always inlined: for the few inner loops whose state must stay in registers
 
 #if defined(__CUDACC__)
 #include <cuda.h>  // before GLM, which asks for CUDA_VERSION
@@ -10,7 +10,7 @@
 #define PDR_HD_INLINE __host__ __device__ __forceinline__
 #else
 #define PDR_HD
-#define PDR_HD_INLINE __attribute__((always_inline))
+#define PDR_HD_INLINE inline __attribute__((always_inline))
 #endif
 
 #define GLM_FORCE_XYZW_ONLY

@@ -32,7 +32,7 @@ PDR_HD inline float hounsfield(const FlatVolume& volume, vec3 position) {
 #if !defined(__CUDACC__)
 
 /// The same in step, bit by bit. For volumes of at least two voxels along x and fewer than 2^31 in all.
-PDR_HD_INLINE inline FloatLanes hounsfield(const FlatVolume& volume, const Vec3<FloatLanes>& position) {
+PDR_HD_INLINE FloatLanes hounsfield(const FlatVolume& volume, const Vec3<FloatLanes>& position) {
     const auto clamped = [](FloatLanes value, float high) {
         return smaller(larger(value, FloatLanes{}), FloatLanes{} + high);
     };

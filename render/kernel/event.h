@@ -31,7 +31,7 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 tra
 }
 
 template <std::uint32_t F>
-PDR_HD_INLINE inline Event eventAt(const FlatScene& scene, vec3 position, vec3 travel, RandomStream random) {
+PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 travel, RandomStream random) {
     const float hu = hounsfield(scene.volume, position);
     Event event{position, travel, materialAt(scene.transferFunction, hu), vec3(0)};
     if constexpr (has(F, kSurface))

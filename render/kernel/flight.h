@@ -33,7 +33,7 @@ class Flight {
     Real t;  ///< mm from the ray's origin
 
     /// The part of a ray that can meet matter, ready to fly. Empty (t >= end) where there is none.
-    PDR_HD_INLINE inline void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
+    PDR_HD_INLINE void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
                                     Real length, const RandomStreamOf<Real>& random) {
         t = Real{};
         end_ = length;
@@ -76,7 +76,7 @@ class Flight {
     }
 
     /// One step of every lane that is flying.
-    PDR_HD_INLINE inline TentativeCollision<Real> step(const FlatScene& scene) {
+    PDR_HD_INLINE TentativeCollision<Real> step(const FlatScene& scene) {
         const FlatMajorants& grid = scene.majorants;
         const Mask active = flying();
 
@@ -122,7 +122,7 @@ class Flight {
         Int cell;  ///< fine cell
         Int up;    ///< 1: moves to higher cells, 0: to lower ones
 
-        PDR_HD_INLINE inline void start(Real from, Real along, float low, float high, Real& enter, Real& leave) {
+        PDR_HD_INLINE void start(Real from, Real along, float low, float high, Real& enter, Real& leave) {
             origin = from;
             // A component of 0 becomes one that reaches no border within any volume.
             direction = ((along < 1e-20f) & (along > -1e-20f)) ? Real{} + 1e-20f : along;
@@ -146,7 +146,7 @@ class Flight {
 
         /// Into the cell beyond `leave`: the neighbour along the axis whose border was reached. Along the others a fine
         /// cell stays, and in a coarse one the fine cell is found anew, inside it.
-        PDR_HD_INLINE inline void advance(Mask onward, Mask descend, Real leaveAt) {
+        PDR_HD_INLINE void advance(Mask onward, Mask descend, Real leaveAt) {
             const Int low = descend ? cell : (cell & ~3), high = descend ? cell : (cell | 3);
             const Real reach = descend ? leave<4>() : leave<16>();
             const Int inside = clamped(fineCell(at(leaveAt)), low, high);

@@ -31,7 +31,7 @@ PDR_HD inline float extinction(const FlatScene& scene, const Vec3<float>& positi
 #if !defined(__CUDACC__)
 
 /// The same in step, bit by bit: curves have few pieces, so every piece is tried.
-PDR_HD_INLINE inline FloatLanes extinction(const FlatScene& scene, const Vec3<FloatLanes>& position) {
+PDR_HD_INLINE FloatLanes extinction(const FlatScene& scene, const Vec3<FloatLanes>& position) {
     const FlatTransferFunction& function = scene.transferFunction;
     const FloatLanes hu = hounsfield(scene.volume, position);
     FloatLanes start{}, value{}, slope{};
@@ -47,7 +47,7 @@ PDR_HD_INLINE inline FloatLanes extinction(const FlatScene& scene, const Vec3<Fl
 
 #endif
 
-PDR_HD_INLINE inline Material materialAt(const FlatTransferFunction& function, float hu) {
+PDR_HD_INLINE Material materialAt(const FlatTransferFunction& function, float hu) {
     const int index = pieceOf(function, hu);
     const OpacityPiece& piece = function.pieces[index];
     const Material& a = function.materials[2 * index];

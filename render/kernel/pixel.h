@@ -8,7 +8,7 @@
 namespace pdr {
 
 /// NaN, infinite and negative samples are left out and counted; they never become black.
-PDR_HD_INLINE inline void addSample(PixelSums& sums, vec3 radiance) {
+PDR_HD_INLINE void addSample(PixelSums& sums, vec3 radiance) {
     const float total = radiance.x + radiance.y + radiance.z;
     if (!(glm::min(glm::min(radiance.x, radiance.y), radiance.z) >= 0 && total < 3e38f)) {
         ++sums.rejected;

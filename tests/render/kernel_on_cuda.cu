@@ -1,0 +1,21 @@
+/// The kernel headers, compiled for a GPU: compiling is the test. One thread, one pixel; nothing is launched.
+
+#include "render/kernel/pixel.h"
+
+namespace pdr {
+
+template <std::uint32_t F>
+__global__ void renderPixels(FlatScene scene, SampleRange samples, PixelSums* sums) {
+    const ivec2 pixel(blockIdx.x * blockDim.x + threadIdx.x, blockIdx.y * blockDim.y + threadIdx.y);
+    if (pixel.x >= scene.camera.film.x || pixel.y >= scene.camera.film.y)
+        return;
+    const vec2 depths = matterDepths(scene, pixel);
+    PixelSums& sum = sums[pixel.y * scene.camera.film.x + pixel.x];
+    for (std::uint32_t i = 0; i < samples.count; ++i)
+        addSample(sum, meetsNothing(depths) ? background(scene) : tracePath<F>(scene, pixel, samples.first + i, depths));
+}
+
+template __global__ void renderPixels<0>(FlatScene, SampleRange, PixelSums*);
+template __global__ void renderPixels<kFeatureMasks - 1>(FlatScene, SampleRange, PixelSums*);
+
+}  // namespace pdr
