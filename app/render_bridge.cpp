@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/provenance.h"
 #include "render/film/image_file.h"
 #include "ui/to_qt.h"
 
@@ -55,15 +56,7 @@ void RenderBridge::save(const QString& file) {
         return;
     }
     session_.inspect([this, file, exr, display = display_](const Film& film, const Scene& scene, double seconds) {
-        const FilmStatus status = film.status();
-        const Provenance provenance{status.samplesPerPixel,
-                                    seconds,
-                                    status.relativeError,
-                                    status.rejectedSamples,
-                                    scene.seed,
-                                    modelName(scene.model),
-                                    scene.transferFunction.extinctionPerMm,
-                                    "PD-Render " PDR_VERSION};
+        const Provenance provenance = provenanceOf(scene, film.status(), seconds);
         const std::filesystem::path path = ui::fromQt(file);
         const Result<void> written = exr ? writeExr(film, provenance, path) : writePng(film, display, provenance, path);
         QMetaObject::invokeMethod(this, [this, file, written] {

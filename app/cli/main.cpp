@@ -1,10 +1,11 @@
-/// pdrender-cli: info, render, example. Exit codes: 0, 1 for an error, 2 for wrong usage.
+/// pdrender-cli: info, render, effects, example. Exit codes: 0, 1 for an error, 2 for wrong usage.
 
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <cstdio>
 
+#include "app/cli/effects_command.h"
 #include "app/cli/example_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/render_command.h"
@@ -16,6 +17,7 @@ constexpr const char* kHelp =
     "\n"
     "  pdrender-cli info FOLDER [--json]                      list the series in a folder of DICOM files\n"
     "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render a picture (.png, .exr)\n"
+    "  pdrender-cli effects FOLDER|SCENE.json ...             list what the picture needs, why, and at what cost\n"
     "  pdrender-cli example FOLDER ...                        write an example CT series\n"
     "  pdrender-cli --version                                 say which version this is\n"
     "\n"
@@ -39,6 +41,8 @@ int main(int argc, char** argv) {
         return pdr::app::runInfo(arguments);
     if (command == "render")
         return pdr::app::runRender(arguments);
+    if (command == "effects")
+        return pdr::app::runEffects(arguments);
     if (command == "example")
         return pdr::app::runExample(arguments);
     if (command == "--version" || command == "-v") {

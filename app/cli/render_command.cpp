@@ -8,24 +8,14 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
 #include "app/cli/render_report.h"
-#include "app/presets.h"
-#include "app/scene_volume.h"
+#include "app/provenance.h"
 #include "render/base/replacing_file.h"
 #include "render/device/device.h"
 #include "render/film/image_file.h"
-#include "render/scene/fit_view.h"
 #include "render/scene/flatten.h"
 
 namespace pdr::app {
 namespace {
-
-constexpr ivec2 kFolderFilm{1024, 1024};
-
-/// A scene with its voxels, and how to show it.
-struct Work {
-    Scene scene;
-    Display display;
-};
 
 int failed(const Error& error) {
     std::fprintf(stderr, "pdrender-cli: %s\n", error.text().c_str());
@@ -40,89 +30,9 @@ Result<void> checkOutputs(const RenderOptions& options) {
     return {};
 }
 
-bool isFile(const RenderOptions& options) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(options.input, ignored);
-}
-
-/// What the input says, before the voxels are there.
-Result<SceneFile> readInput(const RenderOptions& options) {
-    SceneFile file;
-    if (isFile(options) && options.input.extension() != ".json")
-        return Error{"this is a file, but neither a folder nor a scene file (.json)", options.input.string(),
-                     "Give the folder that holds the DICOM files."};
-    if (isFile(options)) {
-        auto read = readSceneFile(options.input);
-        if (!read)
-            return read.error();
-        file = *std::move(read);
-    } else {
-        file.source.dicomFolder = options.input;
-        file.scene.film = kFolderFilm;
-    }
-    if (!options.seriesUid.empty() && file.source.dicomFolder.empty())
-        return Error{"--series chooses among the series of a DICOM folder, this scene has a raw file",
-                     options.input.string(), "Leave it out."};
-    if (!options.seriesUid.empty())
-        file.source.seriesUid = options.seriesUid;
-    file.scene.film = options.size.value_or(file.scene.film);
-    file.scene.seed = options.seed.value_or(file.scene.seed);
-    return file;
-}
-
-Camera cameraFrom(StandardView view, const Scene& scene) {
-    const VolumeGeometry& geometry = scene.volume->geometry();
-    const double aspect = double(scene.film.x) / double(scene.film.y);
-    return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, 0.95);
-}
-
-/// The preset that was asked for; a folder, which has no look of its own, gets the first one.
-Result<std::optional<Preset>> chosenPreset(const RenderOptions& options) {
-    if (options.preset || isFile(options))
-        return options.preset;
-    auto presets = bundledPresets();
-    if (!presets)
-        return presets.error();
-    return std::optional(presets->front());
-}
-
-Result<Work> loadWork(const RenderOptions& options, const Progress& progress) {
-    auto file = readInput(options);
-    if (!file)
-        return file.error();
-    const auto preset = chosenPreset(options);
-    if (!preset)
-        return preset.error();
-    auto volume = fetchVolume(file->source, progress);
-    if (!volume)
-        return volume.error();
-
-    Work work{std::move(file->scene), {}};
-    work.scene.volume = *std::move(volume);
-    if (options.view || !isFile(options))
-        work.scene.camera = cameraFrom(options.view.value_or(StandardView::anterior), work.scene);
-    if (*preset) {
-        work.display = (*preset)->display;
-        work.scene = withPreset(std::move(work.scene), **preset);
-    }
-    if (options.exposure)
-        work.display.exposure = float(*options.exposure);
-    return work;
-}
-
-Provenance provenance(const Scene& scene, const BatchResult& result) {
-    return {result.film.samplesPerPixel,
-            result.seconds,
-            result.film.relativeError,
-            result.film.rejectedSamples,
-            scene.seed,
-            modelName(scene.model),
-            scene.transferFunction.extinctionPerMm,
-            "PD-Render " PDR_VERSION};
-}
-
-Result<void> writeAll(const RenderOptions& options, const Work& work, const Film& film, const BatchResult& result) {
-    const Provenance facts = provenance(work.scene, result);
+Result<void> writeAll(const RenderOptions& options, const LoadedScene& work, const Film& film,
+                      const BatchResult& result) {
+    const Provenance facts = provenanceOf(work.scene, result.film, result.seconds);
     for (const auto& path : options.outputs) {
         const auto ok =
             path.extension() == ".png" ? writePng(film, work.display, facts, path) : writeExr(film, facts, path);
@@ -138,7 +48,7 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
         return ok.error();
     ProgressLine line;
     const std::stop_token stop = interrupt.token();
-    auto work = loadWork(options, [&](double fraction, std::string_view step) {
+    auto work = loadScene(options.scene, [&](double fraction, std::string_view step) {
         line.show(fraction, step);
         return !stop.stop_requested();
     });
@@ -188,7 +98,8 @@ int runRender(const QStringList& arguments) {
         std::fprintf(stderr, "pdrender-cli: interrupted; the picture holds the samples taken until then.\n");
         return 1;
     } catch (const std::bad_alloc&) {
-        return failed({"there is not enough memory", options->input.string(), "Take a smaller --size or volume."});
+        return failed(
+            {"there is not enough memory", options->scene.path.string(), "Take a smaller --size or volume."});
     }
 }
 

@@ -18,25 +18,32 @@ constexpr std::array<std::pair<const char*, StandardView>, 6> kViews{{{"anterior
                                                                       {"superior", StandardView::superior},
                                                                       {"inferior", StandardView::inferior}}};
 
-void describe(QCommandLineParser& parser) {
+/// The options of all commands that render.
+void describeScene(QCommandLineParser& parser) {
     parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsOptions);
     parser.addPositionalArgument("input", "A folder of DICOM files, or a scene file.", "FOLDER|SCENE.json");
     parser.addOptions({
         {{"h", "help"}, "Show this text."},
-        {{"o", "output"}, "Write the picture here; may be given several times.", "FILE.png|FILE.exr"},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
         {"preset",
          "Look: \"CT bone\" (default), \"CT soft tissue\", \"CT angio\", \"CT lung\", or a preset file (.json).",
          "NAME"},
         {"view", "Look from anterior (default), posterior, left, right, superior or inferior.", "SIDE"},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
+        {"exposure", "Radiance that PNG shows as 63 % of white; default: the preset's, or 1.", "L"},
+        {"threads", "Threads; default: one per core.", "N", "0"},
+        {"seed", "Seed of the random numbers; default 1, or what the scene file says.", "N"},
+    });
+}
+
+void describeRender(QCommandLineParser& parser) {
+    describeScene(parser);
+    parser.addOptions({
+        {{"o", "output"}, "Write the picture here; may be given several times.", "FILE.png|FILE.exr"},
         {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
         {"seconds", "Stop after T seconds of rendering.", "T"},
         {"error", "Stop when the relative standard error of the picture is E, such as 0.01.", "E"},
-        {"exposure", "Radiance that PNG shows as 63 % of white; default: the preset's, or 1.", "L"},
         {"device", "What renders: cpu.", "NAME", "cpu"},
-        {"threads", "Threads; default: one per core.", "N", "0"},
-        {"seed", "Seed of the random numbers; default 1, or what the scene file says.", "N"},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
     });
 }
@@ -150,37 +157,58 @@ Stops readStops(const Reader& reader) {
     return stops;
 }
 
-RenderOptions read(const QCommandLineParser& parser) {
+SceneInput readScene(const QCommandLineParser& parser, const QString& command) {
+    if (parser.positionalArguments().size() != 1)
+        usageError(command, "needs one folder of DICOM files or one scene file");
+    const Reader reader(parser);
+    SceneInput scene;
+    scene.path = parser.positionalArguments().front().toStdString();
+    scene.seriesUid = reader.text("series").value_or("").toStdString();
+    scene.size = readSize(reader);
+    scene.view = readView(reader);
+    scene.exposure = reader.number("exposure", {0, 1e30, false});
+    scene.seed = reader.whole("seed", 0, UINT64_MAX);
+    scene.preset = readPreset(reader);
+    return scene;
+}
+
+int readThreads(const QCommandLineParser& parser) {
+    return int(Reader(parser).whole("threads", 1, 1024).value_or(0));
+}
+
+RenderOptions readRender(const QCommandLineParser& parser) {
     RenderOptions options;
     options.help = parser.isSet("help");
     if (options.help)
         return options;
-    if (parser.positionalArguments().size() != 1)
-        usageError("render", "needs one folder of DICOM files or one scene file");
-    const Reader reader(parser);
-    options.input = parser.positionalArguments().front().toStdString();
+    options.scene = readScene(parser, "render");
     options.outputs = readOutputs(parser);
-    options.seriesUid = reader.text("series").value_or("").toStdString();
-    options.size = readSize(reader);
-    options.view = readView(reader);
-    options.stops = readStops(reader);
-    options.exposure = reader.number("exposure", {0, 1e30, false});
-    options.threads = int(reader.whole("threads", 1, 1024).value_or(0));
-    options.seed = reader.whole("seed", 0, UINT64_MAX);
+    options.stops = readStops(Reader(parser));
+    options.threads = readThreads(parser);
     options.json = parser.isSet("json");
     if (parser.value("device") != "cpu")
         usageError("--device", "must be cpu, the only device of this version");
-    options.preset = readPreset(reader);
     return options;
 }
 
-}  // namespace
+EffectsOptions readEffects(const QCommandLineParser& parser) {
+    EffectsOptions options;
+    options.help = parser.isSet("help");
+    if (options.help)
+        return options;
+    options.scene = readScene(parser, "effects");
+    options.threads = readThreads(parser);
+    return options;
+}
 
-Result<RenderOptions> renderOptions(const QStringList& arguments) {
+/// Parses `arguments` of `command` as `describe` says, and hands them to `read`.
+template <class Read>
+auto parsed(const QString& command, const QStringList& arguments, void (*describe)(QCommandLineParser&), Read&& read)
+    -> Result<decltype(read(std::declval<const QCommandLineParser&>()))> {
     QCommandLineParser parser;
     describe(parser);
-    if (!parser.parse(QStringList("render") + arguments))
-        return Error{parser.errorText().toStdString(), "render", ""};
+    if (!parser.parse(QStringList(command) + arguments))
+        return Error{parser.errorText().toStdString(), command.toStdString(), ""};
     try {
         return read(parser);
     } catch (const Error& error) {
@@ -188,15 +216,36 @@ Result<RenderOptions> renderOptions(const QStringList& arguments) {
     }
 }
 
-std::string renderHelp() {
+std::string optionsText(void (*describe)(QCommandLineParser&)) {
     QCommandLineParser parser;
     describe(parser);
     QString text = parser.helpText();
-    text.remove(0, text.indexOf('\n') + 1);  // the parser's usage line knows nothing of the word `render`
+    text.remove(0, text.indexOf('\n') + 1);  // the parser's usage line knows nothing of the command's word
+    return text.toStdString();
+}
+
+}  // namespace
+
+Result<RenderOptions> renderOptions(const QStringList& arguments) {
+    return parsed("render", arguments, describeRender, readRender);
+}
+
+Result<EffectsOptions> effectsOptions(const QStringList& arguments) {
+    return parsed("effects", arguments, describeScene, readEffects);
+}
+
+std::string renderHelp() {
     return "Usage: pdrender-cli render FOLDER|SCENE.json -o FILE [options]\n"
            "Renders a picture. It ends at the first stop that is reached. Ctrl-C ends it early: what is there is then\n"
            "written and the exit code is 1; a second Ctrl-C ends at once and writes nothing.\n" +
-           text.toStdString();
+           optionsText(describeRender);
+}
+
+std::string effectsHelp() {
+    return "Usage: pdrender-cli effects FOLDER|SCENE.json [options]\n"
+           "Lists every effect: whether the picture needs it and why, what it costs (milliseconds per iteration of a\n"
+           "small picture), and by how many display levels the picture changes without it.\n" +
+           optionsText(describeScene);
 }
 
 }  // namespace pdr::app

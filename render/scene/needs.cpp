@@ -39,8 +39,9 @@ bool isLit(const Scene& scene) {
 }
 
 /// "needed: YES" or "off: NO".
-Effect effect(std::string name, bool needed, std::string yes, std::string no, std::uint32_t features = 0) {
-    return {std::move(name), needed, needed ? std::move(yes) : std::move(no), features};
+Effect effect(std::string name, bool needed, std::string yes, std::string no, std::uint32_t features = 0,
+              void (*leaveOut)(Scene&) = nullptr) {
+    return {std::move(name), needed, needed ? std::move(yes) : std::move(no), features, leaveOut};
 }
 
 Effect shadows(const Scene& scene) {
@@ -53,32 +54,38 @@ Effect surfaces(const Scene& scene) {
     if (!hasTissue(scene))
         return effect("surface reflection", false, "", "no tissue is opaque");
     return effect("surface reflection", scene.gradientFactor > 0, "the gradient factor is above 0",
-                  "the gradient factor is 0", kSurface);
+                  "the gradient factor is 0", kSurface, [](Scene& s) { s.gradientFactor = 0; });
 }
 
 Effect highlights(const Scene& scene) {
     if (!surfaces(scene).needed)
         return effect("highlights", false, "", "there are no surfaces");
     const bool shiny = anywhere(scene.transferFunction, [](const TransferNode& node) { return node.specular; });
-    return effect("highlights", shiny, "a node is specular", "no node is specular");
+    return effect("highlights", shiny, "a node is specular", "no node is specular", 0, [](Scene& s) {
+        for (TransferNode& node : s.transferFunction.nodes)
+            node.specular = vec3(0);
+    });
 }
 
 Effect emission(const Scene& scene) {
     const bool shines =
         hasTissue(scene) && anywhere(scene.transferFunction, [](const TransferNode& node) { return node.emission; });
-    return effect("emission", shines, "a node emits light", "no node emits light", kEmission);
+    return effect("emission", shines, "a node emits light", "no node emits light", kEmission, [](Scene& s) {
+        for (TransferNode& node : s.transferFunction.nodes)
+            node.emission = vec3(0);
+    });
 }
 
 Effect surroundings(const Scene& scene) {
     return effect("light from all around", !isBlack(scene.environment.radiance), "the environment shines",
-                  "the environment is black", kEnvironment);
+                  "the environment is black", kEnvironment, [](Scene& s) { s.environment.radiance = vec3(0); });
 }
 
 Effect background(const Scene& scene) {
     if (isBlack(scene.environment.radiance))
         return effect("visible background", false, "", "the environment is black");
     return effect("visible background", scene.environment.visible, "the camera sees the environment",
-                  "the environment is hidden from the camera");
+                  "the environment is hidden from the camera", 0, [](Scene& s) { s.environment.visible = false; });
 }
 
 }  // namespace
@@ -88,9 +95,12 @@ std::vector<Effect> needs(const Scene& scene) {
         shadows(scene),
         surfaces(scene),
         highlights(scene),
-        effect("directed scattering", scene.phaseG != 0, "phase g is not 0", "phase g is 0: the same to all sides"),
-        effect("panel lights", hasPanel(scene), "a light has a place and a size", "no light has a place",
-               kPlacedLights),
+        effect("directed scattering", scene.phaseG != 0, "phase g is not 0", "phase g is 0: the same to all sides", 0,
+               [](Scene& s) { s.phaseG = 0; }),
+        effect("panel lights", hasPanel(scene), "a light has a place and a size", "no light has a place", kPlacedLights,
+               [](Scene& s) {
+                   std::erase_if(s.lights, [](const Light& l) { return !std::holds_alternative<DirectionalLight>(l); });
+               }),
         surroundings(scene),
         background(scene),
         emission(scene),

@@ -13,9 +13,9 @@ namespace pdr {
 struct Effect {
     std::string name;  ///< for the user: "surface reflection"
     bool needed;
-    std::string reason;  ///< a phrase: "the gradient factor is 0"
-    std::uint32_t features =
-        0;  ///< bits of kernel/features.h that the effect compiles in; 0: a number in the kernel decides
+    std::string reason;          ///< a phrase: "the gradient factor is 0"
+    std::uint32_t features = 0;  ///< bits of kernel/features.h that it compiles in; 0: a number in the kernel decides
+    void (*leaveOut)(Scene&) = nullptr;  ///< makes a scene do without it; null where nothing in a scene can
 };
 
 /// Every effect that this version knows, in a fixed order. `scene` must have passed Scene::check(); its volume is not

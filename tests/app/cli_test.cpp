@@ -118,6 +118,9 @@ class CliTest : public QObject {
         row("threads", {"render", "a", "-o", "a.png", "--threads", "0"}, "--threads");
         row("device", {"render", "a", "-o", "a.png", "--device", "abacus"}, "--device");
         row("view", {"render", "a", "-o", "a.png", "--view", "above"}, "--view");
+        row("effects without input", {"effects"}, "needs one folder");
+        row("effects of two", {"effects", "a", "b"}, "needs one folder");
+        row("effects do not stop", {"effects", "a", "--samples", "3"}, "samples");
         row("preset", {"render", "a", "-o", "a.png", "--preset", "MR brain"}, "CT soft tissue");
     }
 
@@ -182,6 +185,21 @@ class CliTest : public QObject {
         QCOMPARE(QImage(at("b.png")).size(), QSize(30, 20));
         QCOMPARE(QImage(at("b.png")).text("pdrender/seed"), QString("9"));
         QVERIFY(qGreen(QImage(at("b.png")).pixel(15, 10)) > 20);
+    }
+
+    void effectsAreListedWithReasonAndCost() {
+        const Run plain = run({"effects", scene()});
+        QCOMPARE(plain.code, 0);
+        QVERIFY(plain.out.contains("the gradient factor is 0"));
+        QVERIFY(plain.out.contains("no light has a place"));
+        const Run lit = run({"effects", scene(), "--preset", "CT bone"});
+        QCOMPARE(lit.code, 0);
+        const QByteArrayList lines = lit.out.split('\n');
+        const auto panel =
+            std::find_if(lines.begin(), lines.end(), [](const QByteArray& l) { return l.startsWith("panel"); });
+        QVERIFY(panel != lines.end());
+        QCOMPARE(panel->simplified().split(' ').at(2), QByteArray("needed"));
+        QVERIFY(panel->simplified().split(' ').at(4).toDouble() > 0);  // levels that the picture changes by
     }
 
     void theErrorStopsAndDoesNotDependOnTheClock() {

@@ -1,0 +1,86 @@
+#include "app/cli/scene_input.h"
+
+#include <utility>
+
+#include "app/presets.h"
+#include "app/scene_volume.h"
+#include "render/scene/fit_view.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr ivec2 kFolderFilm{1024, 1024};
+
+bool isFile(const SceneInput& input) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(input.path, ignored);
+}
+
+/// What the input says, before the voxels are there.
+Result<SceneFile> readInput(const SceneInput& input) {
+    SceneFile file;
+    if (isFile(input) && input.path.extension() != ".json")
+        return Error{"this is a file, but neither a folder nor a scene file (.json)", input.path.string(),
+                     "Give the folder that holds the DICOM files."};
+    if (isFile(input)) {
+        auto read = readSceneFile(input.path);
+        if (!read)
+            return read.error();
+        file = *std::move(read);
+    } else {
+        file.source.dicomFolder = input.path;
+        file.scene.film = kFolderFilm;
+    }
+    if (!input.seriesUid.empty() && file.source.dicomFolder.empty())
+        return Error{"--series chooses among the series of a DICOM folder, this scene has a raw file",
+                     input.path.string(), "Leave it out."};
+    if (!input.seriesUid.empty())
+        file.source.seriesUid = input.seriesUid;
+    file.scene.film = input.size.value_or(file.scene.film);
+    file.scene.seed = input.seed.value_or(file.scene.seed);
+    return file;
+}
+
+Camera cameraFrom(StandardView view, const Scene& scene) {
+    const VolumeGeometry& geometry = scene.volume->geometry();
+    const double aspect = double(scene.film.x) / double(scene.film.y);
+    return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, 0.95);
+}
+
+/// The preset that was asked for; a folder, which has no look of its own, gets the first one.
+Result<std::optional<Preset>> chosenPreset(const SceneInput& input) {
+    if (input.preset || isFile(input))
+        return input.preset;
+    auto presets = bundledPresets();
+    if (!presets)
+        return presets.error();
+    return std::optional(presets->front());
+}
+
+}  // namespace
+
+Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress) {
+    auto file = readInput(input);
+    if (!file)
+        return file.error();
+    const auto preset = chosenPreset(input);
+    if (!preset)
+        return preset.error();
+    auto volume = fetchVolume(file->source, progress);
+    if (!volume)
+        return volume.error();
+
+    LoadedScene work{std::move(file->scene), {}};
+    work.scene.volume = *std::move(volume);
+    if (input.view || !isFile(input))
+        work.scene.camera = cameraFrom(input.view.value_or(StandardView::anterior), work.scene);
+    if (*preset) {
+        work.display = (*preset)->display;
+        work.scene = withPreset(std::move(work.scene), **preset);
+    }
+    if (input.exposure)
+        work.display.exposure = float(*input.exposure);
+    return work;
+}
+
+}  // namespace pdr::app

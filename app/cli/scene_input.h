@@ -1,0 +1,37 @@
+#pragma once
+/// What the commands render: a DICOM folder or a scene file, and how it was asked to look.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "render/base/progress.h"
+#include "render/base/result.h"
+#include "render/film/display.h"
+#include "render/scene/camera.h"
+#include "render/scene/preset.h"
+#include "render/scene/scene.h"
+
+namespace pdr::app {
+
+struct SceneInput {
+    std::filesystem::path path;        ///< a DICOM folder or a scene file
+    std::string seriesUid;             ///< empty: the first that can be loaded
+    std::optional<Preset> preset;      ///< absent: CT bone for a folder, the file's own look for a scene
+    std::optional<StandardView> view;  ///< absent: anterior for a folder, the file's own camera for a scene
+    std::optional<ivec2> size;         ///< absent: 1024 x 1024 for a folder, the file's own film for a scene
+    std::optional<double> exposure;
+    std::optional<std::uint64_t> seed;
+};
+
+/// A scene with its voxels, and how to show it.
+struct LoadedScene {
+    Scene scene;
+    Display display;
+};
+
+/// Errors: those of scene files, presets and the import; the scene itself is not checked.
+Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress);
+
+}  // namespace pdr::app

@@ -1,0 +1,16 @@
+#include "app/provenance.h"
+
+namespace pdr::app {
+
+Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds) {
+    return {status.samplesPerPixel,
+            seconds,
+            status.relativeError,
+            status.rejectedSamples,
+            scene.seed,
+            modelName(scene.model),
+            scene.transferFunction.extinctionPerMm,
+            "PD-Render " PDR_VERSION};
+}
+
+}  // namespace pdr::app
