@@ -15,7 +15,6 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     window_.resize(1360, 860);
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());
-    window_.setLastFolder(settings_.lastFolder());
     wire(parts());
     showNothing(parts());
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/settings.h"
 #include "app/window_content.h"
 
 namespace pdr::app {
@@ -15,7 +16,7 @@ class Desktop {
     /// Keeps the window's geometry for the next time.
     ~Desktop();
 
-    DesktopParts parts() { return {import_, document_, bridge_, window_, settings_}; }
+    DesktopParts parts() { return {import_, document_, bridge_, window_}; }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
     void open(const QString& folder) { import_.scanFolder(folder); }

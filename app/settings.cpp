@@ -5,7 +5,6 @@ namespace {
 
 constexpr auto kGeometry = "window/geometry";
 constexpr auto kState = "window/state";
-constexpr auto kLastFolder = "lastFolder";
 
 QString ownFile() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "pd-render", "pdrender").fileName();
@@ -26,14 +25,6 @@ QByteArray Settings::windowState() const {
 void Settings::keepWindow(const QByteArray& geometry, const QByteArray& state) {
     store_.setValue(kGeometry, geometry);
     store_.setValue(kState, state);
-}
-
-QString Settings::lastFolder() const {
-    return store_.value(kLastFolder).toString();
-}
-
-void Settings::keepLastFolder(const QString& folder) {
-    store_.setValue(kLastFolder, folder);
 }
 
 }  // namespace pdr::app

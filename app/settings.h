@@ -1,5 +1,6 @@
 #pragma once
-/// What the desktop keeps between two runs: the window's geometry and the folder opened last. Nothing of a patient.
+/// What the desktop keeps between two runs: the window's geometry. Nothing of a patient, so not the folder opened last
+/// either: its name may be a patient's.
 
 #include <QByteArray>
 #include <QSettings>
@@ -15,8 +16,6 @@ class Settings {
     QByteArray windowGeometry() const;
     QByteArray windowState() const;
     void keepWindow(const QByteArray& geometry, const QByteArray& state);
-    QString lastFolder() const;
-    void keepLastFolder(const QString& folder);
 
   private:
     mutable QSettings store_;

@@ -44,7 +44,6 @@ void showNothing(const DesktopParts& parts) {
 void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder) {
     showNothing(parts);
     parts.window.message().clear();
-    parts.settings.keepLastFolder(folder);
     parts.window.setLastFolder(folder);
     parts.window.series().setScan(scan);
     const auto first = std::find_if(scan.series.begin(), scan.series.end(),

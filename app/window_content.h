@@ -6,7 +6,6 @@
 #include "app/document.h"
 #include "app/import_job.h"
 #include "app/render_bridge.h"
-#include "app/settings.h"
 #include "ui/main_window.h"
 
 namespace pdr::app {
@@ -17,7 +16,6 @@ struct DesktopParts {
     Document& document;
     RenderBridge& bridge;
     ui::MainWindow& window;
-    Settings& settings;
 };
 
 /// An invitation to open a folder, and no picture.

@@ -87,7 +87,7 @@ class TestDesktop : public QObject {
     void anUnknownFormatIsSaid();
     void aFailedFolderIsSaidAndThePictureStays();
     void theTitleNamesTheSeriesButNotThePatient();
-    void onlyGeometryAndFolderAreKept();
+    void onlyTheWindowIsKept();
     void aRealChestIsShown();
 
   private:
@@ -292,7 +292,7 @@ void TestDesktop::theTitleNamesTheSeriesButNotThePatient() {
     QVERIFY(!title.contains("Phantom, Head"));
 }
 
-void TestDesktop::onlyGeometryAndFolderAreKept() {
+void TestDesktop::onlyTheWindowIsKept() {
     const QTemporaryDir kept;
     const QString file = kept.filePath("settings.ini");
     {
@@ -302,8 +302,7 @@ void TestDesktop::onlyGeometryAndFolderAreKept() {
         QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), 60000);
     }
     const QSettings settings(file, QSettings::IniFormat);
-    QCOMPARE(settings.allKeys(), QStringList({"lastFolder", "window/geometry", "window/state"}));
-    QCOMPARE(Settings(file).lastFolder(), series_);
+    QCOMPARE(settings.allKeys(), QStringList({"window/geometry", "window/state"}));
 }
 
 void TestDesktop::aRealChestIsShown() {

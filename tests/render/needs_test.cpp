@@ -56,14 +56,7 @@ bool sameBits(const Film& a, const Film& b) {
 Film renderedWith(const Scene& scene, std::uint32_t features) {
     const auto prepared = test::prepared(scene);
     prepared->flat.features |= features;
-    const auto device = makeCpuDevice();
-    (void)device->upload(prepared);
-    Film film(scene.film, 0);
-    const Tile whole{0, 0, scene.film.x, scene.film.y};
-    const SampleRange samples = film.nextSamples(32);
-    (void)device->render(whole, samples, film.sums(whole), {});
-    film.commit(samples);
-    return film;
+    return test::sampled(*makeCpuDevice(), prepared, 32);
 }
 
 }  // namespace

@@ -146,19 +146,9 @@ class PictureTest : public QObject {
     /// Cells, view bounds and bounds on the extinction are accelerators: without them the image is the same.
     void macrocellsDoNotChangeThePicture() {
         const Scene scene = variedScene();
-        const auto prepared = Flattener().prepare(scene);
         const auto device = makeCpuDevice();
-        const auto sampled = [&](std::shared_ptr<const PreparedScene> with) {
-            (void)device->upload(with);
-            Film film(scene.film, 0);
-            while (film.samplesPerPixel() < 512) {
-                const SampleRange range = film.nextSamples(64);
-                (void)device->render({0, 0, 32, 32}, range, film.sums({0, 0, 32, 32}), {});
-                film.commit(range);
-            }
-            return film;
-        };
-        const Film cells = sampled(prepared), global = sampled(test::withGlobalMajorant(scene));
+        const Film cells = test::render(scene, 512, *device);
+        const Film global = test::sampled(*device, test::withGlobalMajorant(scene), 512);
         double square = 0;
         int pixels = 0;
         for (int y = 0; y < 32; ++y)

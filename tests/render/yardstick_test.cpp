@@ -1,11 +1,11 @@
 /// A real head against a picture of it by a renderer that nobody here wrote, and against itself without accelerators.
 
-#include <QFileInfo>
 #include <QTest>
 
 #include "app/bench/pfm.h"
 #include "render/scene/scene_file.h"
 #include "tests/support/scenes.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
@@ -30,18 +30,6 @@ std::optional<Scene> yardstick(QString& reason) {
     return file->scene;
 }
 
-Film sampled(Device& device, std::shared_ptr<const PreparedScene> prepared, ivec2 size, std::uint64_t samples) {
-    (void)device.upload(std::move(prepared));
-    Film film(size, 0);
-    const Tile whole{0, 0, size.x, size.y};
-    while (film.samplesPerPixel() < samples) {
-        const SampleRange range = film.nextSamples(64);
-        (void)device.render(whole, range, film.sums(whole), {});
-        film.commit(range);
-    }
-    return film;
-}
-
 }  // namespace
 
 class YardstickTest : public QObject {
@@ -49,15 +37,14 @@ class YardstickTest : public QObject {
 
   private slots:
     void agreesWithTheReferencePicture() {
-        const QString shared = qEnvironmentVariable("PDR_SHARED", PDR_SOURCE_DIR "/../shared");
-        const QString path = shared + "/yardstick/reference.pfm";
-        if (!QFileInfo::exists(path))
+        const std::filesystem::path path = test::sharedFolder() / "yardstick" / "reference.pfm";
+        if (!std::filesystem::exists(path))
             QSKIP("the reference picture is not here");
         QString reason;
         const std::optional<Scene> scene = yardstick(reason);
         if (!scene)
             QSKIP(qPrintable("the cranium is not here: " + reason));
-        const Result<bench::GreyImage> reference = bench::readPfm(path.toStdString());
+        const Result<bench::GreyImage> reference = bench::readPfm(path);
         QVERIFY(bool(reference));
 
         const Film film = test::render(*scene, 1024);
@@ -83,10 +70,9 @@ class YardstickTest : public QObject {
         if (!scene)
             QSKIP(qPrintable("the cranium is not here: " + reason));
         scene->film = {96, 96};
-        const auto prepared = Flattener().prepare(*scene);
         const auto device = makeCpuDevice();
-        const Film cells = sampled(*device, prepared, scene->film, 128);
-        const Film global = sampled(*device, test::withGlobalMajorant(*scene), scene->film, 128);
+        const Film cells = test::render(*scene, 128, *device);
+        const Film global = test::sampled(*device, test::withGlobalMajorant(*scene), 128);
         test::Sample difference;  // of pixels: a paired t-test on 9216 of them
         for (int y = 0; y < 96; ++y)
             for (int x = 0; x < 96; ++x)

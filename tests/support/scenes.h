@@ -46,22 +46,27 @@ inline Scene plainScene(std::shared_ptr<const Volume> volume, float extinctionPe
     return scene;
 }
 
-/// Renders `samples` a pixel with n iterations at a time in tiles of `tile` pixels.
-inline Film render(const Scene& scene, std::uint64_t samples, Device& device, std::uint32_t n = 64, int tile = 4096) {
-    Flattener flattener;
-    (void)device.upload(flattener.prepare(scene));
-    Film film(scene.film, scene.revision);
+/// Takes `samples` a pixel of what is prepared, n iterations at a time, in tiles of `tile` pixels.
+inline Film sampled(Device& device, std::shared_ptr<const PreparedScene> prepared, std::uint64_t samples,
+                    std::uint32_t n = 64, int tile = 4096) {
+    const ivec2 size = prepared->flat.camera.film;
+    Film film(size, prepared->revision);
+    (void)device.upload(std::move(prepared));
     while (film.samplesPerPixel() < samples) {
         const SampleRange range =
             film.nextSamples(std::uint32_t(std::min<std::uint64_t>(n, samples - film.samplesPerPixel())));
-        for (int y = 0; y < scene.film.y; y += tile)
-            for (int x = 0; x < scene.film.x; x += tile) {
-                const Tile piece{x, y, std::min(tile, scene.film.x - x), std::min(tile, scene.film.y - y)};
+        for (int y = 0; y < size.y; y += tile)
+            for (int x = 0; x < size.x; x += tile) {
+                const Tile piece{x, y, std::min(tile, size.x - x), std::min(tile, size.y - y)};
                 (void)device.render(piece, range, film.sums(piece), {});
             }
         film.commit(range);
     }
     return film;
+}
+
+inline Film render(const Scene& scene, std::uint64_t samples, Device& device, std::uint32_t n = 64, int tile = 4096) {
+    return sampled(device, Flattener().prepare(scene), samples, n, tile);
 }
 
 inline Film render(const Scene& scene, std::uint64_t samples) {
