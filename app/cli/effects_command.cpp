@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/cli/failed.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
 #include "render/device/device.h"
@@ -19,11 +20,6 @@ namespace {
 constexpr int kLongestSide = 256;          ///< pixels of the picture that is measured
 constexpr std::uint32_t kIterations = 64;  ///< one block
 constexpr std::size_t kRounds = 3;         ///< with and without in turn; the median counts
-
-int failed(const Error& error) {
-    std::fprintf(stderr, "pdrender-cli: %s\n", error.text().c_str());
-    return 1;
-}
 
 struct Trial {
     double milliseconds;  ///< per iteration

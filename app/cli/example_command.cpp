@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/cli/cranium.h"
+#include "app/cli/failed.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "dicom/export.h"
@@ -83,10 +84,8 @@ int runExample(const QStringList& arguments) {
     }
     const Interrupt interrupt;
     const Result<int> slices = writeExample(*request, interrupt.token());
-    if (!slices) {
-        std::fprintf(stderr, "pdrender-cli: %s\n", slices.error().text().c_str());
-        return 1;
-    }
+    if (!slices)
+        return failed(slices.error());
     std::fprintf(stderr, "%d slices written to %s\n", *slices, request->folder.c_str());
     return 0;
 }

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/failed.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/series_report.h"
 #include "dicom/import.h"
@@ -64,8 +65,7 @@ int runInfo(const QStringList& arguments) {
     const Result<dicom::ScanResult> scan = dicom::scanFolder(folder, progress);
     if (!scan) {
         line.finish();
-        std::fprintf(stderr, "pdrender-cli: %s\n", scan.error().text().c_str());
-        return 1;
+        return failed(scan.error());
     }
     const Json report = scanReport(*scan, folder, progress);
     line.finish();

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "app/cli/batch_render.h"
+#include "app/cli/failed.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
@@ -16,11 +17,6 @@
 
 namespace pdr::app {
 namespace {
-
-int failed(const Error& error) {
-    std::fprintf(stderr, "pdrender-cli: %s\n", error.text().c_str());
-    return 1;
-}
 
 /// Nobody should wait for a picture that cannot be written.
 Result<void> checkOutputs(const RenderOptions& options) {
@@ -98,8 +94,7 @@ int runRender(const QStringList& arguments) {
         std::fprintf(stderr, "pdrender-cli: interrupted; the picture holds the samples taken until then.\n");
         return 1;
     } catch (const std::bad_alloc&) {
-        return failed(
-            {"there is not enough memory", options->scene.path.string(), "Take a smaller --size or volume."});
+        return failed({"there is not enough memory", options->scene.path.string(), "Take a smaller --size or volume."});
     }
 }
 

@@ -176,11 +176,7 @@ int readThreads(const QCommandLineParser& parser) {
     return int(Reader(parser).whole("threads", 1, 1024).value_or(0));
 }
 
-RenderOptions readRender(const QCommandLineParser& parser) {
-    RenderOptions options;
-    options.help = parser.isSet("help");
-    if (options.help)
-        return options;
+void readRender(const QCommandLineParser& parser, RenderOptions& options) {
     options.scene = readScene(parser, "render");
     options.outputs = readOutputs(parser);
     options.stops = readStops(Reader(parser));
@@ -188,32 +184,30 @@ RenderOptions readRender(const QCommandLineParser& parser) {
     options.json = parser.isSet("json");
     if (parser.value("device") != "cpu")
         usageError("--device", "must be cpu, the only device of this version");
-    return options;
 }
 
-EffectsOptions readEffects(const QCommandLineParser& parser) {
-    EffectsOptions options;
-    options.help = parser.isSet("help");
-    if (options.help)
-        return options;
+void readEffects(const QCommandLineParser& parser, EffectsOptions& options) {
     options.scene = readScene(parser, "effects");
     options.threads = readThreads(parser);
-    return options;
 }
 
-/// Parses `arguments` of `command` as `describe` says, and hands them to `read`.
-template <class Read>
-auto parsed(const QString& command, const QStringList& arguments, void (*describe)(QCommandLineParser&), Read&& read)
-    -> Result<decltype(read(std::declval<const QCommandLineParser&>()))> {
+/// Parses `arguments` of `command` as `describe` says and hands them to `read`, unless they only ask for help.
+template <class Options>
+Result<Options> parsed(const QString& command, const QStringList& arguments, void (*describe)(QCommandLineParser&),
+                       void (*read)(const QCommandLineParser&, Options&)) {
     QCommandLineParser parser;
     describe(parser);
     if (!parser.parse(QStringList(command) + arguments))
         return Error{parser.errorText().toStdString(), command.toStdString(), ""};
+    Options options;
+    options.help = parser.isSet("help");
     try {
-        return read(parser);
+        if (!options.help)
+            read(parser, options);
     } catch (const Error& error) {
         return error;
     }
+    return options;
 }
 
 std::string optionsText(void (*describe)(QCommandLineParser&)) {

@@ -2,12 +2,23 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace pdr {
+
+namespace {
+
+/// What a status is made from, over some pixels.
+struct Totals {
+    std::uint64_t rejected = 0;
+    double luminance = 0, squaredErrors = 0;
+};
+
+}  // namespace
 
 Film::Film(ivec2 size, std::uint64_t revision)
     : size_(size), revision_(revision), block_(std::size_t(size.x) * size.y), moments_(block_.size()) {}
@@ -66,18 +77,27 @@ PixelEstimate Film::pixel(int x, int y) const {
 }
 
 FilmStatus Film::status() const {
-    FilmStatus status{.samplesPerPixel = samples_};
-    double sum = 0, squaredErrors = 0;
-    for (std::size_t i = 0; i < moments_.size(); ++i) {
-        const Moments moments = at(i);
-        status.rejectedSamples += moments.rejected;
-        sum += luminance(moments.mean);
-        const double error = luminance(standardErrorOf(moments));
-        squaredErrors += error * error;
-    }
+    using Pixels = tbb::blocked_range<std::size_t>;
+    const auto add = [this](const Pixels& pixels, Totals totals) {
+        for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
+            const Moments moments = at(i);
+            const double error = luminance(standardErrorOf(moments));
+            totals.rejected += moments.rejected;
+            totals.luminance += luminance(moments.mean);
+            totals.squaredErrors += error * error;
+        }
+        return totals;
+    };
+    const auto join = [](const Totals& a, const Totals& b) {
+        return Totals{a.rejected + b.rejected, a.luminance + b.luminance, a.squaredErrors + b.squaredErrors};
+    };
+    // Deterministic: the sums must not depend on how many threads there are.
+    const Totals totals = tbb::parallel_deterministic_reduce(Pixels(0, moments_.size(), 16384), Totals{}, add, join);
+
+    FilmStatus status{.samplesPerPixel = samples_, .rejectedSamples = totals.rejected};
     const double pixels = double(moments_.size());
-    status.meanLuminance = sum / pixels;
-    const double error = std::sqrt(squaredErrors / pixels);
+    status.meanLuminance = totals.luminance / pixels;
+    const double error = std::sqrt(totals.squaredErrors / pixels);
     if (samples_ < 2)
         status.relativeError = std::numeric_limits<double>::infinity();
     else if (error > 0)

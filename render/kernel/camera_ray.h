@@ -24,20 +24,9 @@ PDR_HD inline CameraRay cameraRay(const FlatScene& scene, vec2 place, vec2 depth
     const dvec3 unit = towards * (1 / stretch);
     const dvec3 direction = scene.volume.exactIndexFromLocal * unit;
     const dvec3 eye = camera.eye + scene.volume.exactIndexFromLocal * (offset * (1 - camera.perspective));
-    double enter = glm::max(0.0, depths.x * stretch), leave = depths.y * stretch;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = -0.5, high = double(scene.volume.lastIndex[axis]) + 0.5;
-        if (direction[axis] == 0) {
-            if (!(eye[axis] >= low && eye[axis] < high))
-                leave = -1;
-            continue;
-        }
-        const double inverse = 1 / direction[axis];
-        const double a = (low - eye[axis]) * inverse, b = (high - eye[axis]) * inverse;
-        enter = glm::max(enter, glm::min(a, b));
-        leave = glm::min(leave, glm::max(a, b));
-    }
-    const Ray ray{vec3(eye + direction * enter), vec3(direction), float(leave - enter)};
+    const Interval<double> inside = clipped(eye, direction, dvec3(-0.5), dvec3(scene.volume.lastIndex) + 0.5,
+                                            Interval<double>{glm::max(0.0, depths.x * stretch), depths.y * stretch});
+    const Ray ray{vec3(eye + direction * inside.enter), vec3(direction), float(inside.leave - inside.enter)};
     return {ray, vec3(unit)};
 }
 

@@ -34,7 +34,7 @@ class Flight {
 
     /// The part of a ray that can meet matter, ready to fly. Empty (t >= end) where there is none.
     PDR_HD_INLINE void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
-                                    Real length, const RandomStreamOf<Real>& random) {
+                             Real length, const RandomStreamOf<Real>& random) {
         t = Real{};
         end_ = length;
         x_.start(origin.x, direction.x, grid.occupiedLow.x, grid.occupiedHigh.x, t, end_);

@@ -94,7 +94,7 @@ class TrackingTest : public QObject {
             vec3 origin = low + (high - low) * (0.5f + 0.5f * vec3(unit(random), unit(random), unit(random)));
             if (random() % 2)  // on borders between cells and voxels
                 origin = glm::clamp(glm::floor(origin), low, high - 0.01f);
-            const Interval inside = clipped(origin, direction, low, high, {0, 1e30f});
+            const Interval<float> inside = clipped(origin, direction, low, high, Interval<float>{0, 1e30f});
             Flight<float> flight;
             flight.start(prepared->flat.majorants, {origin.x, origin.y, origin.z},
                          {direction.x, direction.y, direction.z}, 1e30f, stream(i));
