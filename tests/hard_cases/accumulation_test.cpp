@@ -3,6 +3,8 @@
 #include <QTest>
 
 #include "render/film/tone_map.h"
+#include "render/kernel/random.h"
+#include "tests/support/one_pixel.h"
 #include "tests/support/pictures.h"
 #include "tests/support/statistics.h"
 

@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "render/kernel/camera_ray.h"
 #include "tests/support/pictures.h"
 #include "tests/support/statistics.h"
 
@@ -67,7 +68,7 @@ class CamerasTest : public QObject {
                 const vec2 place(float(i % 10) * 3 + 1.5f, float(i / 10) * 3 + 1.5f);
                 const dvec3 towards = glm::normalize(camera.forward + camera.right * (place.x / 32.0 - 0.5) -
                                                      camera.up * (place.y / 32.0 - 0.5));
-                const Ray ray = cameraRay(prepared->flat, place, {0, 1e30f}).ray;
+                const Ray ray = cameraLeg(prepared->flat, place, vec2(0), {0, 1e30f}).ray;
                 if (!(ray.length > 0))
                     continue;
                 const auto offLine = [&](dvec3 p) { return glm::length(glm::cross(p - camera.eye, towards)); };
@@ -90,9 +91,9 @@ class CamerasTest : public QObject {
             QVERIFY(bool(scene.check()));
             const auto prepared = Flattener().prepare(scene);
             for (const vec2 place : {vec2(0), vec2(32), vec2(0, 32), vec2(16), vec2(16, 16.001f)}) {
-                const CameraRay ray = cameraRay(prepared->flat, place, {0, 1e30f});
-                QVERIFY(std::fabs(glm::length(ray.direction) - 1) < 1e-6);
-                QVERIFY(!std::isnan(ray.ray.length) && glm::dot(dvec3(ray.direction), scene.camera.forward()) > 0);
+                const Leg leg = cameraLeg(prepared->flat, place, vec2(0), {0, 1e30f});
+                QVERIFY(std::fabs(glm::length(leg.direction) - 1) < 1e-6);
+                QVERIFY(!std::isnan(leg.ray.length) && glm::dot(dvec3(leg.direction), scene.camera.forward()) > 0);
             }
             QCOMPARE(test::render(scene, 4).status().rejectedSamples, std::uint64_t(0));
         }

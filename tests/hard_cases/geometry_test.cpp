@@ -4,7 +4,8 @@
 
 #include <random>
 
-#include "tests/support/pictures.h"
+#include "render/kernel/flight.h"
+#include "tests/support/scenes.h"
 
 using namespace pdr;
 

@@ -1,18 +1,14 @@
 #pragma once
-/// What pictures and single pixels say as a whole, and the slab whose closed forms are known.
+/// Whole pictures in one number, and the scene that most closed forms are about.
 
-#include <cmath>
-
-#include "render/kernel/pixel.h"
 #include "tests/support/scenes.h"
+#include "tests/support/statistics.h"
 
 namespace pdr::test {
 
 /// Mean over pixels of the red channel, and its standard error.
 struct ImageMean {
     double mean = 0, standardError = 0;
-
-    double z(double truth) const { return (mean - truth) / standardError; }
 };
 
 inline ImageMean imageMean(const Film& film) {
@@ -28,7 +24,6 @@ inline ImageMean imageMean(const Film& film) {
     return {result.mean / pixels, std::sqrt(squares) / pixels};
 }
 
-/// Whether two films hold the same numbers, bit by bit.
 inline bool sameBits(const Film& a, const Film& b) {
     for (int y = 0; y < a.size().y; ++y)
         for (int x = 0; x < a.size().x; ++x)
@@ -37,24 +32,7 @@ inline bool sameBits(const Film& a, const Film& b) {
     return true;
 }
 
-inline constexpr Tile kOnePixel{0, 0, 1, 1};
-
-/// A film of one pixel after `count` samples value(i), n to an iteration.
-template <class Value>
-Film filmOf(std::uint64_t count, Value&& value, std::uint32_t n = 64) {
-    Film film({1, 1}, 0);
-    while (film.samplesPerPixel() < count) {
-        const SampleRange range =
-            film.nextSamples(std::uint32_t(std::min<std::uint64_t>(n, count - film.samplesPerPixel())));
-        for (std::uint32_t i = 0; i < range.count; ++i)
-            addSample(*film.sums(kOnePixel).pixels, vec3(float(value(range.first + i))));
-        film.commit(range);
-    }
-    return film;
-}
-
-/// A wide slab of depth tau, 10 mm thick, seen straight on: every pixel looks at its middle. Lit by parallel light of
-/// irradiance 2.
+/// A wide slab of depth tau seen straight on, one pixel that looks at its middle.
 inline Scene slab(double tau, dvec3 lightTravels, float albedo) {
     const double thickness = 10;
     Scene scene = plainScene(makeVolume({401, 401, 5}, {1, 1, thickness / 5}, [](int, int, int) { return 0; }),
@@ -68,6 +46,12 @@ inline Scene slab(double tau, dvec3 lightTravels, float albedo) {
     scene.lights = {DirectionalLight{lightTravels, vec3(2)}};
     scene.film = {4, 4};
     return scene;
+}
+
+/// Distance of an image's mean from `truth` in standard errors.
+inline double z(const Film& film, double truth) {
+    const ImageMean got = imageMean(film);
+    return (got.mean - truth) / got.standardError;
 }
 
 }  // namespace pdr::test

@@ -1,0 +1,27 @@
+#pragma once
+/// A film of one pixel, fed by hand.
+
+#include <algorithm>
+
+#include "render/film/film.h"
+#include "render/kernel/pixel.h"
+
+namespace pdr::test {
+
+inline constexpr Tile kOnePixel{0, 0, 1, 1};
+
+/// After `count` samples value(i), n to an iteration.
+template <class Value>
+Film filmOf(std::uint64_t count, Value&& value, std::uint32_t n = 64) {
+    Film film({1, 1}, 0);
+    while (film.samplesPerPixel() < count) {
+        const SampleRange range =
+            film.nextSamples(std::uint32_t(std::min<std::uint64_t>(n, count - film.samplesPerPixel())));
+        for (std::uint32_t i = 0; i < range.count; ++i)
+            addSample(*film.sums(kOnePixel).pixels, vec3(float(value(range.first + i))));
+        film.commit(range);
+    }
+    return film;
+}
+
+}  // namespace pdr::test
