@@ -20,13 +20,13 @@ Material materialOf(const TransferNode& node) {
 void flattenTransferFunction(PreparedScene& prepared, const TransferFunction& function) {
     const std::vector<TransferNode>& nodes = function.nodes;
     const auto add = [&](float start, float end, const TransferNode& from, const TransferNode& to) {
-        const float slope =
-            std::isfinite(start) && std::isfinite(end) ? (to.opacity - from.opacity) / (end - start) : 0;
-        prepared.pieces.push_back({std::isfinite(start) ? start : 0, end, from.opacity, slope});
+        const float slope = (to.opacity - from.opacity) / (end - start);
+        prepared.pieces.push_back({start, end, from.opacity, std::isfinite(slope) ? slope : 0});
         prepared.materials.push_back(materialOf(from));
         prepared.materials.push_back(materialOf(to));
     };
-    add(-kInfinity, nodes.front().hu, nodes.front(), nodes.front());
+    // Not minus infinity: differences from a piece's start must be numbers.
+    add(std::numeric_limits<float>::lowest(), nodes.front().hu, nodes.front(), nodes.front());
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
         if (nodes[i].hu < nodes[i + 1].hu)
             add(nodes[i].hu, nodes[i + 1].hu, nodes[i], nodes[i + 1]);
