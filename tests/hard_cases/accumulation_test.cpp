@@ -108,7 +108,7 @@ class AccumulationTest : public QObject {
         QVERIFY(std::int32_t(many + 64) == 0 && float(many) + 1 == float(many));  // what int and float make of it
         Film film({1, 1}, 0);
         *film.sums(test::kOnePixel).pixels = {dvec3(0.5 * double(many)), dvec3(0.25 * double(many)),
-                                              std::uint32_t(many), 0};
+                                              std::uint32_t(many)};
         film.commit({0, std::uint32_t(many)});
         for (std::uint64_t added = 1; added <= 200; ++added) {
             const SampleRange range = film.nextSamples(1);
@@ -180,7 +180,11 @@ class AccumulationTest : public QObject {
         const Film film = test::filmOf(200, value);
         QCOMPARE(film.pixel(0, 0).mean.x, 2.0);
         QCOMPARE(film.pixel(0, 0).count, std::uint64_t(197));
-        QCOMPARE(film.status().rejectedSamples, std::uint64_t(3));
+        const Health health = film.status().health;
+        QCOMPARE(health.rejected(), std::uint64_t(3));
+        QCOMPARE(health.of(Fault::notANumber).sample, std::uint64_t(70));
+        QCOMPARE(health.of(Fault::infinite).sample, std::uint64_t(90));
+        QCOMPARE(health.of(Fault::negative).sample, std::uint64_t(95));
         QCOMPARE(film.status().relativeError, 0.0);
 
         const auto device = makeCpuDevice(1);
@@ -188,7 +192,8 @@ class AccumulationTest : public QObject {
         for (const float radiance : {NAN, INFINITY}) {
             prepared->lights[0].radiance = vec3(1, radiance, 1);
             const Film picture = test::sampled(*device, prepared, 64);
-            QVERIFY(picture.status().rejectedSamples > 500);
+            const Fault fault = std::isnan(radiance) ? Fault::notANumber : Fault::infinite;
+            QVERIFY(picture.status().health.of(fault).count > 500);
             QVERIFY(std::isfinite(picture.status().meanLuminance));
         }
     }

@@ -98,7 +98,7 @@ class CamerasTest : public QObject {
                 QVERIFY(std::fabs(glm::length(leg.direction) - 1) < 1e-6);
                 QVERIFY(!std::isnan(leg.ray.length) && glm::dot(dvec3(leg.direction), scene.camera.forward()) > 0);
             }
-            QCOMPARE(test::render(scene, 4).status().rejectedSamples, std::uint64_t(0));
+            QCOMPARE(test::render(scene, 4).status().health.rejected(), std::uint64_t(0));
         }
         for (const double fov : {0.0, 1e-300, 180.0, -10.0, 360.0, double(NAN), double(INFINITY)}) {
             scene.camera.fovDegrees = fov;
@@ -125,7 +125,7 @@ class CamerasTest : public QObject {
                     lens.camera.eyeMm = eye;
                     QVERIFY(bool(lens.check()));
                     const FilmStatus status = test::render(lens, 4, *device).status();
-                    QCOMPARE(status.rejectedSamples, std::uint64_t(0));
+                    QCOMPARE(status.health.rejected(), std::uint64_t(0));
                     QVERIFY(status.meanLuminance > 0 && std::isfinite(status.meanLuminance));
                 }
         // Less would leave no direction at all, and a ray without one never ends.
@@ -186,9 +186,8 @@ class CamerasTest : public QObject {
                         QCOMPARE(got.count, 5u);
                         QVERIFY(got.sum / 5.0 == whole.pixel(tile.x + x, tile.y + y).mean);
                     }
-                const auto untouched = std::count_if(sums.begin(), sums.end(), [](const PixelSums& s) {
-                    return s.count == 77 && s.rejected == 0 && s.sum == dvec3(0);
-                });
+                const auto untouched = std::count_if(
+                    sums.begin(), sums.end(), [](const PixelSums& s) { return s.count == 77 && s.sum == dvec3(0); });
                 QCOMPARE(untouched, std::ptrdiff_t(sums.size()) - tile.width * tile.height);
             }
         }

@@ -17,8 +17,12 @@ Film filmOf(std::uint64_t count, Value&& value, std::uint32_t n = 64) {
     while (film.samplesPerPixel() < count) {
         const SampleRange range =
             film.nextSamples(std::uint32_t(std::min<std::uint64_t>(n, count - film.samplesPerPixel())));
-        for (std::uint32_t i = 0; i < range.count; ++i)
-            addSample(*film.sums(kOnePixel).pixels, vec3(float(value(range.first + i))));
+        const TileSums sums = film.sums(kOnePixel);
+        for (std::uint64_t sample = range.first; sample < range.first + range.count; ++sample) {
+            const vec3 radiance(float(value(sample)));
+            if (!addSample(*sums.pixels, radiance))
+                sums.health->add(faultOf(radiance), sample, 0);
+        }
         film.commit(range);
     }
     return film;
