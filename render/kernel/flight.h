@@ -47,6 +47,7 @@ class Flight {
         Real u;
         random_.pair(t < end_, u, decision_);
         depth_ = negativeLog(u);
+        rest_ = Real{};
     }
 
     PDR_HD Mask flying() const { return t < end_; }
@@ -68,6 +69,7 @@ class Flight {
         taken(end_, other.end_);
         taken(depth_, other.depth_);
         taken(decision_, other.decision_);
+        taken(rest_, other.rest_);
         takenAxis(x_, other.x_);
         takenAxis(y_, other.y_);
         takenAxis(z_, other.z_);
@@ -94,7 +96,9 @@ class Flight {
         TentativeCollision<Real> collision;
         collision.happened = active & (depth_ < ahead);
         const Mask onward = active & !(collision.happened);
-        t = collision.happened ? t + depth_ / majorant : (onward ? leave : t);
+        const Real hop = depth_ / majorant + rest_, there = t + hop;
+        rest_ = collision.happened ? hop - (there - t) : (onward ? Real{} : rest_);
+        t = collision.happened ? there : (onward ? leave : t);
         depth_ = onward ? depth_ - ahead : depth_;
         x_.advance(onward, descend, leave);
         y_.advance(onward, descend, leave);
@@ -179,6 +183,7 @@ class Flight {
 
     Axis x_, y_, z_;
     Real end_, depth_, decision_;
+    Real rest_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
     RandomStreamOf<Real> random_;
 };
 
