@@ -18,7 +18,8 @@ class OpacityMaximum {
     /// where the interval is not a single value (interpolation rounds). 0 for an empty range.
     float over(HuRange range) const;
 
-    static constexpr float kHuSlack = 1.0f / 1024;
+    /// HU; interpolation rounds by at most 0.015 between the ends of int16.
+    static constexpr float kHuSlack = 1.0f / 64;
 
   private:
     int first_;
