@@ -11,6 +11,7 @@ namespace pdr {
 
 namespace {
 
+constexpr float kBeyondAnyHu = 1e9f;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Material materialOf(const TransferNode& node) {
@@ -22,7 +23,7 @@ void flattenTransferFunction(PreparedScene& prepared, const TransferFunction& fu
     const auto add = [&](float start, float end, const TransferNode& from, const TransferNode& to) {
         const float slope =
             std::isfinite(start) && std::isfinite(end) ? (to.opacity - from.opacity) / (end - start) : 0;
-        prepared.pieces.push_back({std::isfinite(start) ? start : 0, end, from.opacity, slope});
+        prepared.pieces.push_back({std::max(start, -kBeyondAnyHu), end, from.opacity, slope});
         prepared.materials.push_back(materialOf(from));
         prepared.materials.push_back(materialOf(to));
     };
