@@ -11,6 +11,7 @@ namespace pdr {
 
 namespace {
 
+constexpr float kBeyondAnyHu = 1e9f;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Material materialOf(const TransferNode& node) {
@@ -21,12 +22,12 @@ void flattenTransferFunction(PreparedScene& prepared, const TransferFunction& fu
     const std::vector<TransferNode>& nodes = function.nodes;
     const auto add = [&](float start, float end, const TransferNode& from, const TransferNode& to) {
         const float slope = (to.opacity - from.opacity) / (end - start);
-        prepared.pieces.push_back({start, end, from.opacity, std::isfinite(slope) ? slope : 0});
+        prepared.pieces.push_back(
+            {std::max(start, -kBeyondAnyHu), end, from.opacity, std::isfinite(slope) ? slope : 0});
         prepared.materials.push_back(materialOf(from));
         prepared.materials.push_back(materialOf(to));
     };
-    // Not minus infinity: differences from a piece's start must be numbers.
-    add(std::numeric_limits<float>::lowest(), nodes.front().hu, nodes.front(), nodes.front());
+    add(-kInfinity, nodes.front().hu, nodes.front(), nodes.front());
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
         if (nodes[i].hu < nodes[i + 1].hu)
             add(nodes[i].hu, nodes[i + 1].hu, nodes[i], nodes[i + 1]);

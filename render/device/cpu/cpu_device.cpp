@@ -19,13 +19,14 @@ namespace {
 constexpr int kTask = 16;  ///< pixels along an edge of what one thread takes at a time
 
 using TileKernel = void (*)(PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples,
-                            TileSums sums, Health& health);
+                            TileSums sums);
 
 /// The one table from a feature mask to the code compiled for it.
 template <std::size_t... Masks>
 constexpr std::array<TileKernel, sizeof...(Masks)> tileKernels(std::index_sequence<Masks...>) {
-    return {[](PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums,
-               Health& health) { batch.render<std::uint32_t(Masks)>(scene, tile, samples, sums, health); }...};
+    return {[](PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
+        batch.render<std::uint32_t(Masks)>(scene, tile, samples, sums);
+    }...};
 }
 constexpr auto kTileKernels = tileKernels(std::make_index_sequence<kFeatureMasks>());
 
@@ -55,7 +56,7 @@ class CpuDevice final : public Device {
             const int x = piece.cols().begin(), y = piece.rows().begin();
             const Tile part{tile.x + x, tile.y + y, int(piece.cols().size()), int(piece.rows().size())};
             renderTile(batches_.local(), flat, part, samples,
-                       {sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride}, healths.local());
+                       {sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride, &healths.local()});
         };
         arena_.execute([&] { tbb::parallel_for(pixels, work, tbb::simple_partitioner()); });
         if (sums.health != nullptr)
