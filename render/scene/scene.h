@@ -18,6 +18,9 @@ namespace pdr {
 /// The optical models, from cheap to complete.
 enum class Model { absorption, emission, emissionAbsorption, singleScattering, multipleScattering, maximumIntensity };
 
+inline constexpr Model kModels[] = {Model::absorption,       Model::emission,           Model::emissionAbsorption,
+                                    Model::singleScattering, Model::multipleScattering, Model::maximumIntensity};
+
 /// Its word in scene files: "singleScattering".
 const char* modelName(Model model);
 
