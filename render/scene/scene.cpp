@@ -28,15 +28,26 @@ Result<void> checkCamera(const Camera& camera) {
     return {};
 }
 
+Result<void> check(const HuWindow& window) {
+    for (const auto& ok : {checkRange(window.lowHu, {-32768, 32767}, "window.lowHu"),
+                           checkRange(window.highHu, {-32768, 32767}, "window.highHu")})
+        if (!ok)
+            return ok;
+    if (!(window.highHu > window.lowHu))
+        return Error{"highHu must lie above lowHu", "window.highHu", ""};
+    return {};
+}
+
 Result<void> checkTransport(const Scene& scene) {
     for (const auto& ok :
          {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
           checkRange(scene.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
-          checkRange(scene.maxBounces, {1, 1000}, "maxBounces"), checkRange(scene.film.x, {1, 16384}, "film.width"),
-          checkRange(scene.film.y, {1, 16384}, "film.height")})
+          checkRange(scene.maxBounces, {1, 1000}, "maxBounces"),
+          checkRange(scene.toleranceLevels, {1e-3, 16}, "toleranceLevels"), check(scene.window),
+          checkRange(scene.film.x, {1, 16384}, "film.width"), checkRange(scene.film.y, {1, 16384}, "film.height")})
         if (!ok)
             return ok;
-    if (scene.model != Model::singleScattering)
+    if (scene.model == Model::multipleScattering)
         return notYet(std::string(modelName(scene.model)) + " is", "model", "Use singleScattering.");
     if (scene.maxBounces > 1)
         return notYet("more than one scattering event on a path is", "maxBounces", "Set it to 1.");
@@ -61,6 +72,10 @@ const char* modelName(Model model) {
             break;
     }
     return "maximumIntensity";
+}
+
+bool isProjection(Model model) {
+    return model != Model::singleScattering && model != Model::multipleScattering;
 }
 
 Result<void> Scene::check() const {
