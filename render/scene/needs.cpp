@@ -44,13 +44,22 @@ Effect effect(std::string name, bool needed, std::string yes, std::string no, st
     return {std::move(name), needed, needed ? std::move(yes) : std::move(no), features, leaveOut};
 }
 
+/// Of the models that are sums along straight rays.
+Effect off(std::string name, std::string reason) {
+    return effect(std::move(name), false, "", std::move(reason));
+}
+
 Effect shadows(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("shadows", "the model has none");
     if (!hasTissue(scene))
         return effect("shadows", false, "", "no tissue is opaque");
     return effect("shadows", isLit(scene), "light crosses tissue on its way", "there is no light");
 }
 
 Effect surfaces(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("surface reflection", "the model has none");
     if (!hasTissue(scene))
         return effect("surface reflection", false, "", "no tissue is opaque");
     return effect("surface reflection", scene.gradientFactor > 0, "the gradient factor is above 0",
@@ -67,25 +76,61 @@ Effect highlights(const Scene& scene) {
     });
 }
 
+Effect directedScattering(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("directed scattering", "the model does not scatter");
+    return effect("directed scattering", scene.phaseG != 0, "phase g is not 0", "phase g is 0: the same to all sides",
+                  0, [](Scene& s) { s.phaseG = 0; });
+}
+
+Effect panelLights(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("panel lights", "the model asks for no light");
+    return effect("panel lights", hasPanel(scene), "a light has a place and a size", "no light has a place",
+                  kPlacedLights, [](Scene& s) {
+                      std::erase_if(s.lights,
+                                    [](const Light& l) { return !std::holds_alternative<DirectionalLight>(l); });
+                  });
+}
+
 Effect emission(const Scene& scene) {
+    if (scene.model == Model::absorption || scene.model == Model::maximumIntensity)
+        return off("emission", "the model shows no light from within");
     const bool shines =
         hasTissue(scene) && anywhere(scene.transferFunction, [](const TransferNode& node) { return node.emission; });
-    return effect("emission", shines, "a node emits light", "no node emits light", kEmission, [](Scene& s) {
+    const std::uint32_t features = isProjection(scene.model) ? 0u : std::uint32_t(kEmission);
+    return effect("emission", shines, "a node emits light", "no node emits light", features, [](Scene& s) {
         for (TransferNode& node : s.transferFunction.nodes)
             node.emission = vec3(0);
     });
 }
 
 Effect surroundings(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("light from all around", "the model asks for no light");
     return effect("light from all around", !isBlack(scene.environment.radiance), "the environment shines",
                   "the environment is black", kEnvironment, [](Scene& s) { s.environment.radiance = vec3(0); });
 }
 
 Effect background(const Scene& scene) {
+    if (scene.model == Model::maximumIntensity)
+        return off("visible background", "the model shows HU, not light");
+    if (scene.model == Model::absorption)
+        return effect("visible background", true,
+                      isBlack(scene.environment.radiance) ? "tissue is seen against white"
+                                                          : "tissue is seen against the environment",
+                      "");
     if (isBlack(scene.environment.radiance))
         return effect("visible background", false, "", "the environment is black");
     return effect("visible background", scene.environment.visible, "the camera sees the environment",
                   "the environment is hidden from the camera", 0, [](Scene& s) { s.environment.visible = false; });
+}
+
+Effect multipleScattering(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("multiple scattering", "the model does not scatter");
+    return effect("multiple scattering", scene.maxBounces > 1, "paths may bend more than once",
+                  "paths bend once at the most");
 }
 
 }  // namespace
@@ -95,18 +140,13 @@ std::vector<Effect> needs(const Scene& scene) {
         shadows(scene),
         surfaces(scene),
         highlights(scene),
-        effect("directed scattering", scene.phaseG != 0, "phase g is not 0", "phase g is 0: the same to all sides", 0,
-               [](Scene& s) { s.phaseG = 0; }),
-        effect("panel lights", hasPanel(scene), "a light has a place and a size", "no light has a place", kPlacedLights,
-               [](Scene& s) {
-                   std::erase_if(s.lights, [](const Light& l) { return !std::holds_alternative<DirectionalLight>(l); });
-               }),
+        directedScattering(scene),
+        panelLights(scene),
         surroundings(scene),
         background(scene),
         emission(scene),
         effect("depth of field", scene.camera.apertureMm > 0, "the lens is open", "the aperture is 0"),
-        effect("multiple scattering", scene.maxBounces > 1, "paths may bend more than once",
-               "paths bend once at the most"),
+        multipleScattering(scene),
     };
 }
 

@@ -28,16 +28,6 @@ Result<void> checkCamera(const Camera& camera) {
     return {};
 }
 
-Result<void> check(const HuWindow& window) {
-    for (const auto& ok : {checkRange(window.lowHu, {-32768, 32767}, "window.lowHu"),
-                           checkRange(window.highHu, {-32768, 32767}, "window.highHu")})
-        if (!ok)
-            return ok;
-    if (!(window.highHu > window.lowHu))
-        return Error{"highHu must lie above lowHu", "window.highHu", ""};
-    return {};
-}
-
 Result<void> checkTransport(const Scene& scene) {
     for (const auto& ok :
          {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
@@ -72,6 +62,16 @@ const char* modelName(Model model) {
             break;
     }
     return "maximumIntensity";
+}
+
+Result<void> check(const HuWindow& window) {
+    for (const auto& ok : {checkRange(window.lowHu, {-32768, 32767}, "window.lowHu"),
+                           checkRange(window.highHu, {-32768, 32767}, "window.highHu")})
+        if (!ok)
+            return ok;
+    if (!(window.highHu > window.lowHu))
+        return Error{"highHu must lie above lowHu", "window.highHu", ""};
+    return {};
 }
 
 bool isProjection(Model model) {

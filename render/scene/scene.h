@@ -32,6 +32,9 @@ struct HuWindow {
     bool operator==(const HuWindow&) const = default;
 };
 
+/// The ranges above, with "window.lowHu" or "window.highHu" in `where`.
+Result<void> check(const HuWindow& window);
+
 /// Whether pictures of the model are sums along straight rays: no noise but that of the pixels' edges, no lights, no
 /// shadows.
 bool isProjection(Model model);

@@ -1,6 +1,7 @@
 /// The kernel headers, compiled for a GPU: compiling is the test. One thread, one pixel; nothing is launched.
 
 #include "render/kernel/pixel.h"
+#include "render/kernel/projection.h"
 
 namespace pdr {
 
@@ -17,5 +18,17 @@ __global__ void renderPixels(FlatScene scene, SampleRange samples, PixelSums* su
 
 template __global__ void renderPixels<0>(FlatScene, SampleRange, PixelSums*);
 template __global__ void renderPixels<kFeatureMasks - 1>(FlatScene, SampleRange, PixelSums*);
+
+template <FlatModel Model>
+__global__ void projectPixels(FlatScene scene, PixelSums* sums) {
+    const ivec2 pixel(blockIdx.x * blockDim.x + threadIdx.x, blockIdx.y * blockDim.y + threadIdx.y);
+    const Path path = cameraStart(scene, pixel, 0, matterDepths(scene, pixel));
+    addSample(sums[pixel.y * scene.camera.film.x + pixel.x], project<Model>(scene, path.camera.ray).radiance);
+}
+
+template __global__ void projectPixels<FlatModel::absorption>(FlatScene, PixelSums*);
+template __global__ void projectPixels<FlatModel::emission>(FlatScene, PixelSums*);
+template __global__ void projectPixels<FlatModel::emissionAbsorption>(FlatScene, PixelSums*);
+template __global__ void projectPixels<FlatModel::maximumIntensity>(FlatScene, PixelSums*);
 
 }  // namespace pdr

@@ -209,7 +209,7 @@ class QuadratureTest : public QObject {
         const auto volume = test::bumpyVolume({31, 22, 19}, {0.7, 1.1, 2.3}, 2);
         Scene scene = sceneOf(volume, model, variedFunction(extinction));
         scene.environment = {vec3(lit ? 0.3f : 0.0f), lit};
-        const double stepMm = std::min(1e-3, 0.02 / extinction);
+        const double stepMm = std::min(1e-4, 2e-3 / extinction);
         for (const Ray& whole : test::raysThrough(*volume, 25, 5)) {
             // Behind an optical depth of some 30 nothing shows, and brute force would take hours.
             Ray ray = whole;
@@ -244,7 +244,7 @@ class QuadratureTest : public QObject {
             }
             failed += worst(marched, truth) > relativeTolerance(0.25) + 3 * kRounding;
         }
-        QVERIFY2(failed >= 20, qPrintable(QString::number(failed)));
+        QVERIFY2(failed >= 8, qPrintable(QString::number(failed)));
     }
 
     void highestHuIsExact() {
@@ -259,9 +259,9 @@ class QuadratureTest : public QObject {
                            {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length);
                 while (walk.going())
                     walk.step(prepared->flat);
-                const double truth = test::rayTruth(scene, ray, 2e-3 * spacing.x).highest;
+                const double truth = test::highestOn(*volume, ray, 2e-3);
                 const double highest = walk.result().value[0];
-                QVERIFY2(highest > truth - 0.05 && highest < truth + 0.05,
+                QVERIFY2(std::fabs(highest - truth) < 2e-2,
                          qPrintable(QString("%1 instead of %2").arg(highest).arg(truth)));
             }
         }

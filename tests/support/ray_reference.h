@@ -32,7 +32,6 @@ struct RayTruth {
     double depth = 0;
     dvec3 emitted{0};   ///< int sigma c ds
     dvec3 absorbed{0};  ///< int sigma c T ds
-    double highest = -1e30;
 };
 
 /// Extinction and source at `hu`, with nodes at the same HU kept apart (right-continuous), in double.
@@ -68,7 +67,6 @@ inline RayTruth rayTruth(const Scene& scene, const Ray& ray, double stepMm) {
         truth.absorbed += optics.source * (std::exp(-truth.depth) * -std::expm1(-depth));
         truth.emitted += optics.source * depth;
         truth.depth += depth;
-        truth.highest = std::max(truth.highest, middle);
     };
     const auto steps = std::int64_t(std::ceil(ray.length / stepMm));
     double before = hu(0);
@@ -85,6 +83,18 @@ inline RayTruth rayTruth(const Scene& scene, const Ray& ray, double stepMm) {
             add(from + (to - from) * part / parts, from + (to - from) * (part + 1) / parts);
     }
     return truth;
+}
+
+/// The highest HU: in steps of `stepMm`, and a thousand times finer about the best of them.
+inline double highestOn(const Volume& volume, const Ray& ray, double stepMm) {
+    const auto hu = [&](double t) { return huAt(volume, dvec3(ray.origin) + dvec3(ray.direction) * t); };
+    double best = 0;
+    for (double t = 0; t < ray.length; t += stepMm)
+        best = hu(t) > hu(best) ? t : best;
+    double highest = -1e30;
+    for (int i = -1000; i <= 1000; ++i)
+        highest = std::max(highest, hu(std::clamp(best + i * stepMm / 1000, 0.0, double(ray.length))));
+    return highest;
 }
 
 /// Rays that cross the box of `volume` in all directions, along axes and planes too, some from inside.
