@@ -12,6 +12,10 @@ using Arguments = std::vector<std::string>;
 /// picture SCENE.json [--samples N] [--threads N] [--pfm FILE]: renders, and says how fast and how noisy.
 int picture(const Arguments& arguments);
 
+/// frames SCENE.json [--frames N] [--threads N] [--colours FILE]: renders one sample a pixel N times, and says how long
+/// a frame takes: by the clock, and on all cores together. FILE gets the mean of all frames, linear, as a colour PFM.
+int frames(const Arguments& arguments);
+
 /// compare A.pfm REFERENCE.pfm: ratio of the means, and the root mean square difference over the reference's mean.
 int compare(const Arguments& arguments);
 

@@ -283,7 +283,8 @@ Result<ReplayOptions> replayOptions(const QStringList& arguments) {
 
 std::string replayHelp() {
     return "Usage: pdrender-cli replay FOLDER|SCENE.json --pixel X,Y [--sample N] [options]\n"
-           "Traces one sample of one pixel again and tells its path event by event. With the options of a rendering it\n"
+           "Traces one sample of one pixel again and tells its path event by event. With the options of a rendering "
+           "it\n"
            "is that rendering's sample, bit by bit.\n" +
            optionsText(describeReplay);
 }

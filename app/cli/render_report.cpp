@@ -35,9 +35,8 @@ QJsonObject healthObject(const Health& health, int width) {
         const FaultCount& fault = health.faults[i];
         QJsonObject facts{{"count", double(fault.count)}};
         if (fault.count > 0)
-            facts["first"] = QJsonObject{{"x", int(fault.pixel % width)},
-                                         {"y", int(fault.pixel / width)},
-                                         {"sample", double(fault.sample)}};
+            facts["first"] = QJsonObject{
+                {"x", int(fault.pixel % width)}, {"y", int(fault.pixel / width)}, {"sample", double(fault.sample)}};
         object[kFaultNames[i]] = facts;
     }
     return object;

@@ -62,9 +62,9 @@ Result<std::optional<Preset>> chosenPreset(const SceneInput& input) {
 Result<void> focus(Scene& scene, ivec2 pixel) {
     const auto depth = depthUnder(*Flattener().prepare(scene), pixel);
     if (!depth)
-        return Error{"there is nothing to focus on under pixel " + std::to_string(pixel.x) + "," +
-                         std::to_string(pixel.y),
-                     "--focus", "Take a pixel that shows opaque tissue."};
+        return Error{
+            "there is nothing to focus on under pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y),
+            "--focus", "Take a pixel that shows opaque tissue."};
     scene.camera.focusMm = *depth;
     return {};
 }

@@ -7,6 +7,7 @@
 /// Lanes never mix: a lane's numbers are the same whatever its neighbours do.
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -40,6 +41,10 @@ PDR_HD inline bool any(bool mask) {
 PDR_HD inline float gather(const float* from, int index) {
     return from[index];
 }
+/// column[index] in a column of `count` entries that can be read up to the next multiple of kLanes.
+PDR_HD inline float lookUp(const float* column, int /*count*/, int index) {
+    return column[index];
+}
 /// Bits 41..63 and 9..31 of a random word as whole numbers below 2^23.
 PDR_HD inline int highBits(std::uint64_t word) {
     return int(word >> 41);
@@ -49,6 +54,9 @@ PDR_HD inline int lowBits(std::uint64_t word) {
 }
 PDR_HD inline std::uint64_t keepWhere(bool mask, std::uint64_t word) {
     return mask ? word : 0;
+}
+PDR_HD inline float squareRoot(float x) {
+    return std::sqrt(x);
 }
 /// The bits of a float, and back.
 PDR_HD inline std::int32_t bitsOf(float x) {
@@ -121,6 +129,13 @@ inline FloatLanes gather(const float* from, IntLanes index) {
         result[lane] = from[index[lane]];
     return result;
 }
+inline FloatLanes lookUp(const float* column, int count, IntLanes index) {
+    if (count > kLanes)
+        return gather(column, index);
+    FloatLanes whole;
+    std::memcpy(&whole, column, sizeof whole);
+    return shuffled(whole, index);
+}
 /// Neighbouring int16 pairs at from[index] and from[index + 1].
 inline void gatherPair(const std::int16_t* from, IntLanes index, FloatLanes& first, FloatLanes& second) {
     IntLanes pair;
@@ -140,6 +155,17 @@ inline IntLanes lowBits(BitsLanes word) {
 }
 inline BitsLanes keepWhere(IntLanes mask, BitsLanes word) {
     return word & BitsLanes(__builtin_convertvector(mask, SignedBitsLanes));
+}
+inline FloatLanes squareRoot(FloatLanes x) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+    return FloatLanes(_mm512_maskz_sqrt_ps(0xFFFF, __m512(x)));
+#elif defined(__AVX2__)
+    return FloatLanes(_mm256_sqrt_ps(__m256(x)));
+#else
+    for (int lane = 0; lane < kLanes; ++lane)
+        x[lane] = std::sqrt(x[lane]);
+    return x;
+#endif
 }
 inline IntLanes bitsOf(FloatLanes x) {
     return IntLanes(x);
