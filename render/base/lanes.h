@@ -38,6 +38,10 @@ PDR_HD inline float toFloat(int x) {
 PDR_HD inline bool any(bool mask) {
     return mask;
 }
+/// Lanes where `mask` holds.
+PDR_HD inline int count(bool mask) {
+    return mask;
+}
 PDR_HD inline float gather(const float* from, int index) {
     return from[index];
 }
@@ -109,6 +113,9 @@ inline std::uint32_t laneBits(IntLanes mask) {
 }
 inline bool any(IntLanes mask) {
     return laneBits(mask) != 0;
+}
+inline int count(IntLanes mask) {
+    return std::popcount(laneBits(mask));
 }
 /// Lane l of the result is lane from[l] of `lanes`.
 inline FloatLanes shuffled(FloatLanes lanes, IntLanes from) {

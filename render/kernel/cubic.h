@@ -69,7 +69,7 @@ struct Cubic {
             const Real newton = s - beyond / slopeAt(s);
             const Mask inside = (newton >= low) & (newton <= high);
             const Real next = inside ? newton : 0.5f * (low + high);
-            const Mask settled = magnitude(next - s) <= kSettled;
+            const Mask settled = (inside & (magnitude(next - s) <= kSettled)) | (high - low <= kNarrowest);
             s = open ? next : s;
             open = open & !settled;
         }
@@ -78,7 +78,9 @@ struct Cubic {
 
   private:
     static constexpr int kMostSteps = 32;
-    static constexpr float kSettled = 1e-7f;
+    /// A step of Newton's method leaves at most |curvature| step^2 / 2, which is below the rounding of the values here.
+    static constexpr float kSettled = 1e-4f;
+    static constexpr float kNarrowest = 1e-7f;
 };
 
 }  // namespace pdr

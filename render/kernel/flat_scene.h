@@ -130,6 +130,7 @@ struct FlatOptics {
     FlatModel model;
     const float* table;           ///< kOpticsColumns columns of `stride` entries, one per piece of the curve
     int stride;                   ///< pieces, rounded up to a multiple of kLanes
+    float clearUpTo, clearFrom;   ///< HU below the one, and at or above the other, have no extinction
     float rounding;               ///< HU: by how much interpolation in single precision may be off
     float quadrature;             ///< share of a ray's radiance that the sum along it may be off
     float cutOff;                 ///< share of a ray's radiance that may be left out at its end

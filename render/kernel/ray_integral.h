@@ -51,16 +51,13 @@ class RayIntegral {
         return result;
     }
 
-    /// One step of every lane that is going.
+    /// One step: lanes that look for tissue move, or those that are in it go on, whichever are more.
     PDR_HD_INLINE void step(const FlatScene& scene) {
-        for (int i = 0; i < kMoves; ++i) {
-            const Mask seeking = walk_.walking() & !(way_.length > 0.0f);
-            if (!any(seeking))
-                break;
-            walk_.step(scene, seeking, Real{}, way_);
-        }
         const Mask inCell = way_.length > 0.0f;
-        if (any(inCell))
+        const Mask seeking = walk_.walking() & !inCell;
+        if (count(seeking) >= count(inCell))
+            seek(scene, seeking);
+        else
             goOn(scene, inCell);
     }
 
@@ -80,8 +77,13 @@ class RayIntegral {
     }
 
   private:
-    static constexpr int kMoves = 4;              ///< empty cells that are passed before the others go on
     static constexpr float kShortest = 0x1p-24f;  ///< share of a cell's way below which a step is not halved
+
+    PDR_HD_INLINE void seek(const FlatScene& scene, Mask seeking) {
+        const Mask met = walk_.step(scene, seeking, Real{}, way_);
+        const Mask clear = (way_.hu.highest() < scene.optics.clearUpTo) | (way_.hu.lowest() >= scene.optics.clearFrom);
+        way_.length = met & clear ? Real{} : way_.length;
+    }
 
     /// The next step of the way through the cell where the ray is.
     PDR_HD_INLINE void goOn(const FlatScene& scene, Mask inCell) {

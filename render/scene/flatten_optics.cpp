@@ -62,6 +62,20 @@ std::vector<float> opticsTable(const PreparedScene& prepared, int stride) {
     return table;
 }
 
+/// Where the curve begins to be more than clear, and where it ends to be so.
+void flattenClearRange(FlatOptics& optics, const PreparedScene& prepared) {
+    const auto opaque = [&](int i) { return prepared.pieces[i].opacity > 0 || prepared.pieces[i].slope != 0; };
+    const int count = int(prepared.pieces.size());
+    int first = 0, last = count - 1;
+    while (first < count && !opaque(first))
+        ++first;
+    while (last >= 0 && !opaque(last))
+        --last;
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    optics.clearUpTo = first == 0 ? -kInfinity : first < count ? prepared.pieces[first].start : kInfinity;
+    optics.clearFrom = last >= 0 ? prepared.pieces[last].end : -kInfinity;
+}
+
 }  // namespace
 
 double relativeTolerance(double levels) {
@@ -112,6 +126,7 @@ void flattenOptics(PreparedScene& prepared, const Scene& scene) {
                    .brightest = brightest,
                    .windowLow = scene.window.lowHu,
                    .windowHigh = scene.window.highHu};
+    flattenClearRange(flat.optics, prepared);
 }
 
 }  // namespace pdr

@@ -17,7 +17,7 @@ namespace pdr {
 
 namespace {
 
-constexpr int kTask = 16;  ///< pixels along an edge of what one thread takes at a time
+constexpr int kTask = 32;  ///< pixels along an edge of what one thread takes at a time
 
 using TileKernel = void (*)(PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples,
                             TileSums sums);

@@ -17,7 +17,7 @@ class ProjectionBatch {
     /// Adds `samples` to each pixel of `tile`. sums.health must be there. For scenes whose flat model is no scattering.
     void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums);
 
-    static constexpr int kCapacity = 512;
+    static constexpr int kCapacity = 1024;
 
     void clear() { size_ = 0; }
     int size() const { return size_; }
