@@ -20,26 +20,21 @@ Result<void> checkLights(const Scene& scene) {
     return {};
 }
 
-Result<void> checkCamera(const Camera& camera) {
-    if (auto ok = camera.check(); !ok)
-        return ok;
-    if (camera.apertureMm > 0)
-        return notYet("depth of field is", "camera.apertureMm", "Set it to 0.");
-    return {};
+Result<void> checkClip(const Clip& clip) {
+    const Result<void> ok = clip.check();
+    return ok ? ok : below("clip", ok.error());
 }
 
 Result<void> checkTransport(const Scene& scene) {
     for (const auto& ok :
          {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
           checkRange(scene.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
-          checkRange(scene.maxBounces, {1, 1000}, "maxBounces"), checkRange(scene.film.x, {1, 16384}, "film.width"),
+          checkRange(scene.maxBounces, {1, 100000}, "maxBounces"), checkRange(scene.film.x, {1, 16384}, "film.width"),
           checkRange(scene.film.y, {1, 16384}, "film.height")})
         if (!ok)
             return ok;
-    if (scene.model != Model::singleScattering)
+    if (scene.model != Model::singleScattering && scene.model != Model::multipleScattering)
         return notYet(std::string(modelName(scene.model)) + " is", "model", "Use singleScattering.");
-    if (scene.maxBounces > 1)
-        return notYet("more than one scattering event on a path is", "maxBounces", "Set it to 1.");
     return {};
 }
 
@@ -64,7 +59,8 @@ const char* modelName(Model model) {
 }
 
 Result<void> Scene::check() const {
-    for (const auto& ok : {transferFunction.check(), checkTransport(*this), checkLights(*this), checkCamera(camera)})
+    for (const auto& ok :
+         {transferFunction.check(), checkTransport(*this), checkLights(*this), camera.check(), checkClip(clip)})
         if (!ok)
             return ok;
     return {};
