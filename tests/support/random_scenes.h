@@ -16,7 +16,13 @@ inline dvec3 anyDirection(std::mt19937& random) {
     return glm::normalize(dvec3(x, y, z));
 }
 
-/// Steps, bands and ramps over what bumpyVolume holds; never all zero.
+/// Lone voxels of bone in air: what a bound that overlooks a voxel would lose.
+inline std::shared_ptr<const Volume> speckledVolume(ivec3 size, dvec3 spacing, unsigned seed) {
+    std::mt19937 random(seed);
+    return makeVolume(size, spacing, [&](int, int, int) { return random() % 400 ? -900 : 1900; });
+}
+
+/// Steps, bands and ramps over what these volumes hold; air is clear, bone never.
 inline TransferFunction anyFunction(std::mt19937& random) {
     std::uniform_real_distribution<float> unit(0, 1);
     TransferFunction function;
@@ -28,18 +34,20 @@ inline TransferFunction anyFunction(std::mt19937& random) {
         const vec3 albedo = vec3(0.3f) + 0.7f * vec3(red, green, 1 - red);
         function.nodes.push_back({.hu = hu, .opacity = random() % 3 ? unit(random) : 0, .albedo = albedo});
     }
+    function.nodes.front().opacity = 0;
     function.nodes.back().opacity = 0.5f;
     return function;
 }
 
-/// Rough tissue, seen and lit from anywhere, with or without each effect.
+/// Rough or speckled tissue, seen and lit from anywhere, with or without each effect.
 inline Scene anyScene(unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
     const auto voxels = [&] { return 16 + int(random() % 40); };
     const auto spacing = [&] { return 0.5 + unit(random); };
     const ivec3 size{voxels(), voxels(), voxels()};
-    Scene scene = plainScene(bumpyVolume(size, {spacing(), spacing(), spacing()}, seed), 1);
+    const dvec3 apart{spacing(), spacing(), spacing()};
+    Scene scene = plainScene(seed % 3 ? bumpyVolume(size, apart, seed) : speckledVolume(size, apart, seed), 1);
     scene.transferFunction = anyFunction(random);
     const dvec3 centre = scene.volume->geometry().centreMm();
     const double radius = scene.volume->geometry().radiusMm();
@@ -56,7 +64,7 @@ inline Scene anyScene(unsigned seed) {
     scene.environment = {vec3(0.3f, 0.2f, 0.4f), random() % 2 == 0};
     scene.model = random() % 3 ? Model::singleScattering : Model::multipleScattering;
     scene.phaseG = float(1.2 * unit(random) - 0.6);
-    scene.gradientFactor = random() % 2 ? 0 : 2 * float(unit(random));
+    scene.gradientFactor = random() % 3 ? 1 + 2 * float(unit(random)) : 0;
     scene.film = {24, 24};
     scene.seed = seed;
     return scene;
