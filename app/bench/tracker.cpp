@@ -143,7 +143,7 @@ RayList primaryRays(const FlatScene& scene, int edge) {
         for (int x = 0; x < edge; ++x) {
             const Random random(scene.seed, std::uint32_t(y * edge + x), 0);
             const vec2 place = (vec2(x, y) + random.stream(Dimension::filter).pair()) * perRay;
-            list.rays.push_back(cameraRay(scene, place, vec2(0, 1e30f)).ray);
+            list.rays.push_back(cameraLeg(scene, place, vec2(0), vec2(0, 1e30f)).ray);
             list.streams.push_back(random.stream(0, BounceDimension::flight));
         }
     return list;
