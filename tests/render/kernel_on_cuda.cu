@@ -1,6 +1,7 @@
 /// The kernel headers, compiled for a GPU: compiling is the test. One thread, one pixel; nothing is launched.
 
 #include "render/kernel/integrator.h"
+#include "render/kernel/march.h"
 #include "render/kernel/pixel.h"
 
 namespace pdr {
@@ -20,5 +21,11 @@ __global__ void renderPixels(FlatScene scene, SampleRange samples, PixelSums* su
 
 template __global__ void renderPixels<0>(FlatScene, SampleRange, PixelSums*);
 template __global__ void renderPixels<kFeatureMasks - 1>(FlatScene, SampleRange, PixelSums*);
+
+__global__ void marchRay(FlatScene scene, Ray ray, RandomStream random, float* ends) {
+    const float step = marchStep(scene.volume, kExposureRenderStep);
+    ends[0] = marchToCollision(scene, ray, random, step);
+    ends[1] = marchTransmittance(scene, ray, random, step);
+}
 
 }  // namespace pdr
