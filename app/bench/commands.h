@@ -22,4 +22,8 @@ int compare(const Arguments& arguments);
 /// rebound [--size N] [--edits N]: time to bound an N x N x N head anew after a transfer-function edit, on one core.
 int rebound(const Arguments& arguments);
 
+/// trackers [SCENE.json ...] [--rays N] [--rounds N]: what ways to the first collision cost, side by side, for N x N
+/// primary rays of each scene; without scenes, of a head phantom as bone, as skin over bone, and as soft tissue.
+int trackers(const Arguments& arguments);
+
 }  // namespace pdr::bench

@@ -6,18 +6,13 @@
 
 #include "app/bench/commands.h"
 #include "app/bench/options.h"
-#include "app/bench/scene_input.h"
+#include "app/bench/load_scene.h"
 #include "render/device/device.h"
 #include "render/film/film.h"
 
 namespace pdr::bench {
 
 namespace {
-
-int fail(const Error& error) {
-    std::fprintf(stderr, "pdrender-bench: %s\n", error.text().c_str());
-    return 1;
-}
 
 /// Linear radiance as a little-endian colour PFM, bottom row first.
 bool writeColours(const Film& film, const std::string& path) {

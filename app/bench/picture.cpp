@@ -3,20 +3,15 @@
 #include <cstdio>
 
 #include "app/bench/commands.h"
+#include "app/bench/load_scene.h"
 #include "app/bench/options.h"
 #include "app/bench/pfm.h"
-#include "app/bench/scene_input.h"
 #include "render/device/device.h"
 #include "render/film/film.h"
 
 namespace pdr::bench {
 
 namespace {
-
-int fail(const Error& error) {
-    std::fprintf(stderr, "pdrender-bench: %s\n", error.text().c_str());
-    return 1;
-}
 
 GreyImage greyImage(const Film& film) {
     GreyImage image{film.size(), {}};

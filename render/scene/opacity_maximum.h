@@ -15,14 +15,16 @@ class OpacityMaximum {
     OpacityMaximum(const TransferFunction& function, HuRange domain);
 
     /// The largest opacity that a value in [range.lowest, range.highest] can have, widened by kHuSlack at each end
-    /// where the interval is not a single value (interpolation rounds). 0 for an empty range.
+    /// where the interval is not a single value (interpolation rounds). 0 for an empty range, and where the curve is 0,
+    /// but not where it is only rounded to 0.
     float over(HuRange range) const;
 
-    static constexpr float kHuSlack = 1.0f / 1024;
+    /// Interpolation between -32768 and 32767 rounds to at most 1/512 HU beyond them (measured; 12-bit CT: 1/8192).
+    static constexpr float kHuSlack = 1.0f / 256;
 
   private:
     int first_;
-    std::vector<float> points_;  ///< opacity at first_ + i, exactly
+    std::vector<float> points_;  ///< opacity at first_ + i
     /// levels_[l][i]: maximum over bins i .. i + 2^l - 1; bin i is [first_ + i, first_ + i + 1].
     std::vector<std::vector<float>> levels_;
 };

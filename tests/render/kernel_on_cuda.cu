@@ -1,6 +1,7 @@
 /// The kernel headers, compiled for a GPU: compiling is the test. One thread, one pixel; nothing is launched.
 
 #include "render/kernel/integrator.h"
+#include "render/kernel/march.h"
 #include "render/kernel/pixel.h"
 #include "render/kernel/projection.h"
 
@@ -33,5 +34,11 @@ template __global__ void projectPixels<FlatModel::absorption>(FlatScene, PixelSu
 template __global__ void projectPixels<FlatModel::emission>(FlatScene, PixelSums*);
 template __global__ void projectPixels<FlatModel::emissionAbsorption>(FlatScene, PixelSums*);
 template __global__ void projectPixels<FlatModel::maximumIntensity>(FlatScene, PixelSums*);
+
+__global__ void marchRay(FlatScene scene, Ray ray, RandomStream random, float* ends) {
+    const float step = marchStep(scene.volume, kExposureRenderStep);
+    ends[0] = marchToCollision(scene, ray, random, step);
+    ends[1] = marchTransmittance(scene, ray, random, step);
+}
 
 }  // namespace pdr

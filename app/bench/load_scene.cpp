@@ -1,4 +1,6 @@
-#include "app/bench/scene_input.h"
+#include "app/bench/load_scene.h"
+
+#include <cstdio>
 
 #include "render/scene/scene_file.h"
 
@@ -15,6 +17,11 @@ Result<Scene> loadScene(const std::string& path) {
         return volume.error();
     file->scene.volume = *volume;
     return file->scene;
+}
+
+int fail(const Error& error) {
+    std::fprintf(stderr, "pdrender-bench: %s\n", error.text().c_str());
+    return 1;
 }
 
 }  // namespace pdr::bench
