@@ -47,6 +47,7 @@ class Flight {
         Real u;
         random_.pair(t < end_, u, decision_);
         depth_ = negativeLog(u);
+        rest_ = Real{};
     }
 
     PDR_HD Mask flying() const { return t < end_; }
@@ -61,6 +62,7 @@ class Flight {
         taken(end_, other.end_);
         taken(depth_, other.depth_);
         taken(decision_, other.decision_);
+        taken(rest_, other.rest_);
         x_.take(mask, other.x_, from);
         y_.take(mask, other.y_, from);
         z_.take(mask, other.z_, from);
@@ -87,7 +89,9 @@ class Flight {
         TentativeCollision<Real> collision;
         collision.happened = active & (depth_ < ahead);
         const Mask onward = active & !(collision.happened);
-        t = collision.happened ? t + depth_ / majorant : (onward ? leave : t);
+        const Real hop = depth_ / majorant + rest_, there = t + hop;
+        rest_ = collision.happened ? hop - (there - t) : (onward ? Real{} : rest_);
+        t = collision.happened ? there : (onward ? leave : t);
         depth_ = onward ? depth_ - ahead : depth_;
         advance(x_, onward, descend, leave);
         advance(y_, onward, descend, leave);
@@ -132,6 +136,7 @@ class Flight {
 
     GridAxis<Real, 4> x_, y_, z_;
     Real end_, depth_, decision_;
+    Real rest_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
     RandomStreamOf<Real> random_;
 };
 

@@ -14,7 +14,7 @@ Result<void> EnvironmentImage::check() const {
         return Error{"the picture of the surroundings is not complete", "", ""};
     for (std::size_t i = 0; i < texels.size(); ++i) {
         const std::string where = "texel (" + std::to_string(i % size.x) + ", " + std::to_string(i / size.x) + ")";
-        if (auto ok = checkRange(dvec3(texels[i]), {0, 1e30}, where); !ok)
+        if (auto ok = checkRange(dvec3(texels[i]), {0, 1e30f}, where); !ok)
             return ok;
     }
     return {};

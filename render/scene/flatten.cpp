@@ -22,10 +22,9 @@ Material materialOf(const TransferNode& node) {
 void flattenTransferFunction(PreparedScene& prepared, const TransferFunction& function) {
     const std::vector<TransferNode>& nodes = function.nodes;
     const auto add = [&](float start, float end, const TransferNode& from, const TransferNode& to) {
-        float slope = std::isfinite(start) && std::isfinite(end) ? (to.opacity - from.opacity) / (end - start) : 0;
-        if (!std::isfinite(slope))  // a piece as narrow as that is a step
-            slope = 0;
-        prepared.pieces.push_back({std::max(start, -kBeyondAnyHu), end, from.opacity, slope});
+        const float slope = (to.opacity - from.opacity) / (end - start);
+        prepared.pieces.push_back(
+            {std::max(start, -kBeyondAnyHu), end, from.opacity, std::isfinite(slope) ? slope : 0});
         prepared.materials.push_back(materialOf(from));
         prepared.materials.push_back(materialOf(to));
     };

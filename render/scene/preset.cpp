@@ -53,7 +53,7 @@ Result<void> check(const Preset& preset) {
                            checkRange(preset.fillLight, kLightScale, "lights.fill"),
                            checkRange(preset.rimLight, kLightScale, "lights.rim"),
                            checkRange(preset.ambient, kLightScale, "lights.ambient"),
-                           checkRange(preset.display.exposure, {0, 1e30, false}, "exposure")})
+                           checkRange(preset.display.exposure, {0, 1e30f, false}, "exposure")})
         if (!ok)
             return ok;
     return {};
