@@ -10,8 +10,9 @@ enum Feature : std::uint32_t {
     kPlacedLights = 1u << 1,  ///< there are lights with a place: panels
     kEnvironment = 1u << 2,   ///< light from all around, or seen behind the volume
     kEmission = 1u << 3,      ///< tissue shines by itself
+    kBounces = 1u << 4,       ///< light is scattered more than once
 };
-inline constexpr std::uint32_t kFeatureMasks = 1u << 4;
+inline constexpr std::uint32_t kFeatureMasks = 1u << 5;
 
 constexpr bool has(std::uint32_t features, Feature feature) {
     return (features & feature) != 0;

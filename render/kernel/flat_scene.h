@@ -91,6 +91,7 @@ struct FlatScene {
     int lightCount;
     vec3 environment;          ///< radiance from all around
     float environmentVisible;  ///< 1: the camera sees it, 0: it does not
+    int maxBounces;            ///< scattering events on a path, at most
     float phaseG;
     float surfaceFactor;  ///< see surfaceNormal() [mm/HU]; 0: no surfaces
     std::uint64_t seed;

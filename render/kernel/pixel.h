@@ -1,9 +1,8 @@
 #pragma once
-/// Samples, and how they are added to a pixel's sums.
+/// Pixels: what is known of them before a sample, and how samples are added to their sums.
 
 #include "render/base/tile.h"
-#include "render/kernel/integrator.h"
-#include "render/kernel/tracking.h"
+#include "render/kernel/flat_scene.h"
 
 namespace pdr {
 
@@ -27,21 +26,6 @@ PDR_HD inline vec2 matterDepths(const FlatScene& scene, ivec2 pixel) {
 
 PDR_HD inline bool meetsNothing(vec2 depths) {
     return depths.x > depths.y;
-}
-
-/// One sample of the radiance [linear Rec. 709] that the camera sees through `pixel` (x, y).
-template <std::uint32_t F>
-PDR_HD inline vec3 tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
-    const Path path = cameraStart(scene, pixel, sample, depths);
-    const float collision =
-        track<DeltaTracking>(scene, path.camera.ray, path.random.stream(0, BounceDimension::flight));
-    if (collision < 0)
-        return background(scene);
-    const Arrival met = arrival<F>(scene, path, collision);
-    if (isDark(met.scattered))
-        return met.emitted;
-    const RandomStream shadow = path.random.stream(0, BounceDimension::shadow);
-    return met.emitted + met.scattered.radiance * track<RatioTracking>(scene, met.scattered.ray, shadow);
 }
 
 }  // namespace pdr

@@ -25,7 +25,8 @@ enum class BounceDimension : std::uint32_t {
     light = 2,
     shadow = 3,
     direction = 4,
-    survival = 5
+    survival = 5,
+    onward = 6
 };
 
 PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {

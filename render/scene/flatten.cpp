@@ -135,6 +135,7 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
     flattenLights(*prepared, scene);
 
     FlatScene& flat = prepared->flat;
+    flat.maxBounces = scene.model == Model::multipleScattering ? scene.maxBounces : 1;
     flat.phaseG = scene.phaseG;
     flat.surfaceFactor = 25 * scene.gradientFactor * scene.gradientFactor * scene.gradientFactor / kHuScale;
     flat.features = neededFeatures(needs(scene));

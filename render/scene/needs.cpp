@@ -88,6 +88,19 @@ Effect background(const Scene& scene) {
                   "the environment is hidden from the camera", 0, [](Scene& s) { s.environment.visible = false; });
 }
 
+Effect bounces(const Scene& scene) {
+    constexpr const char* kName = "multiple scattering";
+    if (scene.model != Model::multipleScattering)
+        return effect(kName, false, "", "the model has one event on a path");
+    if (scene.maxBounces == 1)
+        return effect(kName, false, "", "a path may have one event only");
+    const bool scatters = hasTissue(scene) && anywhere(scene.transferFunction, [](const TransferNode& node) {
+                              return node.albedo + node.specular;
+                          });
+    return effect(kName, scatters, "light is scattered on from event to event", "no tissue scatters light", kBounces,
+                  [](Scene& s) { s.model = Model::singleScattering; });
+}
+
 }  // namespace
 
 std::vector<Effect> needs(const Scene& scene) {
@@ -105,8 +118,7 @@ std::vector<Effect> needs(const Scene& scene) {
         background(scene),
         emission(scene),
         effect("depth of field", scene.camera.apertureMm > 0, "the lens is open", "the aperture is 0"),
-        effect("multiple scattering", scene.maxBounces > 1, "paths may bend more than once",
-               "paths bend once at the most"),
+        bounces(scene),
     };
 }
 

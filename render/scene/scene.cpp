@@ -32,14 +32,12 @@ Result<void> checkTransport(const Scene& scene) {
     for (const auto& ok :
          {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
           checkRange(scene.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
-          checkRange(scene.maxBounces, {1, 1000}, "maxBounces"), checkRange(scene.film.x, {1, 16384}, "film.width"),
+          checkRange(scene.maxBounces, {1, 100000}, "maxBounces"), checkRange(scene.film.x, {1, 16384}, "film.width"),
           checkRange(scene.film.y, {1, 16384}, "film.height")})
         if (!ok)
             return ok;
-    if (scene.model != Model::singleScattering)
+    if (scene.model != Model::singleScattering && scene.model != Model::multipleScattering)
         return notYet(std::string(modelName(scene.model)) + " is", "model", "Use singleScattering.");
-    if (scene.maxBounces > 1)
-        return notYet("more than one scattering event on a path is", "maxBounces", "Set it to 1.");
     return {};
 }
 

@@ -14,7 +14,7 @@
 
 namespace pdr {
 
-/// The optical models, from cheap to complete. Only singleScattering renders today.
+/// The optical models, from cheap to complete.
 enum class Model { absorption, emission, emissionAbsorption, singleScattering, multipleScattering, maximumIntensity };
 
 /// Its word in scene files: "singleScattering".
@@ -29,9 +29,9 @@ struct Scene {
     std::vector<Light> lights;
     Environment environment;
     Camera camera;
-    ivec2 film{512, 512};        ///< pixels; each in [1, 16384]
-    int maxBounces = 1;          ///< scattering events on a path; [1, 1000]
-    std::uint64_t seed = 1;      ///< any
+    ivec2 film{512, 512};    ///< pixels; each in [1, 16384]
+    int maxBounces = 1000;   ///< multiple scattering: events on a path, at most; what is cut is counted; [1, 100000]
+    std::uint64_t seed = 1;  ///< any
     std::uint64_t revision = 0;  ///< grows with each edit
 
     /// Every range above, and what cannot be rendered yet, with the field's name in `where`. The volume is not looked

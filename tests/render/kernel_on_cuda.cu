@@ -1,5 +1,6 @@
 /// The kernel headers, compiled for a GPU: compiling is the test. One thread, one pixel; nothing is launched.
 
+#include "render/kernel/integrator.h"
 #include "render/kernel/pixel.h"
 
 namespace pdr {

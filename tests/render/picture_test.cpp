@@ -127,6 +127,30 @@ class PictureTest : public QObject {
             QCOMPARE(film.pixel(i, i).mean.x, 2.0);
     }
 
+    /// Half space, isotropic, albedo 0.9, seen and lit straight on: L = E / pi * 0.38507 (Chandrasekhar's H).
+    void halfSpaceScattersBackAsChandrasekharSays() {
+        Scene scene = slab(40, {0, 0, -1}, 0.9f);
+        scene.model = Model::multipleScattering;
+        const ImageMean got = imageMean(test::render(scene, 8192));
+        QVERIFY2(std::fabs(got.mean - 2 / M_PI * 0.38507) < test::allowedZ(8) * got.standardError,
+                 qPrintable(QString("%1 +- %2").arg(got.mean / 2 * M_PI).arg(got.standardError / 2 * M_PI)));
+    }
+
+    /// White tissue in a white room cannot be seen, however often light is scattered in it.
+    void losslessTissueInAWhiteRoomIsInvisible() {
+        Scene scene = variedScene();
+        scene.model = Model::multipleScattering;
+        scene.maxBounces = 100000;
+        scene.gradientFactor = 0;
+        scene.lights.clear();
+        scene.environment = {vec3(1), true};
+        for (TransferNode& node : scene.transferFunction.nodes)
+            node.albedo = vec3(1);
+        const ImageMean got = imageMean(test::render(scene, 256));
+        QVERIFY2(std::fabs(got.mean - 1) < test::allowedZ(8) * got.standardError && got.standardError < 2e-3,
+                 qPrintable(QString("%1 +- %2").arg(got.mean).arg(got.standardError)));
+    }
+
     void imageDoesNotDependOnThreadsTilesOrIterationsPerFrame() {
         const Scene scene = variedScene();
         const Film reference = test::render(scene, 100, *makeCpuDevice(1), 1);

@@ -135,7 +135,6 @@ class SceneFileTest : public QObject {
         row("transferFunction.nodes.0.albedo", QJsonArray{0, 0, 2}, "transferFunction.nodes[0].albedo");
         row("transferFunction.nodes.0.roughness", "rough", "transferFunction.nodes[0].roughness");
         row("transferFunction.nodes.0.shine", 1, "transferFunction.nodes[0].shine");
-        row("model", "multipleScattering", "model");
         row("model", "raytracing", "model");
         row("phase.g", 1, "phase.g");
         row("surface.gradientFactor", -1, "surface.gradientFactor");
@@ -161,7 +160,7 @@ class SceneFileTest : public QObject {
         row("camera.apertureMm", 5, "camera.apertureMm");
         row("film.width", 0, "film.width");
         row("film.height", 20000, "film.height");
-        row("maxBounces", 2, "maxBounces");
+        row("maxBounces", 0, "maxBounces");
         row("maxBounces", 1.5, "maxBounces");
         row("seed", -1, "seed");
     }

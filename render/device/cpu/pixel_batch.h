@@ -2,6 +2,7 @@
 /// The CPU's way through kernel/integrator.h: the paths of many samples, step by step together.
 
 #include "render/device/cpu/lane_tracker.h"
+#include "render/kernel/integrator.h"
 #include "render/kernel/pixel.h"
 
 namespace pdr {
@@ -32,52 +33,77 @@ class PixelBatch {
 
   private:
     void start(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths, PixelSums& target) {
-        const int row = rays_.size();
-        paths_[row] = cameraStart(scene, pixel, sample, depths);
-        targets_[row] = &target;
-        rays_.add(paths_[row].camera.ray, paths_[row].random.stream(0, BounceDimension::flight));
+        const int path = rays_.size();
+        paths_[path] = cameraStart(scene, pixel, sample, depths);
+        radiance_[path] = vec3(0);
+        targets_[path] = &target;
+        pathOf_[path] = path;
+        rays_.add(paths_[path].leg.ray, paths_[path].random.stream(0, BounceDimension::flight));
     }
 
     /// Takes all started paths to their end and adds them up, in the order in which they were started.
     template <std::uint32_t F>
     void finish(const FlatScene& scene) {
-        rays_.track<DeltaTracking>(scene);
-        lights_.clear();
-        for (int row = 0; row < rays_.size(); ++row)
-            arrive<F>(scene, row);
-        lights_.track<RatioTracking>(scene);
-        for (int row = 0; row < rays_.size(); ++row) {
-            vec3 radiance = radiance_[row];
-            if (lightRow_[row] != kDark)
-                radiance += scattered_[row] * lights_.result(lightRow_[row]);
-            addSample(*targets_[row], radiance);
-        }
-        rays_.clear();
+        const int started = rays_.size();
+        for (int bounce = 0; rays_.size() > 0; ++bounce)
+            takeLegs<F>(scene, bounce);
+        for (int path = 0; path < started; ++path)
+            addSample(*targets_[path], radiance_[path]);
     }
 
-    /// The end of one camera ray: what is known of the radiance, and the light path that is still to be followed.
+    /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next legs.
     template <std::uint32_t F>
-    void arrive(const FlatScene& scene, int row) {
+    void takeLegs(const FlatScene& scene, int bounce) {
+        rays_.track<DeltaTracking>(scene);
+        lights_.clear();
+        const int legs = rays_.size();
+        for (int row = 0; row < legs; ++row)
+            arrive<F>(scene, row, bounce);
+        lights_.track<RatioTracking>(scene);
+        rays_.clear();
+        for (int row = 0; row < legs; ++row) {
+            const int path = pathOf_[row];
+            if (lightRow_[row] != kDark)
+                radiance_[path] += scattered_[row] * lights_.result(lightRow_[row]);
+            if (has(F, kBounces) && goesOn_[row]) {
+                pathOf_[rays_.size()] = path;
+                rays_.add(paths_[path].leg.ray, paths_[path].random.stream(bounce + 1, BounceDimension::flight));
+            }
+        }
+    }
+
+    /// The end of one leg: what is known of the radiance, and the light path that is still to be followed.
+    template <std::uint32_t F>
+    void arrive(const FlatScene& scene, int row, int bounce) {
+        const int path = pathOf_[row];
         lightRow_[row] = kDark;
+        goesOn_[row] = false;
         if (rays_.result(row) < 0) {
-            radiance_[row] = background(scene);
+            if (bounce == 0)
+                radiance_[path] = background(scene);
             return;
         }
-        const Arrival met = arrival<F>(scene, paths_[row], rays_.result(row));
-        radiance_[row] = met.emitted;
+        const Arrival met = arrival<F>(scene, paths_[path], rays_.result(row), bounce);
+        radiance_[path] += met.emitted;
+        goesOn_[row] = met.goesOn;
         if (isDark(met.scattered))
             return;
         scattered_[row] = met.scattered.radiance;
         lightRow_[row] = lights_.size();
-        lights_.add(met.scattered.ray, paths_[row].random.stream(0, BounceDimension::shadow));
+        lights_.add(met.scattered.ray, paths_[path].random.stream(bounce, BounceDimension::shadow));
     }
 
     static constexpr int kDark = -1;  ///< instead of a light path's row: there is none
 
+    // by path
     std::array<Path, RayBatch::kCapacity> paths_;
     std::array<PixelSums*, RayBatch::kCapacity> targets_;
-    std::array<vec3, RayBatch::kCapacity> radiance_, scattered_;
+    std::array<vec3, RayBatch::kCapacity> radiance_;
+    // by leg, which has the row of its ray
+    std::array<int, RayBatch::kCapacity> pathOf_;
+    std::array<vec3, RayBatch::kCapacity> scattered_;
     std::array<int, RayBatch::kCapacity> lightRow_;
+    std::array<bool, RayBatch::kCapacity> goesOn_;
     RayBatch rays_, lights_;
 };
 
