@@ -61,7 +61,20 @@ struct Plan {
     TableHead head;
     Device& device;
     const Cancelled& cancelled;
+    const std::vector<Family>& families;
 };
+
+/// Every case has random numbers of its own, whichever others are run: chance must not strike them all alike.
+std::uint64_t seedOf(const Plan& plan, const Case& reference) {
+    std::uint64_t number = 0;
+    for (const Family& family : plan.families)
+        for (const Case& one : family.cases) {
+            if (&one == &reference)
+                return plan.head.seed * 1'000'000'007 + number * 1'000'003;
+            ++number;
+        }
+    return plan.head.seed;
+}
 
 /// Adds to `tally`; an Error where the device fails or the user breaks off.
 Result<void> run(const Plan& plan, const Family& family, Tally& tally) {
@@ -74,7 +87,7 @@ Result<void> run(const Plan& plan, const Family& family, Tally& tally) {
         titled = true;
         const Sharpness& sharpness = plan.head.quick ? reference.quick : reference.full;
         const Result<Measurement> got =
-            measure(plan.device, reference, sharpness.samples, plan.head.seed, plan.cancelled);
+            measure(plan.device, reference, sharpness.samples, seedOf(plan, reference), plan.cancelled);
         if (!got)
             return Error{got.error().text(), reference.name, ""};
         const Judgement judgement = judge(reference, *got, sharpness, plan.head.allowed);
@@ -84,12 +97,12 @@ Result<void> run(const Plan& plan, const Family& family, Tally& tally) {
     return {};
 }
 
-int runAll(const Plan& plan, const std::vector<Family>& families) {
+int runAll(const Plan& plan) {
     const auto start = std::chrono::steady_clock::now();
     Tally tally;
     Result<void> ran;
     printHead(plan.head);
-    for (const Family& family : families)
+    for (const Family& family : plan.families)
         if (ran = run(plan, family, tally); !ran)
             break;
     const bool brokenOff = plan.cancelled();
@@ -125,7 +138,7 @@ int selftest(const Arguments& arguments) {
     const Cancelled cancelled = [&] { return signals.came(); };
     const TableHead head{info.name + ", " + info.details, options->named.contains("--quick"), comparisons,
                          allowedZ(comparisons), std::uint64_t(*seed)};
-    return runAll({*options, head, **device, cancelled}, *families);
+    return runAll({*options, head, **device, cancelled, *families});
 }
 
 }  // namespace pdr::bench

@@ -45,8 +45,8 @@ enum class Quantity {
     meanSquaredCosine,
 };
 
-/// How sharp a run is: so many samples, and the smallest bias (relative; absolute where 0 is expected; of the
-/// extinction for freeFlights) that it must be able to find nine times out of ten.
+/// How sharp a run is: so many samples, and the smallest bias (relative; absolute for meanCosine; of the extinction
+/// for freeFlights) that it must be able to find nine times out of ten.
 struct Sharpness {
     std::uint64_t samples = 0;
     double detects = 0;

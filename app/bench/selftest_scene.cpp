@@ -19,6 +19,7 @@ constexpr int kRampHu = 100;          ///< HU from one voxel to the next
 constexpr int kRadiusVoxels = 60;     ///< voxels along a sphere's radius
 constexpr int kRadiusHu = 200;        ///< HU per voxel of distance from a sphere's centre
 constexpr ivec2 kFilm(64, 64);
+constexpr int kMostEvents = 100000;  ///< on a path; the deepest white slab needs some thousands
 
 /// A volume of hu(i, j, k) whose box is centred at the origin.
 template <class Hu>
@@ -139,7 +140,8 @@ Scene sceneOf(const Case& reference) {
     Scene scene;
     scene.volume = std::move(matter.volume);
     scene.transferFunction = std::move(matter.function);
-    scene.model = Model::singleScattering;
+    scene.model = from.multiple ? Model::multipleScattering : Model::singleScattering;
+    scene.maxBounces = kMostEvents;
     scene.phaseG = float(from.g);
     if (from.beam)
         scene.lights = {DirectionalLight{-tilted(*from.beam, {1, 0, 0}), vec3(1)}};

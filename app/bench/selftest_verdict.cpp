@@ -36,7 +36,8 @@ double flightsDetect(double allowed, double samples) {
 
 Judgement judge(const Case& reference, const Measurement& got, const Sharpness& sharpness, double allowed) {
     Judgement result;
-    const double scale = reference.expected != 0 ? std::fabs(reference.expected) : 1;
+    const bool absolute = reference.quantity == Quantity::meanCosine;  // it may well be 0
+    const double scale = absolute ? 1 : std::fabs(reference.expected);
     const double room = (reference.geometryBias + kRounding) * scale;
     const double deviation = got.value - reference.expected;
     if (reference.quantity == Quantity::freeFlights) {
