@@ -1,9 +1,11 @@
 #pragma once
 /// Light that reaches an event straight from a light: one light path for each event, chosen among all lights.
 
+#include "render/kernel/clip.h"
+#include "render/kernel/environment.h"
 #include "render/kernel/event.h"
 #include "render/kernel/lights.h"
-#include "render/kernel/ray.h"
+#include "render/kernel/mis.h"
 
 namespace pdr {
 
@@ -39,25 +41,50 @@ struct LightChoice {
     }
 };
 
-/// Light that reaches the event straight from one of the lights and is scattered back along the path.
+/// Light that reaches the event straight from one of the lights and is scattered back along the path. Every light is
+/// sampled; where it pays, light is also looked for in one direction that the event scatters to. What both ways can
+/// find counts for each by its share.
 template <std::uint32_t F>
 PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Random& random, int bounce) {
     RandomStream numbers = random.stream(bounce, BounceDimension::light);
+    const bool alongScatter = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
+    const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, event.position) : vec3(0);
     LightChoice choice;
     const auto offer = [&](vec3 towards, float distance, vec3 radiance) {
         choice.offer({{event.position, scene.volume.indexFromLocal * towards, distance}, radiance}, numbers.pair().x);
     };
-    const vec3 from = has(F, kPlacedLights) ? localPosition(scene.volume, event.position) : vec3(0);
-    for (int i = 0; i < scene.lightCount; ++i) {
-        const LightSample sample =
-            sampleLight<F>(scene.lights[i], from, has(F, kPlacedLights) ? numbers.pair() : vec2(0));
-        offer(sample.towards, sample.distance, scatterEval<F>(scene, event, sample.towards) * sample.radiance);
+    const auto offerSample = [&](const LightSample& light) {
+        const float other = alongScatter && light.density > 0 ? scatterPdf<F>(scene, event, light.towards) : 0;
+        offer(light.towards, light.distance,
+              scatterEval<F>(scene, event, light.towards) * light.radiance * powerShare(light.density, other));
+    };
+
+    for (int i = 0; i < scene.lightCount; ++i)
+        offerSample(sampleLight<F>(scene.lights[i], place, has(F, kPlacedLights) ? numbers.pair() : vec2(0)));
+    if (has(F, kEnvironment) && scene.environment.texels != nullptr) {
+        RandomStream texel = random.stream(bounce, BounceDimension::environment);
+        const vec2 choice = texel.pair();
+        offerSample(sampleEnvironment(scene.environment, choice, texel.pair()));
     }
-    if constexpr (has(F, kEnvironment)) {
-        const Scattered scattered = scatterSample<F>(scene, event, random.stream(bounce, BounceDimension::direction));
-        offer(scattered.towards, kFarAway, scattered.weight * scene.environment);
+    if (alongScatter) {
+        const Scattered along = scatterSample<F>(scene, event, random.stream(bounce, BounceDimension::direction));
+        const float density = scatterPdf<F>(scene, event, along.towards);
+        for (int i = 0; has(F, kPlacedLights) && i < scene.lightCount; ++i) {
+            const LightHit hit = lightSeen(scene.lights[i], place - scene.lights[i].position, along.towards);
+            if (hit.met && hit.distance > 0)
+                offer(along.towards, hit.distance,
+                      along.weight * scene.lights[i].radiance * powerShare(density, hit.density));
+        }
+        if constexpr (has(F, kEnvironment))
+            offer(along.towards, kFarAway,
+                  along.weight * environmentRadiance(scene.environment, along.towards) *
+                      powerShare(density, environmentDensity(scene.environment, along.towards)));
     }
-    return choice.path();
+
+    LightPath path = choice.path();
+    if (scene.clip.count > 0 && !scene.clip.shadows)
+        path.ray.length = cutLength(scene.clip, path.ray.origin, path.ray.direction, path.ray.length);
+    return path;
 }
 
 }  // namespace pdr

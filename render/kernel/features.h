@@ -14,8 +14,9 @@ enum Feature : std::uint32_t {
 };
 inline constexpr std::uint32_t kFeatureMasks = 1u << 5;
 
-constexpr bool has(std::uint32_t features, Feature feature) {
-    return (features & feature) != 0;
+/// Whether any of `wanted` is among `features`.
+constexpr bool has(std::uint32_t features, std::uint32_t wanted) {
+    return (features & wanted) != 0;
 }
 
 }  // namespace pdr

@@ -61,9 +61,12 @@ struct FlatCamera {
     double perspective;        ///< 1 or 0
     ivec2 film;                ///< pixels
     dvec2 perPixel;            ///< 1 / film
+    dvec3 localEye;            ///< local
+    dvec3 lensRight, lensUp;   ///< local, mm: along `right` and `up`, as long as the lens' radius
+    double focus;              ///< mm along the view: where a lens is sharp; 0: a pinhole
 };
 
-enum class LightType : std::uint32_t { directional, rectangle };
+enum class LightType : std::uint32_t { directional, rectangle, sphere };
 
 struct FlatLight {
     LightType type;
@@ -71,7 +74,33 @@ struct FlatLight {
     vec3 position;      ///< local, mm: centre
     vec3 normal;        ///< unit: to the light (directional) or out of the panel's shining side
     vec3 halfU, halfV;  ///< half edges of a panel, mm
-    float area;         ///< mm^2
+    float area;         ///< mm^2, of a panel
+    float radius;       ///< mm, of a ball
+    bool visible;       ///< whether the camera sees it
+};
+
+/// Light from all around; see kernel/environment.h. Without a picture `texels` is null.
+struct FlatEnvironment {
+    vec3 zenith, nadir;       ///< radiance from straight above (+z) and below; a picture is multiplied by zenith
+    bool visible;             ///< whether the camera sees it
+    float turn;               ///< radians: the picture is turned by this from +y towards +x
+    ivec2 size;               ///< texels
+    const vec3* texels;       ///< radiance, rows from the zenith
+    const float* density;     ///< of each texel's directions when sampled by its light [1/sr]
+    const float* rowSums;     ///< size.y + 1: light of the rows above
+    const float* columnSums;  ///< size.x + 1 for each row: light of the texels to the left
+};
+
+/// The half space dot(normal, p) <= offset stays; index space.
+struct FlatPlane {
+    vec3 normal;
+    float offset;
+};
+
+struct FlatClip {
+    const FlatPlane* planes;
+    int count;
+    bool shadows;  ///< what is cut away still throws its shadow
 };
 
 /// For each block of kViewBlock x kViewBlock pixels: the depths along the view between which all matter lies.
@@ -89,9 +118,12 @@ struct FlatScene {
     FlatViewBounds viewBounds;
     const FlatLight* lights;
     int lightCount;
-    vec3 environment;          ///< radiance from all around
-    float environmentVisible;  ///< 1: the camera sees it, 0: it does not
-    int maxBounces;            ///< scattering events on a path, at most
+    bool lightsInView;      ///< the camera sees one of them
+    bool sampleDirections;  ///< events look for light also where they scatter it to; see directLight()
+    bool plainBackground;   ///< behind the volume it looks the same everywhere
+    FlatEnvironment environment;
+    FlatClip clip;
+    int maxBounces;  ///< scattering events on a path, at most
     float phaseG;
     float surfaceFactor;  ///< see surfaceNormal() [mm/HU]; 0: no surfaces
     std::uint64_t seed;

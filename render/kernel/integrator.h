@@ -14,7 +14,7 @@ namespace pdr {
 /// One sample of one pixel, on its way to its next event.
 struct Path {
     Random random;
-    CameraRay leg;
+    Leg leg;
     vec3 throughput{1.0f};  ///< of radiance from the next event to the camera
 };
 
@@ -22,11 +22,20 @@ struct Path {
 PDR_HD inline Path cameraStart(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
     const Random random(scene.seed, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x), sample);
     const vec2 filter = random.stream(Dimension::filter).pair();
-    return {random, cameraRay(scene, vec2(pixel) + filter, depths)};
+    const vec2 lens = scene.camera.focus > 0 ? onDisc(random.stream(Dimension::lens).pair()) : vec2(0);
+    return {random, cameraLeg(scene, vec2(pixel) + filter, lens, depths)};
 }
 
-PDR_HD inline vec3 background(const FlatScene& scene) {
-    return scene.environment * scene.environmentVisible;
+/// What the camera sees along a leg that meets no event.
+PDR_HD inline vec3 background(const FlatScene& scene, const Leg& leg) {
+    if (leg.light >= 0)
+        return scene.lights[leg.light].radiance;
+    return scene.environment.visible ? environmentRadiance(scene.environment, leg.direction) : vec3(0);
+}
+
+/// The same without looking, where it looks the same everywhere.
+PDR_HD inline vec3 plainBackground(const FlatScene& scene) {
+    return scene.environment.visible ? scene.environment.zenith : vec3(0);
 }
 
 /// Exact Russian roulette: little throughput goes on rarely and then counts for more, so that its mean stays.
@@ -48,7 +57,9 @@ PDR_HD inline bool goesOn(const FlatScene& scene, Path& path, const Event& event
         return false;
     const Scattered scattered = scatterSample<F>(scene, event, path.random.stream(bounce, BounceDimension::onward));
     path.throughput *= scattered.weight;
-    path.leg = {{event.position, scene.volume.indexFromLocal * scattered.towards, kFarAway}, scattered.towards};
+    const vec3 direction = scene.volume.indexFromLocal * scattered.towards;
+    path.leg = {{event.position, direction, cutLength(scene.clip, event.position, direction, kFarAway)},
+                scattered.towards};
     return survives(path.throughput, path.random.stream(bounce, BounceDimension::survival).pair().x);
 }
 
@@ -85,7 +96,7 @@ PDR_HD inline vec3 tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t 
         const float collision =
             track<DeltaTracking>(scene, path.leg.ray, path.random.stream(bounce, BounceDimension::flight));
         if (collision < 0)
-            return bounce == 0 ? background(scene) : radiance;
+            return bounce == 0 ? background(scene, path.leg) : radiance;
         const Arrival met = arrival<F>(scene, path, collision, bounce);
         radiance += met.emitted;
         if (!isDark(met.scattered))

@@ -24,8 +24,9 @@ PDR_HD inline vec2 matterDepths(const FlatScene& scene, ivec2 pixel) {
     return bounds.depths[(pixel.y / kViewBlock) * bounds.blocksPerRow + pixel.x / kViewBlock];
 }
 
-PDR_HD inline bool meetsNothing(vec2 depths) {
-    return depths.x > depths.y;
+/// Whether the pixel shows nothing but a background that looks the same everywhere.
+PDR_HD inline bool showsNothing(const FlatScene& scene, vec2 depths) {
+    return depths.x > depths.y && scene.plainBackground;
 }
 
 }  // namespace pdr

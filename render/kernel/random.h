@@ -26,7 +26,8 @@ enum class BounceDimension : std::uint32_t {
     shadow = 3,
     direction = 4,
     survival = 5,
-    onward = 6
+    onward = 6,
+    environment = 7
 };
 
 PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {

@@ -25,6 +25,10 @@ dvec3 Camera::imageUp() const {
     return glm::cross(right(), forward());
 }
 
+double Camera::focusDistanceMm() const {
+    return focusMm > 0 ? focusMm : glm::length(targetMm - eyeMm);
+}
+
 Result<void> Camera::check() const {
     if (!finite(eyeMm))
         return Error{"eyeMm must be three finite numbers", "camera.eyeMm", ""};

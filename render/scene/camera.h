@@ -18,6 +18,8 @@ struct Camera {
     double apertureMm = 0;     ///< lens diameter; [0, 200]; 0 = pinhole
     double focusMm = 0;        ///< distance of the sharp plane from the eye; 0 = the target's
 
+    double focusDistanceMm() const;  ///< focusMm, or else the target's distance
+
     dvec3 forward() const;  ///< unit
     dvec3 right() const;    ///< unit; the image's x
     dvec3 imageUp() const;  ///< unit; against the image's y

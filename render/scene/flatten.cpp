@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/scene/flatten_lights.h"
 #include "render/scene/needs.h"
 #include "render/scene/view_bounds.h"
 
@@ -76,39 +77,27 @@ void flattenCamera(FlatCamera& flat, const Camera& camera, const VolumeGeometry&
     flat.perspective = perspective ? 1 : 0;
     flat.film = film;
     flat.perPixel = 1.0 / dvec2(film);
+    flat.localEye = camera.eyeMm - geometry.centreMm();
+    const double radius = camera.apertureMm / 2;
+    flat.lensRight = camera.right() * radius;
+    flat.lensUp = camera.imageUp() * radius;
+    flat.focus = radius > 0 ? camera.focusDistanceMm() : 0;
 }
 
-FlatLight flatLight(const DirectionalLight& light, dvec3) {
-    FlatLight flat{.type = LightType::directional, .radiance = light.irradiance};
-    flat.normal = vec3(-glm::normalize(light.direction));
-    return flat;
-}
-
-FlatLight flatLight(const RectangleLight& light, dvec3 centreMm) {
-    const dvec3 normal = glm::normalize(light.normal);
-    const dvec3 side = glm::normalize(glm::cross(light.up, normal));
-    return {.type = LightType::rectangle,
-            .radiance = light.radiance,
-            .position = vec3(light.centreMm - centreMm),
-            .normal = vec3(normal),
-            .halfU = vec3(side * (light.widthMm / 2)),
-            .halfV = vec3(glm::cross(normal, side) * (light.heightMm / 2)),
-            .area = float(light.widthMm * light.heightMm)};
-}
-
-FlatLight flatLight(const SphereLight&, dvec3) {
-    return {};  // refused by Scene::check()
-}
-
-void flattenLights(PreparedScene& prepared, const Scene& scene) {
-    const dvec3 centre = scene.volume->geometry().centreMm();
-    FlatScene& flat = prepared.flat;
-    for (const Light& light : scene.lights)
-        prepared.lights.push_back(std::visit([&](const auto& one) { return flatLight(one, centre); }, light));
-    flat.environment = scene.environment.radiance;
-    flat.environmentVisible = scene.environment.visible ? 1 : 0;
-    flat.lights = prepared.lights.data();
-    flat.lightCount = int(prepared.lights.size());
+/// The planes that cut the volume, in index space; those that leave all of it are left out.
+void flattenClip(PreparedScene& prepared, const Scene& scene) {
+    const dmat4& patientFromIndex = scene.volume->geometry().patientFromIndex;
+    const dvec3 low(-0.5), high = dvec3(scene.volume->size()) - 0.5;
+    for (const ClipPlane& plane : scene.clip.allPlanes()) {
+        const dvec3 normal = glm::normalize(plane.normal);
+        const dvec3 inIndex = glm::transpose(glm::dmat3(patientFromIndex)) * normal;
+        const double offset = glm::dot(normal, plane.pointMm - dvec3(patientFromIndex[3]));
+        const dvec3 farthest = glm::mix(low, high, glm::greaterThan(inIndex, dvec3(0)));
+        const double beyond = glm::dot(inIndex, farthest) - offset;  // mm
+        if (beyond > 1e-9 * glm::dot(glm::abs(inIndex), high - low))
+            prepared.clipPlanes.push_back({vec3(inIndex), float(offset)});
+    }
+    prepared.flat.clip = {prepared.clipPlanes.data(), int(prepared.clipPlanes.size()), scene.clip.shadows};
 }
 
 /// The HU range over which Kroes, Post & Botha measure the gradient: that of 12-bit CT, so that one metal clip does not
@@ -132,13 +121,19 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
     flattenTransferFunction(*prepared, scene.transferFunction);
     flattenMajorants(*prepared);
     flattenCamera(prepared->flat.camera, scene.camera, scene.volume->geometry(), scene.film);
+    if (scene.environment.image)
+        prepared->environment = last_ && last_->environment && last_->environment->image == scene.environment.image
+                                    ? last_->environment
+                                    : std::make_shared<const EnvironmentTables>(scene.environment.image);
     flattenLights(*prepared, scene);
+    flattenClip(*prepared, scene);
 
     FlatScene& flat = prepared->flat;
     flat.maxBounces = scene.model == Model::multipleScattering ? scene.maxBounces : 1;
     flat.phaseG = scene.phaseG;
     flat.surfaceFactor = 25 * scene.gradientFactor * scene.gradientFactor * scene.gradientFactor / kHuScale;
     flat.features = neededFeatures(needs(scene));
+    flat.sampleDirections = searchesAlongScatter(scene);
     flat.seed = scene.seed;
     prepared->viewDepths = viewDepths(flat);
     flat.viewBounds = {prepared->viewDepths.data(), (scene.film.x + kViewBlock - 1) / kViewBlock};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/kernel/flat_scene.h"
+#include "render/scene/environment_tables.h"
 #include "render/scene/scene.h"
 #include "render/volume/ranges.h"
 
@@ -36,6 +37,8 @@ struct PreparedScene {
     std::vector<Material> materials;
     std::vector<std::uint16_t> pieceAt;
     std::vector<FlatLight> lights;
+    std::shared_ptr<const EnvironmentTables> environment;  ///< null: no picture
+    std::vector<FlatPlane> clipPlanes;
     std::vector<vec2> viewDepths;
 };
 

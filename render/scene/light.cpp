@@ -29,8 +29,13 @@ Result<void> check(const RectangleLight& light) {
     return {};
 }
 
-Result<void> check(const SphereLight&) {
-    return Error{"sphere lights are not rendered yet by this version", "type", "Use a rectangle."};
+Result<void> check(const SphereLight& light) {
+    for (const auto& ok :
+         {checkRange(light.centreMm, kPlaceRange, "centreMm"), checkRange(light.radiusMm, kExtentRange, "radiusMm"),
+          checkRange(dvec3(light.radiance), kLightRange, "radiance")})
+        if (!ok)
+            return ok;
+    return {};
 }
 
 }  // namespace
@@ -40,7 +45,19 @@ Result<void> check(const Light& light) {
 }
 
 Result<void> check(const Environment& environment) {
-    return checkRange(dvec3(environment.radiance), kLightRange, "radiance");
+    if (auto ok = checkRange(dvec3(environment.radiance), kLightRange, "radiance"); !ok)
+        return ok;
+    if (auto ok = checkRange(dvec3(environment.nadir.value_or(vec3(0))), kLightRange, "nadir"); !ok)
+        return ok;
+    if (environment.image && environment.nadir)
+        return Error{"goes with a gradient only, not with a picture", "nadir", "Leave one of the two out."};
+    if (!std::isfinite(environment.rotationDegrees))
+        return Error{"must be a finite number", "rotationDegrees", ""};
+    return {};
+}
+
+bool Environment::isBlack() const {
+    return radiance == vec3(0) && (image || nadir.value_or(vec3(0)) == vec3(0));
 }
 
 }  // namespace pdr

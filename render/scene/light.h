@@ -1,10 +1,13 @@
 #pragma once
 /// What lights the scene. Patient space (LPS, mm); radiance and irradiance linear Rec. 709.
 
+#include <memory>
+#include <optional>
 #include <variant>
 
 #include "render/base/portable.h"
 #include "render/base/result.h"
+#include "render/scene/environment_image.h"
 
 namespace pdr {
 
@@ -23,23 +26,30 @@ struct RectangleLight {
     double widthMm = 100;   ///< (0, 1e9]
     double heightMm = 100;  ///< (0, 1e9]
     vec3 radiance{1.0f};    ///< [0, 1e30]
+    bool visible = false;   ///< whether the camera sees it, from its shining side
     bool operator==(const RectangleLight&) const = default;
 };
 
-/// A ball that shines to all sides.
+/// A ball that shines to all sides; it is dark inside.
 struct SphereLight {
     dvec3 centreMm{0};     ///< each in [-1e9, 1e9]
     double radiusMm = 50;  ///< (0, 1e9]
     vec3 radiance{1.0f};   ///< [0, 1e30]
+    bool visible = false;  ///< whether the camera sees it
     bool operator==(const SphereLight&) const = default;
 };
 
 using Light = std::variant<DirectionalLight, RectangleLight, SphereLight>;
 
-/// Light from all around, the same from everywhere.
+/// Light from all around: the same from everywhere, a vertical gradient, or a picture.
 struct Environment {
-    vec3 radiance{0.0f};  ///< [0, 1e30]
-    bool visible = true;  ///< whether the camera sees it behind the volume
+    vec3 radiance{0.0f};        ///< [0, 1e30]; a picture is multiplied by it
+    bool visible = true;        ///< whether the camera sees it behind the volume
+    std::optional<vec3> nadir;  ///< [0, 1e30]; from straight below, changing evenly with the height to `radiance` above
+    std::shared_ptr<const EnvironmentImage> image;  ///< instead of a gradient; has passed its check()
+    double rotationDegrees = 0;  ///< turns the picture about the patient's axis, from the back towards the left; finite
+
+    bool isBlack() const;
     bool operator==(const Environment&) const = default;
 };
 

@@ -1,6 +1,7 @@
 #include "render/scene/needs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/kernel/features.h"
 
@@ -29,13 +30,32 @@ bool hasTissue(const Scene& scene) {
            std::ranges::any_of(scene.transferFunction.nodes, [](const TransferNode& node) { return node.opacity > 0; });
 }
 
-bool hasPanel(const Scene& scene) {
+bool hasPlacedLight(const Scene& scene) {
     return std::ranges::any_of(scene.lights,
-                               [](const Light& light) { return std::holds_alternative<RectangleLight>(light); });
+                               [](const Light& light) { return !std::holds_alternative<DirectionalLight>(light); });
+}
+
+bool cameraSees(const Light& light) {
+    return std::visit(
+        [](const auto& one) {
+            if constexpr (requires { one.visible; })
+                return one.visible;
+            return false;
+        },
+        light);
+}
+
+void hide(Light& light) {
+    std::visit(
+        [](auto& one) {
+            if constexpr (requires { one.visible; })
+                one.visible = false;
+        },
+        light);
 }
 
 bool isLit(const Scene& scene) {
-    return !scene.lights.empty() || !isBlack(scene.environment.radiance);
+    return !scene.lights.empty() || !scene.environment.isBlack();
 }
 
 /// "needed: YES" or "off: NO".
@@ -76,16 +96,48 @@ Effect emission(const Scene& scene) {
     });
 }
 
+Effect placedLights(const Scene& scene) {
+    return effect("lights with a place", hasPlacedLight(scene), "a light is a panel or a ball",
+                  "no light is a panel or a ball", kPlacedLights, [](Scene& s) {
+                      std::erase_if(s.lights,
+                                    [](const Light& l) { return !std::holds_alternative<DirectionalLight>(l); });
+                  });
+}
+
+Effect lightsInView(const Scene& scene) {
+    if (!hasPlacedLight(scene))
+        return effect("lights in view", false, "", "no light is a panel or a ball");
+    return effect("lights in view", std::ranges::any_of(scene.lights, cameraSees), "the camera sees a light",
+                  "all lights are hidden from the camera", 0, [](Scene& s) { std::ranges::for_each(s.lights, hide); });
+}
+
 Effect surroundings(const Scene& scene) {
-    return effect("light from all around", !isBlack(scene.environment.radiance), "the environment shines",
-                  "the environment is black", kEnvironment, [](Scene& s) { s.environment.radiance = vec3(0); });
+    return effect("light from all around", !scene.environment.isBlack(), "the environment shines",
+                  "the environment is black", kEnvironment, [](Scene& s) { s.environment = {}; });
+}
+
+Effect alongScatter(const Scene& scene) {
+    return effect("search along scattering", searchesAlongScatter(scene),
+                  scene.environment.isBlack() ? "highlights or directed scattering are sharper than the lights"
+                                              : "light comes from all around",
+                  "every light is best found by aiming at it");
 }
 
 Effect background(const Scene& scene) {
-    if (isBlack(scene.environment.radiance))
+    if (scene.environment.isBlack())
         return effect("visible background", false, "", "the environment is black");
     return effect("visible background", scene.environment.visible, "the camera sees the environment",
                   "the environment is hidden from the camera", 0, [](Scene& s) { s.environment.visible = false; });
+}
+
+Effect depthOfField(const Scene& scene) {
+    return effect("depth of field", scene.camera.apertureMm > 0, "the lens is open", "the aperture is 0", 0,
+                  [](Scene& s) { s.camera.apertureMm = 0; });
+}
+
+Effect clipping(const Scene& scene) {
+    return effect("clipping", !scene.clip.empty(), "a box or a plane cuts tissue away", "nothing is cut away", 0,
+                  [](Scene& s) { s.clip = {}; });
 }
 
 Effect bounces(const Scene& scene) {
@@ -110,16 +162,23 @@ std::vector<Effect> needs(const Scene& scene) {
         highlights(scene),
         effect("directed scattering", scene.phaseG != 0, "phase g is not 0", "phase g is 0: the same to all sides", 0,
                [](Scene& s) { s.phaseG = 0; }),
-        effect("panel lights", hasPanel(scene), "a light has a place and a size", "no light has a place", kPlacedLights,
-               [](Scene& s) {
-                   std::erase_if(s.lights, [](const Light& l) { return !std::holds_alternative<DirectionalLight>(l); });
-               }),
+        placedLights(scene),
+        lightsInView(scene),
         surroundings(scene),
+        alongScatter(scene),
         background(scene),
         emission(scene),
-        effect("depth of field", scene.camera.apertureMm > 0, "the lens is open", "the aperture is 0"),
+        depthOfField(scene),
+        clipping(scene),
         bounces(scene),
     };
+}
+
+bool searchesAlongScatter(const Scene& scene) {
+    constexpr float kSharpPhase = 0.5f;
+    if (!scene.environment.isBlack())
+        return true;
+    return hasPlacedLight(scene) && (highlights(scene).needed || std::fabs(scene.phaseG) >= kSharpPhase);
 }
 
 std::uint32_t neededFeatures(const std::vector<Effect>& effects) {

@@ -22,6 +22,10 @@ struct Effect {
 /// looked at.
 std::vector<Effect> needs(const Scene& scene);
 
+/// Whether events look for light also in a direction that they scatter it to, and not only towards the lights: for
+/// light from all around, and for lights with a size where scattering is sharper than they are large.
+bool searchesAlongScatter(const Scene& scene);
+
 /// The kernel's features that the needed effects call for.
 std::uint32_t neededFeatures(const std::vector<Effect>& effects);
 

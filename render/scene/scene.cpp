@@ -20,12 +20,9 @@ Result<void> checkLights(const Scene& scene) {
     return {};
 }
 
-Result<void> checkCamera(const Camera& camera) {
-    if (auto ok = camera.check(); !ok)
-        return ok;
-    if (camera.apertureMm > 0)
-        return notYet("depth of field is", "camera.apertureMm", "Set it to 0.");
-    return {};
+Result<void> checkClip(const Clip& clip) {
+    const Result<void> ok = clip.check();
+    return ok ? ok : below("clip", ok.error());
 }
 
 Result<void> checkTransport(const Scene& scene) {
@@ -62,7 +59,8 @@ const char* modelName(Model model) {
 }
 
 Result<void> Scene::check() const {
-    for (const auto& ok : {transferFunction.check(), checkTransport(*this), checkLights(*this), checkCamera(camera)})
+    for (const auto& ok :
+         {transferFunction.check(), checkTransport(*this), checkLights(*this), camera.check(), checkClip(clip)})
         if (!ok)
             return ok;
     return {};

@@ -8,6 +8,7 @@
 
 #include "render/base/result.h"
 #include "render/scene/camera.h"
+#include "render/scene/clip.h"
 #include "render/scene/light.h"
 #include "render/scene/transfer_function.h"
 #include "render/volume/volume.h"
@@ -29,6 +30,7 @@ struct Scene {
     std::vector<Light> lights;
     Environment environment;
     Camera camera;
+    Clip clip;
     ivec2 film{512, 512};    ///< pixels; each in [1, 16384]
     int maxBounces = 1000;   ///< multiple scattering: events on a path, at most; what is cut is counted; [1, 100000]
     std::uint64_t seed = 1;  ///< any

@@ -78,6 +78,7 @@ Light readRectangle(JsonFields& fields) {
     fields.required("widthMm", light.widthMm);
     fields.required("heightMm", light.heightMm);
     fields.required("radiance", light.radiance);
+    fields.optional("visible", light.visible);
     return light;
 }
 
@@ -86,19 +87,30 @@ Light readSphere(JsonFields& fields) {
     fields.required("centreMm", light.centreMm);
     fields.required("radiusMm", light.radiusMm);
     fields.required("radiance", light.radiance);
+    fields.optional("visible", light.visible);
     return light;
 }
 
-Environment readEnvironment(JsonFields& fields) {
+Environment readEnvironment(JsonFields& fields, const std::filesystem::path& folder, SceneFile& file) {
     Environment environment;
-    if (fields.has("image"))
-        fields.fail("image", "environment pictures are not rendered yet by this version", "Use radiance.");
-    fields.required("radiance", environment.radiance);
+    if (fields.has("image")) {
+        std::string path;
+        fields.required("image", path);
+        file.environmentImage = folder / path;
+        environment.radiance = vec3(1);
+        fields.optional("radiance", environment.radiance);
+        fields.optional("rotationDegrees", environment.rotationDegrees);
+    } else {
+        fields.required("radiance", environment.radiance);
+        if (fields.has("nadir"))
+            fields.required("nadir", environment.nadir.emplace());
+    }
     fields.optional("visible", environment.visible);
     return environment;
 }
 
-void readLights(JsonFields& parent, Scene& scene) {
+void readLights(JsonFields& parent, const std::filesystem::path& folder, SceneFile& file) {
+    Scene& scene = file.scene;
     enum class Kind { directional, rectangle, sphere, environment };
     bool environmentSeen = false;
     for (JsonFields& fields : parent.objects("lights")) {
@@ -111,7 +123,7 @@ void readLights(JsonFields& parent, Scene& scene) {
         if (kind == Kind::environment) {
             if (std::exchange(environmentSeen, true))
                 fields.fail("type", "is the second environment, a scene has at most one");
-            scene.environment = readEnvironment(fields);
+            scene.environment = readEnvironment(fields, folder, file);
             orFail(check(scene.environment), fields);
         } else {
             scene.lights.push_back(kind == Kind::directional ? readDirectional(fields)
@@ -121,6 +133,29 @@ void readLights(JsonFields& parent, Scene& scene) {
         }
         fields.finish();
     }
+}
+
+// ---- what is cut away
+
+Clip readClip(JsonFields fields) {
+    Clip clip;
+    if (fields.has("box")) {
+        JsonFields box = fields.object("box");
+        ClipBox& corners = clip.box.emplace();
+        box.required("lowMm", corners.lowMm);
+        box.required("highMm", corners.highMm);
+        box.finish();
+    }
+    if (fields.has("planes"))
+        for (JsonFields& plane : fields.objects("planes")) {
+            ClipPlane& added = clip.planes.emplace_back();
+            plane.required("pointMm", added.pointMm);
+            plane.required("normal", added.normal);
+            plane.finish();
+        }
+    fields.optional("shadows", clip.shadows);
+    fields.finish();
+    return clip;
 }
 
 // ---- camera and film
@@ -165,8 +200,10 @@ void readScene(JsonFields& fields, const std::filesystem::path& folder, SceneFil
     readPhase(fields, scene.phaseG);
     readSurface(fields, scene.gradientFactor);
     if (fields.has("lights"))
-        readLights(fields, scene);
+        readLights(fields, folder, file);
     scene.camera = readCamera(fields.object("camera"));
+    if (fields.has("clip"))
+        scene.clip = readClip(fields.object("clip"));
     if (fields.has("film"))
         scene.film = readFilm(fields.object("film"));
     fields.optional("maxBounces", scene.maxBounces);

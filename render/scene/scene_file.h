@@ -22,9 +22,10 @@ struct VolumeSource {
     std::optional<std::pair<int, int>> clampHu;  ///< voxels are clamped to [first, second]; in [-32768, 32767]
 };
 
-/// A scene whose voxels are still to be fetched (scene.volume is null).
+/// A scene whose voxels are still to be fetched (scene.volume is null), and so is a picture of its surroundings.
 struct SceneFile {
     VolumeSource source;
+    std::filesystem::path environmentImage;  ///< empty: none
     Scene scene;
 };
 

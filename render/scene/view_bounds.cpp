@@ -14,9 +14,14 @@ constexpr float kDepthRoom = 1e-4f;  ///< relative; projection and rays round di
 struct Projection {
     dvec3 origin, perI, perJ, perK;
     bool perspective;
-    dvec2 film;
+    double focus;  ///< mm; 0: a pinhole
+    dvec2 lens;    ///< the lens' radius in image widths and heights, at depth 1 or (orthographic) everywhere
 
-    explicit Projection(const FlatScene& scene) : perspective(scene.camera.perspective > 0), film(scene.camera.film) {
+    explicit Projection(const FlatScene& scene)
+        : perspective(scene.camera.perspective > 0),
+          focus(scene.camera.focus),
+          lens(glm::length(scene.camera.lensRight) / glm::length(scene.camera.right),
+               glm::length(scene.camera.lensUp) / glm::length(scene.camera.up)) {
         const FlatCamera& camera = scene.camera;
         const dvec3 right = camera.right / glm::dot(camera.right, camera.right);
         const dvec3 down = -camera.up / glm::dot(camera.up, camera.up);
@@ -31,17 +36,26 @@ struct Projection {
     }
 
     dvec3 operator()(dvec3 p) const { return origin + perI * p.x + perJ * p.y + perK * p.z; }
+
+    /// How far a lens spreads what lies at `depth` on the film, to each side.
+    dvec2 spread(double depth) const {
+        if (!(focus > 0))
+            return dvec2(0);
+        return lens * std::fabs(perspective ? 1 / focus - 1 / depth : 1 - depth / focus);
+    }
 };
 
 /// Pixels and depths that a cell covers.
 struct Footprint {
     dvec2 low{1e30}, high{-1e30};
+    dvec2 spread{0};
     double nearest = 1e30, farthest = -1e30;
 
     void include(dvec3 projected, const Projection& projection) {
         const dvec2 place = dvec2(projected) / (projection.perspective ? projected.z : 1.0);
         low = glm::min(low, place);
         high = glm::max(high, place);
+        spread = glm::max(spread, projection.spread(projected.z));
         nearest = std::min(nearest, projected.z);
         farthest = std::max(farthest, projected.z);
     }
@@ -55,8 +69,8 @@ class Blocks {
           depths_(std::size_t(size_.x) * size_.y, vec2(kInfinity, -kInfinity)) {}
 
     void cover(const Footprint& footprint) {
-        const dvec2 low = (footprint.low + 0.5) * dvec2(film_) / double(kViewBlock) - 1e-3;
-        const dvec2 high = (footprint.high + 0.5) * dvec2(film_) / double(kViewBlock) + 1e-3;
+        const dvec2 low = (footprint.low - footprint.spread + 0.5) * dvec2(film_) / double(kViewBlock) - 1e-3;
+        const dvec2 high = (footprint.high + footprint.spread + 0.5) * dvec2(film_) / double(kViewBlock) + 1e-3;
         if (high.x < 0 || high.y < 0 || low.x >= size_.x || low.y >= size_.y)
             return;
         const ivec2 first(glm::max(low, dvec2(0))), last(glm::min(high, dvec2(size_ - 1)));
@@ -76,6 +90,18 @@ class Blocks {
     ivec2 size_, film_;
     std::vector<vec2> depths_;
 };
+
+/// Whether one plane cuts all of a fine cell away.
+bool cutAway(const FlatClip& clip, ivec3 cell) {
+    const vec3 low((cell - 1) * 4), high(cell * 4);
+    for (int i = 0; i < clip.count; ++i) {
+        const FlatPlane& plane = clip.planes[i];
+        const vec3 innermost = glm::mix(high, low, glm::greaterThan(plane.normal, vec3(0)));
+        if (glm::dot(plane.normal, innermost) > plane.offset)
+            return true;
+    }
+    return false;
+}
 
 /// Calls visit(cell) for each fine cell with a bound above 0, until it returns false.
 template <class Visit>
@@ -103,6 +129,8 @@ std::vector<vec2> viewDepths(const FlatScene& scene) {
     const dvec3 edges[3] = {4.0 * projection.perI, 4.0 * projection.perJ, 4.0 * projection.perK};
     Blocks blocks(scene.camera.film);
     forOccupiedCells(scene.majorants, [&](ivec3 cell) {
+        if (cutAway(scene.clip, cell))
+            return true;
         const dvec3 corner = projection(dvec3(cell - 1) * 4.0);
         Footprint footprint;
         for (int n = 0; n < 8; ++n) {

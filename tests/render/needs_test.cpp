@@ -37,9 +37,13 @@ std::vector<Case> onePerEffect() {
         s.transferFunction.nodes[0].specular = vec3(0.1f);
     });
     add("directed scattering", [](Scene& s) { s.phaseG = 0.5f; });
-    add("panel lights", [](Scene& s) { s.lights.push_back(RectangleLight{}); });
+    add("lights with a place", [](Scene& s) { s.lights.push_back(RectangleLight{.centreMm = {0, -50, 0}}); });
+    add("lights in view", [](Scene& s) { s.lights.push_back(SphereLight{.radiusMm = 2, .visible = true}); });
     add("light from all around", [](Scene& s) { s.environment.radiance = vec3(1); });
     add("visible background", [](Scene& s) { s.environment.radiance = vec3(1); });
+    add("depth of field", [](Scene& s) { s.camera.apertureMm = 20; });
+    add("clipping", [](Scene& s) { s.clip.planes = {{s.volume->geometry().centreMm(), {1, 0, 0}}}; });
+    add("multiple scattering", [](Scene& s) { s.model = Model::multipleScattering; });
     add("emission", [](Scene& s) { s.transferFunction.nodes[0].emission = vec3(1); });
     return cases;
 }
@@ -94,7 +98,7 @@ class NeedsTest : public QObject {
     /// An effect that is compiled in but has nothing to do leaves every bit as it is.
     void effectsWithoutInfluenceLeaveThePictureBitIdentical() {
         const Film lean = renderedWith(plain(), 0);
-        for (const Feature feature : {kSurface, kPlacedLights, kEnvironment, kEmission})
+        for (const Feature feature : {kSurface, kPlacedLights, kEnvironment, kEmission, kBounces})
             QVERIFY2(sameBits(lean, renderedWith(plain(), feature)), qPrintable(QString::number(feature)));
     }
 
@@ -102,6 +106,32 @@ class NeedsTest : public QObject {
         const Film lean = renderedWith(plain(), 0);
         for (const Case& one : onePerEffect())
             QVERIFY2(!sameBits(lean, renderedWith(one.scene, 0)), one.name.c_str());
+    }
+
+    /// What an effect's leaveOut makes of its scene is the scene without it, bit by bit.
+    void leavingAnEffectOutGivesThePictureWithoutIt() {
+        const Film lean = renderedWith(plain(), 0);
+        for (const Case& one : onePerEffect()) {
+            Scene without = one.scene;
+            effect(one.scene, one.name).leaveOut(without);
+            QVERIFY2(!effect(without, one.name).needed, one.name.c_str());
+            if (one.name == "highlights" || one.name == "visible background" || one.name == "lights in view")
+                continue;  // these cases have a second effect, which stays
+            QVERIFY2(sameBits(lean, renderedWith(without, 0)), one.name.c_str());
+        }
+    }
+
+    /// Effects that are numbers of a kernel: nothing changes when their number says that there is nothing to do.
+    void nullsOfEffectsThatAreNotCompiledInAreBitIdentical() {
+        const Film lean = renderedWith(plain(), 0);
+        Scene scene = plain();
+        scene.camera.focusMm = 123;  // of a closed lens
+        scene.clip.box = ClipBox{dvec3(-1e6), dvec3(1e6)};
+        scene.clip.shadows = true;
+        scene.environment.rotationDegrees = 40;  // of no picture
+        scene.model = Model::multipleScattering;
+        scene.maxBounces = 1;
+        QVERIFY(sameBits(lean, renderedWith(scene, 0)));
     }
 };
 

@@ -4,55 +4,12 @@
 
 #include "render/kernel/random.h"
 #include "render/kernel/surface.h"
-#include "tests/support/scenes.h"
+#include "tests/support/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
 
 namespace {
-
-/// Mean over pixels of the red channel, and its standard error.
-struct ImageMean {
-    double mean = 0, standardError = 0;
-};
-
-ImageMean imageMean(const Film& film) {
-    ImageMean result;
-    double squares = 0;
-    for (int y = 0; y < film.size().y; ++y)
-        for (int x = 0; x < film.size().x; ++x) {
-            const PixelEstimate pixel = film.pixel(x, y);
-            result.mean += pixel.mean.x;
-            squares += pixel.standardError.x * pixel.standardError.x;
-        }
-    const double pixels = double(film.size().x) * film.size().y;
-    return {result.mean / pixels, std::sqrt(squares) / pixels};
-}
-
-bool sameBits(const Film& a, const Film& b) {
-    for (int y = 0; y < a.size().y; ++y)
-        for (int x = 0; x < a.size().x; ++x)
-            if (a.pixel(x, y).mean != b.pixel(x, y).mean || a.pixel(x, y).standardError != b.pixel(x, y).standardError)
-                return false;
-    return true;
-}
-
-/// A wide slab of depth tau seen straight on, one pixel that looks at its middle.
-Scene slab(double tau, dvec3 lightTravels, float albedo) {
-    const double thickness = 10;
-    Scene scene =
-        test::plainScene(test::makeVolume({401, 401, 5}, {1, 1, thickness / 5}, [](int, int, int) { return 0; }),
-                         float(tau / thickness));
-    scene.transferFunction.nodes[0].albedo = vec3(albedo);
-    scene.camera = {.type = Camera::Type::orthographic,
-                    .eyeMm = {200.5, 200.5, 500},
-                    .targetMm = {200.5, 200.5, 0},
-                    .up = {0, 1, 0},
-                    .heightMm = 1};
-    scene.lights = {DirectionalLight{lightTravels, vec3(2)}};
-    scene.film = {4, 4};
-    return scene;
-}
 
 Scene variedScene() {
     Scene scene = test::plainScene(test::bumpyVolume({61, 45, 38}, {0.7, 1.1, 2.3}, 1), 1);
@@ -89,37 +46,37 @@ class PictureTest : public QObject {
         QFETCH(double, tau);
         QFETCH(double, mu0);
         const double sine = std::sqrt(1 - mu0 * mu0);
-        const Film film = test::render(slab(tau, {sine, 0, -mu0}, 0.8f), 8192);
+        const Film film = test::render(test::slab(tau, {sine, 0, -mu0}, 0.8f), 8192);
         const double truth = 0.8 / (4 * M_PI) * 2 * mu0 / (1 + mu0) * -std::expm1(-tau * (1 + 1 / mu0));
-        const ImageMean got = imageMean(film);
+        const test::ImageMean got = test::imageMean(film);
         QVERIFY2(std::fabs(got.mean - truth) < test::allowedZ(8) * got.standardError,
                  qPrintable(QString("%1 +- %2, expected %3").arg(got.mean).arg(got.standardError).arg(truth)));
     }
 
     void slabScattersThroughAsTheClosedFormSays() {
         const double tau = 1.5, mu0 = 0.6;
-        const Film film = test::render(slab(tau, {0.8, 0, mu0}, 0.8f), 8192);
+        const Film film = test::render(test::slab(tau, {0.8, 0, mu0}, 0.8f), 8192);
         const double truth = 0.8 / (4 * M_PI) * 2 * mu0 / (mu0 - 1) * (std::exp(-tau / mu0) - std::exp(-tau));
-        const ImageMean got = imageMean(film);
+        const test::ImageMean got = test::imageMean(film);
         QVERIFY(std::fabs(got.mean - truth) < test::allowedZ(8) * got.standardError);
     }
 
     /// Isotropic slab in a white room, albedo 1: L = exp(-tau) + S(tau), S(1) = 0.24818824.
     void slabInAWhiteRoomShowsSingleScattering() {
-        Scene scene = slab(1, {0, 0, -1}, 1);
+        Scene scene = test::slab(1, {0, 0, -1}, 1);
         scene.lights.clear();
         scene.environment = {vec3(1), true};
         // A slab of 401 x 401 x 10 mm: light from the sides is attenuated over 200 mm.
-        const ImageMean got = imageMean(test::render(scene, 16384));
+        const test::ImageMean got = test::imageMean(test::render(scene, 16384));
         QVERIFY(std::fabs(got.mean - (std::exp(-1.0) + 0.24818824)) < test::allowedZ(8) * got.standardError);
     }
 
     /// Emission and absorption alone: L = e (1 - exp(-tau)), and the room behind it through exp(-tau).
     void glowingSlabIsTheClosedForm() {
-        Scene scene = slab(1.3, {0, 0, -1}, 0);
+        Scene scene = test::slab(1.3, {0, 0, -1}, 0);
         scene.lights.clear();
         scene.transferFunction.nodes[0].emission = vec3(2);
-        const ImageMean dark = imageMean(test::render(scene, 8192));
+        const test::ImageMean dark = test::imageMean(test::render(scene, 8192));
         QVERIFY(std::fabs(dark.mean - 2 * -std::expm1(-1.3)) < test::allowedZ(8) * dark.standardError);
         scene.environment = {vec3(2), true};  // as bright as the glow: nothing can be seen of the slab
         const Film film = test::render(scene, 64);
@@ -129,9 +86,9 @@ class PictureTest : public QObject {
 
     /// Half space, isotropic, albedo 0.9, seen and lit straight on: L = E / pi * 0.38507 (Chandrasekhar's H).
     void halfSpaceScattersBackAsChandrasekharSays() {
-        Scene scene = slab(40, {0, 0, -1}, 0.9f);
+        Scene scene = test::slab(40, {0, 0, -1}, 0.9f);
         scene.model = Model::multipleScattering;
-        const ImageMean got = imageMean(test::render(scene, 8192));
+        const test::ImageMean got = test::imageMean(test::render(scene, 8192));
         QVERIFY2(std::fabs(got.mean - 2 / M_PI * 0.38507) < test::allowedZ(8) * got.standardError,
                  qPrintable(QString("%1 +- %2").arg(got.mean / 2 * M_PI).arg(got.standardError / 2 * M_PI)));
     }
@@ -146,7 +103,7 @@ class PictureTest : public QObject {
         scene.environment = {vec3(1), true};
         for (TransferNode& node : scene.transferFunction.nodes)
             node.albedo = vec3(1);
-        const ImageMean got = imageMean(test::render(scene, 256));
+        const test::ImageMean got = test::imageMean(test::render(scene, 256));
         QVERIFY2(std::fabs(got.mean - 1) < test::allowedZ(8) * got.standardError && got.standardError < 2e-3,
                  qPrintable(QString("%1 +- %2").arg(got.mean).arg(got.standardError)));
     }
@@ -157,14 +114,14 @@ class PictureTest : public QObject {
         for (const int threads : {1, 2, 4})
             for (const std::uint32_t n : {1u, 10u, 100u})
                 for (const int tile : {7, 16, 4096})
-                    QVERIFY(sameBits(reference, test::render(scene, 100, *makeCpuDevice(threads), n, tile)));
+                    QVERIFY(test::sameBits(reference, test::render(scene, 100, *makeCpuDevice(threads), n, tile)));
     }
 
     void anotherSeedGivesAnotherNoise() {
         Scene scene = variedScene();
         const Film one = test::render(scene, 4);
         scene.seed = 2;
-        QVERIFY(!sameBits(one, test::render(scene, 4)));
+        QVERIFY(!test::sameBits(one, test::render(scene, 4)));
     }
 
     /// Cells, view bounds and bounds on the extinction are accelerators: without them the image is the same.
@@ -188,7 +145,7 @@ class PictureTest : public QObject {
             }
         QVERIFY(pixels > 200);
         QVERIFY2(test::chiSquareP(square, pixels) > 1e-4, qPrintable(QString("%1 on %2").arg(square).arg(pixels)));
-        const ImageMean a = imageMean(cells), b = imageMean(global);
+        const test::ImageMean a = test::imageMean(cells), b = test::imageMean(global);
         QVERIFY(std::fabs(a.mean - b.mean) < 4 * std::hypot(a.standardError, b.standardError));
     }
 
@@ -199,7 +156,7 @@ class PictureTest : public QObject {
         const auto hu = [](int i, int j, int k) { return 20 * i + 10 * j - 15 * k; };
         Scene scene = test::plainScene(test::makeVolume(size, spacing, hu), 0.5f);
         scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 500, .opacity = 1}};
-        const ImageMean upright = imageMean(test::render(scene, 4096));
+        const test::ImageMean upright = test::imageMean(test::render(scene, 4096));
 
         std::vector<std::int16_t> voxels;  // i along -y, j along z, k along x
         for (int k = 0; k < size.x; ++k)
@@ -212,7 +169,7 @@ class PictureTest : public QObject {
         map[2] = {spacing.x, 0, 0, 0};
         map[3] = {0.5 * spacing.x, (size.y - 0.5) * spacing.y, 0.5 * spacing.z, 1};
         scene.volume = std::make_shared<Volume>(VolumeGeometry{{size.y, size.z, size.x}, map}, voxels);
-        const ImageMean turned = imageMean(test::render(scene, 4096));
+        const test::ImageMean turned = test::imageMean(test::render(scene, 4096));
         QVERIFY(upright.mean > 1e-3);
         QVERIFY(std::fabs(upright.mean - turned.mean) < 4 * std::hypot(upright.standardError, turned.standardError));
     }
@@ -224,9 +181,9 @@ class PictureTest : public QObject {
         scene.camera.heightMm = 120;
         const dvec3 back = -scene.camera.forward();
         scene.camera.eyeMm = scene.camera.targetMm + back * 1e3;
-        const ImageMean near = imageMean(test::render(scene, 1024));
+        const test::ImageMean near = test::imageMean(test::render(scene, 1024));
         scene.camera.eyeMm = scene.camera.targetMm + back * 1e7;
-        const ImageMean far = imageMean(test::render(scene, 1024));
+        const test::ImageMean far = test::imageMean(test::render(scene, 1024));
         QVERIFY(std::fabs(near.mean - far.mean) < 4 * std::hypot(near.standardError, far.standardError));
     }
 
@@ -251,14 +208,14 @@ class PictureTest : public QObject {
                         .targetMm = {20, 10, 10},
                         .up = {0, 0, 1},
                         .fovDegrees = 1e-3};
-        const ImageMean got = imageMean(test::render(scene, 1024));
+        const test::ImageMean got = test::imageMean(test::render(scene, 1024));
         QVERIFY(std::fabs(got.mean - std::exp(-1.0)) < 4 * got.standardError);
     }
 
     /// Every event in a flat half space is a Lambert reflection; on its way out light crosses what lies above the
     /// event: L = 2 int_0^1 mu^2 / (1 + mu) dmu = 2 ln 2 - 1.
     void flatLambertSurfaceInAWhiteRoom() {
-        Scene scene = slab(1, {0, 0, -1}, 1);
+        Scene scene = test::slab(1, {0, 0, -1}, 1);
         scene.volume = test::makeVolume({101, 101, 20}, dvec3(1), [](int, int, int k) { return k < 10 ? 1000 : 0; });
         scene.transferFunction = {20, {{.hu = 500, .opacity = 0}, {.hu = 500, .opacity = 1, .albedo = vec3(1)}}};
         scene.camera.eyeMm = {50.5, 50.5, 500};
@@ -266,7 +223,7 @@ class PictureTest : public QObject {
         scene.gradientFactor = 100;
         scene.lights.clear();
         scene.environment = {vec3(1), true};
-        const ImageMean got = imageMean(test::render(scene, 8192));
+        const test::ImageMean got = test::imageMean(test::render(scene, 8192));
         QVERIFY2(std::fabs(got.mean - (2 * std::log(2.0) - 1)) < test::allowedZ(8) * got.standardError,
                  qPrintable(QString("%1 +- %2").arg(got.mean).arg(got.standardError)));
     }

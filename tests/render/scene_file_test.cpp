@@ -22,11 +22,14 @@ static const char* kFull = R"({
   "surface": { "gradientFactor": 6 },
   "lights": [
     { "type": "directional", "direction": [1, 2, -1.5], "irradiance": 3 },
-    { "type": "environment", "radiance": [0.1, 0.2, 0.3], "visible": false },
+    { "type": "environment", "radiance": [0.1, 0.2, 0.3], "nadir": 7, "visible": false },
     { "type": "rectangle", "centreMm": [1, 2, 3], "normal": [0, 0, 1], "up": [0, 1, 0], "widthMm": 4, "heightMm": 5,
-      "radiance": 6 } ],
+      "radiance": 6 },
+    { "type": "sphere", "centreMm": [1, 2, 3], "radiusMm": 4, "radiance": 5, "visible": true } ],
+  "clip": { "box": { "lowMm": [0, 0, 0], "highMm": [1, 2, 3] }, "planes": [ { "pointMm": [4, 5, 6], "normal": [0, 1, 0] } ],
+            "shadows": true },
   "camera": { "type": "orthographic", "eyeMm": [0, -10, 0], "targetMm": [0, 1, 2], "up": [1, 0, 0], "heightMm": 33,
-              "apertureMm": 0, "focusMm": 12 },
+              "apertureMm": 2, "focusMm": 12 },
   "film": { "width": 640, "height": 480 },
   "maxBounces": 1,
   "seed": 18446744073709551615
@@ -82,12 +85,14 @@ class SceneFileTest : public QObject {
                  TransferNode{100, 0.5f, {0.1f, 0.2f, 0.3f}, vec3(4), vec3(0.25f), 0.75f}));
         QCOMPARE(scene.phaseG, 0.3f);
         QCOMPARE(scene.gradientFactor, 6.0f);
-        QCOMPARE(scene.lights.size(), std::size_t(2));
+        QCOMPARE(scene.lights.size(), std::size_t(3));
         QVERIFY((std::get<DirectionalLight>(scene.lights[0]) == DirectionalLight{{1, 2, -1.5}, vec3(3)}));
         QVERIFY((std::get<RectangleLight>(scene.lights[1]) ==
                  RectangleLight{{1, 2, 3}, {0, 0, 1}, {0, 1, 0}, 4, 5, vec3(6)}));
-        QVERIFY((scene.environment == Environment{{0.1f, 0.2f, 0.3f}, false}));
-        QVERIFY((scene.camera == Camera{Camera::Type::orthographic, {0, -10, 0}, {0, 1, 2}, {1, 0, 0}, 35, 33, 0, 12}));
+        QVERIFY((std::get<SphereLight>(scene.lights[2]) == SphereLight{{1, 2, 3}, 4, vec3(5), true}));
+        QVERIFY((scene.environment == Environment{{0.1f, 0.2f, 0.3f}, false, vec3(7)}));
+        QVERIFY((scene.clip == Clip{ClipBox{{0, 0, 0}, {1, 2, 3}}, {ClipPlane{{4, 5, 6}, {0, 1, 0}}}, true}));
+        QVERIFY((scene.camera == Camera{Camera::Type::orthographic, {0, -10, 0}, {0, 1, 2}, {1, 0, 0}, 35, 33, 2, 12}));
         QVERIFY(scene.film == ivec2(640, 480));
         QCOMPARE(scene.seed, 18446744073709551615u);
     }
@@ -143,21 +148,24 @@ class SceneFileTest : public QObject {
         row("lights.0.direction", QJsonArray{0, 0, 0}, "lights[0].direction");
         row("lights.0.irradiance", -3, "lights[0].irradiance");
         row("lights.0.radiance", 3, "lights[0].radiance");
-        row("lights.1.image", "sky.exr", "lights[1].image");
+        row("lights.1.image", 5, "lights[1].image");
+        row("lights.1.nadir", -1, "lights[1].nadir");
+        row("lights.3.radiusMm", 0, "lights[3].radiusMm");
+        row("lights.3.visible", "yes", "lights[3].visible");
+        row("clip.box.highMm", QJsonArray{0, 0, 1}, "clip.box.highMm");
+        row("clip.planes.0.normal", QJsonArray{0, 0, 0}, "clip.planes[0].normal");
+        row("clip.sphere", 1, "clip.sphere");
         row("lights.1.visible", 1, "lights[1].visible");
         row("lights.2.radiance", 1e31, "lights[2].radiance");
         row("lights.2.widthMm", 0, "lights[2].widthMm");
         row("lights.2.up", QJsonArray{0, 0, 3}, "lights[2].up");
-        row("lights.2",
-            QJsonObject{{"type", "sphere"}, {"centreMm", QJsonArray{0, 0, 0}}, {"radiusMm", 1}, {"radiance", 1}},
-            "lights[2].type");
         row("lights.2", QJsonObject{{"type", "environment"}, {"radiance", 1}}, "lights[2].type");
         row("camera", removed, "camera");
         row("camera.eyeMm", QJsonArray{0, 1, 2}, "camera.targetMm");
         row("camera.up", QJsonArray{0, 0, 0}, "camera.up");
         row("camera.heightMm", 0, "camera.heightMm");
         row("camera.fovDegrees", 20, "camera.fovDegrees");
-        row("camera.apertureMm", 5, "camera.apertureMm");
+        row("camera.apertureMm", 201, "camera.apertureMm");
         row("film.width", 0, "film.width");
         row("film.height", 20000, "film.height");
         row("maxBounces", 0, "maxBounces");

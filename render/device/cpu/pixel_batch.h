@@ -19,8 +19,8 @@ class PixelBatch {
                 PixelSums& target = sums.pixels[std::ptrdiff_t(y) * sums.stride + x];
                 const vec2 depths = matterDepths(scene, pixel);
                 for (std::uint32_t i = 0; i < samples.count; ++i) {
-                    if (meetsNothing(depths)) {
-                        addSample(target, background(scene));
+                    if (showsNothing(scene, depths)) {
+                        addSample(target, plainBackground(scene));
                         continue;
                     }
                     if (rays_.full())
@@ -80,7 +80,7 @@ class PixelBatch {
         goesOn_[row] = false;
         if (rays_.result(row) < 0) {
             if (bounce == 0)
-                radiance_[path] = background(scene);
+                radiance_[path] = background(scene, paths_[path].leg);
             return;
         }
         const Arrival met = arrival<F>(scene, paths_[path], rays_.result(row), bounce);

@@ -1,0 +1,28 @@
+#include "render/scene/environment_image.h"
+
+#include <algorithm>
+#include <string>
+
+#include "render/scene/range.h"
+
+namespace pdr {
+
+Result<void> EnvironmentImage::check() const {
+    for (const auto& ok : {checkRange(size.x, {1, 16384}, "width"), checkRange(size.y, {1, 16384}, "height")})
+        if (!ok)
+            return ok;
+    if (texels.size() != std::size_t(size.x) * size.y)
+        return Error{"the picture of the surroundings is not complete", "", ""};
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const std::string where = "texel (" + std::to_string(i % size.x) + ", " + std::to_string(i / size.x) + ")";
+        if (auto ok = checkRange(dvec3(texels[i]), {0, 1e30}, where); !ok)
+            return ok;
+    }
+    return {};
+}
+
+bool EnvironmentImage::isBlack() const {
+    return std::ranges::all_of(texels, [](vec3 texel) { return texel == vec3(0); });
+}
+
+}  // namespace pdr

@@ -1,0 +1,11 @@
+#pragma once
+/// The part of flatten that knows lights.
+
+#include "render/scene/flatten.h"
+
+namespace pdr {
+
+/// Fills in lights and environment; prepared.environment is there when the scene has a picture.
+void flattenLights(PreparedScene& prepared, const Scene& scene);
+
+}  // namespace pdr

@@ -1,0 +1,96 @@
+/// The thin lens: what is sharp, what is not, and that nothing is lost beside it.
+
+#include <QTest>
+
+#include "render/kernel/integrator.h"
+#include "render/scene/focus.h"
+#include "tests/support/pictures.h"
+
+using namespace pdr;
+
+namespace {
+
+Scene blob() {
+    Scene scene = test::plainScene(test::bumpyVolume({40, 30, 30}, {1, 1.5, 2}, 7), 2);
+    scene.transferFunction.nodes = {{.hu = -100, .opacity = 0}, {.hu = 300, .opacity = 1}};
+    scene.lights = {DirectionalLight{{0, 1, -0.3}, vec3(1)}};
+    scene.camera.apertureMm = 15;
+    return scene;
+}
+
+}  // namespace
+
+class LensTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    /// Rays through all points of the lens meet where the pinhole's ray meets the plane of focus, in every corner.
+    void sharpSurfaceIsAPlane_data() {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<double>("focus");
+        for (const double focus : {30.0, 200.0, 1000.0}) {
+            QTest::addRow("perspective, %g mm", focus) << int(Camera::Type::perspective) << focus;
+            QTest::addRow("orthographic, %g mm", focus) << int(Camera::Type::orthographic) << focus;
+        }
+    }
+    void sharpSurfaceIsAPlane() {
+        QFETCH(int, type);
+        QFETCH(double, focus);
+        Scene scene = blob();
+        scene.camera.type = Camera::Type(type);
+        scene.camera.focusMm = focus;
+        scene.camera.heightMm = 100;
+        scene.camera.apertureMm = 20;
+        const auto prepared = test::prepared(scene);
+        const FlatScene& flat = prepared->flat;
+        // The volume is entered somewhere else by each ray, but all of them pass the same point at depth `focus`.
+        const auto atFocus = [&](vec2 place, vec2 lens) {
+            const Leg leg = cameraLeg(flat, place, lens, vec2(0, 1e30f));
+            const dvec3 local = dvec3(localPosition(flat.volume, leg.ray.origin));
+            const double depth = glm::dot(local - flat.camera.localEye, flat.camera.forward);
+            return local +
+                   dvec3(leg.direction) * ((focus - depth) / glm::dot(dvec3(leg.direction), flat.camera.forward));
+        };
+        int seen = 0;
+        for (const vec2 place : {vec2(16, 16), vec2(9, 12), vec2(22, 20)})
+            for (const vec2 lens : {vec2(1, 0), vec2(-0.6f, 0.8f), vec2(0, -1)}) {
+                if (cameraLeg(flat, place, lens, vec2(0, 1e30f)).ray.length < 0 ||
+                    cameraLeg(flat, place, vec2(0), vec2(0, 1e30f)).ray.length < 0)
+                    continue;
+                QVERIFY(glm::length(atFocus(place, lens) - atFocus(place, vec2(0))) < 2e-3);
+                ++seen;
+            }
+        QVERIFY(seen >= 3);
+    }
+
+    /// Bounds of the view make room for what a lens spreads: with and without them it is the same picture.
+    void nothingIsLostBesideTheFocus() {
+        for (const double focus : {30.0, 120.0, 1000.0}) {
+            Scene scene = blob();
+            scene.camera.focusMm = focus;
+            const auto device = makeCpuDevice();
+            const Film bounded = test::render(scene, 1024, *device);
+            const auto open = test::prepared(scene);
+            open->viewDepths.assign(open->viewDepths.size(), vec2(0, 1e30f));
+            const test::ImageMean a = test::imageMean(bounded), b = test::imageMean(test::sampled(*device, open, 1024));
+            QVERIFY2(std::fabs(a.mean - b.mean) < 4.5 * std::hypot(a.standardError, b.standardError),
+                     qPrintable(QString("focus %1: %2 and %3").arg(focus).arg(a.mean).arg(b.mean)));
+            QVERIFY2(a.standardError < 0.01 * a.mean, qPrintable(QString("%1 +- %2").arg(a.mean).arg(a.standardError)));
+        }
+    }
+
+    void whatIsUnderAPixelHasItsDepth() {
+        Scene scene = test::slab(1e6, {0, 0, -1}, 0.8f);  // opaque, its face at z = 10, the eye at z = 500
+        scene.film = {8, 8};
+        const auto depth = depthUnder(*test::prepared(scene), {3, 5});
+        QVERIFY(depth && std::fabs(*depth - 490) < 0.1);
+        scene.camera.eyeMm.x += 1000;
+        scene.camera.targetMm.x += 1000;
+        QVERIFY(!depthUnder(*test::prepared(scene), {3, 5}));
+        scene.camera = blob().camera;
+        QVERIFY(!depthUnder(*test::prepared(scene), {-1, 5}));
+    }
+};
+
+QTEST_GUILESS_MAIN(LensTest)
+#include "lens_test.moc"
