@@ -69,7 +69,7 @@ int picture(const Arguments& arguments) {
         "{\"samples\": %d, \"seconds\": %.4f, \"samplesPerSecond\": %.4g, \"mean\": %.7g, \"relativeError\": %.5g, "
         "\"rejected\": %llu}\n",
         *samples, seconds, double(*samples) * whole.width * whole.height / seconds, status.meanLuminance,
-        status.relativeError, static_cast<unsigned long long>(status.rejectedSamples));
+        status.relativeError, static_cast<unsigned long long>(status.health.rejected()));
     if (const auto pfm = options->named.find("--pfm"); pfm != options->named.end())
         if (const auto written = writePfm(greyImage(film), pfm->second); !written)
             return fail(written.error());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "render/base/health.h"
 #include "render/base/portable.h"
 
 namespace pdr {
@@ -28,14 +29,15 @@ inline constexpr std::uint32_t kSamplesPerBlock = 64;
 struct PixelSums {
     dvec3 sum{0.0};
     dvec3 sumOfSquares{0.0};
-    std::uint32_t count = 0;     ///< samples added
-    std::uint32_t rejected = 0;  ///< samples left out because they were NaN, infinite or negative
+    std::uint32_t count = 0;  ///< samples added; those that were no radiance are left out
 };
 
-/// A view of the sums of a tile: pixel (x, y) of the image is at (y - tile.y) * stride + (x - tile.x).
+/// A view of the sums of a tile: pixel (x, y) of the image is at (y - tile.y) * stride + (x - tile.x). `health` is
+/// that of the whole image; null: nobody wants to know.
 struct TileSums {
     PixelSums* pixels = nullptr;
     int stride = 0;
+    Health* health = nullptr;
 };
 
 }  // namespace pdr

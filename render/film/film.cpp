@@ -14,7 +14,6 @@ namespace {
 
 /// What a status is made from, over some pixels.
 struct Totals {
-    std::uint64_t rejected = 0;
     double luminance = 0, squaredErrors = 0;
 };
 
@@ -29,7 +28,7 @@ SampleRange Film::nextSamples(std::uint32_t wanted) const {
 }
 
 TileSums Film::sums(const Tile& tile) {
-    return {block_.data() + std::size_t(tile.y) * size_.x + tile.x, size_.x};
+    return {block_.data() + std::size_t(tile.y) * size_.x + tile.x, size_.x, &health_};
 }
 
 void Film::commit(SampleRange range) {
@@ -47,7 +46,6 @@ void Film::commit(SampleRange range) {
 /// Chan, Golub & LeVeque 1979: the moments of two sets from the moments of each.
 Film::Moments Film::merged(const Moments& moments, const PixelSums& block) {
     Moments result = moments;
-    result.rejected += block.rejected;
     if (block.count == 0)
         return result;
     const double n = block.count;
@@ -82,19 +80,18 @@ FilmStatus Film::status() const {
         for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
             const Moments moments = at(i);
             const double error = luminance(standardErrorOf(moments));
-            totals.rejected += moments.rejected;
             totals.luminance += luminance(moments.mean);
             totals.squaredErrors += error * error;
         }
         return totals;
     };
     const auto join = [](const Totals& a, const Totals& b) {
-        return Totals{a.rejected + b.rejected, a.luminance + b.luminance, a.squaredErrors + b.squaredErrors};
+        return Totals{a.luminance + b.luminance, a.squaredErrors + b.squaredErrors};
     };
     // Deterministic: the sums must not depend on how many threads there are.
     const Totals totals = tbb::parallel_deterministic_reduce(Pixels(0, moments_.size(), 16384), Totals{}, add, join);
 
-    FilmStatus status{.samplesPerPixel = samples_, .rejectedSamples = totals.rejected};
+    FilmStatus status{.samplesPerPixel = samples_, .health = health_};
     const double pixels = double(moments_.size());
     status.meanLuminance = totals.luminance / pixels;
     const double error = std::sqrt(totals.squaredErrors / pixels);

@@ -22,7 +22,7 @@ struct PixelEstimate {
 /// The state of a whole image in a few numbers.
 struct FilmStatus {
     std::uint64_t samplesPerPixel = 0;
-    std::uint64_t rejectedSamples = 0;
+    Health health;
     double meanLuminance = 0;
     /// Root mean square over pixels of the standard error (its luminance), divided by the mean luminance. Infinite
     /// below 2 samples; 0 for an image without noise.
@@ -39,7 +39,7 @@ class Film {
 
     /// The next samples to take: at most `wanted`, never across a block's end.
     SampleRange nextSamples(std::uint32_t wanted) const;
-    /// The running block's sums of the pixels in `tile`; a device adds to them.
+    /// The running block's sums of the pixels in `tile`, and the image's health; a device adds to both.
     TileSums sums(const Tile& tile);
     /// Tells that all pixels have got the samples of `range`; merges the block when it is full.
     void commit(SampleRange range);
@@ -52,7 +52,6 @@ class Film {
         dvec3 mean{0.0};
         dvec3 m2{0.0};  ///< sum of squared deviations from the mean
         std::uint64_t count = 0;
-        std::uint64_t rejected = 0;
     };
     static Moments merged(const Moments& moments, const PixelSums& block);
     static dvec3 standardErrorOf(const Moments& moments);
@@ -63,6 +62,7 @@ class Film {
     std::uint64_t samples_ = 0;
     std::vector<PixelSums> block_;
     std::vector<Moments> moments_;
+    Health health_;
 };
 
 /// Rec. 709 luminance.

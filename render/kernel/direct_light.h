@@ -26,16 +26,16 @@ struct LightChoice {
     float weight = 0, total = 0;
 
     PDR_HD void offer(const LightPath& path, float u) {
-        const float strength = path.radiance.x + path.radiance.y + path.radiance.z;
+        const float strength = std::fabs(path.radiance.x + path.radiance.y + path.radiance.z);
         total += strength;
-        if (u * total < strength) {
+        if (strength == total || !(u * total >= strength)) {  // what is no number is chosen, to be counted
             chosen = path;
             weight = strength;
         }
     }
     PDR_HD LightPath path() const {
         LightPath result = chosen;
-        if (total != 0)  // a light that is not a number stays one, to be counted
+        if (total != weight)
             result.radiance *= total / weight;
         return result;
     }
@@ -46,12 +46,13 @@ struct LightChoice {
 /// find counts for each by its share.
 template <std::uint32_t F>
 PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Random& random, int bounce) {
-    RandomStream numbers = random.stream(bounce, BounceDimension::light);
+    RandomStream onLight = random.stream(bounce, BounceDimension::light);
+    RandomStream chances = random.stream(bounce, BounceDimension::choice);
     const bool alongScatter = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
     const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, event.position) : vec3(0);
     LightChoice choice;
     const auto offer = [&](vec3 towards, float distance, vec3 radiance) {
-        choice.offer({{event.position, scene.volume.indexFromLocal * towards, distance}, radiance}, numbers.pair().x);
+        choice.offer({{event.position, scene.volume.indexFromLocal * towards, distance}, radiance}, chances.pair().x);
     };
     const auto offerSample = [&](const LightSample& light) {
         const float other = alongScatter && light.density > 0 ? scatterPdf<F>(scene, event, light.towards) : 0;
@@ -60,7 +61,7 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
     };
 
     for (int i = 0; i < scene.lightCount; ++i)
-        offerSample(sampleLight<F>(scene.lights[i], place, has(F, kPlacedLights) ? numbers.pair() : vec2(0)));
+        offerSample(sampleLight<F>(scene.lights[i], place, has(F, kPlacedLights) ? onLight.pair() : vec2(0)));
     if (has(F, kEnvironment) && scene.environment.texels != nullptr) {
         RandomStream texel = random.stream(bounce, BounceDimension::environment);
         const vec2 choice = texel.pair();

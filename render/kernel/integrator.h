@@ -53,8 +53,6 @@ PDR_HD inline bool survives(vec3& throughput, float u) {
 /// The path's next leg, away from `event`; false where it ends.
 template <std::uint32_t F>
 PDR_HD inline bool goesOn(const FlatScene& scene, Path& path, const Event& event, int bounce) {
-    if (!has(F, kBounces) || bounce + 1 >= scene.maxBounces)
-        return false;
     const Scattered scattered = scatterSample<F>(scene, event, path.random.stream(bounce, BounceDimension::onward));
     path.throughput *= scattered.weight;
     const vec3 direction = scene.volume.indexFromLocal * scattered.towards;
@@ -69,6 +67,7 @@ struct Arrival {
     vec3 emitted;  ///< radiance, linear Rec. 709
     LightPath scattered;
     bool goesOn;
+    bool cut;  ///< it would have gone on, but may not
 };
 
 /// `collision` is the distance of the event [mm]. An event is met with the density of what extinction takes from the
@@ -78,33 +77,58 @@ PDR_HD inline Arrival arrival(const FlatScene& scene, Path& path, float collisio
     const Event event = eventAt<F>(scene, path.leg.ray.origin + path.leg.ray.direction * collision, path.leg.direction,
                                    path.random.stream(bounce, BounceDimension::event));
     Arrival met{has(F, kEmission) ? event.material.emission : vec3(0),
-                directLight<F>(scene, event, path.random, bounce), false};
+                directLight<F>(scene, event, path.random, bounce), false, false};
     if constexpr (has(F, kBounces)) {
         met.emitted *= path.throughput;
         met.scattered.radiance *= path.throughput;
-        met.goesOn = goesOn<F>(scene, path, event, bounce);
+        const bool alive = scene.maxBounces > 1 && goesOn<F>(scene, path, event, bounce);
+        met.cut = alive && bounce + 1 >= scene.maxBounces;
+        met.goesOn = alive && !met.cut;
     }
     return met;
 }
 
-/// One sample of the radiance [linear Rec. 709] that the camera sees through `pixel` (x, y).
-template <std::uint32_t F>
-PDR_HD inline vec3 tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
+/// What a path brought.
+struct Sampled {
+    vec3 radiance{0.0f};        ///< linear Rec. 709
+    bool overMajorant = false;  ///< see Fault
+    bool cut = false;           ///< see Fault::cutPath
+};
+
+/// For tracePath(): nobody watches.
+struct Unwatched {
+    PDR_HD void leg(const Path&, int, float) {}
+    PDR_HD void light(const Arrival&, float) {}
+};
+
+/// One sample of the radiance that the camera sees through `pixel` (x, y). `watch` is told each leg with the distance
+/// of its event (-1: none), and then what was met there with the transmittance of the way to the light.
+template <std::uint32_t F, class Watch>
+PDR_HD inline Sampled tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths, Watch&& watch) {
     Path path = cameraStart(scene, pixel, sample, depths);
-    vec3 radiance(0);
+    Sampled result;
     for (int bounce = 0;; ++bounce) {
-        const float collision =
-            track<DeltaTracking>(scene, path.leg.ray, path.random.stream(bounce, BounceDimension::flight));
-        if (collision < 0)
-            return bounce == 0 ? background(scene, path.leg) : radiance;
+        const float collision = track<DeltaTracking>(
+            scene, path.leg.ray, path.random.stream(bounce, BounceDimension::flight), result.overMajorant);
+        watch.leg(path, bounce, collision);
+        if (collision < 0) {
+            if (bounce == 0)
+                result.radiance = background(scene, path.leg);
+            return result;
+        }
         const Arrival met = arrival<F>(scene, path, collision, bounce);
-        radiance += met.emitted;
-        if (!isDark(met.scattered))
-            radiance +=
-                met.scattered.radiance *
-                track<RatioTracking>(scene, met.scattered.ray, path.random.stream(bounce, BounceDimension::shadow));
+        result.radiance += met.emitted;
+        float transmittance = 0;
+        if (!isDark(met.scattered)) {
+            transmittance = track<RatioTracking>(
+                scene, met.scattered.ray, path.random.stream(bounce, BounceDimension::shadow), result.overMajorant);
+            if (transmittance != 0)  // in full shadow not even infinite light counts
+                result.radiance += met.scattered.radiance * transmittance;
+        }
+        watch.light(met, transmittance);
+        result.cut = met.cut;
         if (!met.goesOn)
-            return radiance;
+            return result;
     }
 }
 

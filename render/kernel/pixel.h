@@ -6,17 +6,28 @@
 
 namespace pdr {
 
-/// NaN, infinite and negative samples are left out and counted; they never become black.
-PDR_HD_INLINE void addSample(PixelSums& sums, vec3 radiance) {
+/// Why a radiance is none.
+PDR_HD inline Fault faultOf(vec3 radiance) {
+    for (int channel = 0; channel < 3; ++channel)
+        if (!(radiance[channel] == radiance[channel]))
+            return Fault::notANumber;
+    for (int channel = 0; channel < 3; ++channel)
+        if (radiance[channel] < 0)
+            return Fault::negative;
+    return Fault::infinite;
+}
+
+/// Adds a sample. What is no radiance is left out: false; faultOf() says why.
+PDR_HD_INLINE bool addSample(PixelSums& sums, vec3 radiance) {
+    const float least = glm::min(glm::min(radiance.x, radiance.y), radiance.z);
     const float total = radiance.x + radiance.y + radiance.z;
-    if (!(glm::min(glm::min(radiance.x, radiance.y), radiance.z) >= 0 && total < 3e38f)) {
-        ++sums.rejected;
-        return;
-    }
+    if (!(least >= 0 && total < 3e38f))
+        return false;
     const dvec3 value(radiance);
     sums.sum += value;
     sums.sumOfSquares += value * value;
     ++sums.count;
+    return true;
 }
 
 PDR_HD inline vec2 matterDepths(const FlatScene& scene, ivec2 pixel) {

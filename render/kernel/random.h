@@ -18,7 +18,7 @@ enum class Dimension : std::uint32_t {
     lens = 1,
     bounce = 16,  ///< + kDimensionsPerBounce * bounce + one of the following
 };
-inline constexpr std::uint32_t kDimensionsPerBounce = 8;
+inline constexpr std::uint32_t kDimensionsPerBounce = 16;
 enum class BounceDimension : std::uint32_t {
     flight = 0,
     event = 1,
@@ -27,7 +27,8 @@ enum class BounceDimension : std::uint32_t {
     direction = 4,
     survival = 5,
     onward = 6,
-    environment = 7
+    environment = 7,
+    choice = 8
 };
 
 PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {

@@ -39,19 +39,26 @@ struct RatioTracking {
     }
 };
 
-/// One ray to its end.
+/// One ray to its end. `overMajorant` is set where an extinction above its bound is met.
 template <template <class> class Rule>
-PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random) {
+PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random, bool& overMajorant) {
     Flight<float> flight;
     flight.start(scene.majorants, {ray.origin.x, ray.origin.y, ray.origin.z},
                  {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length, random);
     Rule<float> rule;
     while (flight.flying()) {
         const TentativeCollision<float> collision = flight.step(scene);
+        overMajorant = overMajorant || (collision.happened && collision.extinction > collision.majorant);
         if (rule.endsAt(flight.t, collision))
             break;
     }
     return rule.result;
+}
+
+template <template <class> class Rule>
+PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random) {
+    bool overMajorant = false;
+    return track<Rule>(scene, ray, random, overMajorant);
 }
 
 }  // namespace pdr

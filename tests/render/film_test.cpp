@@ -2,6 +2,7 @@
 
 #include "render/film/film.h"
 #include "render/kernel/pixel.h"
+#include "render/kernel/random.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
@@ -84,17 +85,38 @@ class FilmTest : public QObject {
         QCOMPARE(film.nextSamples(1000).count, kSamplesPerBlock);
     }
 
-    void badSamplesAreLeftOutAndCounted() {
-        const float bad[] = {NAN, INFINITY, -INFINITY, -1};
+    void badSamplesAreLeftOut() {
+        const std::pair<float, Fault> bad[] = {{NAN, Fault::notANumber},
+                                               {INFINITY, Fault::infinite},
+                                               {-INFINITY, Fault::negative},
+                                               {-1.0f, Fault::negative}};
         Film film({1, 1}, 0);
-        for (const float value : bad)
-            addSample(*film.sums(kOnePixel).pixels, vec3(1, value, 1));
-        addSample(*film.sums(kOnePixel).pixels, vec3(3));
-        addSample(*film.sums(kOnePixel).pixels, vec3(5));
+        for (const auto& [value, fault] : bad) {
+            QVERIFY(!addSample(*film.sums(kOnePixel).pixels, vec3(1, value, 1)));
+            QVERIFY(faultOf(vec3(1, value, 1)) == fault);
+        }
+        QVERIFY(addSample(*film.sums(kOnePixel).pixels, vec3(3)));
+        QVERIFY(addSample(*film.sums(kOnePixel).pixels, vec3(5)));
         film.commit({0, 6});
         QCOMPARE(film.pixel(0, 0).mean.x, 4.0);
         QCOMPARE(film.pixel(0, 0).count, std::uint64_t(2));
-        QCOMPARE(film.status().rejectedSamples, std::uint64_t(4));
+    }
+
+    void healthNamesTheFirstSampleOfEachFault() {
+        Health one, other;
+        one.add(Fault::negative, 7, 3);
+        one.add(Fault::negative, 5, 9);
+        other.add(Fault::negative, 5, 2);
+        other.add(Fault::cutPath, 1, 1);
+        Film film({4, 4}, 0);
+        film.sums({0, 0, 4, 4}).health->add(one);
+        film.sums({2, 2, 1, 1}).health->add(other);
+        const Health health = film.status().health;
+        QCOMPARE(health.of(Fault::negative).count, std::uint64_t(3));
+        QCOMPARE(health.of(Fault::negative).sample, std::uint64_t(5));
+        QCOMPARE(health.of(Fault::negative).pixel, std::uint32_t(2));
+        QCOMPARE(health.rejected(), std::uint64_t(3));
+        QVERIFY(!health.perfect() && Health().perfect());
     }
 
     void veryBrightSamplesStayFinite() {

@@ -13,7 +13,9 @@ __global__ void renderPixels(FlatScene scene, SampleRange samples, PixelSums* su
     const vec2 depths = matterDepths(scene, pixel);
     PixelSums& sum = sums[pixel.y * scene.camera.film.x + pixel.x];
     for (std::uint32_t i = 0; i < samples.count; ++i)
-        addSample(sum, showsNothing(scene, depths) ? plainBackground(scene) : tracePath<F>(scene, pixel, samples.first + i, depths));
+        addSample(sum, showsNothing(scene, depths)
+                           ? plainBackground(scene)
+                           : tracePath<F>(scene, pixel, samples.first + i, depths, Unwatched()).radiance);
 }
 
 template __global__ void renderPixels<0>(FlatScene, SampleRange, PixelSums*);

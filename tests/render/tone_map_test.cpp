@@ -47,7 +47,7 @@ class ToneMapTest : public QObject {
         Film film({3, 2}, 0);
         TileSums sums = film.sums({0, 0, 3, 2});
         for (int i = 0; i < 6; ++i)
-            sums.pixels[i] = {dvec3(i, 2 * i, 0.1), dvec3(0), 1, 0};
+            sums.pixels[i] = {dvec3(i, 2 * i, 0.1), dvec3(0), 1};
         film.commit({0, 1});
         const auto rgba = toneMap(film, {2});
         QCOMPARE(rgba.size(), std::size_t(24));

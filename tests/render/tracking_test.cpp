@@ -141,7 +141,7 @@ class TrackingTest : public QObject {
         scene.transferFunction.nodes = {{.hu = 100, .opacity = 0}, {.hu = 200, .opacity = 1}};
         const auto prepared = Flattener().prepare(scene);
         QCOMPARE(track<RatioTracking>(prepared->flat, alongX(*prepared, 40), stream(1)), 1.0f);
-        QVERIFY(meetsNothing(matterDepths(prepared->flat, {16, 16})));
+        QVERIFY(showsNothing(prepared->flat, matterDepths(prepared->flat, {16, 16})));
     }
 };
 

@@ -19,14 +19,13 @@ namespace {
 constexpr int kTask = 16;  ///< pixels along an edge of what one thread takes at a time
 
 using TileKernel = void (*)(PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples,
-                            TileSums sums);
+                            TileSums sums, Health& health);
 
 /// The one table from a feature mask to the code compiled for it.
 template <std::size_t... Masks>
 constexpr std::array<TileKernel, sizeof...(Masks)> tileKernels(std::index_sequence<Masks...>) {
-    return {[](PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
-        batch.render<std::uint32_t(Masks)>(scene, tile, samples, sums);
-    }...};
+    return {[](PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums,
+               Health& health) { batch.render<std::uint32_t(Masks)>(scene, tile, samples, sums, health); }...};
 }
 constexpr auto kTileKernels = tileKernels(std::make_index_sequence<kFeatureMasks>());
 
@@ -49,15 +48,19 @@ class CpuDevice final : public Device {
         const FlatScene& flat = scene_->flat;
         const TileKernel renderTile = kTileKernels[flat.features];
         const tbb::blocked_range2d<int> pixels(0, tile.height, kTask, 0, tile.width, kTask);
+        tbb::enumerable_thread_specific<Health> healths;
         const auto work = [&](const tbb::blocked_range2d<int>& piece) {
             if (stop.stop_requested())
                 return;
             const int x = piece.cols().begin(), y = piece.rows().begin();
             const Tile part{tile.x + x, tile.y + y, int(piece.cols().size()), int(piece.rows().size())};
             renderTile(batches_.local(), flat, part, samples,
-                       {sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride});
+                       {sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride}, healths.local());
         };
         arena_.execute([&] { tbb::parallel_for(pixels, work, tbb::simple_partitioner()); });
+        if (sums.health != nullptr)
+            for (const Health& health : healths)
+                sums.health->add(health);
         return {};
     }
 

@@ -37,8 +37,12 @@ void RayBatch::track(const FlatScene& scene) {
     if (lanesCanRead(scene.volume))
         trackInLanes<Rule>(scene);
     else
-        for (int row = 0; row < size_; ++row)
-            result_[row] = pdr::track<Rule>(scene, ray(row), {{counter_[row], key_[row]}});
+        for (int row = 0; row < size_; ++row) {
+            bool over = false;
+            result_[row] = pdr::track<Rule>(scene, ray(row), {{counter_[row], key_[row]}}, over);
+            if (over)
+                overMajorant_.push_back(row);
+        }
 }
 
 Ray RayBatch::ray(int row) const {
@@ -64,6 +68,9 @@ class RayBatch::LaneGroup {
         else if (idle == kAllLanes)
             return false;
         const TentativeCollision<FloatLanes> collision = flight_.step(scene_);
+        const IntLanes over = collision.happened & (collision.extinction > collision.majorant);
+        if (any(over)) [[unlikely]]
+            noteOverMajorant(laneBits(over));
         flight_.stop(rule_.endsAt(flight_.t, collision));
         return true;
     }
@@ -77,6 +84,11 @@ class RayBatch::LaneGroup {
     }
 
   private:
+    void noteOverMajorant(std::uint32_t lanes) {
+        for (; lanes != 0; lanes &= lanes - 1)
+            batch_.overMajorant_.push_back(ray_[std::countr_zero(lanes)]);
+    }
+
     void takeRays(std::uint32_t idle, int& next) {
         keepResults(idle);
         while (idle != 0 && next < batch_.size_) {

@@ -2,6 +2,7 @@
 /// Many rays through the medium, kLanes at a time: a lane whose ray has ended takes the next one.
 
 #include <array>
+#include <vector>
 
 #include "render/kernel/tracking.h"
 
@@ -12,10 +13,15 @@ class RayBatch {
   public:
     static constexpr int kCapacity = 512;
 
-    void clear() { size_ = 0; }
+    void clear() {
+        size_ = 0;
+        overMajorant_.clear();
+    }
     int size() const { return size_; }
     bool full() const { return size_ == kCapacity; }
     float result(int ray) const { return result_[ray]; }
+    /// Rays that met an extinction above its bound; a ray may be there twice.
+    const std::vector<int>& overMajorant() const { return overMajorant_; }
 
     /// Adds a ray; its number is its place in the order of adding.
     void add(const Ray& ray, const RandomStream& random) {
@@ -55,6 +61,7 @@ class RayBatch {
     alignas(64) Columns3 origin_, direction_;
     alignas(64) Column<float> length_, result_;
     alignas(64) Column<std::uint64_t> counter_, key_;
+    std::vector<int> overMajorant_;
     int size_ = 0;
 };
 

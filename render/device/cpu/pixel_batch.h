@@ -12,58 +12,80 @@ class PixelBatch {
   public:
     /// Adds `samples` to each pixel of [x, x + width) x [y, y + height), sums at (row, column) * stride.
     template <std::uint32_t F>
-    void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
+    void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums, Health& health) {
         for (int y = 0; y < tile.height; ++y)
             for (int x = 0; x < tile.width; ++x) {
                 const ivec2 pixel(tile.x + x, tile.y + y);
                 PixelSums& target = sums.pixels[std::ptrdiff_t(y) * sums.stride + x];
                 const vec2 depths = matterDepths(scene, pixel);
                 for (std::uint32_t i = 0; i < samples.count; ++i) {
+                    const Origin origin{&target, samples.first + i,
+                                        std::uint32_t(pixel.y * scene.camera.film.x + pixel.x)};
                     if (showsNothing(scene, depths)) {
-                        addSample(target, plainBackground(scene));
+                        add(origin, plainBackground(scene), health);
                         continue;
                     }
                     if (rays_.full())
-                        finish<F>(scene);
-                    start(scene, pixel, samples.first + i, depths, target);
+                        finish<F>(scene, health);
+                    start(scene, pixel, depths, origin);
                 }
             }
-        finish<F>(scene);
+        finish<F>(scene, health);
     }
 
   private:
-    void start(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths, PixelSums& target) {
+    /// Which sample a path is, and where it goes.
+    struct Origin {
+        PixelSums* target;
+        std::uint64_t sample;
+        std::uint32_t pixel;
+    };
+
+    static void add(const Origin& origin, vec3 radiance, Health& health) {
+        if (!addSample(*origin.target, radiance))
+            health.add(faultOf(radiance), origin.sample, origin.pixel);
+    }
+
+    void start(const FlatScene& scene, ivec2 pixel, vec2 depths, const Origin& origin) {
         const int path = rays_.size();
-        paths_[path] = cameraStart(scene, pixel, sample, depths);
+        paths_[path] = cameraStart(scene, pixel, origin.sample, depths);
         radiance_[path] = vec3(0);
-        targets_[path] = &target;
+        origins_[path] = origin;
         pathOf_[path] = path;
         rays_.add(paths_[path].leg.ray, paths_[path].random.stream(0, BounceDimension::flight));
     }
 
+    void note(Fault fault, int path, Health& health) const {
+        health.add(fault, origins_[path].sample, origins_[path].pixel);
+    }
+
     /// Takes all started paths to their end and adds them up, in the order in which they were started.
     template <std::uint32_t F>
-    void finish(const FlatScene& scene) {
+    void finish(const FlatScene& scene, Health& health) {
         const int started = rays_.size();
         for (int bounce = 0; rays_.size() > 0; ++bounce)
-            takeLegs<F>(scene, bounce);
+            takeLegs<F>(scene, bounce, health);
         for (int path = 0; path < started; ++path)
-            addSample(*targets_[path], radiance_[path]);
+            add(origins_[path], radiance_[path], health);
     }
 
     /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next legs.
     template <std::uint32_t F>
-    void takeLegs(const FlatScene& scene, int bounce) {
+    void takeLegs(const FlatScene& scene, int bounce, Health& health) {
         rays_.track<DeltaTracking>(scene);
+        for (const int row : rays_.overMajorant())
+            note(Fault::overMajorant, pathOf_[row], health);
         lights_.clear();
         const int legs = rays_.size();
         for (int row = 0; row < legs; ++row)
-            arrive<F>(scene, row, bounce);
+            arrive<F>(scene, row, bounce, health);
         lights_.track<RatioTracking>(scene);
+        for (const int row : lights_.overMajorant())
+            note(Fault::overMajorant, pathOfLight_[row], health);
         rays_.clear();
         for (int row = 0; row < legs; ++row) {
             const int path = pathOf_[row];
-            if (lightRow_[row] != kDark)
+            if (lightRow_[row] != kDark && lights_.result(lightRow_[row]) != 0)
                 radiance_[path] += scattered_[row] * lights_.result(lightRow_[row]);
             if (has(F, kBounces) && goesOn_[row]) {
                 pathOf_[rays_.size()] = path;
@@ -74,7 +96,7 @@ class PixelBatch {
 
     /// The end of one leg: what is known of the radiance, and the light path that is still to be followed.
     template <std::uint32_t F>
-    void arrive(const FlatScene& scene, int row, int bounce) {
+    void arrive(const FlatScene& scene, int row, int bounce, Health& health) {
         const int path = pathOf_[row];
         lightRow_[row] = kDark;
         goesOn_[row] = false;
@@ -86,10 +108,13 @@ class PixelBatch {
         const Arrival met = arrival<F>(scene, paths_[path], rays_.result(row), bounce);
         radiance_[path] += met.emitted;
         goesOn_[row] = met.goesOn;
+        if (met.cut)
+            note(Fault::cutPath, path, health);
         if (isDark(met.scattered))
             return;
         scattered_[row] = met.scattered.radiance;
         lightRow_[row] = lights_.size();
+        pathOfLight_[lights_.size()] = path;
         lights_.add(met.scattered.ray, paths_[path].random.stream(bounce, BounceDimension::shadow));
     }
 
@@ -97,13 +122,14 @@ class PixelBatch {
 
     // by path
     std::array<Path, RayBatch::kCapacity> paths_;
-    std::array<PixelSums*, RayBatch::kCapacity> targets_;
+    std::array<Origin, RayBatch::kCapacity> origins_;
     std::array<vec3, RayBatch::kCapacity> radiance_;
     // by leg, which has the row of its ray
     std::array<int, RayBatch::kCapacity> pathOf_;
     std::array<vec3, RayBatch::kCapacity> scattered_;
     std::array<int, RayBatch::kCapacity> lightRow_;
     std::array<bool, RayBatch::kCapacity> goesOn_;
+    std::array<int, RayBatch::kCapacity> pathOfLight_;  ///< by light path
     RayBatch rays_, lights_;
 };
 
