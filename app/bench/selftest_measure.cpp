@@ -29,7 +29,7 @@ Measurement pictureMean(const Film& film) {
     const double pixels = double(film.size().x) * film.size().y;
     result.value /= pixels;
     result.standardError = std::sqrt(squares) / pixels;
-    result.rejected = film.status().rejectedSamples;
+    result.health = film.status().health;
     return result;
 }
 
@@ -90,7 +90,7 @@ Result<Measurement> freeFlights(Device& device, const Case& reference, std::uint
         const double flights = double(samplesPerPixel(scene, samples)) * scene.film.x * scene.film.y;
         const double z = (share->value - p) / std::sqrt(p * (1 - p) / flights);
         result.value += z * z;
-        result.rejected += share->rejected;
+        result.health.add(share->health);
     }
     result.standardError = std::sqrt(2.0 * kFlightBins);
     return result;
@@ -109,7 +109,7 @@ Measurement phaseMoment(const Case& reference, std::uint64_t samples, std::uint6
         squares += value * value;
     }
     const double n = double(samples), mean = sum / n;
-    return {reference.expected + mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / (n - 1)), 0};
+    return {reference.expected + mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / (n - 1))};
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ const char* sentence(Verdict verdict) {
             return "DEVIATES";
         case Verdict::tooBlunt:
             return "TOO NOISY";
-        case Verdict::broken:
+        case Verdict::faulty:
             break;
     }
-    return "NO NUMBERS";
+    return "FAULTY";
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ void Tally::count(Verdict verdict) {
     agrees += verdict == Verdict::agrees;
     deviates += verdict == Verdict::deviates;
     tooBlunt += verdict == Verdict::tooBlunt;
-    broken += verdict == Verdict::broken;
+    faulty += verdict == Verdict::faulty;
 }
 
 void printHead(const TableHead& head) {
@@ -53,9 +53,11 @@ void printRow(const Case& reference, const Measurement& got, const Judgement& ju
                 reference.source.c_str());
     if (judgement.verdict == Verdict::tooBlunt)
         std::printf("  %44s it must be able to find a bias of %.3f %%\n", "", 100 * sharpness.detects);
-    if (judgement.verdict == Verdict::broken)
-        std::printf("  %44s %llu samples were negative, infinite or not a number\n", "",
-                    static_cast<unsigned long long>(got.rejected));
+    for (int i = 0; i < kFaults; ++i)
+        if (const FaultCount& fault = got.health.faults[i]; fault.count > 0)
+            std::printf("  %44s %s: %llu times, first in sample %llu of pixel %u\n", "", kFaultNames[i],
+                        static_cast<unsigned long long>(fault.count), static_cast<unsigned long long>(fault.sample),
+                        fault.pixel);
     std::fflush(stdout);
 }
 
@@ -65,8 +67,8 @@ void printEnd(const Tally& tally, double seconds, bool brokenOff) {
     if (tally.failed() == 0)
         std::printf("\n%s%d cases agree with physics (%.0f s).\n", brokenOff ? "" : "All ", tally.agrees, seconds);
     else
-        std::printf("\n%d of %d cases FAILED (%.0f s): %d deviate, %d are too noisy to tell, %d gave no numbers.\n",
-                    tally.failed(), tally.all(), seconds, tally.deviates, tally.tooBlunt, tally.broken);
+        std::printf("\n%d of %d cases FAILED (%.0f s): %d deviate, %d are too noisy to tell, %d had faulty samples.\n",
+                    tally.failed(), tally.all(), seconds, tally.deviates, tally.tooBlunt, tally.faulty);
 }
 
 }  // namespace pdr::bench

@@ -15,9 +15,9 @@ struct TableHead {
 
 /// How often each verdict was reached.
 struct Tally {
-    int agrees = 0, deviates = 0, tooBlunt = 0, broken = 0;
+    int agrees = 0, deviates = 0, tooBlunt = 0, faulty = 0;
     void count(Verdict verdict);
-    int failed() const { return deviates + tooBlunt + broken; }
+    int failed() const { return deviates + tooBlunt + faulty; }
     int all() const { return agrees + failed(); }
 };
 

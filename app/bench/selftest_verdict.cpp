@@ -52,8 +52,8 @@ Judgement judge(const Case& reference, const Measurement& got, const Sharpness& 
     }
     const bool flights = reference.quantity == Quantity::freeFlights;
     const bool near = flights ? result.z <= allowed : std::fabs(deviation) <= allowed * got.standardError + room;
-    if (got.rejected > 0)
-        result.verdict = Verdict::broken;
+    if (!got.health.perfect())
+        result.verdict = Verdict::faulty;
     else if (!near)  // also where the value is not a number
         result.verdict = Verdict::deviates;
     else if (!(result.detects <= sharpness.detects))

@@ -2,6 +2,7 @@
 /// Whether a measurement agrees with physics, and whether it could have told if it did not.
 
 #include "app/bench/selftest_case.h"
+#include "render/base/health.h"
 
 namespace pdr::bench {
 
@@ -9,14 +10,14 @@ namespace pdr::bench {
 struct Measurement {
     double value = 0;
     double standardError = 0;
-    std::uint64_t rejected = 0;  ///< samples that were NaN, infinite or negative
+    Health health = {};
 };
 
 enum class Verdict {
     agrees,
     deviates,  ///< farther off than chance, rounding and the voxels' shape explain
     tooBlunt,  ///< too noisy to find the bias that the case must be able to find
-    broken,    ///< samples were no numbers
+    faulty,    ///< samples went wrong: NaN, a bound that did not hold, a path that was cut
 };
 
 struct Judgement {

@@ -41,7 +41,7 @@ inline bench::Measurement marchedReflectance(const bench::Case& slab, const Flat
             hit >= 0 && marchToCollision(scene, shadow, random.stream(0, BounceDimension::shadow), step) < 0;
         reflected.add(lit ? slab.scene.albedo / (4 * cosine) : 0);
     }
-    return {reflected.mean(), reflected.standardError(), 0};
+    return {reflected.mean(), reflected.standardError()};
 }
 
 /// The same for what gets straight through.
@@ -53,7 +53,7 @@ inline bench::Measurement marchedTransmittance(const FlatScene& scene, float thi
         const RandomStream random = Random(3, std::uint32_t(i), 0).stream(0, BounceDimension::flight);
         through.add(marchToCollision(scene, ray, random, step) < 0);
     }
-    return {through.mean(), through.standardError(), 0};
+    return {through.mean(), through.standardError()};
 }
 
 }  // namespace pdr::test

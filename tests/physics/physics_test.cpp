@@ -103,14 +103,17 @@ class PhysicsTest : public QObject {
     void verdictsAreWhatTheySay() {
         Case one{.expected = 2};
         const Sharpness sharpness{1000, 0.01};
-        const auto verdict = [&](double value, double error, std::uint64_t rejected = 0) {
-            return judge(one, {value, error, rejected}, sharpness, 4).verdict;
+        const auto verdict = [&](double value, double error, bool cut = false) {
+            Measurement got{value, error};
+            if (cut)
+                got.health.add(Fault::cutPath, 0, 0);
+            return judge(one, got, sharpness, 4).verdict;
         };
         QCOMPARE(verdict(2.011, 0.003), Verdict::agrees);
         QCOMPARE(verdict(2.013, 0.003), Verdict::deviates);
         QCOMPARE(verdict(1.987, 0.003), Verdict::deviates);
         QCOMPARE(verdict(2, 0.01), Verdict::tooBlunt);
-        QCOMPARE(verdict(2, 0.003, 1), Verdict::broken);
+        QCOMPARE(verdict(2, 0.003, true), Verdict::faulty);
         QCOMPARE(verdict(std::nan(""), 0.003), Verdict::deviates);
         QCOMPARE(verdict(2, std::nan("")), Verdict::deviates);
         QCOMPARE(verdict(2 + 1e-6, 0), Verdict::agrees);  // rounding
@@ -123,10 +126,10 @@ class PhysicsTest : public QObject {
     void chiSquareOfFreeFlightsIsJudgedFromAboveOnly() {
         const Case flights{.quantity = Quantity::freeFlights, .expected = 64};
         const Sharpness sharpness{1'000'000, 0.02};
-        QCOMPARE(judge(flights, {20, 11, 0}, sharpness, 4).verdict, Verdict::agrees);
-        QCOMPARE(judge(flights, {100, 11, 0}, sharpness, 4).verdict, Verdict::agrees);
-        QCOMPARE(judge(flights, {130, 11, 0}, sharpness, 4).verdict, Verdict::deviates);
-        QCOMPARE(judge(flights, {64, 11, 0}, {1000, 0.02}, 4).verdict, Verdict::tooBlunt);
+        QCOMPARE(judge(flights, {20, 11}, sharpness, 4).verdict, Verdict::agrees);
+        QCOMPARE(judge(flights, {100, 11}, sharpness, 4).verdict, Verdict::agrees);
+        QCOMPARE(judge(flights, {130, 11}, sharpness, 4).verdict, Verdict::deviates);
+        QCOMPARE(judge(flights, {64, 11}, {1000, 0.02}, 4).verdict, Verdict::tooBlunt);
     }
 
     /// What faultless runs do on 20 seeds: z is a standard normal number, neither wider nor narrower.
