@@ -14,7 +14,7 @@ namespace pdr::bench {
 namespace {
 
 constexpr double kPiExact = 3.14159265358979323846;
-constexpr std::uint32_t kSamplesPerLaunch = 32;
+constexpr std::uint32_t kSamplesPerLaunch = 16;  ///< few, so that Ctrl-C is heard soon
 
 /// Mean over a picture, whose pixels are independent.
 Measurement pictureMean(const Film& film) {

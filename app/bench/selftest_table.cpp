@@ -64,11 +64,11 @@ void printRow(const Case& reference, const Measurement& got, const Judgement& ju
 void printEnd(const Tally& tally, double seconds, bool brokenOff) {
     if (brokenOff)
         std::printf("\nBroken off after %d cases: this says nothing about the rest.", tally.all());
-    if (tally.failed() == 0)
-        std::printf("\n%s%d cases agree with physics (%.0f s).\n", brokenOff ? "" : "All ", tally.agrees, seconds);
-    else
-        std::printf("\n%d of %d cases FAILED (%.0f s): %d deviate, %d are too noisy to tell, %d had faulty samples.\n",
-                    tally.failed(), tally.all(), seconds, tally.deviates, tally.tooBlunt, tally.faulty);
+    std::printf("\n%d of %d cases agree with physics (%.0f s)", tally.agrees, tally.all(), seconds);
+    if (tally.failed() > 0)
+        std::printf("; FAILED: %d deviate, %d are too noisy to tell, %d had faulty samples", tally.deviates,
+                    tally.tooBlunt, tally.faulty);
+    std::printf(".\n");
 }
 
 }  // namespace pdr::bench
