@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "app/bench/commands.h"
-#include "app/bench/options.h"
 #include "app/bench/load_scene.h"
+#include "app/bench/options.h"
 #include "render/device/device.h"
 #include "render/film/film.h"
 
