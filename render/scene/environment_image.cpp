@@ -1,6 +1,5 @@
 #include "render/scene/environment_image.h"
 
-#include <algorithm>
 #include <string>
 
 #include "render/scene/range.h"
@@ -19,10 +18,6 @@ Result<void> EnvironmentImage::check() const {
             return ok;
     }
     return {};
-}
-
-bool EnvironmentImage::isBlack() const {
-    return std::ranges::all_of(texels, [](vec3 texel) { return texel == vec3(0); });
 }
 
 }  // namespace pdr
