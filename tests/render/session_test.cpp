@@ -82,7 +82,7 @@ class SessionTest : public QObject {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         Scene scene = someScene(3);
-        scene.model = Model::multipleScattering;
+        scene.phaseG = 1;
         session.submit(scene, false);
         const auto frame = screen.await([](const Frame& f) { return !f.error.empty(); });
         QVERIFY(frame);
