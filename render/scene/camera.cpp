@@ -9,7 +9,7 @@ namespace pdr {
 
 namespace {
 
-constexpr double kLeast = 1e-6;  ///< mm or degrees: less is nothing, and its square must not be
+constexpr double kLeast = 1e-12;  ///< mm or degrees: less is nothing, and its square must not be
 constexpr double kMost = 1e9;    ///< mm
 
 }  // namespace
