@@ -10,8 +10,8 @@ struct Camera {
     enum class Type { perspective, orthographic };
 
     Type type = Type::perspective;
-    dvec3 eyeMm{0, -1000, 0};  ///< each in [-1e9, 1e9]
-    dvec3 targetMm{0, 0, 0};   ///< each in [-1e9, 1e9]; at least 1e-12 mm from the eye
+    dvec3 eyeMm{0, -1000, 0};  ///< each in [-1e15, 1e15]
+    dvec3 targetMm{0, 0, 0};   ///< each in [-1e15, 1e15]; at least 1e-12 mm from the eye
     dvec3 up{0, 0, 1};         ///< any length but 0; not along the view
     double fovDegrees = 35;    ///< perspective: vertical field of view; [1e-12, 180)
     double heightMm = 300;     ///< orthographic: height of what is seen; [1e-12, 1e9]
