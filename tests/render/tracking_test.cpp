@@ -157,17 +157,18 @@ class TrackingTest : public QObject {
     /// Where voxels are walked, collisions lie where a tracker behind one bound finds them, and no bound is broken.
     void denseTissueIsMetWhereAPlainTrackerMeetsIt() {
         Scene scene = test::plainScene(test::bumpyVolume({61, 45, 38}, {0.7, 1.1, 2.3}, 1), 31);
-        scene.transferFunction.nodes = {{.hu = 300, .opacity = 0},
-                                        {.hu = 500, .opacity = 0.01f},
-                                        {.hu = 500, .opacity = 0.2f},
-                                        {.hu = 700, .opacity = 0},
-                                        {.hu = 900, .opacity = 1}};
+        scene.transferFunction.nodes = {{.hu = 300, .opacity = 0},     {.hu = 500, .opacity = 0.004f},
+                                        {.hu = 500, .opacity = 0.02f}, {.hu = 700, .opacity = 0},
+                                        {.hu = 1000, .opacity = 0},    {.hu = 1000, .opacity = 1}};
         const auto prepared = Flattener().prepare(scene);
-        const Ray ray{{3, -0.5f, 30}, {0.9f, 0.7f, -0.3f}, 45};
         constexpr int kRays = 40000, kBins = 40;
+        std::mt19937 random(8);
+        std::uniform_real_distribution<float> unit(-1, 1);
         std::vector<float> fast, plain;
         bool overMajorant = false;
         for (int i = 0; i < kRays; ++i) {
+            const vec3 direction(0.9f, 0.2f * unit(random), 0.2f * unit(random));
+            const Ray ray{{-0.5f, 22 + 10 * unit(random), 19 + 10 * unit(random)}, direction, 60};
             fast.push_back(track<DeltaTracking>(prepared->flat, ray, stream(i), overMajorant));
             plain.push_back(plainTracking(prepared->flat, ray, stream(kRays + i), 32));
         }
