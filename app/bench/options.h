@@ -14,12 +14,17 @@ struct Options {
     std::vector<std::string> files;
     std::map<std::string, std::string> named;  ///< "--samples" -> "64"
 
-    /// Nothing for a name that is not `known` or that lacks its value.
-    static std::optional<Options> read(const std::vector<std::string>& words, const std::set<std::string>& known) {
+    /// Nothing for a name that is not `known` or that lacks its value; `flags` are names without one.
+    static std::optional<Options> read(const std::vector<std::string>& words, const std::set<std::string>& known,
+                                       const std::set<std::string>& flags = {}) {
         Options options;
         for (std::size_t i = 0; i < words.size(); ++i) {
             if (!words[i].starts_with("--")) {
                 options.files.push_back(words[i]);
+                continue;
+            }
+            if (flags.contains(words[i])) {
+                options.named[words[i]] = "";
                 continue;
             }
             if (!known.contains(words[i]) || i + 1 == words.size())

@@ -5,10 +5,10 @@
 /// (16 voxels) where its bound promises at most kDescend collisions, else a fine one (4 voxels). Where even that one
 /// promises more than kLookClosely, the eight voxels around are read, and their own bound holds to the border of their
 /// cube: dense tissue costs a look per voxel instead of a fetch per free path. The optical depth still to go is carried
-/// from cell to cell, never drawn anew. Cells are whole numbers that only ever move forward, so rounding can neither
-/// stall nor reverse a ray. An accelerator: it never changes the picture. Grid walk after Amanatides & Woo 1987;
-/// tentative collisions after Woodcock et al. 1965.
+/// from cell to cell, never drawn anew. An accelerator: it never changes the picture. Tentative
+/// collisions after Woodcock et al. 1965.
 
+#include "render/kernel/grid_axis.h"
 #include "render/kernel/medium.h"
 #include "render/kernel/random.h"
 #include "render/kernel/ray.h"
@@ -44,13 +44,14 @@ class Flight {
         x_.start(origin.x, direction.x, grid.occupiedLow.x, grid.occupiedHigh.x, t, end_);
         y_.start(origin.y, direction.y, grid.occupiedLow.y, grid.occupiedHigh.y, t, end_);
         z_.start(origin.z, direction.z, grid.occupiedLow.z, grid.occupiedHigh.z, t, end_);
-        x_.enter(t, grid.fineSize.x);
-        y_.enter(t, grid.fineSize.y);
-        z_.enter(t, grid.fineSize.z);
+        x_.enter(t, 4 * grid.fineSize.x);
+        y_.enter(t, 4 * grid.fineSize.y);
+        z_.enter(t, 4 * grid.fineSize.z);
         random_ = random;
         Real u;
         random_.pair(t < end_, u, decision_);
         depth_ = negativeLog(u);
+        rest_ = Real{};
     }
 
     PDR_HD Mask flying() const { return t < end_; }
@@ -61,20 +62,14 @@ class Flight {
         const auto taken = [mask, from](auto& mine, const auto& theirs) {
             mine = mask ? shuffled(theirs, from) : mine;
         };
-        const auto takenAxis = [&](Axis& mine, const Axis& theirs) {
-            taken(mine.origin, theirs.origin);
-            taken(mine.direction, theirs.direction);
-            taken(mine.inverse, theirs.inverse);
-            taken(mine.cell, theirs.cell);
-            taken(mine.up, theirs.up);
-        };
         taken(t, other.t);
         taken(end_, other.end_);
         taken(depth_, other.depth_);
         taken(decision_, other.decision_);
-        takenAxis(x_, other.x_);
-        takenAxis(y_, other.y_);
-        takenAxis(z_, other.z_);
+        taken(rest_, other.rest_);
+        x_.take(mask, other.x_, from);
+        y_.take(mask, other.y_, from);
+        z_.take(mask, other.z_, from);
         random_.counter = selected(mask, shuffled(other.random_.counter, from), random_.counter);
         random_.key = selected(mask, shuffled(other.random_.key, from), random_.key);
     }
@@ -89,11 +84,13 @@ class Flight {
         TentativeCollision<Real> collision;
         collision.happened = active & (depth_ < ahead);
         const Mask onward = active & !(collision.happened);
-        t = collision.happened ? t + depth_ / majorant : (onward ? leave : t);
+        const Real hop = depth_ / majorant + rest_, there = t + hop;
+        rest_ = collision.happened ? hop - (there - t) : (onward ? Real{} : rest_);
+        t = collision.happened ? there : (onward ? leave : t);
         depth_ = onward ? depth_ - ahead : depth_;
-        x_.advance(onward, here.within, leave);
-        y_.advance(onward, here.within, leave);
-        z_.advance(onward, here.within, leave);
+        x_.advance(onward, here.within, x_.leave(here.within), leave);
+        y_.advance(onward, here.within, y_.leave(here.within), leave);
+        z_.advance(onward, here.within, z_.leave(here.within), leave);
 
         collision.closely = here.closely;
         collision.majorant = majorant;
@@ -150,51 +147,6 @@ class Flight {
         return here;
     }
 
-    /// The flight along one axis of the grid.
-    struct Axis {
-        Real origin, direction, inverse;
-        Int cell;  ///< between which voxels: the whole part of the index coordinate, + 4
-        Int up;    ///< 1: moves to higher cells, 0: to lower ones
-
-        PDR_HD_INLINE void start(Real from, Real along, float low, float high, Real& enter, Real& leave) {
-            origin = from;
-            // A component of 0 becomes one that reaches no border within any volume.
-            direction = ((along < 1e-20f) & (along > -1e-20f)) ? Real{} + 1e-20f : along;
-            inverse = 1.0f / direction;
-            up = direction > 0.0f ? Int{} + 1 : Int{};
-            const Real a = (low - origin) * inverse, b = (high - origin) * inverse;
-            enter = larger(enter, smaller(a, b));
-            leave = smaller(leave, larger(a, b));
-        }
-
-        PDR_HD Real at(Real t) const { return origin + direction * t; }
-
-        PDR_HD void enter(Real t, int cells) { cell = clamped(cellAt(at(t)), Int{}, Int{} + (4 * cells - 1)); }
-
-        /// The first cell beyond the larger one that holds `cell` and is within + 1 cells wide.
-        PDR_HD Int beyond(Int within) const { return up > 0 ? (cell | within) + 1 : (cell & ~within) - 1; }
-
-        /// Distance at which the ray leaves that larger cell along this axis.
-        PDR_HD Real leave(Int within) const {
-            const Int border = up > 0 ? (cell | within) + 1 : (cell & ~within);
-            return (toFloat(border - 4) - origin) * inverse;
-        }
-
-        /// Into the cell beyond `leaveAt`: the neighbour along the axis whose border was reached. Along the others the
-        /// smallest cell is found anew, inside the larger one.
-        PDR_HD_INLINE void advance(Mask onward, Int within, Real leaveAt) {
-            const Int inside = clamped(cellAt(at(leaveAt)), cell & ~within, cell | within);
-            const Int next = leave(within) <= leaveAt ? beyond(within) : inside;
-            cell = onward ? next : cell;
-        }
-
-        PDR_HD static Int cellAt(Real position) { return toInt(position + 4.0f); }
-        PDR_HD static Int clamped(Int value, Int low, Int high) {
-            value = value < low ? low : value;
-            return value > high ? high : value;
-        }
-    };
-
     PDR_HD Real leaveCell(Int within) const {
         return smaller(x_.leave(within), smaller(y_.leave(within), z_.leave(within)));
     }
@@ -209,8 +161,9 @@ class Flight {
         return mask ? index : Int{};
     }
 
-    Axis x_, y_, z_;
+    GridAxis<Real, 1> x_, y_, z_;
     Real end_, depth_, decision_;
+    Real rest_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
     RandomStreamOf<Real> random_;
 };
 

@@ -19,8 +19,8 @@ class OpacityMaximum {
     /// but not where it is only rounded to 0.
     float over(HuRange range) const;
 
-    /// Interpolation between -32768 and 32767 rounds to at most 1/512 HU beyond them (measured; 12-bit CT: 1/8192).
-    static constexpr float kHuSlack = 1.0f / 256;
+    /// HU; interpolation rounds by at most 0.015 between the ends of int16.
+    static constexpr float kHuSlack = 1.0f / 64;
 
   private:
     int first_;

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# One picture of a CT series under every optical model (rows) and every preset (columns), to be looked at.
+#   tests/looks/contact_sheet.sh FOLDER OUT.jpg [SIZE [SAMPLES [SECONDS]]]
+# SIZE: pixels of each picture's edge; SAMPLES per pixel, but no longer than SECONDS each. Needs ./bootstrap build and
+# ImageMagick.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+folder=${1:?a folder of DICOM files} out=${2:?the picture to write}
+size=${3:-240} samples=${4:-256} seconds=${5:-6}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+pictures=()
+for model in absorption emission emissionAbsorption singleScattering multipleScattering maximumIntensity; do
+    # Without scattering there is no noise but at edges; glowing tissue adds up to much light.
+    exposure=() count=$samples
+    case $model in
+        absorption | emissionAbsorption) exposure=(--exposure 0.6) count=16 ;;
+        emission) exposure=(--exposure 20) count=16 ;;
+        maximumIntensity) exposure=(--exposure 1) count=16 ;;
+    esac
+    for preset in "CT bone" "CT soft tissue" "CT angio" "CT lung"; do
+        picture="$scratch/$model-${preset// /-}.png"
+        build/release/bin/pdrender-cli render "$folder" -o "$picture" --preset "$preset" --model "$model" \
+            --size "${size}x${size}" --samples "$count" --seconds "$seconds" "${exposure[@]}" >/dev/null
+        pictures+=(-label "$model, ${preset#CT }" "$picture")
+    done
+done
+montage "${pictures[@]}" -tile 4x -geometry "+3+3" -background '#202020' -fill '#c0c0c0' -pointsize 12 "$out"
