@@ -1,11 +1,9 @@
 #pragma once
-/// The CPU's way through kernel/projection.h: many rays, kLanes at a time; a lane whose ray has ended takes the next
-/// one.
+/// The CPU's way through kernel/projection.h: many rays, kLanes at a time.
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
+#include "render/device/cpu/lane_group.h"
 #include "render/kernel/pixel.h"
 #include "render/kernel/projection.h"
 
@@ -23,7 +21,7 @@ class ProjectionBatch {
     void clear() { size_ = 0; }
     int size() const { return size_; }
     /// Adds a ray; its number is its place in the order of adding. There is room for kCapacity.
-    void add(const Ray& ray);
+    void add(const Ray& ray) { rays_.set(size_++, ray); }
     /// Takes all rays to their end.
     template <FlatModel Model>
     void project(const FlatScene& scene);
@@ -32,29 +30,15 @@ class ProjectionBatch {
 
   private:
     template <FlatModel Model>
-    class LaneGroup;
+    struct InLanes;
     template <FlatModel Model>
     void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums);
     template <FlatModel Model>
-    void projectInLanes(const FlatScene& scene);
-    template <FlatModel Model>
     void finish(const FlatScene& scene);
-    /// Rays [row, row + kLanes) before their first step; rows from size() on are left-overs that nobody takes.
-    template <FlatModel Model>
-    RayWalk<FloatLanes, Model> started(const FlatScene& scene, int row) const;
 
-    template <class T>
-    using Column = std::array<T, kCapacity>;
-    struct Columns3 {
-        Column<float> x, y, z;
-        void set(int row, vec3 value) { x[row] = value.x, y[row] = value.y, z[row] = value.z; }
-        vec3 at(int row) const { return {x[row], y[row], z[row]}; }
-    };
-
-    alignas(64) Columns3 origin_, direction_;
-    alignas(64) Column<float> length_;
-    Column<Projected> result_;
-    Column<PixelSums*> targets_;
+    alignas(64) RayColumns<kCapacity> rays_;
+    std::array<Projected, kCapacity> result_;
+    std::array<PixelSums*, kCapacity> targets_;
     int size_ = 0;
 };
 
