@@ -177,11 +177,16 @@ class QuadratureTest : public QObject {
 
     /// A volume that lies exactly at a step shows its right-hand side, everywhere.
     void aStepIsRightContinuous() {
+        const QString note;
         const auto volume = test::makeVolume({6, 6, 6}, {1, 1, 1}, [](int, int, int) { return 300; });
-        const Scene scene =
+        const Scene clear =
             sceneOf(volume, Model::absorption, {1, {{.hu = 300, .opacity = 1}, {.hu = 300, .opacity = 0}}});
-        for (const Ray& ray : test::raysThrough(*volume, 50, 3))
-            QCOMPARE(radianceOf(scene, ray).x, 1.0f);
+        const Scene opaque =
+            sceneOf(volume, Model::absorption, {1, {{.hu = 300, .opacity = 0}, {.hu = 300, .opacity = 1}}});
+        for (const Ray& ray : test::raysThrough(*volume, 50, 3)) {
+            QCOMPARE(radianceOf(clear, ray).x, 1.0f);
+            VERIFY_CLOSE(radianceOf(opaque, ray).x, std::exp(-ray.length), 2e-6);
+        }
     }
 
     /// Tissue that shines as brightly as what lies behind it cannot be seen.
@@ -210,6 +215,7 @@ class QuadratureTest : public QObject {
         QTest::newRow("middling") << Model::emissionAbsorption << 0.7f << false;
         QTest::newRow("thick") << Model::emissionAbsorption << 20.0f << true;
         QTest::newRow("nearly opaque") << Model::emissionAbsorption << 1000.0f << false;
+        QTest::newRow("clear above, too") << Model::emissionAbsorption << 0.5f << false;
     }
     void everyRayKeepsItsBound() {
         QFETCH(Model, model);
@@ -218,6 +224,8 @@ class QuadratureTest : public QObject {
         const auto volume = test::bumpyVolume({31, 22, 19}, {0.7, 1.1, 2.3}, 2);
         Scene scene = sceneOf(volume, model, variedFunction(extinction));
         scene.environment = {vec3(lit ? 0.3f : 0.0f), lit};
+        if (QString(QTest::currentDataTag()) == "clear above, too")
+            scene.transferFunction.nodes.push_back({.hu = 950, .opacity = 0});
         const double stepMm = std::min(1e-4, 2e-3 / extinction);
         for (const Ray& whole : test::raysThrough(*volume, 25, 5)) {
             // Behind an optical depth of some 30 nothing shows, and brute force would take hours.
