@@ -9,8 +9,9 @@ namespace pdr {
 
 namespace {
 
-constexpr double kLeast = 1e-6;  ///< mm or degrees: less is nothing, and its square must not be
-constexpr double kMost = 1e9;    ///< mm
+constexpr double kLeast = 1e-12;  ///< mm or degrees: less is nothing, and its square must not be
+constexpr double kMost = 1e9;     ///< mm
+constexpr Range kPlace{-1e15, 1e15};
 
 }  // namespace
 
@@ -31,10 +32,9 @@ double Camera::focusDistanceMm() const {
 }
 
 Result<void> Camera::check() const {
-    for (const auto& ok :
-         {checkRange(eyeMm, {-kMost, kMost}, "camera.eyeMm"), checkRange(targetMm, {-kMost, kMost}, "camera.targetMm"),
-          checkDirection(up, "camera.up"), checkRange(apertureMm, {0, 200}, "camera.apertureMm"),
-          checkRange(focusMm, {focusMm == 0 ? 0 : kLeast, kMost}, "camera.focusMm")})
+    for (const auto& ok : {checkRange(eyeMm, kPlace, "camera.eyeMm"), checkRange(targetMm, kPlace, "camera.targetMm"),
+                           checkDirection(up, "camera.up"), checkRange(apertureMm, {0, 200}, "camera.apertureMm"),
+                           checkRange(focusMm, {focusMm == 0 ? 0 : kLeast, kMost}, "camera.focusMm")})
         if (!ok)
             return ok;
     if (glm::length(targetMm - eyeMm) < kLeast)

@@ -1,6 +1,7 @@
 #include "render/scene/flatten_lights.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pdr {
 
@@ -40,7 +41,7 @@ FlatEnvironment flatEnvironment(const Environment& environment, const Environmen
     flat.visible = environment.visible;
     if (tables == nullptr)
         return flat;
-    flat.turn = float(glm::radians(environment.rotationDegrees));
+    flat.turn = float(glm::radians(std::remainder(environment.rotationDegrees, 360.0)));
     flat.size = tables->image->size;
     flat.texels = tables->image->texels.data();
     flat.density = tables->density.data();

@@ -133,6 +133,15 @@ class AccumulationTest : public QObject {
             }
         std::sort(seen.begin(), seen.end());
         QVERIFY(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
+        // And through a device.
+        const auto device = makeCpuDevice(1);
+        (void)device->upload(Flattener().prepare(test::slab(1, {0, 0, -1}, 0.8f)));
+        const auto sumsFrom = [&](std::uint64_t first) {
+            Film film({4, 4}, 0);
+            (void)device->render({0, 0, 4, 4}, {first, 64}, film.sums({0, 0, 4, 4}), {});
+            return film.sums({0, 0, 4, 4}).pixels[5].sum.x;
+        };
+        QVERIFY(sumsFrom(1ull << 32) != sumsFrom(0) && sumsFrom(1ull << 32) != sumsFrom(1ull << 31));
     }
 
     /// Case 6. Kroes' A += (x - A) / max(N, 1) with N = iterations done: the first sample is thrown away.

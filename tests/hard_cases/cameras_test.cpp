@@ -89,7 +89,7 @@ class CamerasTest : public QObject {
         QVERIFY(std::tan(float(M_PI) / 2) < 0);
         Scene scene = test::plainScene(cube(), 1);
         scene.camera.up = glm::normalize(dvec3(0.3, 0.2, 1));
-        for (const double fov : {1e-6, 1e-4, 179.9, 179.99999}) {
+        for (const double fov : {1e-12, 1e-4, 179.9, 179.99999}) {
             scene.camera.fovDegrees = fov;
             QVERIFY(bool(scene.check()));
             const auto prepared = Flattener().prepare(scene);
@@ -116,7 +116,7 @@ class CamerasTest : public QObject {
         const Film pinhole = test::render(scene, 8, *device);
         scene.camera.apertureMm = 1e-30;
         QVERIFY(test::sameBits(pinhole, test::render(scene, 8, *device)));
-        for (const double focus : {0.0, 1e-6, 1e9})
+        for (const double focus : {0.0, 1e-12, 1e9})
             for (const double aperture : {1e-30, 1.0, 200.0})  // the widest reaches into the volume
                 for (const dvec3 eye : {scene.camera.eyeMm, dvec3(12, 11.9, 12)}) {
                     Scene lens = scene;

@@ -231,6 +231,25 @@ class LightsTest : public QObject {
         QVERIFY(!image({2, 1}, {vec3(1), vec3(NAN)})->check() && !image({1, 1}, {vec3(-1)})->check());
     }
 
+    /// Case 48. A picture turned by very many turns: as a float the angle is infinite, and its texel lies nowhere.
+    void turnedPictureIsReadBesideItsTexels() {
+        QVERIFY(std::isinf(float(glm::radians(1e300))));
+        std::vector<vec3> texels;
+        for (int i = 0; i < 32; ++i)
+            texels.push_back(vec3(float(i + 1)));
+        Scene scene = test::slab(1, {0, 0, -1}, 0.8f);
+        const auto seen = [&](double degrees) {
+            scene.environment = {vec3(1), true, {}, image({8, 4}, texels), degrees};
+            const auto prepared = test::prepared(scene);
+            return environmentRadiance(prepared->flat.environment, glm::normalize(vec3(0.3f, 0.8f, 0.2f))).x;
+        };
+        for (const double turns : {1.0, -7.0, 1e6, -1e12})
+            QCOMPARE(seen(45 + 360 * turns), seen(45));
+        QVERIFY(seen(45) != seen(0));
+        for (const double degrees : {1e300, -1e300, 1e17})
+            QVERIFY(seen(degrees) >= 1 && seen(degrees) <= 32);
+    }
+
     /// Case 49. Squares of densities overflow; shares of two ways must still add up to 1.
     void squaredDensitiesOverflow() {
         const auto naive = [](float own, float other) { return own * own / (own * own + other * other); };

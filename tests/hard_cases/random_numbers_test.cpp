@@ -28,6 +28,18 @@ float multiplyWithCarry(std::uint32_t& z, std::uint32_t& w) {
     return float(((z << 16) + w) & 0x7FFFFF) * 0x1p-23f;
 }
 
+/// A stream whose next word is `word`: the generator run backwards.
+RandomStream streamOfWord(std::uint64_t word) {
+    const std::uint64_t factor = 0x94D049BB133111EBull;
+    std::uint64_t inverse = factor;  // modulo 2^64, by Newton's method
+    for (int i = 0; i < 6; ++i)
+        inverse *= 2 - factor * inverse;
+    const std::uint64_t mixed = (word ^ (word >> 31) ^ (word >> 62)) * inverse;
+    std::uint64_t x = 0x9E3779B97F4A7C15ull;  // the counter's first step, from 0
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
+    return {{0, x ^ (x >> 27) ^ mixed}};
+}
+
 int distinct(std::vector<float> values) {
     std::sort(values.begin(), values.end());
     return int(std::unique(values.begin(), values.end()) - values.begin());
@@ -74,9 +86,9 @@ class RandomNumbersTest : public QObject {
         const int lights = 10;
         QCOMPARE(int(float(~0u) * 0x1p-32f * lights), lights);  // float(2^32 - 1) is 2^32
 
-        const float low = (toFloat(highBits(0)) + 0.5f) * 0x1p-23f;
-        const float high = (toFloat(highBits(~0ull)) + 0.5f) * 0x1p-23f;
-        QVERIFY(low > 0 && high < 1);
+        const vec2 lowest = streamOfWord(0).pair(), highest = streamOfWord(~0ull).pair();
+        const float low = lowest.x, high = highest.x;
+        QVERIFY(low == 0x1p-24f && lowest.y == low && high == 1 - 0x1p-24f && highest.y == high);
         QVERIFY(negativeLog(low) < 17.33f && negativeLog(low) > 16.6f && negativeLog(high) > 0);
         FlatLight panel{.type = LightType::rectangle, .radiance = vec3(1)};
         panel.normal = vec3(0, 0, -1), panel.halfU = vec3(2, 0, 0), panel.halfV = vec3(0, 3, 0), panel.area = 24;
