@@ -4,6 +4,7 @@ foreach(name
     slab_all_orders
     half_space
     radiance_all_orders
+    lamps
     furnace
     slab_one_order
     sphere_one_order

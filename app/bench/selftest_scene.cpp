@@ -110,6 +110,29 @@ Matter matterOf(const CaseScene& scene) {
     return scene.shape == CaseScene::Shape::slab ? slab(scene) : ramp(scene);
 }
 
+/// A lamp of irradiance 1 at `place`, in direction `towards` from there. Balls and panels are 1e5 extents away and so
+/// small that light comes in parallel but for 1e-5.
+Light lampOf(const CaseScene& scene, dvec3 place, dvec3 towards) {
+    constexpr double kPi64 = 3.14159265358979323846, kSize = 0.003;  // radius or edge over distance
+    const double distance = 1e5 * extentMm(scene);
+    const dvec3 centre = place + towards * distance;
+    if (scene.lamp == CaseScene::Lamp::ball)
+        return SphereLight{centre, kSize * distance, vec3(float(1 / (kPi64 * kSize * kSize)))};
+    if (scene.lamp == CaseScene::Lamp::panel)
+        return RectangleLight{centre,           -towards,         {0, 1, 0},
+                              kSize * distance, kSize * distance, vec3(float(1 / (kSize * kSize)))};
+    return DirectionalLight{-towards, vec3(1)};
+}
+
+Environment roomOf(const CaseScene& scene) {
+    Environment room{vec3(float(scene.room)), true};
+    if (scene.roomKind == CaseScene::Room::gradient)
+        room.nadir = vec3(0);
+    if (scene.roomKind == CaseScene::Room::sky)
+        room.image = std::make_shared<EnvironmentImage>(EnvironmentImage{{1, 2}, {vec3(1), vec3(0)}});
+    return room;
+}
+
 Camera cameraOf(const Case& reference, const Matter& matter) {
     const CaseScene& scene = reference.scene;
     const double extent = extentMm(scene);
@@ -144,8 +167,9 @@ Scene sceneOf(const Case& reference) {
     scene.maxBounces = kMostEvents;
     scene.phaseG = float(from.g);
     if (from.beam)
-        scene.lights = {DirectionalLight{-tilted(*from.beam, {1, 0, 0}), vec3(1)}};
-    scene.environment = {vec3(float(from.room)), true};
+        scene.lights = {
+            lampOf(from, {0, 0, *from.beam > 0 ? matter.top : matter.floor}, tilted(*from.beam, {1, 0, 0}))};
+    scene.environment = roomOf(from);
     scene.camera = cameraOf(reference, matter);
     scene.film = kFilm;
     return scene;
