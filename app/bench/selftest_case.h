@@ -17,7 +17,7 @@ struct CaseScene {
     enum class Shape {
         slab,    ///< homogeneous layer, practically endless sideways
         sphere,  ///< homogeneous ball
-        ramp,    ///< layer whose extinction grows or falls linearly on the way up
+        ramp,    ///< the same, but its extinction grows or falls linearly on the way up
     };
     Shape shape = Shape::slab;
     double depth = 1;            ///< optical depth: through a slab, along a sphere's radius, through a ramp

@@ -6,6 +6,7 @@ foreach(name
     radiance_all_orders
     lamps
     furnace
+    layers
     slab_one_order
     sphere_one_order
     transmittance
