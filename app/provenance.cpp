@@ -6,7 +6,7 @@ Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double sec
     return {status.samplesPerPixel,
             seconds,
             status.relativeError,
-            status.rejectedSamples,
+            status.health,
             scene.seed,
             modelName(scene.model),
             scene.transferFunction.extinctionPerMm,

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "render/accuracy/prediction.h"
+#include "render/film/health_text.h"
 
 namespace pdr::ui {
 namespace {
@@ -60,8 +61,8 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
     if (const auto next = nextQualityStep(status, iterationsPerSecond); next && !paused)
         parts << translated("%1 % in about %2")
                      .arg(QLocale::c().toString(100 * next->relativeError, 'g', 2), durationText(next->seconds));
-    if (status.rejectedSamples > 0)
-        parts << counted(status.rejectedSamples, "sample left out as not a number", "samples left out as not a number");
+    for (const std::string& line : healthLines(status.health))
+        parts << QString::fromStdString(line);
     return parts.join(", ");
 }
 

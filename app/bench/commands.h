@@ -15,11 +15,19 @@ using Arguments = std::vector<std::string>;
 /// picture SCENE.json [--samples N] [--threads N] [--pfm FILE]: renders, and says how fast and how noisy.
 int picture(const Arguments& arguments);
 
+/// frames SCENE.json [--frames N] [--threads N] [--colours FILE]: renders one sample a pixel N times, and says how long
+/// a frame takes: by the clock, and on all cores together. FILE gets the mean of all frames, linear, as a colour PFM.
+int frames(const Arguments& arguments);
+
 /// compare A.pfm REFERENCE.pfm: ratio of the means, and the root mean square difference over the reference's mean.
 int compare(const Arguments& arguments);
 
 /// rebound [--size N] [--edits N]: time to bound an N x N x N head anew after a transfer-function edit, on one core.
 int rebound(const Arguments& arguments);
+
+/// trackers [SCENE.json ...] [--rays N] [--rounds N]: what ways to the first collision cost, side by side, for N x N
+/// primary rays of each scene; without scenes, of a head phantom as bone, as skin over bone, and as soft tissue.
+int trackers(const Arguments& arguments);
 
 /// selftest [--device D] [--quick] [--seed N] [WORDS]: renders scenes that physics knows the answer to, and prints a
 /// table. 1: the device deviates, or the test was broken off. WORDS: only cases whose name or family holds them.

@@ -8,14 +8,17 @@
 int main(int argc, char** argv) {
     using namespace pdr::bench;
     static const std::map<std::string, int (*)(const Arguments&)> commands{
-        {"picture", picture}, {"compare", compare}, {"rebound", rebound}, {"selftest", selftest}};
+        {"picture", picture}, {"frames", frames},     {"compare", compare},
+        {"rebound", rebound}, {"trackers", trackers}, {"selftest", selftest}};
     const auto command = argc > 1 ? commands.find(argv[1]) : commands.end();
     const int code = command == commands.end() ? 2 : command->second(Arguments(argv + 2, argv + argc));
     if (code == 2)
         std::fputs(
             "usage: pdrender-bench picture SCENE.json [--samples N] [--threads N] [--pfm FILE]\n"
+            "       pdrender-bench frames SCENE.json [--frames N] [--threads N] [--colours FILE]\n"
             "       pdrender-bench compare PICTURE.pfm REFERENCE.pfm\n"
             "       pdrender-bench rebound [--size N] [--edits N]\n"
+            "       pdrender-bench trackers [SCENE.json ...] [--rays N] [--rounds N]\n"
             "       pdrender-bench selftest [--device D] [--quick] [--seed N] [WORDS]\n",
             stderr);
     return code == kExplained ? 2 : code;

@@ -1,4 +1,4 @@
-/// pdrender-cli: info, render, effects, example. Exit codes: 0, 1 for an error, 2 for wrong usage.
+/// pdrender-cli: info, render, effects, replay, example. Exit codes: 0, 1 for an error, 2 for wrong usage.
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -9,6 +9,7 @@
 #include "app/cli/example_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/render_command.h"
+#include "app/cli/replay_command.h"
 
 namespace {
 
@@ -18,6 +19,7 @@ constexpr const char* kHelp =
     "  pdrender-cli info FOLDER [--json]                      list the series in a folder of DICOM files\n"
     "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render a picture (.png, .exr)\n"
     "  pdrender-cli effects FOLDER|SCENE.json ...             list what the picture needs, why, and at what cost\n"
+    "  pdrender-cli replay FOLDER|SCENE.json --pixel X,Y ...  tell how one sample came about, event by event\n"
     "  pdrender-cli example FOLDER ...                        write an example CT series\n"
     "  pdrender-cli --version                                 say which version this is\n"
     "\n"
@@ -43,6 +45,8 @@ int main(int argc, char** argv) {
         return pdr::app::runRender(arguments);
     if (command == "effects")
         return pdr::app::runEffects(arguments);
+    if (command == "replay")
+        return pdr::app::runReplay(arguments);
     if (command == "example")
         return pdr::app::runExample(arguments);
     if (command == "--version" || command == "-v") {

@@ -50,8 +50,6 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
     });
     if (!work)
         return work.error();
-    if (auto ok = work->scene.check(); !ok)
-        return ok.error();
 
     const auto device = makeCpuDevice(options.threads);
     if (auto ok = device->upload(Flattener().prepare(work->scene)); !ok)

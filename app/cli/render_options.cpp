@@ -31,6 +31,12 @@ void describeScene(QCommandLineParser& parser) {
         {"view", "Look from anterior (default), posterior, left, right, superior or inferior.", "SIDE"},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
         {"exposure", "Radiance that PNG shows as 63 % of white; default: the preset's, or 1.", "L"},
+        {"model",
+         "Optical model: absorption, emission, emissionAbsorption, singleScattering, multipleScattering or "
+         "maximumIntensity.",
+         "NAME"},
+        {"aperture", "Diameter of the lens in mm; 0: everything is sharp.", "MM"},
+        {"focus", "Make sharp what this pixel shows.", "X,Y"},
         {"threads", "Threads; default: one per core.", "N", "0"},
         {"seed", "Seed of the random numbers; default 1, or what the scene file says.", "N"},
     });
@@ -45,6 +51,14 @@ void describeRender(QCommandLineParser& parser) {
         {"error", "Stop when the relative standard error of the picture is E, such as 0.01.", "E"},
         {"device", "What renders: cpu.", "NAME", "cpu"},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
+    });
+}
+
+void describeReplay(QCommandLineParser& parser) {
+    describeScene(parser);
+    parser.addOptions({
+        {"pixel", "The pixel, from the upper left corner.", "X,Y"},
+        {"sample", "Which of its samples, from 0.", "N", "0"},
     });
 }
 
@@ -96,6 +110,29 @@ std::optional<ivec2> readSize(const Reader& reader) {
     if (!match.hasMatch() || !range.holds(size.x) || !range.holds(size.y))
         usageError("--size", "must look like 800x600, each number " + range.text());
     return size;
+}
+
+std::optional<ivec2> readPixel(const Reader& reader, const QString& name) {
+    const auto text = reader.text(name);
+    if (!text)
+        return std::nullopt;
+    const auto match = QRegularExpression("^(\\d{1,5}),(\\d{1,5})$").match(*text);
+    if (!match.hasMatch())
+        usageError("--" + name, "must look like 400,300");
+    return ivec2(match.captured(1).toInt(), match.captured(2).toInt());
+}
+
+std::optional<Model> readModel(const Reader& reader) {
+    const auto text = reader.text("model");
+    if (!text)
+        return std::nullopt;
+    std::string known;
+    for (const Model model : kModels) {
+        if (text->compare(QLatin1String(modelName(model)), Qt::CaseInsensitive) == 0)
+            return model;
+        known += (known.empty() ? "" : ", ") + std::string(modelName(model));
+    }
+    usageError("--model", "must be one of: " + known);
 }
 
 std::optional<StandardView> readView(const Reader& reader) {
@@ -169,6 +206,9 @@ SceneInput readScene(const QCommandLineParser& parser, const QString& command) {
     scene.exposure = reader.number("exposure", {0, 1e30, false});
     scene.seed = reader.whole("seed", 0, UINT64_MAX);
     scene.preset = readPreset(reader);
+    scene.model = readModel(reader);
+    scene.apertureMm = reader.number("aperture", {0, 200});
+    scene.focusAt = readPixel(reader, "focus");
     return scene;
 }
 
@@ -189,6 +229,15 @@ void readRender(const QCommandLineParser& parser, RenderOptions& options) {
 void readEffects(const QCommandLineParser& parser, EffectsOptions& options) {
     options.scene = readScene(parser, "effects");
     options.threads = readThreads(parser);
+}
+
+void readReplay(const QCommandLineParser& parser, ReplayOptions& options) {
+    options.scene = readScene(parser, "replay");
+    const auto pixel = readPixel(Reader(parser), "pixel");
+    if (!pixel)
+        usageError("--pixel", "says which pixel, and is missing", "Add --pixel 400,300.");
+    options.pixel = *pixel;
+    options.sample = Reader(parser).whole("sample", 0, UINT64_MAX).value_or(0);
 }
 
 /// Parses `arguments` of `command` as `describe` says and hands them to `read`, unless they only ask for help.
@@ -228,6 +277,18 @@ Result<EffectsOptions> effectsOptions(const QStringList& arguments) {
     return parsed("effects", arguments, describeScene, readEffects);
 }
 
+Result<ReplayOptions> replayOptions(const QStringList& arguments) {
+    return parsed("replay", arguments, describeReplay, readReplay);
+}
+
+std::string replayHelp() {
+    return "Usage: pdrender-cli replay FOLDER|SCENE.json --pixel X,Y [--sample N] [options]\n"
+           "Traces one sample of one pixel again and tells its path event by event. With the options of a rendering "
+           "it\n"
+           "is that rendering's sample, bit by bit.\n" +
+           optionsText(describeReplay);
+}
+
 std::string renderHelp() {
     return "Usage: pdrender-cli render FOLDER|SCENE.json -o FILE [options]\n"
            "Renders a picture. It ends at the first stop that is reached. Ctrl-C ends it early: what is there is then\n"
@@ -238,7 +299,7 @@ std::string renderHelp() {
 std::string effectsHelp() {
     return "Usage: pdrender-cli effects FOLDER|SCENE.json [options]\n"
            "Lists every effect: whether the picture needs it and why, what it costs (milliseconds per iteration of a\n"
-           "small picture), and by how many display levels the picture changes without it.\n" +
+           "small picture), and by how many display levels the picture changes without it; then what each model would cost.\n" +
            optionsText(describeScene);
 }
 

@@ -31,14 +31,24 @@ struct EffectsOptions {
     bool help = false;
 };
 
+/// What `pdrender-cli replay` was asked for.
+struct ReplayOptions {
+    SceneInput scene;
+    ivec2 pixel{0};
+    std::uint64_t sample = 0;
+    bool help = false;
+};
+
 /// `arguments` are those after the word `render`. An error is one of usage and names the option in `where`.
 Result<RenderOptions> renderOptions(const QStringList& arguments);
 
-/// The same for the word `effects`.
+/// The same for the words `effects` and `replay`.
 Result<EffectsOptions> effectsOptions(const QStringList& arguments);
+Result<ReplayOptions> replayOptions(const QStringList& arguments);
 
 /// The texts for --help.
 std::string renderHelp();
 std::string effectsHelp();
+std::string replayHelp();
 
 }  // namespace pdr::app

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/cli/progress_line.h"
+#include "render/film/health_text.h"
 
 namespace pdr::app {
 namespace {
@@ -25,6 +26,26 @@ const char* reasonWord(StopReason reason) {
             break;
     }
     return "interrupted";
+}
+
+/// Each cause that happened: how often, and the first sample that can be replayed.
+QJsonObject healthObject(const Health& health, int width) {
+    QJsonObject object;
+    for (int i = 0; i < kFaults; ++i) {
+        const FaultCount& fault = health.faults[i];
+        QJsonObject facts{{"count", double(fault.count)}};
+        if (fault.count > 0)
+            facts["first"] = QJsonObject{
+                {"x", int(fault.pixel % width)}, {"y", int(fault.pixel / width)}, {"sample", double(fault.sample)}};
+        object[kFaultNames[i]] = facts;
+    }
+    return object;
+}
+
+std::string replayArguments(const FaultCount& fault, const RenderReport& report) {
+    return "--size " + std::to_string(report.size.x) + "x" + std::to_string(report.size.y) + " --seed " +
+           std::to_string(report.seed) + " --pixel " + std::to_string(fault.pixel % report.size.x) + "," +
+           std::to_string(fault.pixel / report.size.x) + " --sample " + std::to_string(fault.sample);
 }
 
 double samplesPerSecond(const RenderReport& report) {
@@ -44,7 +65,8 @@ std::string jsonText(const RenderReport& report) {
         {"width", report.size.x},
         {"height", report.size.y},
         {"samplesPerPixel", double(film.samplesPerPixel)},
-        {"rejectedSamples", double(film.rejectedSamples)},
+        {"rejectedSamples", double(film.health.rejected())},
+        {"health", healthObject(film.health, report.size.x)},
         {"seconds", report.result.seconds},
         {"samplesPerSecond", samplesPerSecond(report)},
         {"relativeError", std::isfinite(film.relativeError) ? QJsonValue(film.relativeError) : QJsonValue()},
@@ -64,8 +86,10 @@ std::string plainText(const RenderReport& report) {
         << report.result.seconds << " s (" << samplesPerSecond(report) / 1e6 << " million samples per second) on "
         << report.device.name << ", " << report.device.details << "\n"
         << "remaining error: " << errorText(film.relativeError) << " of the mean brightness\n";
-    if (film.rejectedSamples > 0)
-        out << "left out: " << film.rejectedSamples << " samples that were no numbers\n";
+    for (int i = 0; i < kFaults; ++i)
+        if (const FaultCount& fault = film.health.faults[i]; fault.count > 0)
+            out << fault.count << " " << faultText(Fault(i)) << "; the first: pdrender-cli replay ... "
+                << replayArguments(fault, report) << "\n";
     for (const auto& path : report.outputs)
         out << "written: " << path.string() << "\n";
     return out.str();

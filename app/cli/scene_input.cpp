@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include "app/environment_picture.h"
 #include "app/presets.h"
 #include "app/scene_volume.h"
 #include "render/scene/fit_view.h"
+#include "render/scene/focus.h"
 
 namespace pdr::app {
 namespace {
@@ -57,6 +59,16 @@ Result<std::optional<Preset>> chosenPreset(const SceneInput& input) {
     return std::optional(presets->front());
 }
 
+Result<void> focus(Scene& scene, ivec2 pixel) {
+    const auto depth = depthUnder(*Flattener().prepare(scene), pixel);
+    if (!depth)
+        return Error{
+            "there is nothing to focus on under pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y),
+            "--focus", "Take a pixel that shows opaque tissue."};
+    scene.camera.focusMm = *depth;
+    return {};
+}
+
 }  // namespace
 
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress) {
@@ -70,8 +82,13 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     if (!volume)
         return volume.error();
 
+    auto environment = fetchEnvironment(*file);
+    if (!environment)
+        return environment.error();
+
     LoadedScene work{std::move(file->scene), {}};
     work.scene.volume = *std::move(volume);
+    work.scene.environment.image = *std::move(environment);
     if (input.view || !isFile(input))
         work.scene.camera = cameraFrom(input.view.value_or(StandardView::anterior), work.scene);
     if (*preset) {
@@ -80,6 +97,13 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     }
     if (input.exposure)
         work.display.exposure = float(*input.exposure);
+    work.scene.model = input.model.value_or(work.scene.model);
+    work.scene.camera.apertureMm = input.apertureMm.value_or(work.scene.camera.apertureMm);
+    if (auto ok = work.scene.check(); !ok)
+        return ok.error();
+    if (input.focusAt)
+        if (auto ok = focus(work.scene, *input.focusAt); !ok)
+            return ok.error();
     return work;
 }
 

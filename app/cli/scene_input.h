@@ -23,6 +23,9 @@ struct SceneInput {
     std::optional<ivec2> size;         ///< absent: 1024 x 1024 for a folder, the file's own film for a scene
     std::optional<double> exposure;
     std::optional<std::uint64_t> seed;
+    std::optional<Model> model;
+    std::optional<double> apertureMm;
+    std::optional<ivec2> focusAt;  ///< the pixel that shows what is to be sharp
 };
 
 /// A scene with its voxels, and how to show it.
@@ -31,7 +34,7 @@ struct LoadedScene {
     Display display;
 };
 
-/// Errors: those of scene files, presets and the import; the scene itself is not checked.
+/// Errors: those of scene files, presets and the import, and nothing under the pixel to focus on.
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress);
 
 }  // namespace pdr::app

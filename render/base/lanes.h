@@ -7,6 +7,7 @@
 /// Lanes never mix: a lane's numbers are the same whatever its neighbours do.
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -37,8 +38,16 @@ PDR_HD inline float toFloat(int x) {
 PDR_HD inline bool any(bool mask) {
     return mask;
 }
+/// Lanes where `mask` holds.
+PDR_HD inline int count(bool mask) {
+    return mask;
+}
 PDR_HD inline float gather(const float* from, int index) {
     return from[index];
+}
+/// column[index] in a column of `count` entries that can be read up to the next multiple of kLanes.
+PDR_HD inline float lookUp(const float* column, int /*count*/, int index) {
+    return column[index];
 }
 /// Bits 41..63 and 9..31 of a random word as whole numbers below 2^23.
 PDR_HD inline int highBits(std::uint64_t word) {
@@ -49,6 +58,9 @@ PDR_HD inline int lowBits(std::uint64_t word) {
 }
 PDR_HD inline std::uint64_t keepWhere(bool mask, std::uint64_t word) {
     return mask ? word : 0;
+}
+PDR_HD inline float squareRoot(float x) {
+    return std::sqrt(x);
 }
 /// The bits of a float, and back.
 PDR_HD inline std::int32_t bitsOf(float x) {
@@ -102,6 +114,9 @@ inline std::uint32_t laneBits(IntLanes mask) {
 inline bool any(IntLanes mask) {
     return laneBits(mask) != 0;
 }
+inline int count(IntLanes mask) {
+    return std::popcount(laneBits(mask));
+}
 /// Lane l of the result is lane from[l] of `lanes`.
 inline FloatLanes shuffled(FloatLanes lanes, IntLanes from) {
     return __builtin_shuffle(lanes, from);
@@ -120,6 +135,13 @@ inline FloatLanes gather(const float* from, IntLanes index) {
     for (int lane = 0; lane < kLanes; ++lane)
         result[lane] = from[index[lane]];
     return result;
+}
+inline FloatLanes lookUp(const float* column, int count, IntLanes index) {
+    if (count > kLanes)
+        return gather(column, index);
+    FloatLanes whole;
+    std::memcpy(&whole, column, sizeof whole);
+    return shuffled(whole, index);
 }
 /// Neighbouring int16 pairs at from[index] and from[index + 1].
 inline void gatherPair(const std::int16_t* from, IntLanes index, FloatLanes& first, FloatLanes& second) {
@@ -140,6 +162,17 @@ inline IntLanes lowBits(BitsLanes word) {
 }
 inline BitsLanes keepWhere(IntLanes mask, BitsLanes word) {
     return word & BitsLanes(__builtin_convertvector(mask, SignedBitsLanes));
+}
+inline FloatLanes squareRoot(FloatLanes x) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+    return FloatLanes(_mm512_maskz_sqrt_ps(0xFFFF, __m512(x)));
+#elif defined(__AVX2__)
+    return FloatLanes(_mm256_sqrt_ps(__m256(x)));
+#else
+    for (int lane = 0; lane < kLanes; ++lane)
+        x[lane] = std::sqrt(x[lane]);
+    return x;
+#endif
 }
 inline IntLanes bitsOf(FloatLanes x) {
     return IntLanes(x);

@@ -5,6 +5,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <png.h>
@@ -27,13 +28,26 @@ std::string text(double value) {
     return out.str();
 }
 
+/// "notANumber 0, infinite 2 (pixel 17, sample 3), ...": each cause with the first sample that it happened to.
+std::string healthFact(const Health& health) {
+    std::string fact;
+    for (int i = 0; i < kFaults; ++i) {
+        const FaultCount& fault = health.faults[i];
+        fact += (i > 0 ? ", " : "") + std::string(kFaultNames[i]) + " " + std::to_string(fault.count);
+        if (fault.count > 0)
+            fact += " (pixel " + std::to_string(fault.pixel) + ", sample " + std::to_string(fault.sample) + ")";
+    }
+    return fact;
+}
+
 /// Key and value of each fact, for the formats that hold text.
 std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
     return {
         {"pdrender/samplesPerPixel", std::to_string(from.samplesPerPixel)},
         {"pdrender/seconds", text(from.seconds)},
         {"pdrender/relativeError", text(from.relativeError)},
-        {"pdrender/rejectedSamples", std::to_string(from.rejectedSamples)},
+        {"pdrender/rejectedSamples", std::to_string(from.health.rejected())},
+        {"pdrender/health", healthFact(from.health)},
         {"pdrender/seed", std::to_string(from.seed)},
         {"pdrender/model", from.model},
         {"pdrender/extinctionPerMm", text(from.extinctionPerMm)},
@@ -118,7 +132,8 @@ Imf::Header exrHeader(ivec2 size, const Provenance& from) {
     header.insert("pdrender/samplesPerPixel", Imf::DoubleAttribute(double(from.samplesPerPixel)));
     header.insert("pdrender/seconds", Imf::DoubleAttribute(from.seconds));
     header.insert("pdrender/relativeError", Imf::DoubleAttribute(from.relativeError));
-    header.insert("pdrender/rejectedSamples", Imf::DoubleAttribute(double(from.rejectedSamples)));
+    header.insert("pdrender/rejectedSamples", Imf::DoubleAttribute(double(from.health.rejected())));
+    header.insert("pdrender/health", Imf::StringAttribute(healthFact(from.health)));
     header.insert("pdrender/seed", Imf::StringAttribute(std::to_string(from.seed)));  // 64 bits do not fit a double
     header.insert("pdrender/model", Imf::StringAttribute(from.model));
     header.insert("pdrender/extinctionPerMm", Imf::DoubleAttribute(from.extinctionPerMm));
@@ -194,6 +209,44 @@ Result<void> writeExr(const Film& film, const Provenance& provenance, const std:
                      ""};
     }
     return file->commit();
+}
+
+Result<RadianceImage> readExr(const std::filesystem::path& path) {
+    constexpr int kLargestEdge = 16384;
+    try {
+        Imf::InputFile file(path.c_str());
+        const Imath::Box2i window = file.header().dataWindow();
+        // Before anything is made of that size; in 64 bits, since a damaged header may hold anything.
+        const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
+        const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
+        if (width < 1 || height < 1 || width > kLargestEdge || height > kLargestEdge)
+            return Error{"the picture is " + std::to_string(width) + " x " + std::to_string(height) +
+                             " pixels, at most 16384 x 16384 can be read",
+                         path.string(), "Make it smaller."};
+        const Imf::ChannelList& channels = file.header().channels();
+        const bool grey = channels.findChannel("Y") != nullptr && channels.findChannel("R") == nullptr;
+        RadianceImage image{ivec2(width, height), std::vector<vec3>(std::size_t(width * height))};
+        Imf::FrameBuffer frame;
+        for (int channel = 0; channel < 3; ++channel) {
+            const char* name = grey ? "Y" : kChannels[channel];
+            if (channels.findChannel(name) == nullptr)
+                return Error{"the picture has no channel " + std::string(name), path.string(),
+                             "It needs R, G and B, or Y."};
+            frame.insert(name, Imf::Slice::Make(Imf::FLOAT, &image.pixels[0][channel], window, sizeof(vec3),
+                                                sizeof(vec3) * std::size_t(width)));
+            if (grey)
+                break;
+        }
+        file.setFrameBuffer(frame);
+        file.readPixels(window.min.y, window.max.y);
+        if (grey)
+            for (vec3& pixel : image.pixels)
+                pixel = vec3(pixel.x);
+        return image;
+    } catch (const std::exception& failure) {
+        return Error{"the picture cannot be read as OpenEXR (" + std::string(failure.what()) + ")", path.string(),
+                     "Check the file."};
+    }
 }
 
 }  // namespace pdr

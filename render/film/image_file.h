@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "render/base/result.h"
 #include "render/film/display.h"
@@ -17,7 +18,7 @@ struct Provenance {
     std::uint64_t samplesPerPixel = 0;
     double seconds = 0;
     double relativeError = 0;
-    std::uint64_t rejectedSamples = 0;
+    Health health;
     std::uint64_t seed = 0;
     std::string model;
     double extinctionPerMm = 0;
@@ -27,6 +28,16 @@ struct Provenance {
 /// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks.
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
                       const std::filesystem::path& path);
+
+/// A picture that was read: linear radiance, row by row from the top.
+struct RadianceImage {
+    ivec2 size{0};
+    std::vector<vec3> pixels;
+};
+
+/// The R, G, B (or Y) channels of an OpenEXR file; at most 16384 pixels an edge. Errors: no such file, no OpenEXR file,
+/// damaged, too large, without these channels.
+Result<RadianceImage> readExr(const std::filesystem::path& path);
 
 /// Scene-linear OpenEXR: R, G, B and error.R, error.G, error.B (standard error of the mean), float, with the provenance
 /// as attributes.

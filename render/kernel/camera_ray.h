@@ -40,7 +40,7 @@ PDR_HD inline int lightInView(const FlatScene& scene, dvec3 eye, dvec3 unit, dou
 
 /// `place`: pixels from the image's upper left corner. `lens`: on the unit disc; (0, 0) for a pinhole. `depths`: where
 /// matter lies, mm along the view; see FlatViewBounds. The sharp surface of a lens is a plane across the view.
-PDR_HD inline Leg cameraLeg(const FlatScene& scene, vec2 place, vec2 lens, vec2 depths) {
+PDR_HD_INLINE Leg cameraLeg(const FlatScene& scene, vec2 place, vec2 lens, vec2 depths) {
     const FlatCamera& camera = scene.camera;
     // In double up to the border of the box: the camera may stand far away.
     const dvec2 film = dvec2(place) * camera.perPixel - 0.5;

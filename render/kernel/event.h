@@ -49,7 +49,7 @@ template <std::uint32_t F>
 PDR_HD inline vec3 scatterEval(const FlatScene& scene, const Event& event, vec3 towards) {
     if (isSurface<F>(event))
         return surfaceEval(event.material, event.normal, -event.travel, towards);
-    return event.material.albedo * phaseEval(scene.phaseG, oneMinusCosine(event.travel, towards));
+    return event.material.albedo * phaseEval(scene.phaseG, event.travel, towards);
 }
 
 /// The density with which scatterSample finds `towards` [1/sr].
@@ -57,7 +57,7 @@ template <std::uint32_t F>
 PDR_HD inline float scatterPdf(const FlatScene& scene, const Event& event, vec3 towards) {
     if (isSurface<F>(event))
         return surfacePdf(event.material, event.normal, -event.travel, towards);
-    return phaseEval(scene.phaseG, oneMinusCosine(event.travel, towards));
+    return phaseEval(scene.phaseG, event.travel, towards);
 }
 
 /// A direction and the light scattered back per radiance from there, already divided by the direction's density.

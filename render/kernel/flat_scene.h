@@ -110,10 +110,39 @@ struct FlatViewBounds {
 };
 inline constexpr int kViewBlock = 4;
 
+/// The optical models as the kernel tells them apart. All but scattering are sums along one straight ray.
+enum class FlatModel : std::uint32_t { scattering, absorption, emission, emissionAbsorption, maximumIntensity };
+
+/// The columns of FlatOptics::table. Along a piece the HU are counted as a share, 0 at its start and 1 at its end.
+enum class OpticsColumn : int {
+    start,           ///< HU; -infinity for the first piece
+    end,             ///< HU; infinity for the last piece
+    perHu,           ///< share per HU; 0 for the outermost pieces, which are constant
+    extinction,      ///< at the start [1/mm]
+    extinctionRise,  ///< from the start to the end
+    source,          ///< radiance per optical depth (albedo + emission) at the start: three columns
+    sourceRise = source + 3
+};
+inline constexpr int kOpticsColumns = int(OpticsColumn::sourceRise) + 3;
+
+/// What the models without scattering look up.
+struct FlatOptics {
+    FlatModel model;
+    const float* table;           ///< kOpticsColumns columns of `stride` entries, one per piece of the curve
+    int stride;                   ///< pieces, rounded up to a multiple of kLanes
+    float clearUpTo, clearFrom;   ///< HU below the one, and at or above the other, have no extinction
+    float rounding;               ///< HU: by how much interpolation in single precision may be off
+    float quadrature;             ///< share of a ray's radiance that the sum along it may be off
+    float cutOff;                 ///< share of a ray's radiance that may be left out at its end
+    vec3 brightest;               ///< no source and nothing behind the volume is brighter
+    float windowLow, windowHigh;  ///< HU shown black and white by maximumIntensity
+};
+
 struct FlatScene {
     FlatVolume volume;
     FlatTransferFunction transferFunction;
     FlatMajorants majorants;
+    FlatOptics optics;
     FlatCamera camera;
     FlatViewBounds viewBounds;
     const FlatLight* lights;

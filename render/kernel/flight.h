@@ -3,10 +3,10 @@
 ///
 /// A step ends at a tentative collision or at the border of a cell, whichever comes first. The cell is a coarse one
 /// (16 voxels) where its bound promises at most kDescend collisions, else a fine one (4 voxels). The optical depth
-/// still to go is carried from cell to cell, never drawn anew. Cells are whole numbers that only ever move forward, so
-/// rounding can neither stall nor reverse a ray. An accelerator: it never changes the picture. Grid walk after
-/// Amanatides & Woo 1987; tentative collisions after Woodcock et al. 1965.
+/// still to go is carried from cell to cell, never drawn anew. An accelerator: it never changes the picture. Tentative
+/// collisions after Woodcock et al. 1965.
 
+#include "render/kernel/grid_axis.h"
 #include "render/kernel/medium.h"
 #include "render/kernel/random.h"
 #include "render/kernel/ray.h"
@@ -47,6 +47,7 @@ class Flight {
         Real u;
         random_.pair(t < end_, u, decision_);
         depth_ = negativeLog(u);
+        rest_ = Real{};
     }
 
     PDR_HD Mask flying() const { return t < end_; }
@@ -57,20 +58,14 @@ class Flight {
         const auto taken = [mask, from](auto& mine, const auto& theirs) {
             mine = mask ? shuffled(theirs, from) : mine;
         };
-        const auto takenAxis = [&](Axis& mine, const Axis& theirs) {
-            taken(mine.origin, theirs.origin);
-            taken(mine.direction, theirs.direction);
-            taken(mine.inverse, theirs.inverse);
-            taken(mine.cell, theirs.cell);
-            taken(mine.up, theirs.up);
-        };
         taken(t, other.t);
         taken(end_, other.end_);
         taken(depth_, other.depth_);
         taken(decision_, other.decision_);
-        takenAxis(x_, other.x_);
-        takenAxis(y_, other.y_);
-        takenAxis(z_, other.z_);
+        taken(rest_, other.rest_);
+        x_.take(mask, other.x_, from);
+        y_.take(mask, other.y_, from);
+        z_.take(mask, other.z_, from);
         random_.counter = selected(mask, shuffled(other.random_.counter, from), random_.counter);
         random_.key = selected(mask, shuffled(other.random_.key, from), random_.key);
     }
@@ -94,11 +89,13 @@ class Flight {
         TentativeCollision<Real> collision;
         collision.happened = active & (depth_ < ahead);
         const Mask onward = active & !(collision.happened);
-        t = collision.happened ? t + depth_ / majorant : (onward ? leave : t);
+        const Real hop = depth_ / majorant + rest_, there = t + hop;
+        rest_ = collision.happened ? hop - (there - t) : (onward ? Real{} : rest_);
+        t = collision.happened ? there : (onward ? leave : t);
         depth_ = onward ? depth_ - ahead : depth_;
-        x_.advance(onward, descend, leave);
-        y_.advance(onward, descend, leave);
-        z_.advance(onward, descend, leave);
+        advance(x_, onward, descend, leave);
+        advance(y_, onward, descend, leave);
+        advance(z_, onward, descend, leave);
 
         collision.majorant = majorant;
         collision.extinction = Real{};
@@ -116,51 +113,11 @@ class Flight {
     }
 
   private:
-    /// The flight along one axis of the grid.
-    struct Axis {
-        Real origin, direction, inverse;
-        Int cell;  ///< fine cell
-        Int up;    ///< 1: moves to higher cells, 0: to lower ones
-
-        PDR_HD_INLINE void start(Real from, Real along, float low, float high, Real& enter, Real& leave) {
-            origin = from;
-            // A component of 0 becomes one that reaches no border within any volume.
-            direction = ((along < 1e-20f) & (along > -1e-20f)) ? Real{} + 1e-20f : along;
-            inverse = 1.0f / direction;
-            up = direction > 0.0f ? Int{} + 1 : Int{};
-            const Real a = (low - origin) * inverse, b = (high - origin) * inverse;
-            enter = larger(enter, smaller(a, b));
-            leave = smaller(leave, larger(a, b));
-        }
-
-        PDR_HD Real at(Real t) const { return origin + direction * t; }
-
-        PDR_HD void enter(Real t, int cells) { cell = clamped(fineCell(at(t)), Int{}, Int{} + (cells - 1)); }
-
-        /// Distance at which the ray leaves its cell of Edge voxels along this axis.
-        template <int Edge>
-        PDR_HD Real leave() const {
-            constexpr int kShift = Edge == 16 ? 2 : 0;
-            return (toFloat(((cell >> kShift) + up) * Edge - 4) - origin) * inverse;
-        }
-
-        /// Into the cell beyond `leave`: the neighbour along the axis whose border was reached. Along the others a fine
-        /// cell stays, and in a coarse one the fine cell is found anew, inside it.
-        PDR_HD_INLINE void advance(Mask onward, Mask descend, Real leaveAt) {
-            const Int low = descend ? cell : (cell & ~3), high = descend ? cell : (cell | 3);
-            const Real reach = descend ? leave<4>() : leave<16>();
-            const Int inside = clamped(fineCell(at(leaveAt)), low, high);
-            const Int beyond = up > 0 ? high + 1 : low - 1;
-            const Int next = reach <= leaveAt ? beyond : inside;
-            cell = onward ? next : cell;
-        }
-
-        PDR_HD static Int fineCell(Real position) { return toInt(position * 0.25f + 1.0f); }
-        PDR_HD static Int clamped(Int value, Int low, Int high) {
-            value = value < low ? low : value;
-            return value > high ? high : value;
-        }
-    };
+    PDR_HD_INLINE void advance(GridAxis<Real, 4>& axis, Mask onward, Mask descend, Real leaveAt) {
+        const Int within = descend ? Int{} : Int{} + 3;
+        const Real reach = descend ? axis.template leave<4>() : axis.template leave<16>();
+        axis.advance(onward, within, reach, leaveAt);
+    }
 
     template <int Edge>
     PDR_HD Real leave() const {
@@ -177,8 +134,9 @@ class Flight {
         return mask ? index : Int{};
     }
 
-    Axis x_, y_, z_;
+    GridAxis<Real, 4> x_, y_, z_;
     Real end_, depth_, decision_;
+    Real rest_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
     RandomStreamOf<Real> random_;
 };
 

@@ -19,7 +19,7 @@ struct Path {
 };
 
 /// `depths`: where matter lies along the pixel's view; see FlatViewBounds.
-PDR_HD inline Path cameraStart(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
+PDR_HD_INLINE Path cameraStart(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
     const Random random(scene.seed, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x), sample);
     const vec2 filter = random.stream(Dimension::filter).pair();
     const vec2 lens = scene.camera.focus > 0 ? onDisc(random.stream(Dimension::lens).pair()) : vec2(0);

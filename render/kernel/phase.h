@@ -8,15 +8,13 @@ namespace pdr {
 
 inline constexpr float kInverseFourPi = 1 / (4 * kPi);
 
-PDR_HD inline float phaseEval(float g, float oneMinusCos) {
-    const float denominator = (1 - g) * (1 - g) + 2 * g * oneMinusCos;
-    return kInverseFourPi * (1 - g) * (1 + g) / (denominator * std::sqrt(denominator));
-}
-
-/// 1 - cosTheta between two unit directions.
-PDR_HD inline float oneMinusCosine(vec3 a, vec3 b) {
-    const vec3 difference = a - b;
-    return 0.5f * glm::dot(difference, difference);
+/// Density of travelling on along `towards`; unit vectors.
+PDR_HD inline float phaseEval(float g, vec3 travel, vec3 towards) {
+    const float a = std::fabs(g);
+    // 1 - cos of the angle to the peak, which lies behind for g < 0, is half the square of this.
+    const vec3 fromPeak = g < 0 ? towards + travel : towards - travel;
+    const float denominator = (1 - a) * (1 - a) + a * glm::dot(fromPeak, fromPeak);
+    return kInverseFourPi * (1 - a) * (1 + a) / (denominator * std::sqrt(denominator));
 }
 
 /// Two unit vectors that make a right-handed frame with the unit vector n; Duff et al. 2017.

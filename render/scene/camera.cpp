@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/scene/range.h"
+
 namespace pdr {
 
 namespace {
 
-bool finite(dvec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+constexpr double kLeast = 1e-6;  ///< mm or degrees: less is nothing, and its square must not be
+constexpr double kMost = 1e9;    ///< mm
 
 }  // namespace
 
@@ -30,21 +31,19 @@ double Camera::focusDistanceMm() const {
 }
 
 Result<void> Camera::check() const {
-    if (!finite(eyeMm))
-        return Error{"eyeMm must be three finite numbers", "camera.eyeMm", ""};
-    if (!finite(targetMm) || targetMm == eyeMm)
-        return Error{"targetMm must be finite and differ from eyeMm", "camera.targetMm", ""};
-    if (!finite(up) || glm::length(glm::cross(glm::normalize(targetMm - eyeMm), up)) <= 1e-9 * glm::length(up))
-        return Error{"up must not be zero nor lie along the view", "camera.up", ""};
-    if (type == Type::perspective && !(fovDegrees > 0 && fovDegrees < 180))
-        return Error{"fovDegrees must lie in (0, 180)", "camera.fovDegrees", ""};
-    if (type == Type::orthographic && !(heightMm > 0 && heightMm <= 1e9))
-        return Error{"heightMm must lie in (0, 1e9]", "camera.heightMm", ""};
-    if (!(apertureMm >= 0 && apertureMm <= 200))
-        return Error{"apertureMm must lie in [0, 200]", "camera.apertureMm", ""};
-    if (!(focusMm >= 0 && focusMm <= 1e9))
-        return Error{"focusMm must lie in [0, 1e9]", "camera.focusMm", ""};
-    return {};
+    for (const auto& ok :
+         {checkRange(eyeMm, {-kMost, kMost}, "camera.eyeMm"), checkRange(targetMm, {-kMost, kMost}, "camera.targetMm"),
+          checkDirection(up, "camera.up"), checkRange(apertureMm, {0, 200}, "camera.apertureMm"),
+          checkRange(focusMm, {focusMm == 0 ? 0 : kLeast, kMost}, "camera.focusMm")})
+        if (!ok)
+            return ok;
+    if (glm::length(targetMm - eyeMm) < kLeast)
+        return Error{"must differ from eyeMm", "camera.targetMm", ""};
+    if (!(glm::length(glm::cross(forward(), up)) > 1e-9 * glm::length(up)))
+        return Error{"must not lie along the view", "camera.up", ""};
+    if (type == Type::perspective)
+        return checkRange(fovDegrees, {kLeast, 180, true, false}, "camera.fovDegrees");
+    return checkRange(heightMm, {kLeast, kMost}, "camera.heightMm");
 }
 
 Camera standardView(StandardView view, dvec3 centreMm, double radiusMm, double aspect) {

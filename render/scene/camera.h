@@ -10,13 +10,13 @@ struct Camera {
     enum class Type { perspective, orthographic };
 
     Type type = Type::perspective;
-    dvec3 eyeMm{0, -1000, 0};  ///< finite
-    dvec3 targetMm{0, 0, 0};   ///< finite, not the eye
+    dvec3 eyeMm{0, -1000, 0};  ///< each in [-1e9, 1e9]
+    dvec3 targetMm{0, 0, 0};   ///< each in [-1e9, 1e9]; at least 1e-6 mm from the eye
     dvec3 up{0, 0, 1};         ///< any length but 0; not along the view
-    double fovDegrees = 35;    ///< perspective: vertical field of view; (0, 180)
-    double heightMm = 300;     ///< orthographic: height of what is seen; (0, 1e9]
+    double fovDegrees = 35;    ///< perspective: vertical field of view; [1e-6, 180)
+    double heightMm = 300;     ///< orthographic: height of what is seen; [1e-6, 1e9]
     double apertureMm = 0;     ///< lens diameter; [0, 200]; 0 = pinhole
-    double focusMm = 0;        ///< distance of the sharp plane from the eye; 0 = the target's
+    double focusMm = 0;        ///< distance of the sharp plane from the eye; [1e-6, 1e9]; 0 = the target's
 
     double focusDistanceMm() const;  ///< focusMm, or else the target's distance
 

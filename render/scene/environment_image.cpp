@@ -1,6 +1,5 @@
 #include "render/scene/environment_image.h"
 
-#include <algorithm>
 #include <string>
 
 #include "render/scene/range.h"
@@ -15,14 +14,10 @@ Result<void> EnvironmentImage::check() const {
         return Error{"the picture of the surroundings is not complete", "", ""};
     for (std::size_t i = 0; i < texels.size(); ++i) {
         const std::string where = "texel (" + std::to_string(i % size.x) + ", " + std::to_string(i / size.x) + ")";
-        if (auto ok = checkRange(dvec3(texels[i]), {0, 1e30}, where); !ok)
+        if (auto ok = checkRange(dvec3(texels[i]), {0, 1e30f}, where); !ok)
             return ok;
     }
     return {};
-}
-
-bool EnvironmentImage::isBlack() const {
-    return std::ranges::all_of(texels, [](vec3 texel) { return texel == vec3(0); });
 }
 
 }  // namespace pdr

@@ -15,7 +15,6 @@ struct EnvironmentImage {
 
     /// `where` names the first texel that is no light.
     Result<void> check() const;
-    bool isBlack() const;
 };
 
 }  // namespace pdr

@@ -27,6 +27,7 @@ EnvironmentTables::EnvironmentTables(std::shared_ptr<const EnvironmentImage> pic
         columnSums.push_back(0);
         for (int column = 0; column < size.x; ++column) {
             const dvec3 texel(image->texels[std::size_t(row) * size.x + column]);
+            brightest = glm::max(brightest, vec3(texel));
             sum += (texel.x + texel.y + texel.z) * solidAngle[row];
             columnSums.push_back(float(sum));
         }

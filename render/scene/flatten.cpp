@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "render/scene/flatten_lights.h"
+#include "render/scene/flatten_optics.h"
 #include "render/scene/needs.h"
 #include "render/scene/view_bounds.h"
 
@@ -11,6 +12,7 @@ namespace pdr {
 
 namespace {
 
+constexpr float kBeyondAnyHu = 1e9f;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Material materialOf(const TransferNode& node) {
@@ -20,9 +22,9 @@ Material materialOf(const TransferNode& node) {
 void flattenTransferFunction(PreparedScene& prepared, const TransferFunction& function) {
     const std::vector<TransferNode>& nodes = function.nodes;
     const auto add = [&](float start, float end, const TransferNode& from, const TransferNode& to) {
-        const float slope =
-            std::isfinite(start) && std::isfinite(end) ? (to.opacity - from.opacity) / (end - start) : 0;
-        prepared.pieces.push_back({std::isfinite(start) ? start : 0, end, from.opacity, slope});
+        const float slope = (to.opacity - from.opacity) / (end - start);
+        prepared.pieces.push_back(
+            {std::max(start, -kBeyondAnyHu), end, from.opacity, std::isfinite(slope) ? slope : 0});
         prepared.materials.push_back(materialOf(from));
         prepared.materials.push_back(materialOf(to));
     };
@@ -109,22 +111,26 @@ constexpr float kHuScale = 4096;
 std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
     auto prepared = std::make_shared<PreparedScene>();
     const bool sameVolume = last_ && last_->volume == scene.volume;
-    const bool sameFunction = sameVolume && last_->transferFunction == scene.transferFunction;
+    const bool highest = scene.model == Model::maximumIntensity;
+    const bool sameBounds = sameVolume && last_->transferFunction == scene.transferFunction &&
+                            highest == (last_->flat.optics.model == FlatModel::maximumIntensity);
     prepared->revision = scene.revision;
     prepared->volume = scene.volume;
     prepared->transferFunction = scene.transferFunction;
     prepared->ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*scene.volume);
-    prepared->majorants = sameFunction ? last_->majorants
-                                       : std::make_shared<const Majorants>(*prepared->ranges, scene.transferFunction,
-                                                                           scene.volume->size());
+    prepared->majorants =
+        sameBounds ? last_->majorants
+        : highest  ? std::make_shared<const Majorants>(highestHu(*prepared->ranges, scene.volume->size()))
+                   : std::make_shared<const Majorants>(*prepared->ranges, scene.transferFunction, scene.volume->size());
     flattenVolume(prepared->flat.volume, *scene.volume);
     flattenTransferFunction(*prepared, scene.transferFunction);
-    flattenMajorants(*prepared);
-    flattenCamera(prepared->flat.camera, scene.camera, scene.volume->geometry(), scene.film);
     if (scene.environment.image)
         prepared->environment = last_ && last_->environment && last_->environment->image == scene.environment.image
                                     ? last_->environment
                                     : std::make_shared<const EnvironmentTables>(scene.environment.image);
+    flattenOptics(*prepared, scene);
+    flattenMajorants(*prepared);
+    flattenCamera(prepared->flat.camera, scene.camera, scene.volume->geometry(), scene.film);
     flattenLights(*prepared, scene);
     flattenClip(*prepared, scene);
 

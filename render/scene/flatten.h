@@ -16,6 +16,7 @@ struct Majorants {
     std::vector<float> fine, coarse;
     vec3 occupiedLow{0}, occupiedHigh{0};
 
+    Majorants() = default;
     Majorants(const CellRanges& ranges, const TransferFunction& function, ivec3 volumeSize);
 };
 
@@ -36,6 +37,7 @@ struct PreparedScene {
     std::vector<OpacityPiece> pieces;
     std::vector<Material> materials;
     std::vector<std::uint16_t> pieceAt;
+    std::vector<float> optics;
     std::vector<FlatLight> lights;
     std::shared_ptr<const EnvironmentTables> environment;  ///< null: no picture
     std::vector<FlatPlane> clipPlanes;

@@ -58,10 +58,11 @@ void flattenLights(PreparedScene& prepared, const Scene& scene) {
     FlatScene& flat = prepared.flat;
     flat.lights = prepared.lights.data();
     flat.lightCount = int(prepared.lights.size());
-    flat.lightsInView = std::ranges::any_of(prepared.lights, &FlatLight::visible);
+    flat.lightsInView = !isProjection(scene.model) && std::ranges::any_of(prepared.lights, &FlatLight::visible);
     flat.environment = flatEnvironment(scene.environment, prepared.environment.get());
     const bool even = flat.environment.texels == nullptr && flat.environment.zenith == flat.environment.nadir;
-    flat.plainBackground = !flat.lightsInView && (even || !flat.environment.visible);
+    const bool hidden = !flat.environment.visible && scene.model != Model::absorption;
+    flat.plainBackground = !flat.lightsInView && (even || hidden);
 }
 
 }  // namespace pdr

@@ -7,7 +7,7 @@
 namespace pdr {
 namespace {
 
-constexpr Range kLightRange{0, 1e30};
+constexpr Range kLightRange{0, 1e30f};  // as float has it: a little more
 constexpr Range kPlaceRange{-1e9, 1e9};
 constexpr Range kExtentRange{0, 1e9, false};
 

@@ -43,4 +43,13 @@ void readSurface(JsonFields& parent, float& gradientFactor) {
     fields.finish();
 }
 
+void readWindow(JsonFields& parent, HuWindow& window) {
+    if (!parent.has("window"))
+        return;
+    JsonFields fields = parent.object("window");
+    fields.required("lowHu", window.lowHu);
+    fields.required("highHu", window.highHu);
+    fields.finish();
+}
+
 }  // namespace pdr

@@ -9,8 +9,9 @@ namespace pdr {
 
 namespace {
 
-/// Rounding in the curve's evaluation must not lift the extinction over its bound.
-constexpr float kRoundingRoom = 1 + 1e-5f;
+/// Rounding in the curve's evaluation must not lift the extinction over its bound: relative to the value, and relative
+/// to the ends of a piece that falls to nearly nothing.
+constexpr float kRoundingRoom = 1 + 1e-5f, kRoundingRoomOfEnds = 0x1p-22f;
 
 /// Index-space box of all fine cells with a bound above 0; empty (low > high) if there is none.
 struct Box {
@@ -29,14 +30,20 @@ Majorants::Majorants(const CellRanges& ranges, const TransferFunction& function,
       coarse(std::size_t(ranges.coarseSize().x) * ranges.coarseSize().y * ranges.coarseSize().z) {
     const OpacityMaximum maximum(function, ranges.whole());
     const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
-    const float scale = function.extinctionPerMm * kRoundingRoom;
+    const float highest = std::ranges::max(function.nodes, {}, &TransferNode::opacity).opacity;
+    const auto boundOver = [&](HuRange range) {
+        const float opacity = maximum.over(range);
+        if (!(opacity > 0))
+            return 0.0f;
+        return function.extinctionPerMm * std::max(opacity * kRoundingRoom, opacity + kRoundingRoomOfEnds * highest);
+    };
     std::vector<Box> boxes(coarseSize.z);
     tbb::parallel_for(0, coarseSize.z, [&](int slab) {
         for (int k = slab * kFinePerCoarse; k < (slab + 1) * kFinePerCoarse; ++k)
             for (int j = 0; j < size.y; ++j)
                 for (int i = 0; i < size.x; ++i) {
                     const std::size_t at = (std::size_t(k) * size.y + j) * size.x + i;
-                    const float bound = scale * maximum.over(ranges.cells()[at]);
+                    const float bound = boundOver(ranges.cells()[at]);
                     fine[at] = bound;
                     if (!(bound > 0))
                         continue;

@@ -64,13 +64,22 @@ Effect effect(std::string name, bool needed, std::string yes, std::string no, st
     return {std::move(name), needed, needed ? std::move(yes) : std::move(no), features, leaveOut};
 }
 
+/// Of the models that are sums along straight rays.
+Effect off(std::string name, std::string reason) {
+    return effect(std::move(name), false, "", std::move(reason));
+}
+
 Effect shadows(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("shadows", "the model has none");
     if (!hasTissue(scene))
         return effect("shadows", false, "", "no tissue is opaque");
     return effect("shadows", isLit(scene), "light crosses tissue on its way", "there is no light");
 }
 
 Effect surfaces(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("surface reflection", "the model has none");
     if (!hasTissue(scene))
         return effect("surface reflection", false, "", "no tissue is opaque");
     return effect("surface reflection", scene.gradientFactor > 0, "the gradient factor is above 0",
@@ -87,43 +96,71 @@ Effect highlights(const Scene& scene) {
     });
 }
 
+Effect directedScattering(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("directed scattering", "the model does not scatter");
+    return effect("directed scattering", scene.phaseG != 0, "phase g is not 0", "phase g is 0: the same to all sides",
+                  0, [](Scene& s) { s.phaseG = 0; });
+}
+
 Effect emission(const Scene& scene) {
+    if (scene.model == Model::absorption || scene.model == Model::maximumIntensity)
+        return off("emission", "the model shows no light from within");
     const bool shines =
         hasTissue(scene) && anywhere(scene.transferFunction, [](const TransferNode& node) { return node.emission; });
-    return effect("emission", shines, "a node emits light", "no node emits light", kEmission, [](Scene& s) {
+    const std::uint32_t features = isProjection(scene.model) ? 0u : std::uint32_t(kEmission);
+    return effect("emission", shines, "a node emits light", "no node emits light", features, [](Scene& s) {
         for (TransferNode& node : s.transferFunction.nodes)
             node.emission = vec3(0);
     });
 }
 
 Effect placedLights(const Scene& scene) {
-    return effect("lights with a place", hasPlacedLight(scene), "a light is a panel or a ball",
-                  "no light is a panel or a ball", kPlacedLights, [](Scene& s) {
+    constexpr const char* kName = "lights with a place";
+    if (isProjection(scene.model))
+        return off(kName, "the model asks for no light");
+    return effect(kName, hasPlacedLight(scene), "a light is a panel or a ball", "no light is a panel or a ball",
+                  kPlacedLights, [](Scene& s) {
                       std::erase_if(s.lights,
                                     [](const Light& l) { return !std::holds_alternative<DirectionalLight>(l); });
                   });
 }
 
 Effect lightsInView(const Scene& scene) {
+    constexpr const char* kName = "lights in view";
+    if (isProjection(scene.model))
+        return off(kName, "the model asks for no light");
     if (!hasPlacedLight(scene))
-        return effect("lights in view", false, "", "no light is a panel or a ball");
-    return effect("lights in view", std::ranges::any_of(scene.lights, cameraSees), "the camera sees a light",
+        return off(kName, "no light is a panel or a ball");
+    return effect(kName, std::ranges::any_of(scene.lights, cameraSees), "the camera sees a light",
                   "all lights are hidden from the camera", 0, [](Scene& s) { std::ranges::for_each(s.lights, hide); });
 }
 
 Effect surroundings(const Scene& scene) {
+    if (isProjection(scene.model))
+        return off("light from all around", "the model asks for no light");
     return effect("light from all around", !scene.environment.isBlack(), "the environment shines",
                   "the environment is black", kEnvironment, [](Scene& s) { s.environment = {}; });
 }
 
 Effect alongScatter(const Scene& scene) {
-    return effect("search along scattering", searchesAlongScatter(scene),
+    constexpr const char* kName = "search along scattering";
+    if (isProjection(scene.model))
+        return off(kName, "the model asks for no light");
+    return effect(kName, searchesAlongScatter(scene),
                   scene.environment.isBlack() ? "highlights or directed scattering are sharper than the lights"
                                               : "light comes from all around",
                   "every light is best found by aiming at it");
 }
 
 Effect background(const Scene& scene) {
+    if (scene.model == Model::maximumIntensity)
+        return off("visible background", "the model shows HU, not light");
+    if (scene.model == Model::absorption)
+        return effect(
+            "visible background", true,
+            scene.environment.isBlack() ? "tissue is seen against white" : "tissue is seen against the environment",
+            "");
     if (scene.environment.isBlack())
         return effect("visible background", false, "", "the environment is black");
     return effect("visible background", scene.environment.visible, "the camera sees the environment",
@@ -142,10 +179,12 @@ Effect clipping(const Scene& scene) {
 
 Effect bounces(const Scene& scene) {
     constexpr const char* kName = "multiple scattering";
-    if (scene.model != Model::multipleScattering)
-        return effect(kName, false, "", "the model has one event on a path");
+    if (isProjection(scene.model))
+        return off(kName, "the model does not scatter");
+    if (scene.model == Model::singleScattering)
+        return off(kName, "the model has one event on a path");
     if (scene.maxBounces == 1)
-        return effect(kName, false, "", "a path may have one event only");
+        return off(kName, "a path may have one event only");
     const bool scatters = hasTissue(scene) && anywhere(scene.transferFunction, [](const TransferNode& node) {
                               return node.albedo + node.specular;
                           });
@@ -157,25 +196,16 @@ Effect bounces(const Scene& scene) {
 
 std::vector<Effect> needs(const Scene& scene) {
     return {
-        shadows(scene),
-        surfaces(scene),
-        highlights(scene),
-        effect("directed scattering", scene.phaseG != 0, "phase g is not 0", "phase g is 0: the same to all sides", 0,
-               [](Scene& s) { s.phaseG = 0; }),
-        placedLights(scene),
-        lightsInView(scene),
-        surroundings(scene),
-        alongScatter(scene),
-        background(scene),
-        emission(scene),
-        depthOfField(scene),
-        clipping(scene),
-        bounces(scene),
+        shadows(scene),      surfaces(scene),     highlights(scene),   directedScattering(scene), placedLights(scene),
+        lightsInView(scene), surroundings(scene), alongScatter(scene), background(scene),         emission(scene),
+        depthOfField(scene), clipping(scene),     bounces(scene),
     };
 }
 
 bool searchesAlongScatter(const Scene& scene) {
     constexpr float kSharpPhase = 0.5f;
+    if (isProjection(scene.model))
+        return false;
     if (!scene.environment.isBlack())
         return true;
     return hasPlacedLight(scene) && (highlights(scene).needed || std::fabs(scene.phaseG) >= kSharpPhase);

@@ -3,14 +3,31 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace pdr {
+
+namespace {
+
+/// The curve's opacity; inside a piece that is not 0 throughout, never 0, however close to its end.
+float opacityOrTrace(const TransferFunction& function, float hu) {
+    const float value = function.opacityAt(hu);
+    if (value > 0)
+        return value;
+    const std::vector<TransferNode>& nodes = function.nodes;
+    const auto after = std::ranges::upper_bound(nodes, hu, {}, &TransferNode::hu);
+    if (after == nodes.begin() || after == nodes.end() || (after - 1)->hu == hu)
+        return value;
+    return std::max((after - 1)->opacity, after->opacity) * std::numeric_limits<float>::epsilon();
+}
+
+}  // namespace
 
 OpacityMaximum::OpacityMaximum(const TransferFunction& function, HuRange domain) : first_(domain.lowest) {
     const int bins = std::max(int(domain.highest) - domain.lowest, 0);
     points_.resize(bins + 1);
     for (int i = 0; i <= bins; ++i)
-        points_[i] = function.opacityAt(float(first_ + i));
+        points_[i] = opacityOrTrace(function, float(first_ + i));
 
     // A linear piece has its maximum at an end, so the ends of a bin and the nodes inside it suffice.
     std::vector<float> bin(bins);

@@ -15,14 +15,16 @@ class OpacityMaximum {
     OpacityMaximum(const TransferFunction& function, HuRange domain);
 
     /// The largest opacity that a value in [range.lowest, range.highest] can have, widened by kHuSlack at each end
-    /// where the interval is not a single value (interpolation rounds). 0 for an empty range.
+    /// where the interval is not a single value (interpolation rounds). 0 for an empty range, and where the curve is 0,
+    /// but not where it is only rounded to 0.
     float over(HuRange range) const;
 
-    static constexpr float kHuSlack = 1.0f / 1024;
+    /// HU; interpolation rounds by at most 0.015 between the ends of int16.
+    static constexpr float kHuSlack = 1.0f / 64;
 
   private:
     int first_;
-    std::vector<float> points_;  ///< opacity at first_ + i, exactly
+    std::vector<float> points_;  ///< opacity at first_ + i
     /// levels_[l][i]: maximum over bins i .. i + 2^l - 1; bin i is [first_ + i, first_ + i + 1].
     std::vector<std::vector<float>> levels_;
 };

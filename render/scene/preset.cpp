@@ -48,12 +48,12 @@ Result<void> check(const Preset& preset) {
     if (auto ok = preset.transferFunction.check(); !ok)
         return ok;
     for (const auto& ok : {checkRange(preset.phaseG, {-1, 1, false, false}, "phase.g"),
-                           checkRange(preset.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
+                           checkRange(preset.gradientFactor, {0, 1e6}, "surface.gradientFactor"), check(preset.window),
                            checkRange(preset.keyLight, kLightScale, "lights.key"),
                            checkRange(preset.fillLight, kLightScale, "lights.fill"),
                            checkRange(preset.rimLight, kLightScale, "lights.rim"),
                            checkRange(preset.ambient, kLightScale, "lights.ambient"),
-                           checkRange(preset.display.exposure, {0, 1e30, false}, "exposure")})
+                           checkRange(preset.display.exposure, {0, 1e30f, false}, "exposure")})
         if (!ok)
             return ok;
     return {};
@@ -64,6 +64,7 @@ void readPreset(JsonFields& fields, Preset& preset) {
     preset.transferFunction = readTransferFunction(fields);
     readPhase(fields, preset.phaseG);
     readSurface(fields, preset.gradientFactor);
+    readWindow(fields, preset.window);
     if (fields.has("lights"))
         readLights(fields.object("lights"), preset);
     fields.optional("exposure", preset.display.exposure);
@@ -85,6 +86,7 @@ Scene withPreset(Scene scene, const Preset& preset) {
     scene.transferFunction = preset.transferFunction;
     scene.phaseG = preset.phaseG;
     scene.gradientFactor = preset.gradientFactor;
+    scene.window = preset.window;
     scene.lights = lightRig(preset, scene.volume->geometry(), scene.camera);
     scene.environment = {vec3(preset.ambient), false};
     return scene;

@@ -1,5 +1,5 @@
 #pragma once
-/// A named look: transfer function, surface, phase, light rig and exposure, independent of the patient.
+/// A named look: transfer function, window, surface, phase, light rig and exposure, independent of the patient.
 
 #include <string>
 #include <string_view>
@@ -16,6 +16,7 @@ struct Preset {
     TransferFunction transferFunction;
     float phaseG = 0;
     float gradientFactor = 0;
+    HuWindow window;
     float keyLight = 1;      ///< radiance scale of the main panel; [0, 1e6]
     float fillLight = 0.3f;  ///< of the panel on the other side
     float rimLight = 0.5f;   ///< of the panel behind

@@ -11,15 +11,16 @@ bool Range::holds(double value) const {
 }
 
 std::string Range::text() const {
+    // Limits are round numbers; as a float one may be a little off.
+    const std::string low = numberText(lowest, 6), high = numberText(highest, 6);
     if (lowestIncluded && highestIncluded)
-        return "from " + numberText(lowest) + " to " + numberText(highest);
-    return (lowestIncluded ? "at least " : "above ") + numberText(lowest) +
-           (highestIncluded ? " and at most " : " and below ") + numberText(highest);
+        return "from " + low + " to " + high;
+    return (lowestIncluded ? "at least " : "above ") + low + (highestIncluded ? " and at most " : " and below ") + high;
 }
 
-std::string numberText(double value) {
+std::string numberText(double value, int digits) {
     std::ostringstream out;
-    out.precision(9);
+    out.precision(digits);
     out << value;
     return out.str();
 }
@@ -39,7 +40,7 @@ Result<void> checkRange(dvec3 value, const Range& range, const std::string& wher
 
 Result<void> checkDirection(dvec3 value, const std::string& where) {
     const double length = glm::length(value);
-    if (std::isfinite(length) && length > 0)
+    if (length >= 1e-100 && length <= 1e100)  // beyond, its square is no number to divide by
         return {};
     return Error{"is no direction: it needs three finite numbers that are not all 0", where, ""};
 }

@@ -20,7 +20,7 @@ struct Range {
 };
 
 /// A number as a person would write it: "0.5", "1e+30".
-std::string numberText(double value);
+std::string numberText(double value, int digits = 9);
 
 /// Success, or an error about the field `where`.
 Result<void> checkRange(double value, const Range& range, const std::string& where);

@@ -7,10 +7,6 @@
 namespace pdr {
 namespace {
 
-Error notYet(const std::string& what, const std::string& where, const std::string& hint) {
-    return {what + " not rendered yet by this version", where, hint};
-}
-
 Result<void> checkLights(const Scene& scene) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         if (auto ok = check(scene.lights[i]); !ok)
@@ -29,12 +25,11 @@ Result<void> checkTransport(const Scene& scene) {
     for (const auto& ok :
          {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
           checkRange(scene.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
-          checkRange(scene.maxBounces, {1, 100000}, "maxBounces"), checkRange(scene.film.x, {1, 16384}, "film.width"),
-          checkRange(scene.film.y, {1, 16384}, "film.height")})
+          checkRange(scene.maxBounces, {1, 100000}, "maxBounces"),
+          checkRange(scene.toleranceLevels, {1e-3, 16}, "toleranceLevels"), check(scene.window),
+          checkRange(scene.film.x, {1, 16384}, "film.width"), checkRange(scene.film.y, {1, 16384}, "film.height")})
         if (!ok)
             return ok;
-    if (scene.model != Model::singleScattering && scene.model != Model::multipleScattering)
-        return notYet(std::string(modelName(scene.model)) + " is", "model", "Use singleScattering.");
     return {};
 }
 
@@ -56,6 +51,20 @@ const char* modelName(Model model) {
             break;
     }
     return "maximumIntensity";
+}
+
+Result<void> check(const HuWindow& window) {
+    for (const auto& ok : {checkRange(window.lowHu, {-32768, 32767}, "window.lowHu"),
+                           checkRange(window.highHu, {-32768, 32767}, "window.highHu")})
+        if (!ok)
+            return ok;
+    if (!(window.highHu > window.lowHu))
+        return Error{"highHu must lie above lowHu", "window.highHu", ""};
+    return {};
+}
+
+bool isProjection(Model model) {
+    return model != Model::singleScattering && model != Model::multipleScattering;
 }
 
 Result<void> Scene::check() const {

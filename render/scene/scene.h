@@ -16,17 +16,43 @@
 namespace pdr {
 
 /// The optical models, from cheap to complete.
+///   absorption          an X-ray: L = B exp(-int extinction), B the environment, white where that is black
+///   emission            L = int extinction c ds + background; c = albedo + emission, as if white light of radiance 1
+///                       reached each tissue from all sides unshadowed
+///   emissionAbsorption  the same behind what lies in front of it
+///   singleScattering    light from the lights, shadowed on its way, scattered once
+///   multipleScattering  the same with any number of events
+///   maximumIntensity    the highest HU on each ray, through a window
 enum class Model { absorption, emission, emissionAbsorption, singleScattering, multipleScattering, maximumIntensity };
+
+inline constexpr Model kModels[] = {Model::absorption,       Model::emission,           Model::emissionAbsorption,
+                                    Model::singleScattering, Model::multipleScattering, Model::maximumIntensity};
 
 /// Its word in scene files: "singleScattering".
 const char* modelName(Model model);
+
+/// The HU that maximumIntensity shows as greys, in even steps at exposure 1.
+struct HuWindow {
+    float lowHu = -200;   ///< black; [-32768, 32767]
+    float highHu = 1000;  ///< white; [-32768, 32767], above lowHu
+    bool operator==(const HuWindow&) const = default;
+};
+
+/// The ranges above, with "window.lowHu" or "window.highHu" in `where`.
+Result<void> check(const HuWindow& window);
+
+/// Whether pictures of the model are sums along straight rays: no noise but that of the pixels' edges, no lights, no
+/// shadows.
+bool isProjection(Model model);
 
 struct Scene {
     std::shared_ptr<const Volume> volume;  ///< never null in a scene that is rendered
     TransferFunction transferFunction;
     Model model = Model::singleScattering;
-    float phaseG = 0;          ///< Henyey-Greenstein mean cosine; (-1, 1)
-    float gradientFactor = 0;  ///< how readily an event is a surface reflection; [0, 1e6]; 0 = never
+    HuWindow window;
+    float toleranceLevels = 0.25f;  ///< largest error of a ray of a projection, display levels of 255; [1e-3, 16]
+    float phaseG = 0;               ///< Henyey-Greenstein mean cosine; (-1, 1)
+    float gradientFactor = 0;       ///< how readily an event is a surface reflection; [0, 1e6]; 0 = never
     std::vector<Light> lights;
     Environment environment;
     Camera camera;

@@ -197,6 +197,8 @@ void readScene(JsonFields& fields, const std::filesystem::path& folder, SceneFil
     file.source = readVolume(fields.object("volume"), folder);
     scene.transferFunction = readTransferFunction(fields);
     readModel(fields, scene.model);
+    readWindow(fields, scene.window);
+    fields.optional("toleranceLevels", scene.toleranceLevels);
     readPhase(fields, scene.phaseG);
     readSurface(fields, scene.gradientFactor);
     if (fields.has("lights"))

@@ -54,6 +54,10 @@ Result<void> TransferFunction::check() const {
         return Error{"extinctionPerMm must lie in [0, 1e6] per mm", "transferFunction.extinctionPerMm", ""};
     if (nodes.empty())
         return Error{"at least one node is needed", "transferFunction.nodes", ""};
+    if (nodes.size() > kMostNodes)
+        return Error{"there are " + std::to_string(nodes.size()) + " nodes, at most " + std::to_string(kMostNodes) +
+                         " are taken",
+                     "transferFunction.nodes", "Leave out nodes that lie on a line between their neighbours."};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const TransferNode& node = nodes[i];
         const std::string where = "transferFunction.nodes[" + std::to_string(i) + "]";

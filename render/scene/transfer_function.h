@@ -25,7 +25,9 @@ struct TransferNode {
 
 struct TransferFunction {
     float extinctionPerMm = 1;        ///< extinction where the opacity is 1 [1/mm]; [0, 1e6]
-    std::vector<TransferNode> nodes;  ///< at least one
+    std::vector<TransferNode> nodes;  ///< 1 to kMostNodes
+
+    static constexpr std::size_t kMostNodes = 4096;
 
     /// All properties at `hu`, by the rules above. Needs at least one node.
     TransferNode at(float hu) const;

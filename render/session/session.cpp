@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "render/film/tone_map.h"
+#include "render/kernel/random.h"
 #include "render/scene/flatten.h"
 
 namespace pdr {
@@ -135,6 +136,7 @@ class Session::Loop {
             const double affordable = std::max(pixelsPerSecond_ * kMovingSecondsPerFrame / kMovingSamples, 1.0);
             const int divider = std::clamp(int(std::ceil(std::sqrt(pixels / affordable))), 1, kCoarsest);
             scene.film = glm::max((scene.film + divider - 1) / divider, ivec2(1));
+            scene.seed ^= mixBits(scene.revision);  // else the grain would stand still on a picture that moves
         }
         if (const Result<void> fits = scene.check(); !fits)
             return fail(order.scene.revision, fits.error());

@@ -15,6 +15,8 @@
 #include <csignal>
 #include <vector>
 
+#include "render/base/health.h"
+
 /// What a run of the program left.
 struct Run {
     int code = -1;
@@ -191,15 +193,76 @@ class CliTest : public QObject {
         const Run plain = run({"effects", scene()});
         QCOMPARE(plain.code, 0);
         QVERIFY(plain.out.contains("the gradient factor is 0"));
-        QVERIFY(plain.out.contains("no light has a place"));
+        QVERIFY(plain.out.contains("no light is a panel or a ball"));
+        QVERIFY(plain.out.contains("multipleScattering"));
         const Run lit = run({"effects", scene(), "--preset", "CT bone"});
         QCOMPARE(lit.code, 0);
         const QByteArrayList lines = lit.out.split('\n');
         const auto panel =
-            std::find_if(lines.begin(), lines.end(), [](const QByteArray& l) { return l.startsWith("panel"); });
+            std::find_if(lines.begin(), lines.end(), [](const QByteArray& l) { return l.startsWith("lights with a place"); });
         QVERIFY(panel != lines.end());
-        QCOMPARE(panel->simplified().split(' ').at(2), QByteArray("needed"));
-        QVERIFY(panel->simplified().split(' ').at(4).toDouble() > 0);  // levels that the picture changes by
+        QCOMPARE(panel->simplified().split(' ').at(4), QByteArray("needed"));
+        QVERIFY(panel->simplified().split(' ').at(6).toDouble() > 0);  // levels that the picture changes by
+    }
+
+    void aSampleIsToldEventByEvent() {
+        const Run told = run({"replay", scene(), "--preset", "CT bone", "--model", "multipleScattering", "--size", "40x40",
+                              "--pixel", "20,20", "--sample", "3"});
+        QVERIFY2(told.code == 0, told.err.constData());
+        QVERIFY(told.out.contains("pixel 20,20 sample 3 seed"));
+        QVERIFY(told.out.contains("event after") && told.out.contains("HU, extinction") &&
+                told.out.contains("radiance ("));
+        QCOMPARE(run({"replay", scene(), "--pixel", "5000,0"}).code, 1);
+        QCOMPARE(run({"replay", scene(), "--pixel", "five"}).code, 2);
+        QCOMPARE(run({"replay", scene()}).code, 2);
+        QCOMPARE(run({"replay", scene(), "--pixel", "1,1", "--model", "maximumIntensity"}).code, 1);
+    }
+
+    void everyModelMakesItsOwnPicture() {
+        QSet<QByteArray> pictures;
+        for (const char* model : {"absorption", "emission", "emissionAbsorption", "singleScattering",
+                                  "multipleScattering", "maximumIntensity"}) {
+            const Run result = run({"render", scene(), "-o", at("m.png"), "--samples", "4", "--size", "30x30", "--preset",
+                                    "CT bone", "--model", model, "--json"});
+            QVERIFY2(result.code == 0, result.err.constData());
+            const QJsonObject health = QJsonDocument::fromJson(result.out).object()["health"].toObject();
+            QCOMPARE(health.size(), pdr::kFaults);
+            for (const QJsonValue& fault : health)
+                QCOMPARE(fault.toObject()["count"].toInt(-1), 0);
+            const QImage image = QImage(at("m.png")).convertToFormat(QImage::Format_RGB888);
+            pictures << QByteArray(reinterpret_cast<const char*>(image.constBits()), int(image.sizeInBytes()));
+        }
+        QCOMPARE(pictures.size(), 6);
+        QCOMPARE(run({"render", scene(), "-o", at("m.png"), "--model", "shadows"}).code, 2);
+    }
+
+    void aLensIsFocusedOnWhatAPixelShows() {
+        QCOMPARE(run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset", "CT bone", "--aperture", "10",
+                      "--focus", "32,24"}).code, 0);
+        const Run nothing = run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset", "CT bone",
+                                 "--aperture", "10", "--focus", "0,0"});
+        QCOMPARE(nothing.code, 1);
+        QVERIFY(nothing.err.contains("nothing to focus on under pixel 0,0"));
+    }
+
+    void surroundingsAreReadFromOpenExr() {
+        QVERIFY(run({"render", scene(), "-o", at("sky.exr"), "--samples", "2", "--preset", "CT bone"}).code == 0);
+        QFile file(scene());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
+        document["lights"] = QJsonArray{QJsonObject{{"type", "environment"}, {"image", at("sky.exr")}, {"radiance", 3}}};
+        const auto write = [&](const QString& name) {
+            QFile out(at(name));
+            return out.open(QIODevice::WriteOnly) && out.write(QJsonDocument(document).toJson()) > 0;
+        };
+        QVERIFY(write("lit.json"));
+        const Run lit = run({"render", at("lit.json"), "-o", at("lit.png"), "--samples", "2"});
+        QVERIFY2(lit.code == 0, lit.err.constData());
+        document["lights"] = QJsonArray{QJsonObject{{"type", "environment"}, {"image", at("missing.exr")}}};
+        QVERIFY(write("unlit.json"));
+        const Run missing = run({"render", at("unlit.json"), "-o", at("lit.png"), "--samples", "2"});
+        QCOMPARE(missing.code, 1);
+        QVERIFY(missing.err.contains("missing.exr"));
     }
 
     void theErrorStopsAndDoesNotDependOnTheClock() {

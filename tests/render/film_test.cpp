@@ -1,29 +1,13 @@
 #include <QTest>
 
 #include "render/film/film.h"
-#include "render/kernel/pixel.h"
 #include "render/kernel/random.h"
+#include "tests/support/one_pixel.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
 
 namespace {
-
-const Tile kOnePixel{0, 0, 1, 1};
-
-/// A film of one pixel after `count` samples value(i).
-template <class Value>
-Film filmOf(std::uint64_t count, Value&& value, std::uint32_t n = 64) {
-    Film film({1, 1}, 0);
-    while (film.samplesPerPixel() < count) {
-        const SampleRange range =
-            film.nextSamples(std::uint32_t(std::min<std::uint64_t>(n, count - film.samplesPerPixel())));
-        for (std::uint32_t i = 0; i < range.count; ++i)
-            addSample(*film.sums(kOnePixel).pixels, vec3(float(value(range.first + i))));
-        film.commit(range);
-    }
-    return film;
-}
 
 double uniform(std::uint64_t i) {
     return Random(1, 0, i).stream(Dimension::filter).pair().x;
@@ -37,9 +21,9 @@ class FilmTest : public QObject {
   private slots:
     void firstSamplesCountFully() {
         const auto ramp = [](std::uint64_t i) { return double(i + 1); };
-        QCOMPARE(filmOf(1, ramp).pixel(0, 0).mean.x, 1.0);
-        QCOMPARE(filmOf(2, ramp).pixel(0, 0).mean.x, 1.5);
-        QCOMPARE(filmOf(3, ramp).pixel(0, 0).mean.x, 2.0);
+        QCOMPARE(test::filmOf(1, ramp).pixel(0, 0).mean.x, 1.0);
+        QCOMPARE(test::filmOf(2, ramp).pixel(0, 0).mean.x, 1.5);
+        QCOMPARE(test::filmOf(3, ramp).pixel(0, 0).mean.x, 2.0);
     }
 
     /// Naive single-precision accumulation is wrong by percents here; the same samples in float show it.
@@ -55,14 +39,14 @@ class FilmTest : public QObject {
             running += (sample - running) / float(i + 1);
         }
         truth /= double(count);
-        const double mean = filmOf(count, value).pixel(0, 0).mean.x;
+        const double mean = test::filmOf(count, value).pixel(0, 0).mean.x;
         QVERIFY(std::fabs(mean / truth - 1) < 1e-12);
         QVERIFY(std::fabs(double(running) / truth - 1) > 1e-3);
         QVERIFY(std::fabs(double(plain) / double(count) / truth - 1) > 1e-3);
     }
 
     void constantSamplesGiveTheConstantAndNoError() {
-        const Film film = filmOf(100'000, [](std::uint64_t) { return 1.0; });
+        const Film film = test::filmOf(100'000, [](std::uint64_t) { return 1.0; });
         QCOMPARE(film.pixel(0, 0).mean.x, 1.0);
         QCOMPARE(film.pixel(0, 0).standardError.x, 0.0);
         QCOMPARE(film.status().relativeError, 0.0);
@@ -74,7 +58,7 @@ class FilmTest : public QObject {
         test::Sample truth;
         for (std::uint64_t i = 0; i < count; ++i)
             truth.add(float(value(i)));
-        const double error = filmOf(count, value).pixel(0, 0).standardError.x;
+        const double error = test::filmOf(count, value).pixel(0, 0).standardError.x;
         QVERIFY(std::fabs(error / truth.standardError() - 1) < 1e-3);
     }
 
@@ -92,11 +76,11 @@ class FilmTest : public QObject {
                                                {-1.0f, Fault::negative}};
         Film film({1, 1}, 0);
         for (const auto& [value, fault] : bad) {
-            QVERIFY(!addSample(*film.sums(kOnePixel).pixels, vec3(1, value, 1)));
+            QVERIFY(!addSample(*film.sums(test::kOnePixel).pixels, vec3(1, value, 1)));
             QVERIFY(faultOf(vec3(1, value, 1)) == fault);
         }
-        QVERIFY(addSample(*film.sums(kOnePixel).pixels, vec3(3)));
-        QVERIFY(addSample(*film.sums(kOnePixel).pixels, vec3(5)));
+        QVERIFY(addSample(*film.sums(test::kOnePixel).pixels, vec3(3)));
+        QVERIFY(addSample(*film.sums(test::kOnePixel).pixels, vec3(5)));
         film.commit({0, 6});
         QCOMPARE(film.pixel(0, 0).mean.x, 4.0);
         QCOMPARE(film.pixel(0, 0).count, std::uint64_t(2));
@@ -120,7 +104,7 @@ class FilmTest : public QObject {
     }
 
     void veryBrightSamplesStayFinite() {
-        const Film film = filmOf(1000, [](std::uint64_t i) { return i % 2 ? 1e38 : 1e30; });
+        const Film film = test::filmOf(1000, [](std::uint64_t i) { return i % 2 ? 1e38 : 1e30; });
         QVERIFY(std::isfinite(film.pixel(0, 0).mean.x));
         QVERIFY(std::isfinite(film.pixel(0, 0).standardError.x));
         QVERIFY(std::isfinite(film.status().relativeError));
@@ -128,9 +112,9 @@ class FilmTest : public QObject {
 
     void resultDoesNotDependOnIterationsPerFrame() {
         const auto value = [](std::uint64_t i) { return std::exp(5 * uniform(i)); };
-        const PixelEstimate one = filmOf(1000, value, 1).pixel(0, 0);
+        const PixelEstimate one = test::filmOf(1000, value, 1).pixel(0, 0);
         for (const std::uint32_t n : {7u, 10u, 64u}) {
-            const PixelEstimate other = filmOf(1000, value, n).pixel(0, 0);
+            const PixelEstimate other = test::filmOf(1000, value, n).pixel(0, 0);
             QCOMPARE(other.mean, one.mean);
             QCOMPARE(other.standardError, one.standardError);
         }

@@ -19,7 +19,17 @@
 
 using namespace pdr;
 
-static const Provenance kFacts{128, 1.5, 0.025, 3, 18446744073709551615u, "singleScattering", 2.5, "PD-Render 0.1.0"};
+static Health someFaults() {
+    Health health;
+    health.add(Fault::infinite, 7, 11);
+    health.add(Fault::infinite, 9, 2);
+    health.add(Fault::negative, 3, 4);
+    health.add(Fault::cutPath, 1, 1);
+    return health;
+}
+
+static const Provenance kFacts{128,  1.5, 0.025, someFaults(), 18446744073709551615u, "singleScattering", 2.5,
+                               "PD-Render 0.1.0"};
 
 /// Two samples a pixel, so that means and standard errors are known.
 static Film exampleFilm(ivec2 size) {
@@ -73,6 +83,21 @@ class ImageFileTest : public QObject {
         QCOMPARE(image.text("Software"), QString("PD-Render 0.1.0"));
     }
 
+    void exrComesBackAsItWasWritten() {
+        const Film film = exampleFilm({7, 5});
+        QVERIFY(bool(writeExr(film, kFacts, at("b.exr"))));
+        const auto image = readExr(at("b.exr"));
+        QVERIFY(image && image->size == ivec2(7, 5));
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 7; ++x)
+                QVERIFY(image->pixels[y * 7 + x] == vec3(film.pixel(x, y).mean));
+        QVERIFY(!readExr(at("no such file.exr")));
+        QFile file(QString::fromStdString(at("b.exr")));
+        QVERIFY(file.open(QIODevice::ReadWrite) && file.resize(file.size() / 2));
+        QVERIFY(!readExr(at("b.exr")));
+        QVERIFY(file.resize(0) && !readExr(at("b.exr")));
+    }
+
     void exrHoldsMeanErrorAndProvenance() {
         const Film film = exampleFilm({7, 5});
         QVERIFY(bool(writeExr(film, kFacts, at("a.exr"))));
@@ -81,6 +106,9 @@ class ImageFileTest : public QObject {
         QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/samplesPerPixel").value(), 128.0);
         QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/relativeError").value(), 0.025);
         QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/rejectedSamples").value(), 3.0);
+        QCOMPARE(header.typedAttribute<Imf::StringAttribute>("pdrender/health").value(),
+                 "notANumber 0, infinite 2 (pixel 11, sample 7), negative 1 (pixel 4, sample 3), overMajorant 0, "
+                 "cutPath 1 (pixel 1, sample 1), overTolerance 0");
         QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("renderTimeSeconds").value(), 1.5);
         QCOMPARE(header.typedAttribute<Imf::StringAttribute>("pdrender/seed").value(), "18446744073709551615");
         QCOMPARE(header.typedAttribute<Imf::StringAttribute>("pdrender/program").value(), "PD-Render 0.1.0");

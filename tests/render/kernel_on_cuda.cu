@@ -1,7 +1,9 @@
 /// The kernel headers, compiled for a GPU: compiling is the test. One thread, one pixel; nothing is launched.
 
 #include "render/kernel/integrator.h"
+#include "render/kernel/march.h"
 #include "render/kernel/pixel.h"
+#include "render/kernel/projection.h"
 
 namespace pdr {
 
@@ -20,5 +22,23 @@ __global__ void renderPixels(FlatScene scene, SampleRange samples, PixelSums* su
 
 template __global__ void renderPixels<0>(FlatScene, SampleRange, PixelSums*);
 template __global__ void renderPixels<kFeatureMasks - 1>(FlatScene, SampleRange, PixelSums*);
+
+template <FlatModel Model>
+__global__ void projectPixels(FlatScene scene, PixelSums* sums) {
+    const ivec2 pixel(blockIdx.x * blockDim.x + threadIdx.x, blockIdx.y * blockDim.y + threadIdx.y);
+    const Path path = cameraStart(scene, pixel, 0, matterDepths(scene, pixel));
+    addSample(sums[pixel.y * scene.camera.film.x + pixel.x], project<Model>(scene, path.leg.ray, backdrop<Model>(scene, path.leg)).radiance);
+}
+
+template __global__ void projectPixels<FlatModel::absorption>(FlatScene, PixelSums*);
+template __global__ void projectPixels<FlatModel::emission>(FlatScene, PixelSums*);
+template __global__ void projectPixels<FlatModel::emissionAbsorption>(FlatScene, PixelSums*);
+template __global__ void projectPixels<FlatModel::maximumIntensity>(FlatScene, PixelSums*);
+
+__global__ void marchRay(FlatScene scene, Ray ray, RandomStream random, float* ends) {
+    const float step = marchStep(scene.volume, kExposureRenderStep);
+    ends[0] = marchToCollision(scene, ray, random, step);
+    ends[1] = marchTransmittance(scene, ray, random, step);
+}
 
 }  // namespace pdr

@@ -95,6 +95,27 @@ class NeedsTest : public QObject {
         QVERIFY(!effect(scene, "highlights").needed);
     }
 
+    /// Sums along straight rays know no light but their own and that behind them.
+    void modelsWithoutScatteringSayWhatTheyDoNotHave() {
+        for (const Model model :
+             {Model::absorption, Model::emission, Model::emissionAbsorption, Model::maximumIntensity}) {
+            for (Case& one : onePerEffect()) {
+                if (one.name == "depth of field" || one.name == "clipping")
+                    continue;  // these are about which rays there are
+                one.scene.model = model;
+                QVERIFY(bool(one.scene.check()));
+                QCOMPARE(neededFeatures(needs(one.scene)), 0u);
+                const Effect found = effect(one.scene, one.name);
+                const bool light = model != Model::maximumIntensity && one.name == "visible background";
+                const bool within =
+                    (model == Model::emission || model == Model::emissionAbsorption) && one.name == "emission";
+                QVERIFY2(found.needed == (light || within), one.name.c_str());
+                QVERIFY(found.needed || found.reason.starts_with("the model") ||
+                        found.reason == "there are no surfaces");
+            }
+        }
+    }
+
     /// An effect that is compiled in but has nothing to do leaves every bit as it is.
     void effectsWithoutInfluenceLeaveThePictureBitIdentical() {
         const Film lean = renderedWith(plain(), 0);

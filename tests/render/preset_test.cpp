@@ -54,6 +54,9 @@ class PresetTest : public QObject {
         const auto wrong = presetFromJson(text("ct_bone").replace("\"key\":", "\"main\":").toStdString(), "ct_bone");
         QVERIFY(!wrong);
         QCOMPARE(wrong.error().where, std::string("ct_bone, lights.main"));
+        const auto window = presetFromJson(text("ct_bone").replace("1800", "100").toStdString(), "ct_bone");
+        QVERIFY(!window);
+        QCOMPARE(window.error().where, std::string("ct_bone, window.highHu"));
         const auto dark =
             presetFromJson(text("ct_bone").replace("\"exposure\": ", "\"exposure\": -").toStdString(), "x");
         QVERIFY(!dark);
@@ -68,6 +71,7 @@ class PresetTest : public QObject {
         QVERIFY(after.volume == before.volume && after.camera == before.camera && after.film == before.film);
         QVERIFY(after.seed == 7 && after.revision == before.revision);
         QVERIFY(after.transferFunction == bone().transferFunction);
+        QVERIFY(after.window == bone().window && after.window != HuWindow{});
         QVERIFY(!after.environment.visible);
     }
 

@@ -18,6 +18,8 @@ static const char* kFull = R"({
     { "hu": 0, "opacity": 0 },
     { "hu": 100, "opacity": 0.5, "albedo": [0.1, 0.2, 0.3], "emission": 4, "specular": 0.25, "roughness": 0.75 } ] },
   "model": "singleScattering",
+  "window": { "lowHu": -50, "highHu": 350 },
+  "toleranceLevels": 0.5,
   "phase": { "g": 0.3 },
   "surface": { "gradientFactor": 6 },
   "lights": [
@@ -83,6 +85,8 @@ class SceneFileTest : public QObject {
         QVERIFY(scene.transferFunction.nodes[0] == TransferNode{});
         QVERIFY((scene.transferFunction.nodes[1] ==
                  TransferNode{100, 0.5f, {0.1f, 0.2f, 0.3f}, vec3(4), vec3(0.25f), 0.75f}));
+        QVERIFY((scene.window == HuWindow{-50, 350}));
+        QCOMPARE(scene.toleranceLevels, 0.5f);
         QCOMPARE(scene.phaseG, 0.3f);
         QCOMPARE(scene.gradientFactor, 6.0f);
         QCOMPARE(scene.lights.size(), std::size_t(3));
@@ -141,6 +145,11 @@ class SceneFileTest : public QObject {
         row("transferFunction.nodes.0.roughness", "rough", "transferFunction.nodes[0].roughness");
         row("transferFunction.nodes.0.shine", 1, "transferFunction.nodes[0].shine");
         row("model", "raytracing", "model");
+        row("window.lowHu", removed, "window.lowHu");
+        row("window.lowHu", 350, "window.highHu");
+        row("window.highHu", 40000, "window.highHu");
+        row("toleranceLevels", 0, "toleranceLevels");
+        row("toleranceLevels", 17, "toleranceLevels");
         row("phase.g", 1, "phase.g");
         row("surface.gradientFactor", -1, "surface.gradientFactor");
         row("lights", 3, "lights");

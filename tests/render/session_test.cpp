@@ -1,48 +1,14 @@
 #include <QTest>
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <thread>
 
-#include "render/session/session.h"
 #include "tests/support/scenes.h"
+#include "tests/support/screen.h"
 
 using namespace pdr;
 using namespace std::chrono_literals;
 
 namespace {
-
-/// Keeps the newest frame and lets a test wait for one.
-class Screen {
-  public:
-    FrameSink sink() {
-        return [this](std::shared_ptr<const Frame> frame) {
-            const std::lock_guard lock(mutex_);
-            newest_ = std::move(frame);
-            ++count_;
-            arrived_.notify_all();
-        };
-    }
-
-    /// The first frame from now on that `wanted` holds for; null after 20 s.
-    template <class Wanted>
-    std::shared_ptr<const Frame> await(Wanted&& wanted) {
-        std::unique_lock lock(mutex_);
-        const bool found = arrived_.wait_for(lock, 20s, [&] { return newest_ && wanted(*newest_); });
-        return found ? newest_ : nullptr;
-    }
-
-    int count() {
-        const std::lock_guard lock(mutex_);
-        return count_;
-    }
-
-  private:
-    std::mutex mutex_;
-    std::condition_variable arrived_;
-    std::shared_ptr<const Frame> newest_;
-    int count_ = 0;
-};
 
 Scene someScene(std::uint64_t revision) {
     Scene scene = test::plainScene(test::bumpyVolume({40, 40, 40}, dvec3(1), 3), 1);
@@ -59,7 +25,7 @@ class SessionTest : public QObject {
 
   private slots:
     void framesCarryTheRevisionAndGrowByN() {
-        Screen screen;
+        test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         session.setIterationsPerFrame(5);
         session.submit(someScene(7), false);
@@ -72,7 +38,7 @@ class SessionTest : public QObject {
     }
 
     void newestSceneWinsAtOnce() {
-        Screen screen;
+        test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         session.setIterationsPerFrame(10000);  // a launch of many seconds
         Scene slow = someScene(1);
@@ -87,7 +53,7 @@ class SessionTest : public QObject {
     }
 
     void pausedSessionShowsNewScenesOnceAndHolds() {
-        Screen screen;
+        test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         session.setPaused(true);
         session.submit(someScene(1), false);
@@ -99,7 +65,7 @@ class SessionTest : public QObject {
     }
 
     void displayChangesWithoutARestart() {
-        Screen screen;
+        test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         session.submit(someScene(1), false);
         QVERIFY(screen.await([](const Frame& f) { return f.status.samplesPerPixel >= 20; }));
@@ -113,7 +79,7 @@ class SessionTest : public QObject {
     }
 
     void sceneThatCannotBeRenderedIsSaid() {
-        Screen screen;
+        test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         Scene scene = someScene(3);
         scene.model = Model::multipleScattering;
@@ -126,7 +92,7 @@ class SessionTest : public QObject {
     }
 
     void endsSoon() {
-        Screen screen;
+        test::Screen screen;
         auto session = std::make_unique<Session>(makeCpuDevice(), screen.sink());
         session->setIterationsPerFrame(10000);
         Scene slow = someScene(1);

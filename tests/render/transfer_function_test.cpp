@@ -33,6 +33,20 @@ class TransferFunctionTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// Below a first node at 0 HU its properties hold, like below any other.
+    void propertiesHoldBeyondTheOutermostNodes() {
+        for (const float hu : {-1000.0f, 0.0f, 250.0f}) {
+            Scene scene = test::plainScene(test::makeVolume({2, 2, 2}, dvec3(1), [](int, int, int) { return 0; }), 1);
+            scene.transferFunction.nodes = {{.hu = hu, .opacity = 0.25f, .albedo = vec3(0.75f), .emission = vec3(3)}};
+            const auto prepared = test::prepared(scene);
+            for (const float value : {-32768.0f, -1.0f, 0.0f, 1.0f, 32767.0f}) {
+                const Material material = materialAt(prepared->flat.transferFunction, value);
+                QVERIFY(material.albedo == vec3(0.75f) && material.emission == vec3(3));
+                QCOMPARE(opacity(prepared->flat.transferFunction, value), 0.25f);
+            }
+        }
+    }
+
     void valueIsLinearBetweenNodesAndHeldOutside() {
         const TransferFunction function{1, {{.hu = 0, .opacity = 0.2f}, {.hu = 100, .opacity = 1}}};
         QCOMPARE(function.at(-5).opacity, 0.2f);

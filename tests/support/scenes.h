@@ -1,6 +1,7 @@
 #pragma once
 /// Small scenes with known answers.
 
+#include <algorithm>
 #include <random>
 #include <vector>
 

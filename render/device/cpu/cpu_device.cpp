@@ -10,22 +10,24 @@
 #include <utility>
 
 #include "render/device/cpu/pixel_batch.h"
+#include "render/device/cpu/projection_batch.h"
 #include "render/device/device.h"
 
 namespace pdr {
 
 namespace {
 
-constexpr int kTask = 16;  ///< pixels along an edge of what one thread takes at a time
+constexpr int kTask = 32;  ///< pixels along an edge of what one thread takes at a time
 
 using TileKernel = void (*)(PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples,
-                            TileSums sums, Health& health);
+                            TileSums sums);
 
 /// The one table from a feature mask to the code compiled for it.
 template <std::size_t... Masks>
 constexpr std::array<TileKernel, sizeof...(Masks)> tileKernels(std::index_sequence<Masks...>) {
-    return {[](PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums,
-               Health& health) { batch.render<std::uint32_t(Masks)>(scene, tile, samples, sums, health); }...};
+    return {[](PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
+        batch.render<std::uint32_t(Masks)>(scene, tile, samples, sums);
+    }...};
 }
 constexpr auto kTileKernels = tileKernels(std::make_index_sequence<kFeatureMasks>());
 
@@ -46,6 +48,7 @@ class CpuDevice final : public Device {
 
     Result<void> render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) override {
         const FlatScene& flat = scene_->flat;
+        const bool scattering = flat.optics.model == FlatModel::scattering;
         const TileKernel renderTile = kTileKernels[flat.features];
         const tbb::blocked_range2d<int> pixels(0, tile.height, kTask, 0, tile.width, kTask);
         tbb::enumerable_thread_specific<Health> healths;
@@ -54,8 +57,11 @@ class CpuDevice final : public Device {
                 return;
             const int x = piece.cols().begin(), y = piece.rows().begin();
             const Tile part{tile.x + x, tile.y + y, int(piece.cols().size()), int(piece.rows().size())};
-            renderTile(batches_.local(), flat, part, samples,
-                       {sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride}, healths.local());
+            const TileSums partSums{sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride, &healths.local()};
+            if (scattering)
+                renderTile(batches_.local(), flat, part, samples, partSums);
+            else
+                projections_.local().render(flat, part, samples, partSums);
         };
         arena_.execute([&] { tbb::parallel_for(pixels, work, tbb::simple_partitioner()); });
         if (sums.health != nullptr)
@@ -69,6 +75,7 @@ class CpuDevice final : public Device {
     tbb::global_control allowed_;  ///< more threads than cores, when asked for
     tbb::task_arena arena_;
     tbb::enumerable_thread_specific<PixelBatch> batches_;
+    tbb::enumerable_thread_specific<ProjectionBatch> projections_;
     std::shared_ptr<const PreparedScene> scene_;
 };
 

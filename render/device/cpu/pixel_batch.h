@@ -10,27 +10,15 @@ namespace pdr {
 /// Renders pixels of one scene; owns the room for the paths, so one per thread.
 class PixelBatch {
   public:
-    /// Adds `samples` to each pixel of [x, x + width) x [y, y + height), sums at (row, column) * stride.
+    /// Adds `samples` to each pixel of `tile`. sums.health must be there.
     template <std::uint32_t F>
-    void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums, Health& health) {
+    void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
+        health_ = sums.health;
         for (int y = 0; y < tile.height; ++y)
-            for (int x = 0; x < tile.width; ++x) {
-                const ivec2 pixel(tile.x + x, tile.y + y);
-                PixelSums& target = sums.pixels[std::ptrdiff_t(y) * sums.stride + x];
-                const vec2 depths = matterDepths(scene, pixel);
-                for (std::uint32_t i = 0; i < samples.count; ++i) {
-                    const Origin origin{&target, samples.first + i,
-                                        std::uint32_t(pixel.y * scene.camera.film.x + pixel.x)};
-                    if (showsNothing(scene, depths)) {
-                        add(origin, plainBackground(scene), health);
-                        continue;
-                    }
-                    if (rays_.full())
-                        finish<F>(scene, health);
-                    start(scene, pixel, depths, origin);
-                }
-            }
-        finish<F>(scene, health);
+            for (int x = 0; x < tile.width; ++x)
+                startPixel<F>(scene, {tile.x + x, tile.y + y}, samples,
+                              sums.pixels[std::ptrdiff_t(y) * sums.stride + x]);
+        finish<F>(scene);
     }
 
   private:
@@ -41,12 +29,29 @@ class PixelBatch {
         std::uint32_t pixel;
     };
 
-    static void add(const Origin& origin, vec3 radiance, Health& health) {
-        if (!addSample(*origin.target, radiance))
-            health.add(faultOf(radiance), origin.sample, origin.pixel);
+    template <std::uint32_t F>
+    void startPixel(const FlatScene& scene, ivec2 pixel, SampleRange samples, PixelSums& target) {
+        const vec2 depths = matterDepths(scene, pixel);
+        const bool nothing = showsNothing(scene, depths);
+        const vec3 background = plainBackground(scene);
+        Origin origin{&target, samples.first, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x)};
+        for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
+            if (nothing) {
+                add(origin, background);
+                continue;
+            }
+            if (rays_.full())
+                finish<F>(scene);
+            start(scene, pixel, depths, origin);
+        }
     }
 
-    void start(const FlatScene& scene, ivec2 pixel, vec2 depths, const Origin& origin) {
+    PDR_HD_INLINE void add(const Origin& origin, vec3 radiance) {
+        if (!addSample(*origin.target, radiance)) [[unlikely]]
+            health_->add(faultOf(radiance), origin.sample, origin.pixel);
+    }
+
+    PDR_HD_INLINE void start(const FlatScene& scene, ivec2 pixel, vec2 depths, const Origin& origin) {
         const int path = rays_.size();
         paths_[path] = cameraStart(scene, pixel, origin.sample, depths);
         radiance_[path] = vec3(0);
@@ -55,33 +60,31 @@ class PixelBatch {
         rays_.add(paths_[path].leg.ray, paths_[path].random.stream(0, BounceDimension::flight));
     }
 
-    void note(Fault fault, int path, Health& health) const {
-        health.add(fault, origins_[path].sample, origins_[path].pixel);
-    }
+    void note(Fault fault, int path) { health_->add(fault, origins_[path].sample, origins_[path].pixel); }
 
     /// Takes all started paths to their end and adds them up, in the order in which they were started.
     template <std::uint32_t F>
-    void finish(const FlatScene& scene, Health& health) {
+    void finish(const FlatScene& scene) {
         const int started = rays_.size();
         for (int bounce = 0; rays_.size() > 0; ++bounce)
-            takeLegs<F>(scene, bounce, health);
+            takeLegs<F>(scene, bounce);
         for (int path = 0; path < started; ++path)
-            add(origins_[path], radiance_[path], health);
+            add(origins_[path], radiance_[path]);
     }
 
     /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next legs.
     template <std::uint32_t F>
-    void takeLegs(const FlatScene& scene, int bounce, Health& health) {
+    void takeLegs(const FlatScene& scene, int bounce) {
         rays_.track<DeltaTracking>(scene);
         for (const int row : rays_.overMajorant())
-            note(Fault::overMajorant, pathOf_[row], health);
+            note(Fault::overMajorant, pathOf_[row]);
         lights_.clear();
         const int legs = rays_.size();
         for (int row = 0; row < legs; ++row)
-            arrive<F>(scene, row, bounce, health);
+            arrive<F>(scene, row, bounce);
         lights_.track<RatioTracking>(scene);
         for (const int row : lights_.overMajorant())
-            note(Fault::overMajorant, pathOfLight_[row], health);
+            note(Fault::overMajorant, pathOfLight_[row]);
         rays_.clear();
         for (int row = 0; row < legs; ++row) {
             const int path = pathOf_[row];
@@ -96,7 +99,7 @@ class PixelBatch {
 
     /// The end of one leg: what is known of the radiance, and the light path that is still to be followed.
     template <std::uint32_t F>
-    void arrive(const FlatScene& scene, int row, int bounce, Health& health) {
+    void arrive(const FlatScene& scene, int row, int bounce) {
         const int path = pathOf_[row];
         lightRow_[row] = kDark;
         goesOn_[row] = false;
@@ -109,7 +112,7 @@ class PixelBatch {
         radiance_[path] += met.emitted;
         goesOn_[row] = met.goesOn;
         if (met.cut)
-            note(Fault::cutPath, path, health);
+            note(Fault::cutPath, path);
         if (isDark(met.scattered))
             return;
         scattered_[row] = met.scattered.radiance;
@@ -131,6 +134,7 @@ class PixelBatch {
     std::array<bool, RayBatch::kCapacity> goesOn_;
     std::array<int, RayBatch::kCapacity> pathOfLight_;  ///< by light path
     RayBatch rays_, lights_;
+    Health* health_ = nullptr;
 };
 
 }  // namespace pdr

@@ -1,0 +1,98 @@
+#include "app/cli/replay_command.h"
+
+#include <cstdio>
+
+#include "app/cli/failed.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/render_options.h"
+#include "render/device/cpu/replay.h"
+#include "render/film/health_text.h"
+
+namespace pdr::app {
+namespace {
+
+template <class Vector>
+void printTriple(const char* what, const Vector& v) {
+    std::printf("%s(%.6g, %.6g, %.6g)", what, double(v.x), double(v.y), double(v.z));
+}
+
+void printLeg(int number, const ReplayedLeg& leg) {
+    std::printf("%d ", number);
+    printTriple("from ", leg.startMm);
+    printTriple(" mm towards ", leg.direction);
+    if (leg.collision < 0) {
+        std::printf(leg.length > 0 ? ", through to the end: no event\n" : ": nothing in its way\n");
+        return;
+    }
+    const bool surface = leg.event.normal != vec3(0);
+    std::printf(", event after %.6g mm\n", double(leg.collision));
+    printTriple("    at ", leg.eventMm);
+    std::printf(" mm: %.6g HU, extinction %.6g per mm, %s\n", double(leg.hu), double(leg.extinction),
+                surface ? "a surface reflects" : "the phase function scatters");
+    printTriple("    albedo ", leg.event.material.albedo);
+    if (surface)
+        printTriple(", normal ", leg.event.normal);
+    if (leg.emitted != vec3(0))
+        printTriple(", glow ", leg.emitted);
+    std::printf("\n");
+    if (leg.direct == vec3(0)) {
+        std::printf("    no light reaches it\n");
+    } else {
+        printTriple("    light from ", leg.lightDirection);
+        if (leg.lightDistance < 1e29f)
+            std::printf(", %.6g mm away", double(leg.lightDistance));
+        printTriple(", brings ", leg.direct);
+        std::printf(" times a transmittance of %.6g\n", double(leg.transmittance));
+    }
+    printTriple("    the path goes on with ", leg.throughput);
+    std::printf("\n");
+}
+
+Result<void> tell(const ReplayOptions& options) {
+    ProgressLine line;
+    auto loaded = loadScene(options.scene, [&](double fraction, std::string_view step) {
+        line.show(fraction, step);
+        return true;
+    });
+    line.finish();
+    if (!loaded)
+        return loaded.error();
+    const Scene& scene = loaded->scene;
+    if (isProjection(scene.model))
+        return Error{std::string(modelName(scene.model)) + " has no paths to replay", "--model",
+                     "Take singleScattering or multipleScattering."};
+    if (options.pixel.x >= scene.film.x || options.pixel.y >= scene.film.y)
+        return Error{"lies outside the picture of " + std::to_string(scene.film.x) + " x " +
+                         std::to_string(scene.film.y) + " pixels",
+                     "--pixel", ""};
+    const Replay replay = replayed(*Flattener().prepare(scene), options.pixel, options.sample);
+    std::printf("pixel %d,%d sample %llu seed %llu, %s\n", options.pixel.x, options.pixel.y,
+                static_cast<unsigned long long>(options.sample), static_cast<unsigned long long>(scene.seed),
+                modelName(scene.model));
+    for (std::size_t i = 0; i < replay.legs.size(); ++i)
+        printLeg(int(i), replay.legs[i]);
+    printTriple("radiance ", replay.radiance);
+    std::printf("\n");
+    for (const std::string& fault : healthLines(replay.faults))
+        std::printf("%s\n", fault.c_str());
+    return {};
+}
+
+}  // namespace
+
+int runReplay(const QStringList& arguments) {
+    const auto options = replayOptions(arguments);
+    if (!options) {
+        failed(options.error());
+        std::fprintf(stderr, "\"pdrender-cli replay --help\" lists all options.\n");
+        return 2;
+    }
+    if (options->help) {
+        std::fputs(replayHelp().c_str(), stdout);
+        return 0;
+    }
+    const auto done = tell(*options);
+    return done ? 0 : failed(done.error());
+}
+
+}  // namespace pdr::app

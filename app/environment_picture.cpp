@@ -1,0 +1,21 @@
+#include "app/environment_picture.h"
+
+#include <utility>
+
+#include "render/film/image_file.h"
+
+namespace pdr::app {
+
+Result<std::shared_ptr<const EnvironmentImage>> fetchEnvironment(const SceneFile& file) {
+    if (file.environmentImage.empty())
+        return std::shared_ptr<const EnvironmentImage>();
+    auto picture = readExr(file.environmentImage);
+    if (!picture)
+        return picture.error();
+    auto image = std::make_shared<EnvironmentImage>(EnvironmentImage{picture->size, std::move(picture->pixels)});
+    if (auto ok = image->check(); !ok)
+        return Error{ok.error().where + " " + ok.error().what, file.environmentImage.string(), ok.error().hint};
+    return std::shared_ptr<const EnvironmentImage>(std::move(image));
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,36 @@
+#include "render/film/health_text.h"
+
+namespace pdr {
+
+const char* faultText(Fault fault) {
+    switch (fault) {
+        case Fault::notANumber:
+            return "samples left out: not a number";
+        case Fault::infinite:
+            return "samples left out: infinitely bright";
+        case Fault::negative:
+            return "samples left out: negative light";
+        case Fault::overMajorant:
+            return "meetings with tissue above its bound";
+        case Fault::cutPath:
+            return "light paths cut off at their last allowed event";
+        case Fault::overTolerance:
+            break;
+    }
+    return "rays less exact than asked for";
+}
+
+std::vector<std::string> healthLines(const Health& health) {
+    std::vector<std::string> lines;
+    for (int i = 0; i < kFaults; ++i)
+        if (health.faults[i].count > 0)
+            lines.push_back(std::to_string(health.faults[i].count) + " " + faultText(Fault(i)));
+    return lines;
+}
+
+std::string reproducerText(const FaultCount& fault, int width) {
+    return "pixel " + std::to_string(fault.pixel % width) + "," + std::to_string(fault.pixel / width) + " sample " +
+           std::to_string(fault.sample);
+}
+
+}  // namespace pdr

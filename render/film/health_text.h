@@ -1,0 +1,20 @@
+#pragma once
+/// A picture's health in words.
+
+#include <string>
+#include <vector>
+
+#include "render/base/health.h"
+
+namespace pdr {
+
+/// What one fault is, for the user: "samples left out: not a number".
+const char* faultText(Fault fault);
+
+/// One line for each fault that happened, most serious first: "3 samples left out: not a number". Empty: all is well.
+std::vector<std::string> healthLines(const Health& health);
+
+/// How to see a fault again: "pixel 12,40 sample 7". `width`: of the film.
+std::string reproducerText(const FaultCount& fault, int width);
+
+}  // namespace pdr

@@ -1,0 +1,175 @@
+/// A thousand edits of the transfer function, each checked at very many points: the bound of the cell that a point lies
+/// in is never below the extinction there. Points per edit: PDR_POINTS, else a number that suits every day; the long
+/// run is `ctest -C long -L long`.
+
+#include <tbb/parallel_for.h>
+
+#include <QTest>
+#include <atomic>
+#include <cstdlib>
+#include <random>
+
+#include "render/kernel/medium.h"
+#include "render/kernel/random.h"
+#include "tests/support/scenes.h"
+
+using namespace pdr;
+
+namespace {
+
+constexpr int kEdits = 1000;
+constexpr int kLow = -32001, kHigh = 30001;  ///< of one part of the volume
+
+/// Where a node may be placed: anywhere, on whole numbers, just beside them, at the ends of what int16 holds.
+float anyHu(std::mt19937& random) {
+    std::uniform_real_distribution<float> unit(0, 1);
+    // Beside 0, where floats are finest, and where interpolation between kLow and kHigh rounds to.
+    const float besideVoxels[] = {-1e-40f, 0, 1e-40f, std::nextafter(float(kHigh), 1e9f),
+                                  std::nextafter(float(kLow), -1e9f)};
+    const float wide = random() % 3 ? 4500 * unit(random) - 1200 : 65535 * unit(random) - 32768;
+    switch (random() % 5) {
+        case 0:
+            return std::floor(wide);
+        case 1:
+            return std::nextafter(std::floor(wide), random() % 2 ? 1e9f : -1e9f);
+        case 2:
+            return std::floor(wide) + 0.01f * (unit(random) - 0.5f);
+        case 3:
+            return random() % 2 ? wide : besideVoxels[random() % std::size(besideVoxels)];
+        default:
+            return random() % 20 ? wide : (random() % 2 ? -32768.0f : 32767.0f);
+    }
+}
+
+void addBand(std::vector<TransferNode>& nodes, std::mt19937& random) {
+    const float widths[] = {0, 1e-3f, 0.3f, 1, 20};
+    const float low = std::clamp(anyHu(random), -32768.0f, 32000.0f), width = widths[random() % 5];
+    nodes.push_back({.hu = low, .opacity = 0});
+    nodes.push_back({.hu = low, .opacity = 1});
+    nodes.push_back({.hu = low + width, .opacity = 1});
+    nodes.push_back({.hu = low + width, .opacity = 0});
+}
+
+/// Bands, steps, repeated places, huge and tiny slopes.
+TransferFunction edit(unsigned number) {
+    std::mt19937 random(number);
+    std::uniform_real_distribution<float> unit(0, 1);
+    TransferFunction function;
+    function.extinctionPerMm = std::pow(10.0f, 12 * unit(random) - 6);
+    for (int i = int(random() % 10); i >= 0; --i) {
+        const float opacities[] = {0, 1, unit(random), 1e-6f * unit(random), 1e-30f};
+        const float hu = std::clamp(anyHu(random), -32768.0f, 32767.0f);
+        function.nodes.push_back({.hu = hu, .opacity = opacities[random() % 5]});
+        if (random() % 3 == 0)
+            function.nodes.push_back({.hu = hu, .opacity = opacities[random() % 5]});
+        if (random() % 4 == 0)
+            addBand(function.nodes, random);
+    }
+    std::ranges::stable_sort(function.nodes, {}, &TransferNode::hu);
+    return function;
+}
+
+/// From foot to head: rough tissue, a checkerboard of the extremes, all of int16 at random, a slope, two
+/// values. One volume, since
+/// the table of a curve's maxima over all of int16 is what takes time.
+std::shared_ptr<const Volume> volume() {
+    const int part = 18;
+    const auto tissue = test::bumpyVolume({33, 21, part}, dvec3(1), 5);
+    std::mt19937 random(9);
+    return test::makeVolume({33, 21, 5 * part}, {0.7, 1.1, 2.3}, [&](int i, int j, int k) -> int {
+        if (k < part)
+            return tissue->voxels()[(k * 21 + j) * 33 + i];
+        if (k < 2 * part)
+            return (i + j + k) % 2 ? 32767 : -32768;
+        if (k < 3 * part)
+            return int(random() % 65536) - 32768;
+        if (k < 4 * part)
+            return 900 * i - 700 * j + 31 * k;
+        return random() % 2 ? kHigh : kLow;
+    });
+}
+
+/// Random numbers in [0, 1) per lane.
+struct LaneNumbers {
+    RandomStreamOf<FloatLanes> stream;
+
+    explicit LaneNumbers(std::uint64_t seed) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const RandomStream one = Random(seed, unsigned(lane), 0).stream(Dimension::filter);
+            stream.counter[lane] = one.counter;
+            stream.key[lane] = one.key;
+        }
+    }
+    void pair(FloatLanes& first, FloatLanes& second) { stream.pair(IntLanes{} - 1, first, second); }
+};
+
+/// A coordinate anywhere in [-0.5, size - 0.5]; one in four on a voxel's centre, where it may count to the cell before,
+/// one in four just above it.
+struct Coordinate {
+    FloatLanes place;
+    IntLanes cell;
+
+    Coordinate(FloatLanes where, FloatLanes how, int size) {
+        place = where * float(size) - 0.5f;
+        const IntLanes centred = how < 0.25f;
+        const FloatLanes centre = toFloat(toInt(where * float(size)));
+        place = centred ? centre : (how < 0.5f ? centre + (how - 0.25f) * 1e-5f : place);
+        cell = toInt(place * 0.25f + 1.0f);
+        const IntLanes onBorder = centred & (how < 0.125f) & ((toInt(place) & 3) == 0) & (cell > 0);
+        cell = onBorder ? cell - 1 : cell;
+    }
+};
+
+/// Extinctions above their bounds among about `points` points.
+long violations(const FlatScene& scene, std::uint64_t seed, int points) {
+    const FlatMajorants& grid = scene.majorants;
+    LaneNumbers numbers(seed);
+    long found = 0;
+    for (int i = 0; i < points; i += kLanes) {
+        FloatLanes u[6];
+        for (int pair = 0; pair < 3; ++pair)
+            numbers.pair(u[pair], u[3 + pair]);
+        const Coordinate x(u[0], u[3], scene.volume.size.x), y(u[1], u[4], scene.volume.size.y);
+        const Coordinate z(u[2], u[5], scene.volume.size.z);
+        const FloatLanes met = extinction(scene, Vec3<FloatLanes>{x.place, y.place, z.place});
+        const FloatLanes fine = gather(grid.fine, (z.cell * grid.fineSize.y + y.cell) * grid.fineSize.x + x.cell);
+        const IntLanes coarseCell =
+            ((z.cell >> 2) * grid.coarseSize.y + (y.cell >> 2)) * grid.coarseSize.x + (x.cell >> 2);
+        const FloatLanes coarse = gather(grid.coarse, coarseCell);
+        // Not "above": what is not a number is a violation too.
+        found += std::popcount(laneBits(!((met <= fine) & (fine <= coarse))));
+    }
+    return found;
+}
+
+int pointsPerEdit() {
+    const char* named = std::getenv("PDR_POINTS");
+    return named ? std::atoi(named) : 100000;
+}
+
+}  // namespace
+
+class MajorantTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void noEditLosesMatter() {
+        const auto all = volume();
+        const int points = pointsPerEdit();
+        std::atomic<long> found = 0, wrongEdits = 0;
+        tbb::parallel_for(0, kEdits, [&](int number) {
+            Scene scene = test::plainScene(all, 1);
+            scene.film = {1, 1};
+            scene.transferFunction = edit(unsigned(number));
+            const auto prepared = Flattener().prepare(scene);
+            const long here = violations(prepared->flat, std::uint64_t(number), points);
+            found += here;
+            wrongEdits += here > 0;
+        });
+        qInfo("%d edits, %d points each: %ld violations in %ld edits", kEdits, points, found.load(), wrongEdits.load());
+        QCOMPARE(found.load(), 0L);
+    }
+};
+
+QTEST_APPLESS_MAIN(MajorantTest)
+#include "majorant_test.moc"

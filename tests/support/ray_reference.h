@@ -1,0 +1,124 @@
+#pragma once
+/// The models without scattering by brute force in double precision: what the quadrature is held against. Nothing is
+/// shared with it but the scene.
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "render/kernel/ray.h"
+#include "render/scene/scene.h"
+
+namespace pdr::test {
+
+/// HU at `position` (index space), trilinear, borders clamped.
+inline double huAt(const Volume& volume, dvec3 position) {
+    const ivec3 size = volume.size();
+    const dvec3 p = glm::clamp(position, dvec3(0), dvec3(size - 1));
+    const ivec3 low = glm::min(ivec3(p), glm::max(size - 2, ivec3(0)));
+    double sum = 0;
+    for (int n = 0; n < 8; ++n) {
+        const ivec3 corner = glm::min(low + ivec3(n & 1, (n >> 1) & 1, n >> 2), size - 1);
+        const dvec3 share = p - dvec3(low);
+        const double weight =
+            (n & 1 ? share.x : 1 - share.x) * (n & 2 ? share.y : 1 - share.y) * (n & 4 ? share.z : 1 - share.z);
+        sum += weight * volume.voxels()[(std::size_t(corner.z) * size.y + corner.y) * size.x + corner.x];
+    }
+    return sum;
+}
+
+struct RayTruth {
+    double depth = 0;
+    dvec3 emitted{0};   ///< int sigma c ds
+    dvec3 absorbed{0};  ///< int sigma c T ds
+};
+
+/// Extinction and source at `hu`, with nodes at the same HU kept apart (right-continuous), in double.
+struct Optics {
+    double extinction;
+    dvec3 source;
+};
+inline Optics opticsAt(const TransferFunction& function, double hu) {
+    const auto& nodes = function.nodes;
+    const auto of = [&](const TransferNode& a, const TransferNode& b, double share) {
+        return Optics{function.extinctionPerMm * (a.opacity + share * (double(b.opacity) - a.opacity)),
+                      glm::mix(dvec3(a.albedo) + dvec3(a.emission), dvec3(b.albedo) + dvec3(b.emission), share)};
+    };
+    std::size_t after = 0;
+    while (after < nodes.size() && nodes[after].hu <= hu)
+        ++after;
+    if (after == 0 || after == nodes.size()) {
+        const TransferNode& outermost = after == 0 ? nodes.front() : nodes.back();
+        return of(outermost, outermost, 0);
+    }
+    const TransferNode &a = nodes[after - 1], &b = nodes[after];
+    return of(a, b, (hu - a.hu) / (double(b.hu) - a.hu));
+}
+
+/// Steps of `stepMm`, cut 200 times finer where the HU pass a node: midpoint rule.
+inline RayTruth rayTruth(const Scene& scene, const Ray& ray, double stepMm) {
+    RayTruth truth;
+    const auto hu = [&](double t) { return huAt(*scene.volume, dvec3(ray.origin) + dvec3(ray.direction) * t); };
+    const auto add = [&](double from, double to) {
+        const double middle = hu((from + to) / 2);
+        const Optics optics = opticsAt(scene.transferFunction, middle);
+        const double depth = optics.extinction * (to - from);
+        truth.absorbed += optics.source * (std::exp(-truth.depth) * -std::expm1(-depth));
+        truth.emitted += optics.source * depth;
+        truth.depth += depth;
+    };
+    const auto steps = std::int64_t(std::ceil(ray.length / stepMm));
+    double before = hu(0);
+    for (std::int64_t i = 0; i < steps; ++i) {
+        const double from = double(ray.length) * double(i) / double(steps),
+                     to = double(ray.length) * double(i + 1) / double(steps);
+        const double behind = hu(to);
+        const bool passes = std::ranges::any_of(scene.transferFunction.nodes, [&](const TransferNode& node) {
+            return (node.hu - before) * (node.hu - behind) <= 0;
+        });
+        before = behind;
+        const int parts = passes ? 200 : 1;
+        for (int part = 0; part < parts; ++part)
+            add(from + (to - from) * part / parts, from + (to - from) * (part + 1) / parts);
+    }
+    return truth;
+}
+
+/// The highest HU: in steps of `stepMm`, and a thousand times finer about the best of them.
+inline double highestOn(const Volume& volume, const Ray& ray, double stepMm) {
+    const auto hu = [&](double t) { return huAt(volume, dvec3(ray.origin) + dvec3(ray.direction) * t); };
+    double best = 0;
+    for (double t = 0; t < ray.length; t += stepMm)
+        best = hu(t) > hu(best) ? t : best;
+    double highest = -1e30;
+    for (int i = -1000; i <= 1000; ++i)
+        highest = std::max(highest, hu(std::clamp(best + i * stepMm / 1000, 0.0, double(ray.length))));
+    return highest;
+}
+
+/// Rays that cross the box of `volume` in all directions, along axes and planes too, some from inside.
+inline std::vector<Ray> raysThrough(const Volume& volume, int count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    const auto place = [&] { return vec3(unit(random), unit(random), unit(random)); };
+    const vec3 low(-0.5f), high = vec3(volume.size()) - 0.5f;
+    const vec3 spacing(volume.geometry().spacingMm());
+    std::vector<Ray> rays;
+    while (int(rays.size()) < count) {
+        vec3 direction = place();
+        for (int axis = 0; axis < 3; ++axis)
+            if (random() % 6 == 0)
+                direction[axis] = 0;
+        if (glm::length(direction) < 0.1f)
+            continue;
+        direction = glm::normalize(direction) / spacing;
+        const vec3 through = low + (high - low) * (0.5f + 0.4f * place());
+        const Interval<float> inside =
+            clipped(through, direction, low, high, Interval<float>{random() % 4 ? -1e30f : 0, 1e30f});
+        rays.push_back({through + direction * inside.enter, direction, inside.leave - inside.enter});
+    }
+    return rays;
+}
+
+}  // namespace pdr::test

@@ -1,0 +1,46 @@
+#pragma once
+/// The end of a render loop that a test can wait at.
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+
+#include "render/session/session.h"
+
+namespace pdr::test {
+
+/// Keeps the newest frame and lets a test wait for one.
+class Screen {
+  public:
+    FrameSink sink() {
+        return [this](std::shared_ptr<const Frame> frame) {
+            const std::lock_guard lock(mutex_);
+            newest_ = std::move(frame);
+            ++count_;
+            arrived_.notify_all();
+        };
+    }
+
+    /// The first frame from now on that `wanted` holds for; null after 20 s.
+    template <class Wanted>
+    std::shared_ptr<const Frame> await(Wanted&& wanted) {
+        std::unique_lock lock(mutex_);
+        const bool found =
+            arrived_.wait_for(lock, std::chrono::seconds(20), [&] { return newest_ && wanted(*newest_); });
+        return found ? newest_ : nullptr;
+    }
+
+    int count() {
+        const std::lock_guard lock(mutex_);
+        return count_;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::condition_variable arrived_;
+    std::shared_ptr<const Frame> newest_;
+    int count_ = 0;
+};
+
+}  // namespace pdr::test
