@@ -148,7 +148,7 @@ Camera cameraOf(const Case& reference, const Matter& matter) {
     }
     const bool disc =
         reference.quantity == Quantity::discTransmittance || reference.quantity == Quantity::escapeProbability;
-    camera.heightMm = disc ? extent * kDiscWidth : extent * 1e-4;
+    camera.heightMm = disc ? extent * kDiscWidth : std::max(extent * 1e-4, 1e-6);  // a camera's least
     return camera;
 }
 
