@@ -63,6 +63,18 @@ vec3 radianceOf(const Scene& scene, const Ray& ray) {
     }
 }
 
+float highestHuOn(const std::shared_ptr<const Volume>& volume, const Ray& ray) {
+    Scene scene = sceneOf(volume, Model::maximumIntensity, variedFunction(1));
+    scene.window = {-1000, 3000};
+    const auto prepared = Flattener().prepare(scene);
+    RayMaximum<float> walk;
+    walk.start(prepared->flat, {ray.origin.x, ray.origin.y, ray.origin.z},
+               {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length);
+    while (walk.going())
+        walk.step(prepared->flat);
+    return walk.result().value[0];
+}
+
 bool close(double value, double truth, double relative) {
     return std::fabs(value - truth) <= relative * std::fabs(truth);
 }
@@ -267,21 +279,15 @@ class QuadratureTest : public QObject {
     void highestHuIsExact() {
         for (const dvec3 spacing : {dvec3(1), dvec3(0.3, 1.1, 5)}) {
             const auto volume = test::bumpyVolume({33, 20, 21}, spacing, 7);
-            Scene scene = sceneOf(volume, Model::maximumIntensity, variedFunction(1));
-            scene.window = {-1000, 3000};
-            const auto prepared = Flattener().prepare(scene);
             for (const Ray& ray : test::raysThrough(*volume, 60, 8)) {
-                RayMaximum<float> walk;
-                walk.start(prepared->flat, {ray.origin.x, ray.origin.y, ray.origin.z},
-                           {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length);
-                while (walk.going())
-                    walk.step(prepared->flat);
-                const double truth = test::highestOn(*volume, ray, 2e-3);
-                const double highest = walk.result().value[0];
+                const double truth = test::highestOn(*volume, ray, 2e-3), highest = highestHuOn(volume, ray);
                 QVERIFY2(std::fabs(highest - truth) < 2e-2,
                          qPrintable(QString("%1 instead of %2").arg(highest).arg(truth)));
             }
         }
+        // One HU more at a time, below 0 too: no cell is passed that has more to show.
+        const auto stairs = test::makeVolume({96, 3, 3}, dvec3(1), [](int i, int, int) { return i / 8 - 6; });
+        QCOMPARE(highestHuOn(stairs, alongX(*stairs)), 5.0f);
     }
 
     void smallestVolumesAreConstantAcross() {
