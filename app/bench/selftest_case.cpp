@@ -57,6 +57,16 @@ CaseScene::Shape shapeOf(const std::string& word) {
     return worded<Shape>({{"slab", Shape::slab}, {"sphere", Shape::sphere}, {"ramp", Shape::ramp}}, word);
 }
 
+CaseScene::Lamp lampOf(const std::string& word) {
+    using Lamp = CaseScene::Lamp;
+    return worded<Lamp>({{"beam", Lamp::beam}, {"ball", Lamp::ball}, {"panel", Lamp::panel}}, word);
+}
+
+CaseScene::Room roomOf(const std::string& word) {
+    using Room = CaseScene::Room;
+    return worded<Room>({{"even", Room::even}, {"sky", Room::sky}, {"gradient", Room::gradient}}, word);
+}
+
 Quantity quantityOf(const std::string& word) {
     return worded<Quantity>({{"radiance", Quantity::radiance},
                              {"reflectanceFactor", Quantity::reflectanceFactor},
@@ -71,7 +81,7 @@ Quantity quantityOf(const std::string& word) {
 CaseScene sceneOf(const Json& json) {
     CaseScene scene;
     Fields fields(json);
-    std::string shape = "slab", scattering = "single";
+    std::string shape = "slab", scattering = "single", lamp = "beam", room = "even";
     fields.optional("shape", shape);
     fields.optional("depth", scene.depth);
     fields.optional("extinctionPerMm", scene.extinctionPerMm);
@@ -85,11 +95,15 @@ CaseScene sceneOf(const Json& json) {
         fields.optional("beam", beam);
         scene.beam = beam;
     }
+    fields.optional("lamp", lamp);
     fields.optional("room", scene.room);
+    fields.optional("roomKind", room);
     fields.optional("view", scene.view);
     fields.optional("inside", scene.inside);
     fields.done();
     scene.shape = shapeOf(shape);
+    scene.lamp = lampOf(lamp);
+    scene.roomKind = roomOf(room);
     scene.multiple = worded<bool>({{"single", false}, {"multiple", true}}, scattering);
     return scene;
 }

@@ -17,20 +17,32 @@ struct CaseScene {
     enum class Shape {
         slab,    ///< homogeneous layer, practically endless sideways
         sphere,  ///< homogeneous ball
-        ramp,    ///< layer whose extinction grows or falls linearly on the way up
+        ramp,    ///< the same, but its extinction grows or falls linearly on the way up
     };
     Shape shape = Shape::slab;
     double depth = 1;            ///< optical depth: through a slab, along a sphere's radius, through a ramp
     double extinctionPerMm = 1;  ///< of the matter; a ramp: at its bottom. Sets the size in mm.
     double endRatio = 1;         ///< a ramp's extinction at its top / at its bottom
     double albedo = 0;
-    double g = 0;                ///< Henyey-Greenstein mean cosine
-    double emission = 0;         ///< radiance per optical depth
-    bool multiple = false;       ///< all orders of scattering; otherwise one
-    bool bed = false;            ///< a black, opaque layer under a slab: nothing comes back from there
-    std::optional<double> beam;  ///< cosine between up and the direction to a parallel light of irradiance 1
-    double room = 0;             ///< radiance from all around
-    double view = 1;             ///< cosine between up and the direction to the camera, which is orthographic
+    double g = 0;           ///< Henyey-Greenstein mean cosine
+    double emission = 0;    ///< radiance per optical depth
+    bool multiple = false;  ///< all orders of scattering; otherwise one
+    bool bed = false;       ///< a black, opaque layer under a slab: nothing comes back from there
+    enum class Lamp {
+        beam,   ///< parallel light
+        ball,   ///< a ball so far away that nobody can tell
+        panel,  ///< a square panel as far away
+    };
+    Lamp lamp = Lamp::beam;
+    std::optional<double> beam;  ///< cosine between up and the direction to a lamp of irradiance 1
+    enum class Room {
+        even,      ///< the same radiance from all around
+        sky,       ///< from the upper half only
+        gradient,  ///< from above, falling evenly with the height to 0 straight below
+    };
+    Room roomKind = Room::even;
+    double room = 0;      ///< radiance of the surroundings
+    double view = 1;      ///< cosine between up and the direction to the camera, which is orthographic
     bool inside = false;  ///< the camera stands inside, at the bottom of a ramp or on the bed of a slab, and looks up
 };
 

@@ -4,7 +4,9 @@ foreach(name
     slab_all_orders
     half_space
     radiance_all_orders
+    lamps
     furnace
+    layers
     slab_one_order
     sphere_one_order
     transmittance

@@ -16,8 +16,10 @@ constexpr double kBedDepth = 40;      ///< optical depth of the bed
 constexpr double kSlabWidth = 20000;  ///< in thicknesses
 constexpr int kRampSteps = 64;        ///< voxels from a ramp's bottom to its top
 constexpr int kRampHu = 100;          ///< HU from one voxel to the next
-constexpr int kRadiusVoxels = 60;     ///< voxels along a sphere's radius
-constexpr int kRadiusHu = 200;        ///< HU per voxel of distance from a sphere's centre
+constexpr double kRampTop = kRampSteps * kRampHu;
+constexpr double kRampFoot = 1e-3;  ///< HU: just above what the lowest half voxel holds
+constexpr int kRadiusVoxels = 60;   ///< voxels along a sphere's radius
+constexpr int kRadiusHu = 200;      ///< HU per voxel of distance from a sphere's centre
 constexpr ivec2 kFilm(64, 64);
 constexpr int kMostEvents = 100000;  ///< on a path; the deepest white slab needs some thousands
 
@@ -89,16 +91,16 @@ Matter sphere(const CaseScene& scene) {
     return matter;
 }
 
-/// A ramp from the lowest to the highest voxels' centres; above them there is nothing.
+/// A ramp from the lowest to the highest voxels' centres; below and above them there is nothing.
 Matter ramp(const CaseScene& scene) {
     const double length = extentMm(scene), step = length / kRampSteps;
-    const double densest = std::max(1.0, scene.endRatio);
+    const double side = length * kSlabWidth / kSlabLayers, densest = std::max(1.0, scene.endRatio);
     Matter matter;
-    matter.volume = makeVolume({kSlabLayers, kSlabLayers, kRampSteps + 1}, {length * 10, length * 10, step},
+    matter.volume = makeVolume({kSlabLayers, kSlabLayers, kRampSteps + 1}, {side, side, step},
                                [](int, int, int k) { return k * kRampHu; });
     matter.function.extinctionPerMm = float(scene.extinctionPerMm * densest);
-    matter.function.nodes = {node(scene, 0, 1 / densest), node(scene, kRampSteps * kRampHu, scene.endRatio / densest),
-                             node(scene, kRampSteps * kRampHu, 0)};
+    matter.function.nodes = {node(scene, kRampFoot, 0), node(scene, kRampFoot, 1 / densest),
+                             node(scene, kRampTop, scene.endRatio / densest), node(scene, kRampTop, 0)};
     matter.top = length / 2;
     matter.floor = -length / 2;
     return matter;
@@ -108,6 +110,29 @@ Matter matterOf(const CaseScene& scene) {
     if (scene.shape == CaseScene::Shape::sphere)
         return sphere(scene);
     return scene.shape == CaseScene::Shape::slab ? slab(scene) : ramp(scene);
+}
+
+/// A lamp of irradiance 1 at `place`, in direction `towards` from there. Balls and panels are 1e5 extents away and so
+/// small that light comes in parallel but for 1e-5.
+Light lampOf(const CaseScene& scene, dvec3 place, dvec3 towards) {
+    constexpr double kPi64 = 3.14159265358979323846, kSize = 0.003;  // radius or edge over distance
+    const double distance = 1e5 * extentMm(scene);
+    const dvec3 centre = place + towards * distance;
+    if (scene.lamp == CaseScene::Lamp::ball)
+        return SphereLight{centre, kSize * distance, vec3(float(1 / (kPi64 * kSize * kSize)))};
+    if (scene.lamp == CaseScene::Lamp::panel)
+        return RectangleLight{centre,           -towards,         {0, 1, 0},
+                              kSize * distance, kSize * distance, vec3(float(1 / (kSize * kSize)))};
+    return DirectionalLight{-towards, vec3(1)};
+}
+
+Environment roomOf(const CaseScene& scene) {
+    Environment room{vec3(float(scene.room)), true};
+    if (scene.roomKind == CaseScene::Room::gradient)
+        room.nadir = vec3(0);
+    if (scene.roomKind == CaseScene::Room::sky)
+        room.image = std::make_shared<EnvironmentImage>(EnvironmentImage{{1, 2}, {vec3(1), vec3(0)}});
+    return room;
 }
 
 Camera cameraOf(const Case& reference, const Matter& matter) {
@@ -123,7 +148,7 @@ Camera cameraOf(const Case& reference, const Matter& matter) {
     }
     const bool disc =
         reference.quantity == Quantity::discTransmittance || reference.quantity == Quantity::escapeProbability;
-    camera.heightMm = disc ? extent * kDiscWidth : extent * 1e-4;
+    camera.heightMm = disc ? extent * kDiscWidth : std::max(extent * 1e-4, 1e-6);  // a camera's least
     return camera;
 }
 
@@ -144,8 +169,9 @@ Scene sceneOf(const Case& reference) {
     scene.maxBounces = kMostEvents;
     scene.phaseG = float(from.g);
     if (from.beam)
-        scene.lights = {DirectionalLight{-tilted(*from.beam, {1, 0, 0}), vec3(1)}};
-    scene.environment = {vec3(float(from.room)), true};
+        scene.lights = {
+            lampOf(from, {0, 0, *from.beam > 0 ? matter.top : matter.floor}, tilted(*from.beam, {1, 0, 0}))};
+    scene.environment = roomOf(from);
     scene.camera = cameraOf(reference, matter);
     scene.film = kFilm;
     return scene;
@@ -154,22 +180,23 @@ Scene sceneOf(const Case& reference) {
 Scene flightScene(const Case& reference, int bin) {
     Scene scene = sceneOf(reference);
     const CaseScene& from = reference.scene;
-    const double length = extentMm(from), top = kRampSteps * kRampHu;
+    const double length = extentMm(from);
     const double first = from.extinctionPerMm, slope = first * (from.endRatio - 1) / length;
     const double densest = scene.transferFunction.extinctionPerMm;
     const auto border = [&](int i) {  // HU where a share of i / kFlightBins has collided
         const double q = -std::log1p(-double(i) / kFlightBins);
-        return i == kFlightBins ? top : top / length * 2 * q / (first + std::sqrt(first * first + 2 * slope * q));
+        return i == kFlightBins ? kRampTop
+                                : kRampTop / length * 2 * q / (first + std::sqrt(first * first + 2 * slope * q));
     };
     const auto band = [&](double hu, double emission) {
-        TransferNode result = node(from, hu, (first + slope * length * hu / top) / densest);
+        TransferNode result = node(from, hu, (first + slope * length * hu / kRampTop) / densest);
         result.emission = vec3(float(emission));
         return result;
     };
-    const double low = border(bin), high = border(bin + 1);
-    const TransferNode beyond = scene.transferFunction.nodes.back();
-    scene.transferFunction.nodes = {band(0, 0),    band(low, 0), band(low, 1), band(high, 1),
-                                    band(high, 0), band(top, 0), beyond};
+    const double low = std::max(border(bin), kRampFoot), high = border(bin + 1);
+    const TransferNode below = scene.transferFunction.nodes.front(), above = scene.transferFunction.nodes.back();
+    scene.transferFunction.nodes = {below,         band(kRampFoot, 0), band(low, 0),      band(low, 1),
+                                    band(high, 1), band(high, 0),      band(kRampTop, 0), above};
     scene.environment = {vec3(bin == kFlightBins - 1 ? 1.0f : 0.0f), true};
     return scene;
 }

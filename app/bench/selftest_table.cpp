@@ -1,6 +1,7 @@
 #include "app/bench/selftest_table.h"
 
 #include <cstdio>
+#include <sstream>
 
 namespace pdr::bench {
 
@@ -18,6 +19,20 @@ const char* sentence(Verdict verdict) {
             break;
     }
     return "FAULTY";
+}
+
+/// `text` in lines of at most 116 characters, two spaces before each.
+void printWrapped(const std::string& text) {
+    std::istringstream words(text);
+    std::string line, word;
+    while (words >> word) {
+        if (!line.empty() && line.size() + word.size() > 115) {
+            std::printf("  %s\n", line.c_str());
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + word;
+    }
+    std::printf("  %s\n", line.c_str());
 }
 
 }  // namespace
@@ -42,20 +57,22 @@ void printHead(const TableHead& head) {
 }
 
 void printFamily(const Family& family) {
-    std::printf("\n%s\n  %s\n  %-44s %12s %12s %10s %6s %9s  %-10s %s\n", family.name.c_str(), family.note.c_str(),
-                "case", "expected", "got", "std error", "z", "detects", "verdict", "source");
+    std::printf("\n%s\n", family.name.c_str());
+    printWrapped(family.note);
+    std::printf("  %-48s %12s %12s %10s %6s %10s  %-10s %s\n", "case", "expected", "got", "std error", "z", "detects",
+                "verdict", "source");
     std::fflush(stdout);
 }
 
 void printRow(const Case& reference, const Measurement& got, const Judgement& judgement, const Sharpness& sharpness) {
-    std::printf("  %-44s %12.8g %12.8g %10.2g %6.2f %7.3f %%  %-10s %s\n", reference.name.c_str(), reference.expected,
+    std::printf("  %-48s %12.8g %12.8g %10.2g %6.2f %8.3f %%  %-10s %s\n", reference.name.c_str(), reference.expected,
                 got.value, got.standardError, judgement.z, 100 * judgement.detects, sentence(judgement.verdict),
                 reference.source.c_str());
     if (judgement.verdict == Verdict::tooBlunt)
-        std::printf("  %44s it must be able to find a bias of %.3f %%\n", "", 100 * sharpness.detects);
+        std::printf("  %48s it must be able to find a bias of %.3f %%\n", "", 100 * sharpness.detects);
     for (int i = 0; i < kFaults; ++i)
         if (const FaultCount& fault = got.health.faults[i]; fault.count > 0)
-            std::printf("  %44s %s: %llu times, first in sample %llu of pixel %u\n", "", kFaultNames[i],
+            std::printf("  %48s %s: %llu times, first in sample %llu of pixel %u\n", "", kFaultNames[i],
                         static_cast<unsigned long long>(fault.count), static_cast<unsigned long long>(fault.sample),
                         fault.pixel);
     std::fflush(stdout);

@@ -62,9 +62,9 @@ struct TwoLevelTracking {
         DeltaTracking<float> rule;
         while (flight.flying()) {
             const TentativeCollision<float> collision = flight.step(scene);
-            if (collision.happened)
+            if (collision.happened || collision.closely)
                 work.fetch();
-            else
+            if (!collision.happened)
                 work.cell();
             if (rule.endsAt(flight.t, collision)) {
                 work.cell();

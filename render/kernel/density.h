@@ -29,6 +29,10 @@ PDR_HD inline float hounsfield(const FlatVolume& volume, vec3 position) {
     return low + (high - low) * c;
 }
 
+PDR_HD inline float hounsfield(const FlatVolume& volume, const Vec3<float>& position) {
+    return hounsfield(volume, vec3(position.x, position.y, position.z));
+}
+
 #if !defined(__CUDACC__)
 
 /// The same in step, bit by bit. For volumes of at least two voxels along x and fewer than 2^31 in all.
@@ -58,6 +62,63 @@ PDR_HD_INLINE FloatLanes hounsfield(const FlatVolume& volume, const Vec3<FloatLa
 }
 
 #endif
+
+/// The eight voxels between which trilinear interpolation is one formula: [x + 2 y + 4 z] from the lowest corner.
+template <class Real>
+struct Cube {
+    Vec3<Real> lowest;  ///< index space
+    Real hu[8];
+};
+
+/// The cube that holds the points whose index coordinates have the whole parts `i`, `j`, `k`; at the volume's borders
+/// the outermost one.
+PDR_HD_INLINE Cube<float> cubeAt(const FlatVolume& volume, int i, int j, int k) {
+    i = glm::clamp(i, 0, int(volume.lastCorner.x));
+    j = glm::clamp(j, 0, int(volume.lastCorner.y));
+    k = glm::clamp(k, 0, int(volume.lastCorner.z));
+    Cube<float> cube;
+    cube.lowest = {float(i), float(j), float(k)};
+    const std::int16_t* v = volume.voxels + k * volume.stepZ + j * volume.stepY + i;
+    for (int n = 0; n < 8; ++n)
+        cube.hu[n] = v[(n & 1) * volume.stepX + ((n >> 1) & 1) * volume.stepY + (n >> 2) * volume.stepZ];
+    return cube;
+}
+
+#if !defined(__CUDACC__)
+
+PDR_HD_INLINE Cube<FloatLanes> cubeAt(const FlatVolume& volume, IntLanes i, IntLanes j, IntLanes k) {
+    const auto inside = [](IntLanes value, float last) {
+        const IntLanes high = IntLanes{} + int(last);
+        value = value < 0 ? IntLanes{} : value;
+        return value > high ? high : value;
+    };
+    i = inside(i, volume.lastCorner.x);
+    j = inside(j, volume.lastCorner.y);
+    k = inside(k, volume.lastCorner.z);
+    Cube<FloatLanes> cube;
+    cube.lowest = {toFloat(i), toFloat(j), toFloat(k)};
+    const IntLanes index = (k * volume.size.y + j) * volume.size.x + i;
+    for (int n = 0; n < 8; n += 2) {
+        const std::int16_t* row = volume.voxels + ((n >> 1) & 1) * volume.stepY + (n >> 2) * volume.stepZ;
+        gatherPair(row, index, cube.hu[n], cube.hu[n + 1]);
+    }
+    return cube;
+}
+
+#endif
+
+/// HU at `position`, which lies in the cube or, by rounding, just beside it.
+template <class Real>
+PDR_HD_INLINE Real hounsfield(const Cube<Real>& cube, const Vec3<Real>& position) {
+    const auto share = [](Real place, Real lowest) { return smaller(larger(place - lowest, Real{}), Real{} + 1.0f); };
+    const Real a = share(position.x, cube.lowest.x), b = share(position.y, cube.lowest.y);
+    const Real c = share(position.z, cube.lowest.z);
+    const auto along = [&](int n) { return cube.hu[n] + (cube.hu[n + 1] - cube.hu[n]) * a; };
+    const Real v00 = along(0), v10 = along(2), v01 = along(4), v11 = along(6);
+    const Real low = v00 + (v10 - v00) * b;
+    const Real high = v01 + (v11 - v01) * b;
+    return low + (high - low) * c;
+}
 
 /// Local position [mm] of an index-space position.
 PDR_HD inline vec3 localPosition(const FlatVolume& volume, vec3 position) {

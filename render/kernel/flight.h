@@ -2,8 +2,10 @@
 /// A ray on its way through the two-level grid of extinction bounds, from one tentative collision to the next.
 ///
 /// A step ends at a tentative collision or at the border of a cell, whichever comes first. The cell is a coarse one
-/// (16 voxels) where its bound promises at most kDescend collisions, else a fine one (4 voxels). The optical depth
-/// still to go is carried from cell to cell, never drawn anew. An accelerator: it never changes the picture. Tentative
+/// (16 voxels) where its bound promises at most kDescend collisions, else a fine one (4 voxels). Where even that one
+/// promises more than kLookClosely, the eight voxels around are read, and their own bound holds to the border of their
+/// cube: dense tissue costs a look per voxel instead of a fetch per free path. The optical depth still to go is carried
+/// from cell to cell, never drawn anew. An accelerator: it never changes the picture. Tentative
 /// collisions after Woodcock et al. 1965.
 
 #include "render/kernel/grid_axis.h"
@@ -15,13 +17,15 @@ namespace pdr {
 
 inline constexpr float kDescend =
     1.5f;  ///< optical depth of a coarse cell's chord above which its fine cells are walked
+inline constexpr float kLookClosely = 8;  ///< optical depth of a fine cell's chord above which its voxels are walked
 
 /// Where a tentative collision happened, and what decides it.
 template <class Real>
 struct TentativeCollision {
     typename Numbers<Real>::Mask happened;
-    Real extinction, majorant;  ///< 1/mm; extinction <= majorant
-    Real u;                     ///< a number for the decision
+    typename Numbers<Real>::Mask closely;  ///< the voxels around were looked at for a bound
+    Real extinction, majorant;             ///< 1/mm; extinction <= majorant
+    Real u;                                ///< a number for the decision
 };
 
 template <class Real>
@@ -40,9 +44,9 @@ class Flight {
         x_.start(origin.x, direction.x, grid.occupiedLow.x, grid.occupiedHigh.x, t, end_);
         y_.start(origin.y, direction.y, grid.occupiedLow.y, grid.occupiedHigh.y, t, end_);
         z_.start(origin.z, direction.z, grid.occupiedLow.z, grid.occupiedHigh.z, t, end_);
-        x_.enter(t, grid.fineSize.x);
-        y_.enter(t, grid.fineSize.y);
-        z_.enter(t, grid.fineSize.z);
+        x_.enter(t, 4 * grid.fineSize.x);
+        y_.enter(t, 4 * grid.fineSize.y);
+        z_.enter(t, 4 * grid.fineSize.z);
         random_ = random;
         Real u;
         random_.pair(t < end_, u, decision_);
@@ -72,18 +76,9 @@ class Flight {
 
     /// One step of every lane that is flying.
     PDR_HD_INLINE TentativeCollision<Real> step(const FlatScene& scene) {
-        const FlatMajorants& grid = scene.majorants;
         const Mask active = flying();
-
-        const Real leaveCoarse = smaller(leave<16>(), end_);
-        const Real coarse = gather(grid.coarse, coarseIndex(grid, active));
-        const Mask descend = active & (coarse * (leaveCoarse - t) > kDescend);
-        Real leave = leaveCoarse, majorant = coarse;
-        if (any(descend)) {
-            leave = descend ? smaller(this->template leave<4>(), end_) : leave;
-            majorant = descend ? gather(grid.fine, fineIndex(grid, descend)) : majorant;
-        }
-        leave = larger(leave, t);
+        const Surroundings here = look(scene, active);
+        const Real leave = here.leave, majorant = here.majorant;
 
         const Real ahead = majorant * (leave - t);
         TentativeCollision<Real> collision;
@@ -93,17 +88,23 @@ class Flight {
         rest_ = collision.happened ? hop - (there - t) : (onward ? Real{} : rest_);
         t = collision.happened ? there : (onward ? leave : t);
         depth_ = onward ? depth_ - ahead : depth_;
-        advance(x_, onward, descend, leave);
-        advance(y_, onward, descend, leave);
-        advance(z_, onward, descend, leave);
+        x_.advance(onward, here.within, x_.leave(here.within), leave);
+        y_.advance(onward, here.within, y_.leave(here.within), leave);
+        z_.advance(onward, here.within, z_.leave(here.within), leave);
 
+        collision.closely = here.closely;
         collision.majorant = majorant;
         collision.extinction = Real{};
         collision.u = decision_;
         if (any(collision.happened)) {
             const Mask happened = collision.happened;
             const Vec3<Real> position{x_.at(t), y_.at(t), z_.at(t)};
-            collision.extinction = extinction(scene, position);
+            Real hu{};
+            if (any(happened & !(here.closely)))
+                hu = hounsfield(scene.volume, position);
+            if (any(happened & here.closely))
+                hu = here.closely ? hounsfield(here.cube, position) : hu;
+            collision.extinction = extinctionOf(scene.transferFunction, hu);
             Real u, decision;
             random_.pair(happened, u, decision);
             depth_ = happened ? negativeLog(u) : depth_;
@@ -113,28 +114,54 @@ class Flight {
     }
 
   private:
-    PDR_HD_INLINE void advance(GridAxis<Real, 4>& axis, Mask onward, Mask descend, Real leaveAt) {
-        const Int within = descend ? Int{} : Int{} + 3;
-        const Real reach = descend ? axis.template leave<4>() : axis.template leave<16>();
-        axis.advance(onward, within, reach, leaveAt);
+    /// Where a ray stands: in a cell of within + 1 voxels.
+    struct Surroundings {
+        Real leave;     ///< mm from the ray's origin to the end of the cell, or of the ray
+        Real majorant;  ///< 1/mm
+        Int within;     ///< 15, 3 or 0
+        Mask closely;   ///< `cube` is known and decides
+        Cube<Real> cube;
+    };
+
+    PDR_HD_INLINE Surroundings look(const FlatScene& scene, Mask active) const {
+        const FlatMajorants& grid = scene.majorants;
+        Surroundings here;
+        here.within = Int{} + 15;
+        here.leave = smaller(leaveCell(here.within), end_);
+        here.majorant = gather(grid.coarse, coarseIndex(grid, active));
+        const Mask descend = active & (here.majorant * (here.leave - t) > kDescend);
+        if (any(descend)) {
+            here.within = descend ? Int{} + 3 : here.within;
+            here.leave = descend ? smaller(leaveCell(Int{} + 3), end_) : here.leave;
+            here.majorant = descend ? gather(grid.fine, fineIndex(grid, descend)) : here.majorant;
+        }
+        here.closely = descend & (here.majorant * (here.leave - t) > kLookClosely);
+        if (any(here.closely)) {
+            here.cube = cubeAt(scene.volume, x_.cell - 4, y_.cell - 4, z_.cell - 4);
+            const Real bound = extinctionBound(scene.transferFunction, here.cube);
+            here.within = here.closely ? Int{} : here.within;
+            here.leave = here.closely ? smaller(leaveCell(Int{}), end_) : here.leave;
+            here.majorant = here.closely ? smaller(here.majorant, bound) : here.majorant;
+        }
+        here.leave = larger(here.leave, t);
+        return here;
     }
 
-    template <int Edge>
-    PDR_HD Real leave() const {
-        return smaller(x_.template leave<Edge>(), smaller(y_.template leave<Edge>(), z_.template leave<Edge>()));
+    PDR_HD Real leaveCell(Int within) const {
+        return smaller(x_.leave(within), smaller(y_.leave(within), z_.leave(within)));
     }
 
     // Lanes that do not fly may stand outside the grid: they read cell 0.
     PDR_HD Int coarseIndex(const FlatMajorants& grid, Mask mask) const {
-        const Int index = ((z_.cell >> 2) * grid.coarseSize.y + (y_.cell >> 2)) * grid.coarseSize.x + (x_.cell >> 2);
+        const Int index = ((z_.cell >> 4) * grid.coarseSize.y + (y_.cell >> 4)) * grid.coarseSize.x + (x_.cell >> 4);
         return mask ? index : Int{};
     }
     PDR_HD Int fineIndex(const FlatMajorants& grid, Mask mask) const {
-        const Int index = (z_.cell * grid.fineSize.y + y_.cell) * grid.fineSize.x + x_.cell;
+        const Int index = ((z_.cell >> 2) * grid.fineSize.y + (y_.cell >> 2)) * grid.fineSize.x + (x_.cell >> 2);
         return mask ? index : Int{};
     }
 
-    GridAxis<Real, 4> x_, y_, z_;
+    GridAxis<Real, 1> x_, y_, z_;
     Real end_, depth_, decision_;
     Real rest_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
     RandomStreamOf<Real> random_;

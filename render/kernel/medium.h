@@ -19,9 +19,14 @@ PDR_HD inline float opacity(const FlatTransferFunction& function, float hu) {
     return piece.opacity + piece.slope * (hu - piece.start);
 }
 
+/// [1/mm]
+PDR_HD inline float extinctionOf(const FlatTransferFunction& function, float hu) {
+    return function.extinctionPerMm * opacity(function, hu);
+}
+
 /// Extinction at `position` (index space) [1/mm].
 PDR_HD inline float extinction(const FlatScene& scene, vec3 position) {
-    return scene.transferFunction.extinctionPerMm * opacity(scene.transferFunction, hounsfield(scene.volume, position));
+    return extinctionOf(scene.transferFunction, hounsfield(scene.volume, position));
 }
 
 PDR_HD inline float extinction(const FlatScene& scene, const Vec3<float>& position) {
@@ -31,9 +36,7 @@ PDR_HD inline float extinction(const FlatScene& scene, const Vec3<float>& positi
 #if !defined(__CUDACC__)
 
 /// The same in step, bit by bit: curves have few pieces, so every piece is tried.
-PDR_HD_INLINE FloatLanes extinction(const FlatScene& scene, const Vec3<FloatLanes>& position) {
-    const FlatTransferFunction& function = scene.transferFunction;
-    const FloatLanes hu = hounsfield(scene.volume, position);
+PDR_HD_INLINE FloatLanes extinctionOf(const FlatTransferFunction& function, FloatLanes hu) {
     FloatLanes start{}, value{}, slope{};
     for (int i = 0; i < function.pieceCount; ++i) {
         const OpacityPiece& piece = function.pieces[i];
@@ -45,7 +48,35 @@ PDR_HD_INLINE FloatLanes extinction(const FlatScene& scene, const Vec3<FloatLane
     return function.extinctionPerMm * (value + slope * (hu - start));
 }
 
+PDR_HD_INLINE FloatLanes extinction(const FlatScene& scene, const Vec3<FloatLanes>& position) {
+    return extinctionOf(scene.transferFunction, hounsfield(scene.volume, position));
+}
+
 #endif
+
+/// A bound on the extinction in a cube [1/mm]; 0 where the curve is 0 over all that interpolation can meet there.
+template <class Real>
+PDR_HD_INLINE Real extinctionBound(const FlatTransferFunction& function, const Cube<Real>& cube) {
+    constexpr float kHuRoom = 1.0f / 256, kOpacityRoom = 0x1p-20f;  // interpolation and the curve round
+    Real low = cube.hu[0], high = cube.hu[0];
+    for (int n = 1; n < 8; ++n) {
+        low = smaller(low, cube.hu[n]);
+        high = larger(high, cube.hu[n]);
+    }
+    const auto varies = low < high;
+    low = varies ? low - kHuRoom : low;
+    high = varies ? high + kHuRoom : high;
+    Real most{};
+    for (int i = 0; i < function.pieceCount; ++i) {
+        const OpacityPiece& piece = function.pieces[i];
+        const Real from = i == 0 ? low : larger(low, Real{} + piece.start);
+        const Real to = smaller(high, Real{} + piece.end);
+        const auto value = [&](Real hu) { return piece.opacity + piece.slope * (hu - piece.start); };
+        const Real here = larger(value(from), value(to));
+        most = from <= to ? larger(most, here) : most;
+    }
+    return most > 0.0f ? function.extinctionPerMm * (most + kOpacityRoom) : Real{};
+}
 
 PDR_HD_INLINE Material materialAt(const FlatTransferFunction& function, float hu) {
     const int index = pieceOf(function, hu);

@@ -5,21 +5,12 @@
 /// reached it from all sides unshadowed) and B what lies behind.
 ///
 /// A step goes through one cell between voxels and one linear piece of the curve, whose borders are met exactly; there
-/// is no step length. In it sigma and c are cubic polynomials of the way, so the optical depth D and int sigma c ds are
-/// exact. Only how light is taken within a step is approximated: in w, the share of D that is passed, c is
-///   c(w) = c_mean + (c_end - c_begin) (w - 1/2) + g(w) - mean of g,
-/// and g is left out. It is at most |rise of c over the piece| * `bend` below, where with s the share of the way
-///   share of the piece = linear in w + d(s) + (end - begin) (s - w),    |g| <= bend = max|d| + |end - begin| max|s -
-///   w|.
-/// Since g minus its mean has mean 0, what is lost is at most max|g| * int |D exp(-D w) - (1 - exp(-D))| dw, and that
-/// integral is at most min(D / 4, 2) (1 - exp(-D)): it is twice the largest distance of the concave function
-/// 1 - exp(-D w) from its chord, which is largest at sinh(a) / a = exp(a y), a = D / 2, y = 1 - 2 w, and there
-/// ln(sinh(a) / a) <= a^2 / 6 gives the first bound.
-/// Steps whose bounds add up to more than the tolerance are halved. Rounding is not part of the bound.
+/// is no step length. In it sigma and c are cubic polynomials of the way, so the optical depth and int sigma c ds are
+/// exact. Only how a step is seen through itself is approximated, within a bound (layer.h). Steps whose bounds add up
+/// to more than the tolerance are halved. Rounding is not part of the bound.
 
-#include "render/kernel/attenuation.h"
 #include "render/kernel/cell_walk.h"
-#include "render/kernel/optics.h"
+#include "render/kernel/layer.h"
 
 namespace pdr {
 
@@ -160,17 +151,14 @@ class RayIntegral {
 
     PDR_HD_INLINE Mask addAttenuated(const FlatOptics& optics, const OpticsPiece<Real>& piece,
                                      const OpticsAlong<Real>& along, Real depth, Mask ready, Mask forced) {
-        const Attenuation<Real> behind = attenuation(depth);
-        const Real taken = sum_.left * behind.taken;
-        const Real early = (along.share.b3 - along.share.b0) * absorbedBeforeMiddle(depth, behind);
-        const Real share = extinctionWeightedShare(along) - (depth > 0.0f ? early : Real{});
-        const Real loss = taken * bend(along) * smaller(0.25f * depth, Real{} + 2.0f);
+        const Layer<Real> layer = layerAlong(along, depth);
+        const Real taken = sum_.left * layer.behind.taken;
         Real radiance[3], bound[3];
         Mask close = ready;
         for (int channel = 0; channel < 3; ++channel) {
             const Source source = sourceOf(optics, piece, channel);
-            radiance[channel] = sum_.value[channel] + taken * (source.begin + source.rise * share);
-            bound[channel] = bound_[channel] + magnitude(source.rise) * loss;
+            radiance[channel] = sum_.value[channel] + taken * (source.begin + source.rise * layer.share);
+            bound[channel] = bound_[channel] + magnitude(source.rise) * taken * layer.bound;
             close = close & (bound[channel] <= optics.quadrature * radiance[channel]);
         }
         const Mask added = ready & (close | forced);
@@ -179,20 +167,8 @@ class RayIntegral {
             sum_.value[channel] = added ? radiance[channel] : sum_.value[channel];
             bound_[channel] = added ? bound[channel] : bound_[channel];
         }
-        sum_.left = added ? sum_.left * behind.left : sum_.left;
+        sum_.left = added ? sum_.left * layer.behind.left : sum_.left;
         return added;
-    }
-
-    /// See above. d has the coefficients (0, d1, d2, 0) and w - s those of degree four (0, w1, w2, w3, 0).
-    PDR_HD_INLINE static Real bend(const OpticsAlong<Real>& along) {
-        const Cubic<Real>& share = along.share;
-        const Real d1 = share.b1 - (1.0f / 3) * (2.0f * share.b0 + share.b3);
-        const Real d2 = share.b2 - (1.0f / 3) * (share.b0 + 2.0f * share.b3);
-        const Real e0 = share.b0 - along.meanShare, e1 = share.b1 - along.meanShare, e3 = share.b3 - along.meanShare;
-        const Real furthest = larger(larger(magnitude(e0), magnitude(e0 + e1)), magnitude(e3));
-        const Real uneven =
-            along.meanExtinction > 0.0f ? furthest * magnitude(along.extinctionRise) / along.meanExtinction : Real{};
-        return 0.75f * larger(magnitude(d1), magnitude(d2)) + (7.0f / 32) * magnitude(share.b3 - share.b0) * uneven;
     }
 
     /// Whatever follows can add no more than the share that may be left out.

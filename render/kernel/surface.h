@@ -52,6 +52,15 @@ PDR_HD inline vec3 surfaceEval(const Material& material, vec3 n, vec3 view, vec3
     return (material.albedo * below / kPi + gloss) * cosLight;
 }
 
+/// How often the gloss is sampled and not what lies below it: by what each reflects. Then no sample weighs much more
+/// than the surface reflects, however often light bounces.
+PDR_HD inline float glossShare(const Material& material, float cosView) {
+    const vec3 gloss = fresnel(material.specular, cosView);
+    const vec3 below = material.albedo * (1.0f - gloss);
+    const float most = glm::max(glm::max(gloss.x, gloss.y), gloss.z);
+    return most / (most + glm::max(glm::max(below.x, below.y), below.z));
+}
+
 PDR_HD inline float surfacePdf(const Material& material, vec3 n, vec3 view, vec3 light) {
     const float cosLight = glm::dot(n, light);
     if (cosLight <= 0)
@@ -61,8 +70,9 @@ PDR_HD inline float surfacePdf(const Material& material, vec3 n, vec3 view, vec3
         return diffuse;
     const vec3 half = glm::normalize(view + light);
     const float cosHalf = glm::dot(n, half);
-    return 0.5f * (diffuse + ggxDensity(ggxAlpha(material.roughness), cosHalf) * cosHalf /
-                                 (4 * glm::max(glm::dot(view, half), 1e-6f)));
+    const float gloss =
+        ggxDensity(ggxAlpha(material.roughness), cosHalf) * cosHalf / (4 * glm::max(glm::dot(view, half), 1e-6f));
+    return glm::mix(diffuse, gloss, glossShare(material, glm::dot(n, view)));
 }
 
 /// A direction to where light may come from, distributed as surfacePdf; `choice` and `u` are independent numbers.
@@ -71,7 +81,7 @@ PDR_HD inline vec3 surfaceSample(const Material& material, vec3 n, vec3 view, fl
     basisAround(n, s, t);
     const float phi = 2 * kPi * u.y;
     const vec3 around = s * std::cos(phi) + t * std::sin(phi);
-    if (!isShiny(material) || choice < 0.5f)
+    if (!isShiny(material) || choice >= glossShare(material, glm::dot(n, view)))
         return around * std::sqrt(u.x) + n * std::sqrt(1 - u.x);
     const float alpha = ggxAlpha(material.roughness);
     const float cosSquared = (1 - u.x) / (1 + (alpha * alpha - 1) * u.x);

@@ -34,6 +34,16 @@ class AddingDoubling {
     double reflectance(int j) const { return flux(r_, j); }
     double transmittance(int j) const { return flux(t_, j) + std::exp(-layer_ / mu_[j]); }
 
+    /// Radiance at extra cosine j, upwards, of what comes in with radiance above(mu) from the upper and below(mu) from
+    /// the lower half of the surroundings, by reciprocity; collisions only.
+    template <class Above, class Below>
+    double scattered(int j, Above&& above, Below&& below) const {
+        double total = 0;
+        for (int i = 0; i < size_; ++i)
+            total += 2 * mu_[i] * weight_[i] * (above(mu_[i]) * r_[i * size_ + j] + below(mu_[i]) * t_[i * size_ + j]);
+        return total;
+    }
+
   private:
     using Matrix = std::vector<double>;
 

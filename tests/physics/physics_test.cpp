@@ -81,6 +81,13 @@ class PhysicsTest : public QObject {
         }
     }
 
+    void everySceneKeepsToTheRanges() {
+        for (const Case& one : shippedCases()) {
+            const Result<void> ok = sceneOf(one).check();
+            QVERIFY2(ok, ok ? "" : (one.name + ": " + ok.error().text()).c_str());
+        }
+    }
+
     void dataWithUnknownWordsAreRefused() {
         const auto read = [](const std::string& scene) {
             return readFamily(R"({"family": "f", "note": "n", "cases": [{"name": "c", "source": "s", "expected": 1,

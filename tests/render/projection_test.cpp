@@ -134,6 +134,18 @@ class ProjectionTest : public QObject {
         QVERIFY(film.pixel(4, 4).mean.x > 4);
     }
 
+    /// One voxel along x: rays go one by one.
+    void smallestVolumesRender() {
+        for (const Model model : kModels)
+            for (const ivec3 size : {ivec3(1, 1, 1), ivec3(2, 1, 1), ivec3(1, 9, 1), ivec3(1, 1, 5), ivec3(5, 1, 3)}) {
+                Scene scene = slab(70, model);
+                scene.volume = test::makeVolume(size, dvec3(20, 20, 2), [](int, int, int) { return 70; });
+                const Film film = test::render(scene, 4);
+                QCOMPARE(film.status().rejectedSamples, std::uint64_t(0));
+                QVERIFY(film.pixel(4, 4).mean.x > 0);
+            }
+    }
+
     /// A model's tables are not those of the scene before.
     void modelsFollowOneAnother() {
         Flattener flattener;

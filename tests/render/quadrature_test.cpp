@@ -63,6 +63,18 @@ vec3 radianceOf(const Scene& scene, const Ray& ray) {
     }
 }
 
+float highestHuOn(const std::shared_ptr<const Volume>& volume, const Ray& ray) {
+    Scene scene = sceneOf(volume, Model::maximumIntensity, variedFunction(1));
+    scene.window = {-1000, 3000};
+    const auto prepared = Flattener().prepare(scene);
+    RayMaximum<float> walk;
+    walk.start(prepared->flat, {ray.origin.x, ray.origin.y, ray.origin.z},
+               {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length);
+    while (walk.going())
+        walk.step(prepared->flat);
+    return walk.result().value[0];
+}
+
 bool close(double value, double truth, double relative) {
     return std::fabs(value - truth) <= relative * std::fabs(truth);
 }
@@ -177,11 +189,16 @@ class QuadratureTest : public QObject {
 
     /// A volume that lies exactly at a step shows its right-hand side, everywhere.
     void aStepIsRightContinuous() {
+        const QString note;
         const auto volume = test::makeVolume({6, 6, 6}, {1, 1, 1}, [](int, int, int) { return 300; });
-        const Scene scene =
+        const Scene clear =
             sceneOf(volume, Model::absorption, {1, {{.hu = 300, .opacity = 1}, {.hu = 300, .opacity = 0}}});
-        for (const Ray& ray : test::raysThrough(*volume, 50, 3))
-            QCOMPARE(radianceOf(scene, ray).x, 1.0f);
+        const Scene opaque =
+            sceneOf(volume, Model::absorption, {1, {{.hu = 300, .opacity = 0}, {.hu = 300, .opacity = 1}}});
+        for (const Ray& ray : test::raysThrough(*volume, 50, 3)) {
+            QCOMPARE(radianceOf(clear, ray).x, 1.0f);
+            VERIFY_CLOSE(radianceOf(opaque, ray).x, std::exp(-ray.length), 2e-6);
+        }
     }
 
     /// Tissue that shines as brightly as what lies behind it cannot be seen.
@@ -210,6 +227,7 @@ class QuadratureTest : public QObject {
         QTest::newRow("middling") << Model::emissionAbsorption << 0.7f << false;
         QTest::newRow("thick") << Model::emissionAbsorption << 20.0f << true;
         QTest::newRow("nearly opaque") << Model::emissionAbsorption << 1000.0f << false;
+        QTest::newRow("clear above, too") << Model::emissionAbsorption << 0.5f << false;
     }
     void everyRayKeepsItsBound() {
         QFETCH(Model, model);
@@ -218,6 +236,8 @@ class QuadratureTest : public QObject {
         const auto volume = test::bumpyVolume({31, 22, 19}, {0.7, 1.1, 2.3}, 2);
         Scene scene = sceneOf(volume, model, variedFunction(extinction));
         scene.environment = {vec3(lit ? 0.3f : 0.0f), lit};
+        if (QString(QTest::currentDataTag()) == "clear above, too")
+            scene.transferFunction.nodes.push_back({.hu = 950, .opacity = 0});
         const double stepMm = std::min(1e-4, 2e-3 / extinction);
         for (const Ray& whole : test::raysThrough(*volume, 25, 5)) {
             // Behind an optical depth of some 30 nothing shows, and brute force would take hours.
@@ -259,21 +279,15 @@ class QuadratureTest : public QObject {
     void highestHuIsExact() {
         for (const dvec3 spacing : {dvec3(1), dvec3(0.3, 1.1, 5)}) {
             const auto volume = test::bumpyVolume({33, 20, 21}, spacing, 7);
-            Scene scene = sceneOf(volume, Model::maximumIntensity, variedFunction(1));
-            scene.window = {-1000, 3000};
-            const auto prepared = Flattener().prepare(scene);
             for (const Ray& ray : test::raysThrough(*volume, 60, 8)) {
-                RayMaximum<float> walk;
-                walk.start(prepared->flat, {ray.origin.x, ray.origin.y, ray.origin.z},
-                           {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length);
-                while (walk.going())
-                    walk.step(prepared->flat);
-                const double truth = test::highestOn(*volume, ray, 2e-3);
-                const double highest = walk.result().value[0];
+                const double truth = test::highestOn(*volume, ray, 2e-3), highest = highestHuOn(volume, ray);
                 QVERIFY2(std::fabs(highest - truth) < 2e-2,
                          qPrintable(QString("%1 instead of %2").arg(highest).arg(truth)));
             }
         }
+        // One HU more at a time, below 0 too: no cell is passed that has more to show.
+        const auto stairs = test::makeVolume({96, 3, 3}, dvec3(1), [](int i, int, int) { return i / 8 - 6; });
+        QCOMPARE(highestHuOn(stairs, alongX(*stairs)), 5.0f);
     }
 
     void smallestVolumesAreConstantAcross() {

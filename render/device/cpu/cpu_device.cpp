@@ -17,7 +17,9 @@ namespace pdr {
 
 namespace {
 
-constexpr int kTask = 32;  ///< pixels along an edge of what one thread takes at a time
+/// Pixels along an edge of what one thread takes at a time. Larger where a pixel is one short ray: the last rays of a
+/// task leave lanes empty.
+constexpr int kScatteringTask = 16, kProjectionTask = 32;
 
 using TileKernel = void (*)(PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples,
                             TileSums sums);
@@ -50,7 +52,8 @@ class CpuDevice final : public Device {
         const FlatScene& flat = scene_->flat;
         const bool scattering = flat.optics.model == FlatModel::scattering;
         const TileKernel renderTile = kTileKernels[flat.features];
-        const tbb::blocked_range2d<int> pixels(0, tile.height, kTask, 0, tile.width, kTask);
+        const std::size_t task = scattering ? kScatteringTask : kProjectionTask;
+        const tbb::blocked_range2d<int> pixels(0, tile.height, task, 0, tile.width, task);
         tbb::enumerable_thread_specific<Health> healths;
         const auto work = [&](const tbb::blocked_range2d<int>& piece) {
             if (stop.stop_requested())

@@ -1,11 +1,9 @@
 #pragma once
-/// The CPU's way through kernel/projection.h: many rays, kLanes at a time; a lane whose ray has ended takes the next
-/// one.
+/// The CPU's way through kernel/projection.h: many rays, kLanes at a time.
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
+#include "render/device/cpu/lane_group.h"
 #include "render/kernel/pixel.h"
 #include "render/kernel/projection.h"
 
@@ -32,16 +30,11 @@ class ProjectionBatch {
 
   private:
     template <FlatModel Model>
-    class LaneGroup;
+    struct InLanes;
     template <FlatModel Model>
     void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums);
     template <FlatModel Model>
-    void projectInLanes(const FlatScene& scene);
-    template <FlatModel Model>
     void finish(const FlatScene& scene, Health& health);
-    /// Rays [row, row + kLanes) before their first step; rows from size() on are left-overs that nobody takes.
-    template <FlatModel Model>
-    RayWalk<FloatLanes, Model> started(const FlatScene& scene, int row) const;
 
     /// Which sample a ray is, and where it goes.
     struct Origin {
@@ -51,19 +44,10 @@ class ProjectionBatch {
     };
     static void add(const Origin& origin, const Projected& found, Health& health);
 
-    template <class T>
-    using Column = std::array<T, kCapacity>;
-    struct Columns3 {
-        Column<float> x, y, z;
-        void set(int row, vec3 value) { x[row] = value.x, y[row] = value.y, z[row] = value.z; }
-        vec3 at(int row) const { return {x[row], y[row], z[row]}; }
-    };
-
-    alignas(64) Columns3 origin_, direction_;
-    alignas(64) Column<float> length_;
-    Column<vec3> behind_;
-    Column<Projected> result_;
-    Column<Origin> origins_;
+    alignas(64) RayColumns<kCapacity> rays_;
+    std::array<vec3, kCapacity> behind_;
+    std::array<Projected, kCapacity> result_;
+    std::array<Origin, kCapacity> origins_;
     int size_ = 0;
 };
 

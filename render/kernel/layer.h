@@ -1,0 +1,49 @@
+#pragma once
+/// A way through one piece of the transfer function, as a layer that shines and is seen through itself.
+///
+/// In w, the share of its optical depth D that is passed, a layer of source c(w) shines with
+///   int_0^1 c(w) D exp(-D w) dw = (1 - exp(-D)) c_seen.
+/// c is linear in x, the HU's share of the piece, and the mean of x over w is known exactly. With
+///   x(w) = mean + (x_end - x_begin) (w - 1/2) + g(w) - mean of g
+/// all but g can be integrated. g is left out; with s the share of the way in mm,
+///   g = d(s) + (x_end - x_begin) (s - w),   |g| <= bend = max|d| + |x_end - x_begin| max|s - w|,
+/// where d is what the cubic x(s) differs from a straight line. g minus its mean has mean 0, so what is lost is at most
+/// bend * int |D exp(-D w) - (1 - exp(-D))| dw, and that integral is at most min(D / 4, 2) (1 - exp(-D)): it is twice
+/// the largest distance of the concave 1 - exp(-D w) from its chord. With a = D / 2 that distance is largest where
+/// exp(a (1 - 2 w)) = sinh(a) / a, and ln(sinh(a) / a) <= a^2 / 6 makes it at most (D / 8) (1 - exp(-D)).
+
+#include "render/kernel/attenuation.h"
+#include "render/kernel/optics.h"
+
+namespace pdr {
+
+template <class Real>
+struct Layer {
+    Attenuation<Real> behind;
+    Real share;  ///< where in the piece the source is that the layer shines with, over all its depth
+    Real bound;  ///< on the error of `share`
+};
+
+/// d has the Bernstein coefficients (0, d1, d2, 0), whose weights are at most 3/4 together. w - s has those of degree
+/// four (0, w1, w2, w3, 0), at most 7/8 together, where w1, w1 + w2 .. are sums of (extinction - mean) / mean / 4.
+template <class Real>
+PDR_HD_INLINE Real bendOf(const OpticsAlong<Real>& along) {
+    const Cubic<Real>& share = along.share;
+    const Real d1 = share.b1 - (1.0f / 3) * (2.0f * share.b0 + share.b3);
+    const Real d2 = share.b2 - (1.0f / 3) * (share.b0 + 2.0f * share.b3);
+    const Real e0 = share.b0 - along.meanShare, e1 = share.b1 - along.meanShare, e3 = share.b3 - along.meanShare;
+    const Real furthest = larger(larger(magnitude(e0), magnitude(e0 + e1)), magnitude(e3));
+    const Real uneven =
+        along.meanExtinction > 0.0f ? furthest * magnitude(along.extinctionRise) / along.meanExtinction : Real{};
+    return 0.75f * larger(magnitude(d1), magnitude(d2)) + (7.0f / 32) * magnitude(share.b3 - share.b0) * uneven;
+}
+
+template <class Real>
+PDR_HD_INLINE Layer<Real> layerAlong(const OpticsAlong<Real>& along, Real depth) {
+    const Attenuation<Real> behind = attenuation(depth);
+    const Real early = (along.share.b3 - along.share.b0) * absorbedBeforeMiddle(depth, behind);
+    return {behind, extinctionWeightedShare(along) - (depth > 0.0f ? early : Real{}),
+            bendOf(along) * smaller(0.25f * depth, Real{} + 2.0f)};
+}
+
+}  // namespace pdr
