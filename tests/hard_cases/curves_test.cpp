@@ -238,7 +238,7 @@ class CurvesTest : public QObject {
         double worst = 0, naiveWorst = 0;
         for (float x = 0; x < 1; x += 1 / 3000.0f) {
             const float exact = 4095 * x;
-            worst = std::max(worst, std::fabs(double(hounsfield(prepared->flat.volume, {2 + x, 2, 2})) - exact));
+            worst = std::max(worst, std::fabs(double(hounsfield(prepared->flat.volume, vec3(2 + x, 2, 2))) - exact));
             naiveWorst = std::max(naiveWorst, std::fabs(double(4095 * textureFraction(x)) - exact));
         }
         QVERIFY(worst < 1e-3 && naiveWorst > 7);
@@ -249,9 +249,7 @@ class CurvesTest : public QObject {
             return double(high);
         };
         const double truth = 1250 / 4095.0;
-        QVERIFY(std::fabs(surface([&](float x) {
-                              return hounsfield(prepared->flat.volume, {2 + x, 2, 2});
-                          }) -
+        QVERIFY(std::fabs(surface([&](float x) { return hounsfield(prepared->flat.volume, vec3(2 + x, 2, 2)); }) -
                           truth) < 1e-5);
         QVERIFY(std::fabs(surface([](float x) { return 4095 * textureFraction(x); }) - truth) > 5e-4);
     }

@@ -203,12 +203,12 @@ class MediumTest : public QObject {
         const FlatVolume& volume = prepared->flat.volume;
         const auto naive = [](float x) { return 0 + (100 - 0) * (x - float(int(x))); };  // between voxels 0 and 1
         QVERIFY(naive(-0.5f) < -40);
-        QCOMPARE(hounsfield(volume, {-0.5f, 0, 0}), 0.0f);
-        QCOMPARE(hounsfield(volume, {2, 3, 4}), 234.0f);
-        QCOMPARE(hounsfield(volume, {2.5f, 3.5f, 4.5f}), 234.0f);
+        QCOMPARE(hounsfield(volume, vec3(-0.5f, 0, 0)), 0.0f);
+        QCOMPARE(hounsfield(volume, vec3(2, 3, 4)), 234.0f);
+        QCOMPARE(hounsfield(volume, vec3(2.5f, 3.5f, 4.5f)), 234.0f);
         for (const float x : {0.0f, 1.0f, 2.0f, -0.5f, 2.5f})  // continuous through centres and borders
-            QVERIFY(std::fabs(hounsfield(volume, {std::nextafter(x, -9.0f), 1, 1}) -
-                              hounsfield(volume, {std::nextafter(x, 9.0f), 1, 1})) < 1e-4f);
+            QVERIFY(std::fabs(hounsfield(volume, vec3(std::nextafter(x, -9.0f), 1, 1)) -
+                              hounsfield(volume, vec3(std::nextafter(x, 9.0f), 1, 1))) < 1e-4f);
     }
 
     /// Case 43. 2048^3 voxels: the last ones lie beyond what 32 bits count. Reserved, not filled: it takes no memory.
@@ -241,7 +241,7 @@ class MediumTest : public QObject {
         scene.majorants.occupiedHigh = vec3(n - 0.5f);
         QCOMPARE(hounsfield(scene.volume, vec3(float(n))), 1000.0f);
         QCOMPARE(hounsfield(scene.volume, vec3(n - 1.5f, n - 1, n - 1)), 500.0f);
-        QCOMPARE(hounsfield(scene.volume, {5, 0, 1024.25f}), 225.0f);
+        QCOMPARE(hounsfield(scene.volume, vec3(5, 0, 1024.25f)), 225.0f);
         RayBatch rays;
         test::Sample through;
         for (int i = 0; i < RayBatch::kCapacity; ++i)
