@@ -24,12 +24,12 @@ struct Projected {
     bool withinTolerance;  ///< the bound on its error keeps FlatOptics::quadrature and cutOff
 };
 
-/// What lies behind the volume. Absorption needs a light to take from: white, where the scene has no environment.
+/// What lies behind the volume. Absorption needs a light to take from: white, where the camera sees no environment.
 template <FlatModel Model>
 PDR_HD inline vec3 backdrop(const FlatScene& scene, const Leg& leg) {
     const FlatEnvironment& environment = scene.environment;
     if constexpr (Model == FlatModel::absorption)
-        return environment.zenith == vec3(0) && environment.nadir == vec3(0)
+        return !environment.visible || (environment.zenith == vec3(0) && environment.nadir == vec3(0))
                    ? vec3(1)
                    : environmentRadiance(environment, leg.direction);
     return background(scene, leg);

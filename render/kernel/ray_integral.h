@@ -94,13 +94,12 @@ class RayIntegral {
             before.b3 = crosses ? border : before.b3;
             behind.b0 = crosses ? border : behind.b0;
         }
-        // Once a step could not be made short enough there is no use in trying again.
-        const Mask forced = (reach_ <= kShortest) | (sum_.exceeded > 0.0f);
+        // Where a step had to be that short, the tolerance cannot be kept: from there on all steps are taken.
+        sum_.exceeded = inCell & (reach_ <= kShortest) ? Real{} + 1.0f : sum_.exceeded;
+        const Mask forced = sum_.exceeded > 0.0f;
         const Mask ready = inCell & (fits | crosses | forced);
         const Real length = way_.length * reach;
         const Mask gone = ready & add(optics, piece, before, length, ready, forced);
-        sum_.exceeded = inCell & forced & !(fits | crosses) ? Real{} + 1.0f : sum_.exceeded;
-
         reach_ = inCell ? (gone ? Real{} + 1.0f : 0.5f * reach) : reach_;
         reach_ = larger(reach_, Real{} + kShortest);
         const Mask split = gone & (reach < 1.0f);
@@ -162,7 +161,6 @@ class RayIntegral {
             close = close & (bound[channel] <= optics.quadrature * radiance[channel]);
         }
         const Mask added = ready & (close | forced);
-        sum_.exceeded = added & !close ? Real{} + 1.0f : sum_.exceeded;
         for (int channel = 0; channel < 3; ++channel) {
             sum_.value[channel] = added ? radiance[channel] : sum_.value[channel];
             bound_[channel] = added ? bound[channel] : bound_[channel];

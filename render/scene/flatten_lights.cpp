@@ -62,8 +62,7 @@ void flattenLights(PreparedScene& prepared, const Scene& scene) {
     flat.lightsInView = !isProjection(scene.model) && std::ranges::any_of(prepared.lights, &FlatLight::visible);
     flat.environment = flatEnvironment(scene.environment, prepared.environment.get());
     const bool even = flat.environment.texels == nullptr && flat.environment.zenith == flat.environment.nadir;
-    const bool hidden = !flat.environment.visible && scene.model != Model::absorption;
-    flat.plainBackground = !flat.lightsInView && (even || hidden);
+    flat.plainBackground = !flat.lightsInView && (even || !flat.environment.visible);
 }
 
 }  // namespace pdr

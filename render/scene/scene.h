@@ -16,7 +16,7 @@
 namespace pdr {
 
 /// The optical models, from cheap to complete.
-///   absorption          an X-ray: L = B exp(-int extinction), B the environment, white where that is black
+///   absorption          an X-ray: L = B exp(-int extinction), B the environment, or white where the camera sees none
 ///   emission            L = int extinction c ds + background; c = albedo + emission, as if white light of radiance 1
 ///                       reached each tissue from all sides unshadowed
 ///   emissionAbsorption  the same behind what lies in front of it
