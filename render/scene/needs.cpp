@@ -157,10 +157,11 @@ Effect background(const Scene& scene) {
     if (scene.model == Model::maximumIntensity)
         return off("visible background", "the model shows HU, not light");
     if (scene.model == Model::absorption)
-        return effect(
-            "visible background", true,
-            scene.environment.isBlack() ? "tissue is seen against white" : "tissue is seen against the environment",
-            "");
+        return effect("visible background", true,
+                      scene.environment.visible && !scene.environment.isBlack()
+                          ? "tissue is seen against the environment"
+                          : "tissue is seen against white",
+                      "");
     if (scene.environment.isBlack())
         return effect("visible background", false, "", "the environment is black");
     return effect("visible background", scene.environment.visible, "the camera sees the environment",

@@ -101,8 +101,10 @@ class ProjectionTest : public QObject {
         const auto red = [](const Scene& s) { return test::render(s, 1).pixel(2, 2).mean.x; };
         const auto close = [](double value, double truth) { return std::fabs(value - truth) < 1e-6; };
         QVERIFY(close(red(scene), left));  // white where the environment is black
-        scene.environment = {vec3(3), false};
-        QVERIFY(close(red(scene), 3 * left));  // and seen even where it is hidden
+        scene.environment = {vec3(3), true};
+        QVERIFY(close(red(scene), 3 * left));
+        scene.environment.visible = false;
+        QVERIFY(close(red(scene), left));  // and white where the camera does not see it
         scene.model = Model::emissionAbsorption;
         QVERIFY(close(red(scene), 1 - left));
         scene.environment.visible = true;
