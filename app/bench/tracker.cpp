@@ -56,7 +56,7 @@ struct TwoLevelTracking {
     }
     /// The same loop, counted. A step ends at a border, so the cell of a real collision is counted with the collision.
     float operator()(const Ray& ray, const RandomStream& random, Work& work) const {
-        Flight<float> flight;
+        Flight<float, true> flight;
         flight.start(scene.majorants, {ray.origin.x, ray.origin.y, ray.origin.z},
                      {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length, random);
         DeltaTracking<float> rule;

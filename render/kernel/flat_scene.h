@@ -52,6 +52,7 @@ struct FlatMajorants {
     ivec3 fineSize;
     ivec3 coarseSize;
     vec3 occupiedLow, occupiedHigh;  ///< index space: outside this box the extinction is 0
+    bool dense;                      ///< some fine cell may promise more collisions than kLookClosely
 };
 
 struct FlatCamera {

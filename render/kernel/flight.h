@@ -17,7 +17,7 @@ namespace pdr {
 
 inline constexpr float kDescend =
     1.5f;  ///< optical depth of a coarse cell's chord above which its fine cells are walked
-inline constexpr float kLookClosely = 8;  ///< optical depth of a fine cell's chord above which its voxels are walked
+inline constexpr float kLookClosely = 12;  ///< optical depth of a fine cell's chord above which its voxels are walked
 
 /// Where a tentative collision happened, and what decides it.
 template <class Real>
@@ -28,7 +28,9 @@ struct TentativeCollision {
     Real u;                                ///< a number for the decision
 };
 
-template <class Real>
+/// Dense: for tissue that may call for a close look; see FlatMajorants::dense. Without it the code for that is not
+/// there.
+template <class Real, bool Dense>
 class Flight {
   public:
     using Int = typename Numbers<Real>::Int;
@@ -66,7 +68,8 @@ class Flight {
         taken(end_, other.end_);
         taken(depth_, other.depth_);
         taken(decision_, other.decision_);
-        taken(rest_, other.rest_);
+        if constexpr (Dense)
+            taken(rest_, other.rest_);
         x_.take(mask, other.x_, from);
         y_.take(mask, other.y_, from);
         z_.take(mask, other.z_, from);
@@ -84,8 +87,12 @@ class Flight {
         TentativeCollision<Real> collision;
         collision.happened = active & (depth_ < ahead);
         const Mask onward = active & !(collision.happened);
-        const Real hop = depth_ / majorant + rest_, there = t + hop;
-        rest_ = collision.happened ? hop - (there - t) : (onward ? Real{} : rest_);
+        Real hop = depth_ / majorant;
+        if constexpr (Dense)
+            hop = hop + rest_;
+        const Real there = t + hop;
+        if constexpr (Dense)
+            rest_ = collision.happened ? hop - (there - t) : (onward ? Real{} : rest_);
         t = collision.happened ? there : (onward ? leave : t);
         depth_ = onward ? depth_ - ahead : depth_;
         x_.advance(onward, here.within, x_.leave(here.within), leave);
@@ -100,9 +107,9 @@ class Flight {
             const Mask happened = collision.happened;
             const Vec3<Real> position{x_.at(t), y_.at(t), z_.at(t)};
             Real hu{};
-            if (any(happened & !(here.closely)))
+            if (!Dense || any(happened & !(here.closely)))
                 hu = hounsfield(scene.volume, position);
-            if (any(happened & here.closely))
+            if (Dense && any(happened & here.closely))
                 hu = here.closely ? hounsfield(here.cube, position) : hu;
             collision.extinction = extinctionOf(scene.transferFunction, hu);
             Real u, decision;
@@ -136,7 +143,7 @@ class Flight {
             here.majorant = descend ? gather(grid.fine, fineIndex(grid, descend)) : here.majorant;
         }
         here.closely = descend & (here.majorant * (here.leave - t) > kLookClosely);
-        if (any(here.closely)) {
+        if (Dense && any(here.closely)) {
             here.cube = cubeAt(scene.volume, x_.cell - 4, y_.cell - 4, z_.cell - 4);
             const Real bound = extinctionBound(scene.transferFunction, here.cube);
             here.within = here.closely ? Int{} : here.within;

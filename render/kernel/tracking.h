@@ -40,9 +40,9 @@ struct RatioTracking {
 };
 
 /// One ray to its end. `overMajorant` is set where an extinction above its bound is met.
-template <template <class> class Rule>
+template <template <class> class Rule, bool Dense>
 PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random, bool& overMajorant) {
-    Flight<float> flight;
+    Flight<float, Dense> flight;
     flight.start(scene.majorants, {ray.origin.x, ray.origin.y, ray.origin.z},
                  {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length, random);
     Rule<float> rule;
@@ -53,6 +53,12 @@ PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomSt
             break;
     }
     return rule.result;
+}
+
+template <template <class> class Rule>
+PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random, bool& overMajorant) {
+    return scene.majorants.dense ? track<Rule, true>(scene, ray, random, overMajorant)
+                                 : track<Rule, false>(scene, ray, random, overMajorant);
 }
 
 template <template <class> class Rule>

@@ -1,8 +1,10 @@
 #include "render/scene/flatten.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "render/kernel/flight.h"
 #include "render/scene/flatten_lights.h"
 #include "render/scene/flatten_optics.h"
 #include "render/scene/needs.h"
@@ -64,8 +66,16 @@ void flattenVolume(FlatVolume& flat, const Volume& volume) {
 
 void flattenMajorants(PreparedScene& prepared) {
     const Majorants& majorants = *prepared.majorants;
-    prepared.flat.majorants = {majorants.fine.data(),         majorants.coarse.data(), prepared.ranges->fineSize(),
-                               prepared.ranges->coarseSize(), majorants.occupiedLow,   majorants.occupiedHigh};
+    const mat3& step = prepared.flat.volume.localFromIndex;
+    const float chord = kFineCell * glm::length(step * vec3(1));  // the diagonal: axes are at right angles
+    const float highest = *std::max_element(majorants.coarse.begin(), majorants.coarse.end());
+    prepared.flat.majorants = {.fine = majorants.fine.data(),
+                               .coarse = majorants.coarse.data(),
+                               .fineSize = prepared.ranges->fineSize(),
+                               .coarseSize = prepared.ranges->coarseSize(),
+                               .occupiedLow = majorants.occupiedLow,
+                               .occupiedHigh = majorants.occupiedHigh,
+                               .dense = highest * chord > kLookClosely};
 }
 
 void flattenCamera(FlatCamera& flat, const Camera& camera, const VolumeGeometry& geometry, ivec2 film) {

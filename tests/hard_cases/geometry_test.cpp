@@ -49,7 +49,7 @@ struct Walk {
 };
 
 Walk walked(const FlatScene& scene, vec3 origin, vec3 direction) {
-    Flight<float> flight;
+    Flight<float, true> flight;
     flight.start(scene.majorants, {origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, 1e30f,
                  Random(1, 2, 3).stream(0, BounceDimension::flight));
     Walk walk;

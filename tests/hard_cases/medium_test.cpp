@@ -94,7 +94,7 @@ class MediumTest : public QObject {
              {std::vector<TransferNode>{{.hu = 0, .opacity = 0}}, {{.hu = 1, .opacity = 0}, {.hu = 1, .opacity = 1}}}) {
             scene.transferFunction.nodes = nodes;
             const auto prepared = Flattener().prepare(scene);
-            Flight<float> flight;
+            Flight<float, true> flight;
             flight.start(prepared->flat.majorants, {-0.5f, 20, 20}, {1, 0, 0}, 40, stream(1));
             int steps = 0;
             for (; flight.flying(); ++steps)

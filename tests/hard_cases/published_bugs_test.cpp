@@ -194,7 +194,7 @@ class PublishedBugsTest : public QObject {
         for (const float zero : {0.0f, -0.0f})
             for (const vec3 direction : {vec3(1, zero, zero), vec3(zero, -1, zero), vec3(zero, 0.6f, 0.8f)})
                 for (const vec3 origin : {vec3(8), vec3(4, 8, 12), vec3(0, 0, 16)}) {
-                    Flight<float> flight;
+                    Flight<float, true> flight;
                     flight.start(prepared->flat.majorants, {origin.x, origin.y, origin.z},
                                  {direction.x, direction.y, direction.z}, 1e30f, stream(1));
                     int steps = 0;

@@ -107,7 +107,7 @@ class TrackingTest : public QObject {
             if (random() % 2)  // on borders between cells and voxels
                 origin = glm::clamp(glm::floor(origin), low, high - 0.01f);
             const Interval<float> inside = clipped(origin, direction, low, high, Interval<float>{0, 1e30f});
-            Flight<float> flight;
+            Flight<float, true> flight;
             flight.start(prepared->flat.majorants, {origin.x, origin.y, origin.z},
                          {direction.x, direction.y, direction.z}, 1e30f, stream(i));
             int steps = 0, collisions = 0;

@@ -5,9 +5,9 @@ namespace pdr {
 namespace {
 
 /// kLanes rays on their way, and what the rule made of them so far.
-template <template <class> class Rule>
+template <template <class> class Rule, bool Dense>
 struct TrackingWalk {
-    Flight<FloatLanes> flight{};
+    Flight<FloatLanes, Dense> flight{};
     Rule<FloatLanes> rule;
     IntLanes overMajorant{};  ///< has met an extinction above its bound
 
@@ -27,32 +27,40 @@ struct TrackingWalk {
 }  // namespace
 
 /// The batch as a list of rays for lanes.
-template <template <class> class Rule>
+template <template <class> class Rule, bool Dense>
 struct RayBatch::Tracked {
+    using Walk = TrackingWalk<Rule, Dense>;
     RayBatch& batch;
 
     int size() const { return batch.size_; }
-    TrackingWalk<Rule> started(const FlatScene& scene, int row) const {
+    Walk started(const FlatScene& scene, int row) const {
         RandomStreamOf<FloatLanes> random;
         std::memcpy(&random.counter, batch.counter_.data() + row, sizeof random.counter);
         std::memcpy(&random.key, batch.key_.data() + row, sizeof random.key);
-        TrackingWalk<Rule> walk;
+        Walk walk;
         walk.flight.start(scene.majorants, batch.rays_.origins(row), batch.rays_.directions(row),
                           batch.rays_.lengths(row), random);
         return walk;
     }
-    void keep(const FlatScene&, const TrackingWalk<Rule>& walk, int lane, int ray) {
+    void keep(const FlatScene&, const Walk& walk, int lane, int ray) {
         batch.result_[ray] = walk.rule.result[lane];
         if (walk.overMajorant[lane]) [[unlikely]]
             batch.overMajorant_.push_back(ray);
     }
 };
 
+template <template <class> class Rule, bool Dense>
+void RayBatch::trackInLanes(const FlatScene& scene) {
+    Tracked<Rule, Dense> rays{*this};
+    walkInLanes<TrackingWalk<Rule, Dense>>(rays, scene);
+}
+
 template <template <class> class Rule>
 void RayBatch::track(const FlatScene& scene) {
-    Tracked<Rule> rays{*this};
-    if (lanesCanRead(scene.volume))
-        walkInLanes<TrackingWalk<Rule>>(rays, scene);
+    if (lanesCanRead(scene.volume) && scene.majorants.dense)
+        trackInLanes<Rule, true>(scene);
+    else if (lanesCanRead(scene.volume))
+        trackInLanes<Rule, false>(scene);
     else
         for (int row = 0; row < size_; ++row) {
             bool over = false;

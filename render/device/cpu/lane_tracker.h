@@ -37,8 +37,10 @@ class RayBatch {
     void track(const FlatScene& scene);
 
   private:
-    template <template <class> class Rule>
+    template <template <class> class Rule, bool Dense>
     struct Tracked;
+    template <template <class> class Rule, bool Dense>
+    void trackInLanes(const FlatScene& scene);
 
     alignas(64) RayColumns<kCapacity> rays_;
     alignas(64) std::array<float, kCapacity> result_;
