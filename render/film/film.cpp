@@ -17,6 +17,11 @@ struct Totals {
     double luminance = 0, squaredErrors = 0;
 };
 
+/// a * b + c, rounded once.
+dvec3 fused(dvec3 a, dvec3 b, dvec3 c) {
+    return {std::fma(a.x, b.x, c.x), std::fma(a.y, b.y, c.y), std::fma(a.z, b.z, c.z)};
+}
+
 }  // namespace
 
 Film::Film(ivec2 size, std::uint64_t revision)
@@ -50,7 +55,8 @@ Film::Moments Film::merged(const Moments& moments, const PixelSums& block) {
         return result;
     const double n = block.count;
     const dvec3 blockMean = block.sum / n;
-    const dvec3 blockM2 = glm::max(block.sumOfSquares - block.sum * blockMean, dvec3(0.0));
+    // Of a large value with little noise nearly all of this cancels: rounded once, not twice.
+    const dvec3 blockM2 = glm::max(fused(-block.sum, blockMean, block.sumOfSquares), dvec3(0.0));
     const double total = double(moments.count) + n;
     const dvec3 delta = blockMean - moments.mean;
     result.mean += delta * (n / total);
