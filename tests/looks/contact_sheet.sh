@@ -23,8 +23,8 @@ for model in absorption emission emissionAbsorption singleScattering multipleSca
     for preset in "CT bone" "CT soft tissue" "CT angio" "CT lung"; do
         picture="$scratch/$model-${preset// /-}.png"
         build/release/bin/pdrender-cli render "$folder" -o "$picture" --preset "$preset" --model "$model" \
-            --size "${size}x${size}" --samples "$count" --seconds "$seconds" "${exposure[@]}" >/dev/null
+            --size "${size}x${size}" --samples "$count" --seconds "$seconds" "${exposure[@]}" >/dev/null 2>&1
         pictures+=(-label "$model, ${preset#CT }" "$picture")
     done
 done
-montage "${pictures[@]}" -tile 4x -geometry "+3+3" -background '#202020' -fill '#c0c0c0' -pointsize 12 "$out"
+montage -font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "${pictures[@]}" -tile 4x -geometry "+3+3" -background '#202020' -fill '#c0c0c0' -pointsize 12 "$out"
