@@ -76,7 +76,7 @@ Result<void> printTable(const LoadedScene& loaded, Device& device) {
         return all.error();
     std::printf("%d x %d pixels, %.2f ms per iteration on %s, %s\n\n", loaded.scene.film.x, loaded.scene.film.y,
                 all->milliseconds, device.info().name.c_str(), device.info().details.c_str());
-    std::printf("%-22s %-7s %9s %8s  %s\n", "effect", "", "ms", "levels", "because");
+    std::printf("%-24s %-7s %9s %8s  %s\n", "effect", "", "ms", "levels", "because");
     for (const Effect& effect : needs(loaded.scene)) {
         std::string figures(18, ' ');
         if (effect.needed && effect.leaveOut) {
@@ -85,7 +85,7 @@ Result<void> printTable(const LoadedScene& loaded, Device& device) {
                 return cost.error();
             std::snprintf(figures.data(), figures.size() + 1, "%9.2f %8.2f", cost->milliseconds, cost->levels);
         }
-        std::printf("%-22s %-7s %s  %s\n", effect.name.c_str(), effect.needed ? "needed" : "off", figures.c_str(),
+        std::printf("%-24s %-7s %s  %s\n", effect.name.c_str(), effect.needed ? "needed" : "off", figures.c_str(),
                     effect.reason.c_str());
         std::fflush(stdout);
     }
@@ -105,10 +105,10 @@ Result<void> printModels(const LoadedScene& loaded, Device& device) {
                 return trial.error();
             milliseconds[i][round] = trial->milliseconds;
         }
-    std::printf("\n%-22s %17s\n", "model", "ms per iteration");
+    std::printf("\n%-24s %17s\n", "model", "ms per iteration");
     for (std::size_t i = 0; i < std::size(kModels); ++i) {
         std::ranges::sort(milliseconds[i]);
-        std::printf("%-22s %17.2f%s\n", modelName(kModels[i]), milliseconds[i][kRounds / 2],
+        std::printf("%-24s %17.2f%s\n", modelName(kModels[i]), milliseconds[i][kRounds / 2],
                     kModels[i] == loaded.scene.model ? "  (this one)" : "");
     }
     return {};

@@ -46,9 +46,9 @@ class Flight {
         x_.start(origin.x, direction.x, grid.occupiedLow.x, grid.occupiedHigh.x, t, end_);
         y_.start(origin.y, direction.y, grid.occupiedLow.y, grid.occupiedHigh.y, t, end_);
         z_.start(origin.z, direction.z, grid.occupiedLow.z, grid.occupiedHigh.z, t, end_);
-        x_.enter(t, 4 * grid.fineSize.x);
-        y_.enter(t, 4 * grid.fineSize.y);
-        z_.enter(t, 4 * grid.fineSize.z);
+        x_.enter(t, 4 / kFinest * grid.fineSize.x);
+        y_.enter(t, 4 / kFinest * grid.fineSize.y);
+        z_.enter(t, 4 / kFinest * grid.fineSize.z);
         random_ = random;
         Real u;
         random_.pair(t < end_, u, decision_);
@@ -95,9 +95,9 @@ class Flight {
             rest_ = collision.happened ? hop - (there - t) : (onward ? Real{} : rest_);
         t = collision.happened ? there : (onward ? leave : t);
         depth_ = onward ? depth_ - ahead : depth_;
-        x_.advance(onward, here.within, x_.leave(here.within), leave);
-        y_.advance(onward, here.within, y_.leave(here.within), leave);
-        z_.advance(onward, here.within, z_.leave(here.within), leave);
+        x_.advance(onward, here.within, here.border.x, leave);
+        y_.advance(onward, here.within, here.border.y, leave);
+        z_.advance(onward, here.within, here.border.z, leave);
 
         collision.closely = here.closely;
         collision.majorant = majorant;
@@ -121,54 +121,61 @@ class Flight {
     }
 
   private:
-    /// Where a ray stands: in a cell of within + 1 voxels.
+    static constexpr int kFinest = Dense ? 1 : 4;  ///< edge of the smallest cells that are walked, voxels
+
+    /// The cell that a ray stands in.
     struct Surroundings {
-        Real leave;     ///< mm from the ray's origin to the end of the cell, or of the ray
-        Real majorant;  ///< 1/mm
-        Int within;     ///< 15, 3 or 0
-        Mask closely;   ///< `cube` is known and decides
+        Int within;         ///< it is within + 1 of the smallest cells wide
+        Vec3<Real> border;  ///< mm from the ray's origin to its border along each axis
+        Real leave;         ///< mm from the ray's origin to its end, or to the ray's
+        Real majorant;      ///< 1/mm
+        Mask closely;       ///< `cube` is known and decides
         Cube<Real> cube;
+
+        /// Where `mask` holds the cell is the one of Edge voxels.
+        template <int Edge>
+        PDR_HD_INLINE void enter(const Flight& flight, Mask mask) {
+            within = mask ? Int{} + (Edge / kFinest - 1) : within;
+            border.x = mask ? flight.x_.template leave<Edge>() : border.x;
+            border.y = mask ? flight.y_.template leave<Edge>() : border.y;
+            border.z = mask ? flight.z_.template leave<Edge>() : border.z;
+            leave = smaller(smaller(border.x, smaller(border.y, border.z)), flight.end_);
+        }
     };
 
     PDR_HD_INLINE Surroundings look(const FlatScene& scene, Mask active) const {
         const FlatMajorants& grid = scene.majorants;
         Surroundings here;
-        here.within = Int{} + 15;
-        here.leave = smaller(leaveCell(here.within), end_);
-        here.majorant = gather(grid.coarse, coarseIndex(grid, active));
+        here.within = Int{} + (16 / kFinest - 1);
+        here.border = {x_.template leave<16>(), y_.template leave<16>(), z_.template leave<16>()};
+        here.leave = smaller(smaller(here.border.x, smaller(here.border.y, here.border.z)), end_);
+        here.majorant = gather(grid.coarse, cellIndex<16>(grid.coarseSize, active));
         const Mask descend = active & (here.majorant * (here.leave - t) > kDescend);
         if (any(descend)) {
-            here.within = descend ? Int{} + 3 : here.within;
-            here.leave = descend ? smaller(leaveCell(Int{} + 3), end_) : here.leave;
-            here.majorant = descend ? gather(grid.fine, fineIndex(grid, descend)) : here.majorant;
+            here.template enter<4>(*this, descend);
+            here.majorant = descend ? gather(grid.fine, cellIndex<4>(grid.fineSize, descend)) : here.majorant;
         }
         here.closely = descend & (here.majorant * (here.leave - t) > kLookClosely);
-        if (Dense && any(here.closely)) {
-            here.cube = cubeAt(scene.volume, x_.cell - 4, y_.cell - 4, z_.cell - 4);
-            const Real bound = extinctionBound(scene.transferFunction, here.cube);
-            here.within = here.closely ? Int{} : here.within;
-            here.leave = here.closely ? smaller(leaveCell(Int{}), end_) : here.leave;
-            here.majorant = here.closely ? smaller(here.majorant, bound) : here.majorant;
-        }
+        if constexpr (Dense)
+            if (any(here.closely)) {
+                here.cube = cubeAt(scene.volume, x_.cell - 4, y_.cell - 4, z_.cell - 4);
+                const Real bound = extinctionBound(scene.transferFunction, here.cube);
+                here.template enter<1>(*this, here.closely);
+                here.majorant = here.closely ? smaller(here.majorant, bound) : here.majorant;
+            }
         here.leave = larger(here.leave, t);
         return here;
     }
 
-    PDR_HD Real leaveCell(Int within) const {
-        return smaller(x_.leave(within), smaller(y_.leave(within), z_.leave(within)));
-    }
-
-    // Lanes that do not fly may stand outside the grid: they read cell 0.
-    PDR_HD Int coarseIndex(const FlatMajorants& grid, Mask mask) const {
-        const Int index = ((z_.cell >> 4) * grid.coarseSize.y + (y_.cell >> 4)) * grid.coarseSize.x + (x_.cell >> 4);
-        return mask ? index : Int{};
-    }
-    PDR_HD Int fineIndex(const FlatMajorants& grid, Mask mask) const {
-        const Int index = ((z_.cell >> 2) * grid.fineSize.y + (y_.cell >> 2)) * grid.fineSize.x + (x_.cell >> 2);
+    /// Index of the cell of Edge voxels. Lanes that do not fly may stand outside the grid: they read cell 0.
+    template <int Edge>
+    PDR_HD Int cellIndex(ivec3 size, Mask mask) const {
+        constexpr int kShift = Edge / kFinest == 16 ? 4 : Edge / kFinest == 4 ? 2 : 0;
+        const Int index = ((z_.cell >> kShift) * size.y + (y_.cell >> kShift)) * size.x + (x_.cell >> kShift);
         return mask ? index : Int{};
     }
 
-    GridAxis<Real, 1> x_, y_, z_;
+    GridAxis<Real, kFinest> x_, y_, z_;
     Real end_, depth_, decision_;
     Real rest_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
     RandomStreamOf<Real> random_;
