@@ -6,9 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/cli/failed.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
+#include "app/cli/run_command.h"
 #include "render/device/device.h"
 #include "render/film/film.h"
 #include "render/film/tone_map.h"
@@ -115,12 +114,7 @@ Result<void> printModels(const LoadedScene& loaded, Device& device) {
 }
 
 Result<void> listEffects(const EffectsOptions& options) {
-    ProgressLine line;
-    auto loaded = loadScene(options.scene, [&](double fraction, std::string_view step) {
-        line.show(fraction, step);
-        return true;
-    });
-    line.finish();
+    auto loaded = loadSceneShown(options.scene);
     if (!loaded)
         return loaded.error();
     ivec2& film = loaded->scene.film;
@@ -134,18 +128,10 @@ Result<void> listEffects(const EffectsOptions& options) {
 }  // namespace
 
 int runEffects(const QStringList& arguments) {
-    const auto options = effectsOptions(arguments);
-    if (!options) {
-        failed(options.error());
-        std::fprintf(stderr, "\"pdrender-cli effects --help\" lists all options.\n");
-        return 2;
-    }
-    if (options->help) {
-        std::fputs(effectsHelp().c_str(), stdout);
-        return 0;
-    }
-    const auto done = listEffects(*options);
-    return done ? 0 : failed(done.error());
+    return runCommand("effects", effectsOptions(arguments), effectsHelp, [](const EffectsOptions& options) {
+        const auto done = listEffects(options);
+        return done ? 0 : failed(done.error());
+    });
 }
 
 }  // namespace pdr::app

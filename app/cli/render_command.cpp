@@ -4,11 +4,11 @@
 #include <new>
 
 #include "app/cli/batch_render.h"
-#include "app/cli/failed.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
 #include "app/cli/render_report.h"
+#include "app/cli/run_command.h"
 #include "app/provenance.h"
 #include "render/base/replacing_file.h"
 #include "render/device/device.h"
@@ -73,27 +73,20 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
 
 int runRender(const QStringList& arguments) {
     const Interrupt interrupt;
-    const auto options = renderOptions(arguments);
-    if (!options) {
-        failed(options.error());
-        std::fprintf(stderr, "\"pdrender-cli render --help\" lists all options.\n");
-        return 2;
-    }
-    if (options->help) {
-        std::fputs(renderHelp().c_str(), stdout);
-        return 0;
-    }
-    try {
-        const auto reason = renderAll(*options, interrupt);
-        if (!reason)
-            return failed(reason.error());
-        if (*reason != StopReason::interrupted)
-            return 0;
-        std::fprintf(stderr, "pdrender-cli: interrupted; the picture holds the samples taken until then.\n");
-        return 1;
-    } catch (const std::bad_alloc&) {
-        return failed({"there is not enough memory", options->scene.path.string(), "Take a smaller --size or volume."});
-    }
+    return runCommand("render", renderOptions(arguments), renderHelp, [&](const RenderOptions& options) {
+        try {
+            const auto reason = renderAll(options, interrupt);
+            if (!reason)
+                return failed(reason.error());
+            if (*reason != StopReason::interrupted)
+                return 0;
+            std::fprintf(stderr, "pdrender-cli: interrupted; the picture holds the samples taken until then.\n");
+            return 1;
+        } catch (const std::bad_alloc&) {
+            return failed(
+                {"there is not enough memory", options.scene.path.string(), "Take a smaller --size or volume."});
+        }
+    });
 }
 
 }  // namespace pdr::app

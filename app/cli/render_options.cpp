@@ -299,7 +299,8 @@ std::string renderHelp() {
 std::string effectsHelp() {
     return "Usage: pdrender-cli effects FOLDER|SCENE.json [options]\n"
            "Lists every effect: whether the picture needs it and why, what it costs (milliseconds per iteration of a\n"
-           "small picture), and by how many display levels the picture changes without it; then what each model would cost.\n" +
+           "small picture), and by how many display levels the picture changes without it; then what each model would "
+           "cost.\n" +
            optionsText(describeScene);
 }
 

@@ -2,9 +2,8 @@
 
 #include <cstdio>
 
-#include "app/cli/failed.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
+#include "app/cli/run_command.h"
 #include "render/device/cpu/replay.h"
 #include "render/film/health_text.h"
 
@@ -49,12 +48,7 @@ void printLeg(int number, const ReplayedLeg& leg) {
 }
 
 Result<void> tell(const ReplayOptions& options) {
-    ProgressLine line;
-    auto loaded = loadScene(options.scene, [&](double fraction, std::string_view step) {
-        line.show(fraction, step);
-        return true;
-    });
-    line.finish();
+    auto loaded = loadSceneShown(options.scene);
     if (!loaded)
         return loaded.error();
     const Scene& scene = loaded->scene;
@@ -81,18 +75,10 @@ Result<void> tell(const ReplayOptions& options) {
 }  // namespace
 
 int runReplay(const QStringList& arguments) {
-    const auto options = replayOptions(arguments);
-    if (!options) {
-        failed(options.error());
-        std::fprintf(stderr, "\"pdrender-cli replay --help\" lists all options.\n");
-        return 2;
-    }
-    if (options->help) {
-        std::fputs(replayHelp().c_str(), stdout);
-        return 0;
-    }
-    const auto done = tell(*options);
-    return done ? 0 : failed(done.error());
+    return runCommand("replay", replayOptions(arguments), replayHelp, [](const ReplayOptions& options) {
+        const auto done = tell(options);
+        return done ? 0 : failed(done.error());
+    });
 }
 
 }  // namespace pdr::app

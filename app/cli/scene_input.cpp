@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/cli/progress_line.h"
 #include "app/environment_picture.h"
 #include "app/presets.h"
 #include "app/scene_volume.h"
@@ -105,6 +106,16 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         if (auto ok = focus(work.scene, *input.focusAt); !ok)
             return ok.error();
     return work;
+}
+
+Result<LoadedScene> loadSceneShown(const SceneInput& input) {
+    ProgressLine line;
+    auto loaded = loadScene(input, [&](double fraction, std::string_view step) {
+        line.show(fraction, step);
+        return true;
+    });
+    line.finish();
+    return loaded;
 }
 
 }  // namespace pdr::app

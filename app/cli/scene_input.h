@@ -36,5 +36,7 @@ struct LoadedScene {
 
 /// Errors: those of scene files, presets and the import, and nothing under the pixel to focus on.
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress);
+/// The same with a progress line on standard error.
+Result<LoadedScene> loadSceneShown(const SceneInput& input);
 
 }  // namespace pdr::app

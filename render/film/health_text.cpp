@@ -28,9 +28,4 @@ std::vector<std::string> healthLines(const Health& health) {
     return lines;
 }
 
-std::string reproducerText(const FaultCount& fault, int width) {
-    return "pixel " + std::to_string(fault.pixel % width) + "," + std::to_string(fault.pixel / width) + " sample " +
-           std::to_string(fault.sample);
-}
-
 }  // namespace pdr

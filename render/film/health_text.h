@@ -14,7 +14,4 @@ const char* faultText(Fault fault);
 /// One line for each fault that happened, most serious first: "3 samples left out: not a number". Empty: all is well.
 std::vector<std::string> healthLines(const Health& health);
 
-/// How to see a fault again: "pixel 12,40 sample 7". `width`: of the film.
-std::string reproducerText(const FaultCount& fault, int width);
-
 }  // namespace pdr

@@ -2,8 +2,8 @@
 /// The CPU's way through kernel/integrator.h: the paths of many samples, step by step together.
 
 #include "render/device/cpu/lane_tracker.h"
+#include "render/device/cpu/sample_origin.h"
 #include "render/kernel/integrator.h"
-#include "render/kernel/pixel.h"
 
 namespace pdr {
 
@@ -22,22 +22,15 @@ class PixelBatch {
     }
 
   private:
-    /// Which sample a path is, and where it goes.
-    struct Origin {
-        PixelSums* target;
-        std::uint64_t sample;
-        std::uint32_t pixel;
-    };
-
     template <std::uint32_t F>
     void startPixel(const FlatScene& scene, ivec2 pixel, SampleRange samples, PixelSums& target) {
         const vec2 depths = matterDepths(scene, pixel);
         const bool nothing = showsNothing(scene, depths);
         const vec3 background = plainBackground(scene);
-        Origin origin{&target, samples.first, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x)};
+        SampleOrigin origin(target, scene, pixel, samples.first);
         for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
             if (nothing) {
-                add(origin, background);
+                origin.add(background, *health_);
                 continue;
             }
             if (rays_.full())
@@ -46,12 +39,7 @@ class PixelBatch {
         }
     }
 
-    PDR_HD_INLINE void add(const Origin& origin, vec3 radiance) {
-        if (!addSample(*origin.target, radiance)) [[unlikely]]
-            health_->add(faultOf(radiance), origin.sample, origin.pixel);
-    }
-
-    PDR_HD_INLINE void start(const FlatScene& scene, ivec2 pixel, vec2 depths, const Origin& origin) {
+    PDR_HD_INLINE void start(const FlatScene& scene, ivec2 pixel, vec2 depths, const SampleOrigin& origin) {
         const int path = rays_.size();
         paths_[path] = cameraStart(scene, pixel, origin.sample, depths);
         radiance_[path] = vec3(0);
@@ -60,8 +48,6 @@ class PixelBatch {
         rays_.add(paths_[path].leg.ray, paths_[path].random.stream(0, BounceDimension::flight));
     }
 
-    void note(Fault fault, int path) { health_->add(fault, origins_[path].sample, origins_[path].pixel); }
-
     /// Takes all started paths to their end and adds them up, in the order in which they were started.
     template <std::uint32_t F>
     void finish(const FlatScene& scene) {
@@ -69,7 +55,7 @@ class PixelBatch {
         for (int bounce = 0; rays_.size() > 0; ++bounce)
             takeLegs<F>(scene, bounce);
         for (int path = 0; path < started; ++path)
-            add(origins_[path], radiance_[path]);
+            origins_[path].add(radiance_[path], *health_);
     }
 
     /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next legs.
@@ -77,14 +63,14 @@ class PixelBatch {
     void takeLegs(const FlatScene& scene, int bounce) {
         rays_.track<DeltaTracking>(scene);
         for (const int row : rays_.overMajorant())
-            note(Fault::overMajorant, pathOf_[row]);
+            origins_[pathOf_[row]].note(Fault::overMajorant, *health_);
         lights_.clear();
         const int legs = rays_.size();
         for (int row = 0; row < legs; ++row)
             arrive<F>(scene, row, bounce);
         lights_.track<RatioTracking>(scene);
         for (const int row : lights_.overMajorant())
-            note(Fault::overMajorant, pathOfLight_[row]);
+            origins_[pathOfLight_[row]].note(Fault::overMajorant, *health_);
         rays_.clear();
         for (int row = 0; row < legs; ++row) {
             const int path = pathOf_[row];
@@ -112,7 +98,7 @@ class PixelBatch {
         radiance_[path] += met.emitted;
         goesOn_[row] = met.goesOn;
         if (met.cut)
-            note(Fault::cutPath, path);
+            origins_[path].note(Fault::cutPath, *health_);
         if (isDark(met.scattered))
             return;
         scattered_[row] = met.scattered.radiance;
@@ -125,7 +111,7 @@ class PixelBatch {
 
     // by path
     std::array<Path, RayBatch::kCapacity> paths_;
-    std::array<Origin, RayBatch::kCapacity> origins_;
+    std::array<SampleOrigin, RayBatch::kCapacity> origins_;
     std::array<vec3, RayBatch::kCapacity> radiance_;
     // by leg, which has the row of its ray
     std::array<int, RayBatch::kCapacity> pathOf_;

@@ -47,11 +47,10 @@ void ProjectionBatch::add(const Ray& ray, vec3 behind) {
     rays_.set(size_++, ray);
 }
 
-void ProjectionBatch::add(const Origin& origin, const Projected& found, Health& health) {
-    if (!addSample(*origin.target, found.radiance))
-        health.add(faultOf(found.radiance), origin.sample, origin.pixel);
+void ProjectionBatch::add(const SampleOrigin& origin, const Projected& found, Health& health) {
+    origin.add(found.radiance, health);
     if (!found.withinTolerance)
-        health.add(Fault::overTolerance, origin.sample, origin.pixel);
+        origin.note(Fault::overTolerance, health);
 }
 
 template <FlatModel Model>
@@ -70,8 +69,7 @@ void ProjectionBatch::render(const FlatScene& scene, const Tile& tile, SampleRan
             const vec2 depths = matterDepths(scene, pixel);
             const bool nothing = showsNothing(scene, depths);
             const Projected miss = nothing ? projectedMiss<Model>(scene, backdrop<Model>(scene, Leg{})) : Projected{};
-            Origin origin{&sums.pixels[std::ptrdiff_t(y) * sums.stride + x], samples.first,
-                          std::uint32_t(pixel.y * scene.camera.film.x + pixel.x)};
+            SampleOrigin origin(sums.pixels[std::ptrdiff_t(y) * sums.stride + x], scene, pixel, samples.first);
             for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
                 if (nothing) {
                     add(origin, miss, *sums.health);

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "render/device/cpu/lane_group.h"
-#include "render/kernel/pixel.h"
+#include "render/device/cpu/sample_origin.h"
 #include "render/kernel/projection.h"
 
 namespace pdr {
@@ -36,18 +36,12 @@ class ProjectionBatch {
     template <FlatModel Model>
     void finish(const FlatScene& scene, Health& health);
 
-    /// Which sample a ray is, and where it goes.
-    struct Origin {
-        PixelSums* target;
-        std::uint64_t sample;
-        std::uint32_t pixel;
-    };
-    static void add(const Origin& origin, const Projected& found, Health& health);
+    static void add(const SampleOrigin& origin, const Projected& found, Health& health);
 
     alignas(64) RayColumns<kCapacity> rays_;
     std::array<vec3, kCapacity> behind_;
     std::array<Projected, kCapacity> result_;
-    std::array<Origin, kCapacity> origins_;
+    std::array<SampleOrigin, kCapacity> origins_;
     int size_ = 0;
 };
 

@@ -1,0 +1,27 @@
+#pragma once
+/// Which sample a path or a ray is, and where it goes.
+
+#include <cstdint>
+
+#include "render/kernel/pixel.h"
+
+namespace pdr {
+
+struct SampleOrigin {
+    PixelSums* target;
+    std::uint64_t sample;
+    std::uint32_t pixel;  ///< y * width + x
+
+    SampleOrigin(PixelSums& sums, const FlatScene& scene, ivec2 at, std::uint64_t number)
+        : target(&sums), sample(number), pixel(std::uint32_t(at.y * scene.camera.film.x + at.x)) {}
+    SampleOrigin() = default;
+
+    /// Adds what it brought, or counts why that is no radiance.
+    PDR_HD_INLINE void add(vec3 radiance, Health& health) const {
+        if (!addSample(*target, radiance)) [[unlikely]]
+            note(faultOf(radiance), health);
+    }
+    void note(Fault fault, Health& health) const { health.add(fault, sample, pixel); }
+};
+
+}  // namespace pdr
