@@ -10,6 +10,7 @@
 #include "app/bench/selftest_measure.h"
 #include "app/bench/selftest_table.h"
 #include "render/accuracy/significance.h"
+#include "render/device/device_list.h"
 
 namespace pdr::bench {
 
@@ -43,12 +44,6 @@ class HeldSignals {
     sigset_t set_, before_;
     bool came_ = false;
 };
-
-Result<std::unique_ptr<Device>> openDevice(const std::string& name) {
-    if (name == "cpu")
-        return makeCpuDevice();
-    return Error{"there is no device \"" + name + "\"", "", "This version knows: cpu."};
-}
 
 bool chosen(const Options& options, const Family& family, const Case& reference) {
     const std::string text = family.name + " " + reference.name;

@@ -7,6 +7,8 @@
 
 #include "render/base/result.h"
 #include "render/base/tile.h"
+#include "render/device/live_film.h"
+#include "render/device/schedule.h"
 #include "render/scene/flatten.h"
 
 namespace pdr {
@@ -26,6 +28,9 @@ class Device {
     /// Adds `samples` of every pixel of `tile` to `sums`, in order. Blocks until done. After a stop request it returns
     /// early and the sums are worthless.
     virtual Result<void> render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) = 0;
+    /// An empty film for pictures of the uploaded scenes of `size` pixels; it must not outlive the device. Errors: no
+    /// room for it.
+    virtual Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) = 0;
 };
 
 /// The CPU with `threads` threads; 0 = one per core.

@@ -9,6 +9,7 @@
 
 #include "render/base/portable.h"
 #include "render/base/tile.h"
+#include "render/film/moments.h"
 
 namespace pdr {
 
@@ -29,9 +30,19 @@ struct FilmStatus {
     double relativeError = 0;
 };
 
+/// All that a film knows, pixel by pixel: what another film, on another device, goes on from.
+struct FilmContent {
+    std::uint64_t samplesPerPixel = 0;
+    std::vector<Moments> moments;  ///< of all full blocks
+    std::vector<PixelSums> block;  ///< of the running one
+    Health health;
+};
+
 class Film {
   public:
     Film(ivec2 size, std::uint64_t revision);
+    /// `content` of size.x * size.y pixels.
+    Film(ivec2 size, std::uint64_t revision, FilmContent content);
 
     ivec2 size() const { return size_; }
     std::uint64_t revision() const { return revision_; }
@@ -47,15 +58,10 @@ class Film {
     PixelEstimate pixel(int x, int y) const;
     FilmStatus status() const;
 
+    FilmContent content() const { return {samples_, moments_, block_, health_}; }
+
   private:
-    struct Moments {
-        dvec3 mean{0.0};
-        dvec3 m2{0.0};  ///< sum of squared deviations from the mean
-        std::uint64_t count = 0;
-    };
-    static Moments merged(const Moments& moments, const PixelSums& block);
-    static dvec3 standardErrorOf(const Moments& moments);
-    Moments at(std::size_t index) const;
+    Moments at(std::size_t index) const { return merged(moments_[index], block_[index]); }
 
     ivec2 size_;
     std::uint64_t revision_;
@@ -65,9 +71,7 @@ class Film {
     Health health_;
 };
 
-/// Rec. 709 luminance.
-inline double luminance(dvec3 rgb) {
-    return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722));
-}
+/// The status of an image of that many `pixels` from the sums over them.
+FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health);
 
 }  // namespace pdr

@@ -31,6 +31,12 @@ inline constexpr Model kModels[] = {Model::absorption,       Model::emission,   
 /// Its word in scene files: "singleScattering".
 const char* modelName(Model model);
 
+/// How the scattering models are computed.
+enum class Estimator {
+    unbiased,   ///< what this program is for
+    kroesMarch  ///< as Exposure Render does, steps of 3 voxels and all: BIASED, one event, to be compared with
+};
+
 /// The HU that maximumIntensity shows as greys, in even steps at exposure 1.
 struct HuWindow {
     float lowHu = -200;   ///< black; [-32768, 32767]
@@ -49,6 +55,7 @@ struct Scene {
     std::shared_ptr<const Volume> volume;  ///< never null in a scene that is rendered
     TransferFunction transferFunction;
     Model model = Model::singleScattering;
+    Estimator estimator = Estimator::unbiased;
     HuWindow window;
     float toleranceLevels = 0.25f;  ///< largest error of a ray of a projection, display levels of 255; [1e-3, 16]
     float phaseG = 0;               ///< Henyey-Greenstein mean cosine; (-1, 1)

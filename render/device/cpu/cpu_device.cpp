@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "render/device/cpu/cpu_film.h"
 #include "render/device/cpu/pixel_batch.h"
 #include "render/device/cpu/projection_batch.h"
 #include "render/device/device.h"
@@ -71,6 +72,10 @@ class CpuDevice final : public Device {
             for (const Health& health : healths)
                 sums.health->add(health);
         return {};
+    }
+
+    Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule&) override {
+        return std::unique_ptr<LiveFilm>(std::make_unique<CpuFilm>(*this, size, revision));
     }
 
   private:

@@ -1,0 +1,52 @@
+#pragma once
+/// What threads of one program may do to the same number. In any order the result is the same.
+
+#include <atomic>
+#include <cstdint>
+
+#include "render/base/portable.h"
+
+namespace pdr {
+
+PDR_HD inline void atomicAddTo(std::uint64_t& target, std::uint64_t value) {
+#if defined(__CUDA_ARCH__)
+    atomicAdd(reinterpret_cast<unsigned long long*>(&target), static_cast<unsigned long long>(value));
+#else
+    std::atomic_ref(target).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
+PDR_HD inline void atomicLower(std::uint64_t& target, std::uint64_t value) {
+#if defined(__CUDA_ARCH__)
+    atomicMin(reinterpret_cast<unsigned long long*>(&target), static_cast<unsigned long long>(value));
+#else
+    std::atomic_ref shared(target);
+    std::uint64_t before = shared.load(std::memory_order_relaxed);
+    while (value < before && !shared.compare_exchange_weak(before, value, std::memory_order_relaxed)) {
+    }
+#endif
+}
+
+PDR_HD inline void atomicLower(std::int32_t& target, std::int32_t value) {
+#if defined(__CUDA_ARCH__)
+    atomicMin(&target, value);
+#else
+    std::atomic_ref shared(target);
+    std::int32_t before = shared.load(std::memory_order_relaxed);
+    while (value < before && !shared.compare_exchange_weak(before, value, std::memory_order_relaxed)) {
+    }
+#endif
+}
+
+PDR_HD inline void atomicRaise(std::int32_t& target, std::int32_t value) {
+#if defined(__CUDA_ARCH__)
+    atomicMax(&target, value);
+#else
+    std::atomic_ref shared(target);
+    std::int32_t before = shared.load(std::memory_order_relaxed);
+    while (value > before && !shared.compare_exchange_weak(before, value, std::memory_order_relaxed)) {
+    }
+#endif
+}
+
+}  // namespace pdr

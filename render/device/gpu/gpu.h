@@ -1,0 +1,61 @@
+#pragma once
+/// What a GPU is to us: memory of its own, two streams of work, and programs that many threads run. The code in this
+/// folder is written for any type that is a Gpu:
+///   CudaGpu  (cuda/cuda_gpu.h)  a GPU of NVIDIA's, through the CUDA runtime
+///   HostGpu  (cpu/host_gpu.h)   the CPU's threads and memory: schedules that are compared on the CPU, and tests
+///
+/// A program is a value with `void operator()(std::int64_t index) const`, marked PDR_HD; it holds numbers and pointers
+/// to device memory, at most 4 KB. Its threads do not know each other; they meet only in atomics (gpu/atomic.h).
+///
+/// The first error is kept, and after it nothing is done any more until it is taken: whoever finishes a step asks.
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "render/base/result.h"
+
+namespace pdr {
+
+/// Work in one stream is done in order. `copy` runs beside `compute`.
+enum class GpuStream { compute, copy };
+
+struct GpuMemory {
+    std::size_t total = 0, free = 0;  ///< bytes
+};
+
+template <class G>
+concept Gpu = requires(G gpu, const G known, void* memory, const void* host, std::size_t bytes, GpuStream stream,
+                       typename G::Event event, std::int64_t count) {
+    { known.name() } -> std::convertible_to<std::string>;
+    { known.memory() } -> std::same_as<GpuMemory>;
+
+    /// Device memory; null after an error. release(nullptr) does nothing; release() works after an error too.
+    { gpu.allocate(bytes) } -> std::same_as<void*>;
+    {gpu.release(memory)};
+    /// Host memory that copies can go to and from behind the host's back.
+    { gpu.allocatePinned(bytes) } -> std::same_as<void*>;
+    {gpu.releasePinned(memory)};
+
+    /// In stream order. Of host memory that is not pinned the host waits for the copy's end.
+    {gpu.copyToDevice(memory, host, bytes, stream)};
+    {gpu.copyToHost(memory, host, bytes, stream)};
+    /// Bytes of 0.
+    {gpu.clear(memory, bytes, stream)};
+
+    /// A mark in a stream: a place in its order. A fresh Event counts as reached.
+    {gpu.record(event, stream)};
+    {gpu.wait(stream, event)};  ///< the stream goes on only when the event is reached
+    {gpu.await(event)};         ///< the host waits
+    {gpu.awaitAll()};           ///< the host waits for both streams
+
+    { gpu.takeError() } -> std::same_as<std::optional<Error>>;
+    /// And, for any program:
+    ///   launch(program, count, stream)       program(i) for all i in [0, count)
+    ///   launchQueued(program, count, stream) the same with as many threads as the GPU holds, each of which takes the
+    ///                                        next i when it has done with one: for programs of uneven length
+};
+
+}  // namespace pdr

@@ -1,0 +1,67 @@
+#pragma once
+/// Mean and variance of one pixel, merged block by block. The same arithmetic on every device.
+
+#include <cmath>
+#include <cstdint>
+
+#include "render/base/tile.h"
+
+namespace pdr {
+
+struct Moments {
+    dvec3 mean{0.0};
+    dvec3 m2{0.0};  ///< sum of squared deviations from the mean
+    std::uint64_t count = 0;
+};
+
+/// a * b + c, rounded once.
+PDR_HD inline dvec3 fused(dvec3 a, dvec3 b, dvec3 c) {
+    return {std::fma(a.x, b.x, c.x), std::fma(a.y, b.y, c.y), std::fma(a.z, b.z, c.z)};
+}
+
+/// The moments of two sets from the moments of each. Chan, Golub & LeVeque 1979.
+PDR_HD inline Moments merged(const Moments& moments, const PixelSums& block) {
+    Moments result = moments;
+    if (block.count == 0)
+        return result;
+    const double n = block.count;
+    const dvec3 blockMean = block.sum / n;
+    // Of a large value with little noise nearly all of this cancels: rounded once, not twice.
+    const dvec3 blockM2 = glm::max(fused(-block.sum, blockMean, block.sumOfSquares), dvec3(0.0));
+    const double total = double(moments.count) + n;
+    const dvec3 delta = blockMean - moments.mean;
+    result.mean += delta * (n / total);
+    result.m2 += blockM2 + delta * delta * (double(moments.count) * n / total);
+    result.count += block.count;
+    return result;
+}
+
+/// Of the mean; 0 below 2 samples.
+PDR_HD inline dvec3 standardErrorOf(const Moments& moments) {
+    if (moments.count < 2)
+        return dvec3(0.0);
+    return glm::sqrt(moments.m2 / (double(moments.count) * double(moments.count - 1)));
+}
+
+/// Rec. 709 luminance.
+PDR_HD inline double luminance(dvec3 rgb) {
+    return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722));
+}
+
+/// What the status of an image is made from, over some of its pixels.
+struct StatusSums {
+    double luminance = 0;
+    double squaredErrors = 0;  ///< of the standard errors' luminance
+
+    PDR_HD void add(const Moments& pixel) {
+        const double error = pdr::luminance(standardErrorOf(pixel));
+        luminance += pdr::luminance(pixel.mean);
+        squaredErrors += error * error;
+    }
+    PDR_HD void add(const StatusSums& other) {
+        luminance += other.luminance;
+        squaredErrors += other.squaredErrors;
+    }
+};
+
+}  // namespace pdr
