@@ -40,7 +40,7 @@ int rebound(const Arguments& arguments) {
     for (int i = 0; i < *edits; ++i) {
         const TransferFunction function = editedFunction(random);
         const std::clock_t start = std::clock();  // time on the core: neighbours do not count
-        const Majorants majorants(ranges, function, volume.size());
+        const Majorants majorants(ranges, TransferTables(function), volume.size());
         milliseconds.push_back(1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
     }
     std::ranges::sort(milliseconds);

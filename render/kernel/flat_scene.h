@@ -14,6 +14,7 @@ namespace pdr {
 struct OpacityPiece {
     float start, end;
     float opacity, slope;
+    bool operator==(const OpacityPiece&) const = default;
 };
 
 /// Optical properties at one end of a piece; meanings as in TransferNode.

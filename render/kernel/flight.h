@@ -8,6 +8,7 @@
 /// from cell to cell, never drawn anew. An accelerator: it never changes the picture. Tentative
 /// collisions after Woodcock et al. 1965.
 
+#include "render/base/cells.h"
 #include "render/kernel/grid_axis.h"
 #include "render/kernel/medium.h"
 #include "render/kernel/random.h"
@@ -18,6 +19,13 @@ namespace pdr {
 inline constexpr float kDescend =
     1.5f;  ///< optical depth of a coarse cell's chord above which its fine cells are walked
 inline constexpr float kLookClosely = 12;  ///< optical depth of a fine cell's chord above which its voxels are walked
+
+/// FlatMajorants::dense of a volume whose highest bound is `highest` [1/mm].
+PDR_HD inline bool mayBeDense(const FlatVolume& volume, float highest) {
+    const float chord =
+        kFineCell * glm::length(volume.localFromIndex * vec3(1));  // the diagonal: axes are at right angles
+    return highest * chord > kLookClosely;
+}
 
 /// Where a tentative collision happened, and what decides it.
 template <class Real>

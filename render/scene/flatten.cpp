@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/kernel/flight.h"
+#include "render/kernel/view_footprint.h"
 #include "render/scene/flatten_lights.h"
 #include "render/scene/flatten_optics.h"
 #include "render/scene/needs.h"
@@ -13,41 +14,6 @@
 namespace pdr {
 
 namespace {
-
-constexpr float kBeyondAnyHu = 1e9f;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-Material materialOf(const TransferNode& node) {
-    return {node.albedo, node.emission, node.specular, node.roughness};
-}
-
-void flattenTransferFunction(PreparedScene& prepared, const TransferFunction& function) {
-    const std::vector<TransferNode>& nodes = function.nodes;
-    const auto add = [&](float start, float end, const TransferNode& from, const TransferNode& to) {
-        const float slope = (to.opacity - from.opacity) / (end - start);
-        prepared.pieces.push_back(
-            {std::max(start, -kBeyondAnyHu), end, from.opacity, std::isfinite(slope) ? slope : 0});
-        prepared.materials.push_back(materialOf(from));
-        prepared.materials.push_back(materialOf(to));
-    };
-    add(-kInfinity, nodes.front().hu, nodes.front(), nodes.front());
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-        if (nodes[i].hu < nodes[i + 1].hu)
-            add(nodes[i].hu, nodes[i + 1].hu, nodes[i], nodes[i + 1]);
-    add(nodes.back().hu, kInfinity, nodes.back(), nodes.back());
-
-    prepared.pieceAt.resize(65536 / 16);
-    std::uint16_t piece = 0;
-    for (std::size_t bucket = 0; bucket < prepared.pieceAt.size(); ++bucket) {
-        // int(hu) rounds towards 0, so a negative bucket reaches one HU below its first whole number.
-        const float lowest = float(int(bucket) * 16 - 32768) - 1;
-        while (lowest >= prepared.pieces[piece].end)
-            ++piece;
-        prepared.pieceAt[bucket] = piece;
-    }
-    prepared.flat.transferFunction = {prepared.pieces.data(), prepared.materials.data(), prepared.pieceAt.data(),
-                                      int(prepared.pieces.size()), function.extinctionPerMm};
-}
 
 void flattenVolume(FlatVolume& flat, const Volume& volume) {
     const ivec3 size = volume.size();
@@ -66,8 +32,6 @@ void flattenVolume(FlatVolume& flat, const Volume& volume) {
 
 void flattenMajorants(PreparedScene& prepared) {
     const Majorants& majorants = *prepared.majorants;
-    const mat3& step = prepared.flat.volume.localFromIndex;
-    const float chord = kFineCell * glm::length(step * vec3(1));  // the diagonal: axes are at right angles
     const float highest = *std::max_element(majorants.coarse.begin(), majorants.coarse.end());
     prepared.flat.majorants = {.fine = majorants.fine.data(),
                                .coarse = majorants.coarse.data(),
@@ -75,7 +39,7 @@ void flattenMajorants(PreparedScene& prepared) {
                                .coarseSize = prepared.ranges->coarseSize(),
                                .occupiedLow = majorants.occupiedLow,
                                .occupiedHigh = majorants.occupiedHigh,
-                               .dense = highest * chord > kLookClosely};
+                               .dense = mayBeDense(prepared.flat.volume, highest)};
 }
 
 void flattenCamera(FlatCamera& flat, const Camera& camera, const VolumeGeometry& geometry, ivec2 film) {
@@ -118,28 +82,18 @@ constexpr float kHuScale = 4096;
 
 }  // namespace
 
-std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
+std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Bounds bounds) {
     auto prepared = std::make_shared<PreparedScene>();
-    const bool sameVolume = last_ && last_->volume == scene.volume;
-    const bool highest = scene.model == Model::maximumIntensity;
-    const bool sameBounds = sameVolume && last_->transferFunction == scene.transferFunction &&
-                            highest == (last_->flat.optics.model == FlatModel::maximumIntensity);
     prepared->revision = scene.revision;
     prepared->volume = scene.volume;
-    prepared->transferFunction = scene.transferFunction;
-    prepared->ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*scene.volume);
-    prepared->majorants =
-        sameBounds ? last_->majorants
-        : highest  ? std::make_shared<const Majorants>(highestHu(*prepared->ranges, scene.volume->size()))
-                   : std::make_shared<const Majorants>(*prepared->ranges, scene.transferFunction, scene.volume->size());
+    prepared->tables = TransferTables(scene.transferFunction);
+    prepared->flat.transferFunction = prepared->tables.flat();
     flattenVolume(prepared->flat.volume, *scene.volume);
-    flattenTransferFunction(*prepared, scene.transferFunction);
     if (scene.environment.image)
         prepared->environment = last_ && last_->environment && last_->environment->image == scene.environment.image
                                     ? last_->environment
                                     : std::make_shared<const EnvironmentTables>(scene.environment.image);
     flattenOptics(*prepared, scene);
-    flattenMajorants(*prepared);
     flattenCamera(prepared->flat.camera, scene.camera, scene.volume->geometry(), scene.film);
     flattenLights(*prepared, scene);
     flattenClip(*prepared, scene);
@@ -151,10 +105,25 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
     flat.features = neededFeatures(needs(scene));
     flat.sampleDirections = searchesAlongScatter(scene);
     flat.seed = scene.seed;
-    prepared->viewDepths = viewDepths(flat);
-    flat.viewBounds = {prepared->viewDepths.data(), (scene.film.x + kViewBlock - 1) / kViewBlock};
+    if (bounds == Bounds::onHost)
+        bound(*prepared);
     last_ = prepared;
     return prepared;
+}
+
+void Flattener::bound(PreparedScene& prepared) const {
+    const bool highest = prepared.flat.optics.model == FlatModel::maximumIntensity;
+    const bool sameVolume = last_ && last_->ranges && last_->volume == prepared.volume;
+    const bool sameBounds = sameVolume && last_->tables.sameOpacity(prepared.tables) &&
+                            highest == (last_->flat.optics.model == FlatModel::maximumIntensity);
+    const ivec3 size = prepared.volume->size();
+    prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
+    prepared.majorants = sameBounds ? last_->majorants
+                         : highest  ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size))
+                                    : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size);
+    flattenMajorants(prepared);
+    prepared.viewDepths = viewDepths(prepared.flat);
+    prepared.flat.viewBounds = {prepared.viewDepths.data(), viewBlocks(prepared.flat.camera.film).x};
 }
 
 }  // namespace pdr

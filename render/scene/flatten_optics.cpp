@@ -39,8 +39,8 @@ std::vector<float> opticsTable(const PreparedScene& prepared, int stride) {
     std::vector<float> table(std::size_t(kOpticsColumns) * stride);
     for (int row = 0; row < stride; ++row) {
         const int i = std::min(row, function.pieceCount - 1);
-        const OpacityPiece& piece = prepared.pieces[i];
-        const Material &from = prepared.materials[2 * i], &to = prepared.materials[2 * i + 1];
+        const OpacityPiece& piece = prepared.tables.pieces[i];
+        const Material &from = prepared.tables.materials[2 * i], &to = prepared.tables.materials[2 * i + 1];
         const bool inner = i > 0 && i + 1 < function.pieceCount;
         const auto set = [&](OpticsColumn column, int offset, float value) {
             table[(std::size_t(int(column)) + offset) * stride + row] = value;
@@ -64,16 +64,18 @@ std::vector<float> opticsTable(const PreparedScene& prepared, int stride) {
 
 /// Where the curve begins to be more than clear, and where it ends to be so.
 void flattenClearRange(FlatOptics& optics, const PreparedScene& prepared) {
-    const auto opaque = [&](int i) { return prepared.pieces[i].opacity > 0 || prepared.pieces[i].slope != 0; };
-    const int count = int(prepared.pieces.size());
+    const auto opaque = [&](int i) {
+        return prepared.tables.pieces[i].opacity > 0 || prepared.tables.pieces[i].slope != 0;
+    };
+    const int count = int(prepared.tables.pieces.size());
     int first = 0, last = count - 1;
     while (first < count && !opaque(first))
         ++first;
     while (last >= 0 && !opaque(last))
         --last;
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    optics.clearUpTo = first == 0 ? -kInfinity : first < count ? prepared.pieces[first].start : kInfinity;
-    optics.clearFrom = last >= 0 ? prepared.pieces[last].end : -kInfinity;
+    optics.clearUpTo = first == 0 ? -kInfinity : first < count ? prepared.tables.pieces[first].start : kInfinity;
+    optics.clearFrom = last >= 0 ? prepared.tables.pieces[last].end : -kInfinity;
 }
 
 }  // namespace
@@ -93,7 +95,7 @@ Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize) {
             for (int i = 0; i < size.x; ++i) {
                 const std::size_t at = (std::size_t(k) * size.y + j) * size.x + i;
                 const HuRange cell = ranges.cells()[at];
-                const float value = cell == CellRanges::kEmpty ? 0.0f : float(cell.highest + kHuLift);
+                const float value = cell.empty() ? 0.0f : float(cell.highest + kHuLift);
                 float& coarse =
                     highest
                         .coarse[(std::size_t(k / kFinePerCoarse) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x +
@@ -113,9 +115,9 @@ void flattenOptics(PreparedScene& prepared, const Scene& scene) {
     vec3 brightest = glm::max(scene.environment.radiance, scene.environment.nadir.value_or(vec3(0)));
     if (prepared.environment)
         brightest *= prepared.environment->brightest;
-    for (const Material& material : prepared.materials)
+    for (const Material& material : prepared.tables.materials)
         brightest = glm::max(brightest, material.albedo + material.emission);
-    const HuRange whole = prepared.ranges->whole();
+    const HuRange whole = prepared.volume->storedRange();
     const float tolerance = float(relativeTolerance(scene.toleranceLevels));
     flat.optics = {.model = flatModel(scene.model),
                    .table = prepared.optics.data(),

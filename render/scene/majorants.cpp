@@ -9,33 +9,26 @@ namespace pdr {
 
 namespace {
 
-/// Rounding in the curve's evaluation must not lift the extinction over its bound: relative to the value, and relative
-/// to the ends of a piece that falls to nearly nothing.
-constexpr float kRoundingRoom = 1 + 1e-5f, kRoundingRoomOfEnds = 0x1p-22f;
-
 /// Index-space box of all fine cells with a bound above 0; empty (low > high) if there is none.
 struct Box {
     vec3 low{1e30f}, high{-1e30f};
 
     void include(ivec3 cell) {
-        low = glm::min(low, vec3((cell - 1) * kFineCell));
-        high = glm::max(high, vec3(cell * kFineCell));
+        low = glm::min(low, lowCorner(cell));
+        high = glm::max(high, highCorner(cell));
     }
 };
 
 }  // namespace
 
-Majorants::Majorants(const CellRanges& ranges, const TransferFunction& function, ivec3 volumeSize)
+Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize)
     : fine(ranges.cells().size()),
       coarse(std::size_t(ranges.coarseSize().x) * ranges.coarseSize().y * ranges.coarseSize().z) {
-    const OpacityMaximum maximum(function, ranges.whole());
+    const OpacityMaximum maximum(tables.flat(), ranges.whole());
     const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
-    const float highest = std::ranges::max(function.nodes, {}, &TransferNode::opacity).opacity;
+    const float highest = tables.highestOpacity();
     const auto boundOver = [&](HuRange range) {
-        const float opacity = maximum.over(range);
-        if (!(opacity > 0))
-            return 0.0f;
-        return function.extinctionPerMm * std::max(opacity * kRoundingRoom, opacity + kRoundingRoomOfEnds * highest);
+        return extinctionBound(tables.extinctionPerMm, maximum.over(range), highest);
     };
     std::vector<Box> boxes(coarseSize.z);
     tbb::parallel_for(0, coarseSize.z, [&](int slab) {

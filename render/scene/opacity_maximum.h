@@ -1,26 +1,20 @@
 #pragma once
-/// The exact maximum of an opacity curve over any interval of whole Hounsfield units, in O(1) after one table is built.
+/// highestOpacity() of kernel/cell_bound.h in O(1) after one table is built: the same number, bit by bit.
 /// A sparse table over 1-HU bins: any curve, non-monotone ones and vertical steps included.
 
 #include <vector>
 
-#include "render/scene/transfer_function.h"
-#include "render/volume/ranges.h"
+#include "render/kernel/cell_bound.h"
 
 namespace pdr {
 
 class OpacityMaximum {
   public:
     /// Answers for intervals inside `domain`.
-    OpacityMaximum(const TransferFunction& function, HuRange domain);
+    OpacityMaximum(const FlatTransferFunction& function, HuRange domain);
 
-    /// The largest opacity that a value in [range.lowest, range.highest] can have, widened by kHuSlack at each end
-    /// where the interval is not a single value (interpolation rounds). 0 for an empty range, and where the curve is 0,
-    /// but not where it is only rounded to 0.
+    /// highestOpacity(function, range)
     float over(HuRange range) const;
-
-    /// HU; interpolation rounds by at most 0.015 between the ends of int16.
-    static constexpr float kHuSlack = 1.0f / 64;
 
   private:
     int first_;

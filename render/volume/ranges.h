@@ -1,32 +1,16 @@
 #pragma once
 /// Smallest and largest HU per small cell of a volume: what a bound on the extinction is made from, for any curve.
-///   cell (i,j,k) holds the points whose index coordinates lie in [4(i-1), 4i] x [4(j-1), 4j] x [4(k-1), 4k]: cell
-///   borders run through voxel centres, so that trilinear interpolation inside a cell meets 5 voxels an axis and no
-///   more. The first layer catches the half voxel outside the first centres. order    x fastest, then y, then z values
-///   Hounsfield units
-/// The grid is padded to whole coarse cells of 4 x 4 x 4 fine ones; cells that no point of the volume lies in are
-/// kEmpty.
+///   cells    base/cells.h    order    x fastest, then y, then z    values    Hounsfield units
 
-#include <cstdint>
 #include <vector>
 
+#include "render/base/cells.h"
 #include "render/volume/volume.h"
 
 namespace pdr {
 
-inline constexpr int kFineCell = 4;       ///< voxels along an edge of a fine cell
-inline constexpr int kFinePerCoarse = 4;  ///< fine cells along an edge of a coarse cell
-
-struct HuRange {
-    std::int16_t lowest;
-    std::int16_t highest;
-    bool operator==(const HuRange&) const = default;
-};
-
 class CellRanges {
   public:
-    static constexpr HuRange kEmpty{INT16_MAX, INT16_MIN};
-
     explicit CellRanges(const Volume& volume);
 
     ivec3 fineSize() const { return coarseSize_ * kFinePerCoarse; }
@@ -38,7 +22,7 @@ class CellRanges {
   private:
     ivec3 coarseSize_;
     std::vector<HuRange> cells_;
-    HuRange whole_ = kEmpty;
+    HuRange whole_ = kEmptyRange;
 };
 
 }  // namespace pdr

@@ -35,8 +35,9 @@ Volume::Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::v
     : geometry_(geometry), voxels_(std::move(voxels)), padding_(std::move(padding)) {
     assert(voxels_.size() == geometry_.voxelCount());
     assert(padding_.empty() || padding_.size() == voxels_.size());
+    const auto [low, high] = std::minmax_element(voxels_.begin(), voxels_.end());
+    storedRange_ = {*low, *high};
     if (padding_.empty()) {
-        const auto [low, high] = std::minmax_element(voxels_.begin(), voxels_.end());
         lowestHu_ = *low;
         highestHu_ = *high;
         return;

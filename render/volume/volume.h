@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "render/base/cells.h"
 #include "render/base/portable.h"
 
 namespace pdr {
@@ -50,6 +51,8 @@ class Volume {
     /// Smallest and largest HU of what was measured (padding left out; {kAirHu, kAirHu} if all is padding).
     std::int16_t lowestHu() const { return lowestHu_; }
     std::int16_t highestHu() const { return highestHu_; }
+    /// The same of all voxels, padding included: what interpolation can meet.
+    HuRange storedRange() const { return storedRange_; }
 
   private:
     VolumeGeometry geometry_;
@@ -58,6 +61,7 @@ class Volume {
     std::size_t paddingCount_ = 0;
     std::int16_t lowestHu_ = kAirHu;
     std::int16_t highestHu_ = kAirHu;
+    HuRange storedRange_{};
 };
 
 }  // namespace pdr

@@ -48,7 +48,7 @@ std::shared_ptr<const PreparedScene> withBounds(const Scene& scene, Bound&& boun
     for (int n = 0; n < size.x * size.y * size.z; ++n) {
         const ivec3 cell(n % size.x, n / size.x % size.y, n / size.x / size.y);
         const HuRange range = prepared->ranges->cells()[std::size_t(n)];
-        const float value = range == CellRanges::kEmpty ? 0 : bound(range);
+        const float value = range == kEmptyRange ? 0 : bound(range);
         float& coarse = majorants->coarse[std::size_t((cell.z / 4 * above.y + cell.y / 4) * above.x + cell.x / 4)];
         majorants->fine[std::size_t(n)] = value;
         coarse = std::max(coarse, value);

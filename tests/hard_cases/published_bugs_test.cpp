@@ -58,7 +58,7 @@ class PublishedBugsTest : public QObject {
         const auto prepared = Flattener().prepare(windowed());
         const std::vector<HuRange>& cells = prepared->ranges->cells();
         const auto naive = [&](std::size_t cell, ivec3) {
-            return cells[cell] == CellRanges::kEmpty
+            return cells[cell] == kEmptyRange
                        ? 0
                        : 2 * 1.00001f * opacity(prepared->flat.transferFunction, cells[cell].highest);
         };

@@ -1,0 +1,113 @@
+#pragma once
+/// What the cells of the volume cover on the film: from it comes where along a pixel's view matter lies.
+
+#include "render/base/cells.h"
+#include "render/kernel/flat_scene.h"
+
+namespace pdr {
+
+inline constexpr float kDepthRoom = 1e-4f;  ///< relative; projection and rays round differently
+
+/// An affine map from index space to (x, y, depth): film place before the perspective division, depth in mm.
+struct ViewProjection {
+    dvec3 origin, perI, perJ, perK;
+    bool perspective;
+    double focus;  ///< mm; 0: a pinhole
+    dvec2 lens;    ///< the lens' radius in image widths and heights, at depth 1 or (orthographic) everywhere
+
+    explicit ViewProjection(const FlatScene& scene)
+        : perspective(scene.camera.perspective > 0),
+          focus(scene.camera.focus),
+          lens(glm::length(scene.camera.lensRight) / glm::length(scene.camera.right),
+               glm::length(scene.camera.lensUp) / glm::length(scene.camera.up)) {
+        const FlatCamera& camera = scene.camera;
+        const dvec3 right = camera.right / glm::dot(camera.right, camera.right);
+        const dvec3 down = -camera.up / glm::dot(camera.up, camera.up);
+        const dmat3 local = glm::inverse(scene.volume.exactIndexFromLocal);
+        const auto project = [&](dvec3 v) {
+            return dvec3(glm::dot(v, right), glm::dot(v, down), glm::dot(v, camera.forward));
+        };
+        perI = project(local[0]);
+        perJ = project(local[1]);
+        perK = project(local[2]);
+        origin = project(local * -camera.eye);
+    }
+
+    PDR_HD dvec3 operator()(dvec3 p) const { return origin + perI * p.x + perJ * p.y + perK * p.z; }
+
+    /// How far a lens spreads what lies at `depth` on the film, to each side.
+    PDR_HD dvec2 spread(double depth) const {
+        if (!(focus > 0))
+            return dvec2(0);
+        return lens * std::fabs(perspective ? 1 / focus - 1 / depth : 1 - depth / focus);
+    }
+};
+
+/// Pixels and depths that a cell covers.
+struct Footprint {
+    dvec2 low{1e30}, high{-1e30};
+    dvec2 spread{0};
+    double nearest = 1e30, farthest = -1e30;
+
+    PDR_HD void include(dvec3 projected, const ViewProjection& projection) {
+        const dvec2 place = dvec2(projected) / (projection.perspective ? projected.z : 1.0);
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+        spread = glm::max(spread, projection.spread(projected.z));
+        nearest = std::min(nearest, projected.z);
+        farthest = std::max(farthest, projected.z);
+    }
+};
+
+/// The blocks of kViewBlock x kViewBlock pixels that a footprint covers, and the depths between which it lies there.
+struct CoveredBlocks {
+    ivec2 first, last;  ///< inclusive; empty where first.x > last.x
+    float nearest, farthest;
+
+    PDR_HD CoveredBlocks(const Footprint& footprint, ivec2 film, ivec2 blocks)
+        : first(0),
+          last(-1),
+          nearest(float(footprint.nearest) * (1 - kDepthRoom)),
+          farthest(float(footprint.farthest) * (1 + kDepthRoom)) {
+        const dvec2 low = (footprint.low - footprint.spread + 0.5) * dvec2(film) / double(kViewBlock) - 1e-3;
+        const dvec2 high = (footprint.high + footprint.spread + 0.5) * dvec2(film) / double(kViewBlock) + 1e-3;
+        if (high.x < 0 || high.y < 0 || low.x >= blocks.x || low.y >= blocks.y)
+            return;
+        first = ivec2(glm::max(low, dvec2(0)));
+        last = ivec2(glm::min(high, dvec2(blocks - 1)));
+    }
+};
+
+inline ivec2 viewBlocks(ivec2 film) {
+    return (film + kViewBlock - 1) / kViewBlock;
+}
+
+/// Whether one plane cuts all of a fine cell away.
+PDR_HD inline bool cutAway(const FlatClip& clip, ivec3 cell) {
+    const vec3 low((cell - 1) * 4), high(cell * 4);
+    for (int i = 0; i < clip.count; ++i) {
+        const FlatPlane& plane = clip.planes[i];
+        const vec3 innermost = glm::mix(high, low, glm::greaterThan(plane.normal, vec3(0)));
+        if (glm::dot(plane.normal, innermost) > plane.offset)
+            return true;
+    }
+    return false;
+}
+
+/// The footprint of a fine cell. `behind`: it reaches behind the eye and may cover anything.
+PDR_HD inline Footprint footprintOf(const ViewProjection& projection, ivec3 cell, bool& behind) {
+    const dvec3 corner = projection(dvec3(cell - 1) * double(kFineCell));
+    Footprint footprint;
+    behind = false;
+    for (int n = 0; n < 8; ++n) {
+        const dvec3 projected =
+            corner + double(kFineCell) * (projection.perI * double(n & 1) + projection.perJ * double((n >> 1) & 1) +
+                                          projection.perK * double(n >> 2));
+        behind = behind || (projection.perspective && !(projected.z > 1e-3));
+        if (!behind)
+            footprint.include(projected, projection);
+    }
+    return footprint;
+}
+
+}  // namespace pdr
