@@ -10,7 +10,8 @@ Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double sec
             scene.seed,
             modelName(scene.model),
             scene.transferFunction.extinctionPerMm,
-            "PD-Render " PDR_VERSION};
+            "PD-Render " PDR_VERSION,
+            scene.estimator == Estimator::unbiased ? "" : std::string(estimatorName(scene.estimator)) + " (biased)"};
 }
 
 }  // namespace pdr::app

@@ -99,6 +99,8 @@ Result<void> printModels(const LoadedScene& loaded, Device& device) {
         for (std::size_t i = 0; i < std::size(kModels); ++i) {
             LoadedScene work = loaded;
             work.scene.model = kModels[i];
+            if (!work.scene.check())
+                work.scene.estimator = Estimator::unbiased;  // of the other models there is no other
             const auto trial = tried(work, device, flattener);
             if (!trial)
                 return trial.error();

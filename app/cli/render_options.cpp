@@ -35,6 +35,10 @@ void describeScene(QCommandLineParser& parser) {
          "Optical model: absorption, emission, emissionAbsorption, singleScattering, multipleScattering or "
          "maximumIntensity.",
          "NAME"},
+        {"estimator",
+         "How scattering is computed: unbiased (default), or kroesMarch, as Exposure Render does: BIASED, for "
+         "comparison.",
+         "NAME"},
         {"aperture", "Diameter of the lens in mm; 0: everything is sharp.", "MM"},
         {"focus", "Make sharp what this pixel shows.", "X,Y"},
         {"threads", "Threads; default: one per core.", "N", "0"},
@@ -135,6 +139,16 @@ std::optional<Model> readModel(const Reader& reader) {
     usageError("--model", "must be one of: " + known);
 }
 
+std::optional<Estimator> readEstimator(const Reader& reader) {
+    const auto text = reader.text("estimator");
+    if (!text)
+        return std::nullopt;
+    for (const Estimator estimator : kEstimators)
+        if (text->compare(QLatin1String(estimatorName(estimator)), Qt::CaseInsensitive) == 0)
+            return estimator;
+    usageError("--estimator", "must be unbiased or kroesMarch");
+}
+
 std::optional<StandardView> readView(const Reader& reader) {
     const auto text = reader.text("view");
     if (!text)
@@ -207,6 +221,7 @@ SceneInput readScene(const QCommandLineParser& parser, const QString& command) {
     scene.seed = reader.whole("seed", 0, UINT64_MAX);
     scene.preset = readPreset(reader);
     scene.model = readModel(reader);
+    scene.estimator = readEstimator(reader);
     scene.apertureMm = reader.number("aperture", {0, 200});
     scene.focusAt = readPixel(reader, "focus");
     return scene;

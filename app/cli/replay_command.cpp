@@ -55,6 +55,9 @@ Result<void> tell(const ReplayOptions& options) {
     if (isProjection(scene.model))
         return Error{std::string(modelName(scene.model)) + " has no paths to replay", "--model",
                      "Take singleScattering or multipleScattering."};
+    if (scene.estimator != Estimator::unbiased)
+        return Error{"the samples of " + std::string(estimatorName(scene.estimator)) + " cannot be replayed",
+                     "--estimator", "Take the estimator unbiased."};
     if (options.pixel.x >= scene.film.x || options.pixel.y >= scene.film.y)
         return Error{"lies outside the picture of " + std::to_string(scene.film.x) + " x " +
                          std::to_string(scene.film.y) + " pixels",

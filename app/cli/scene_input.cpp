@@ -99,6 +99,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     if (input.exposure)
         work.display.exposure = float(*input.exposure);
     work.scene.model = input.model.value_or(work.scene.model);
+    work.scene.estimator = input.estimator.value_or(work.scene.estimator);
     work.scene.camera.apertureMm = input.apertureMm.value_or(work.scene.camera.apertureMm);
     if (auto ok = work.scene.check(); !ok)
         return ok.error();

@@ -24,6 +24,7 @@ struct SceneInput {
     std::optional<double> exposure;
     std::optional<std::uint64_t> seed;
     std::optional<Model> model;
+    std::optional<Estimator> estimator;
     std::optional<double> apertureMm;
     std::optional<ivec2> focusAt;  ///< the pixel that shows what is to be sharp
 };

@@ -154,6 +154,7 @@ struct FlatScene {
     bool plainBackground;   ///< behind the volume it looks the same everywhere
     FlatEnvironment environment;
     FlatClip clip;
+    bool marched;    ///< by kernel/kroes_path.h instead of kernel/integrator.h: BIASED
     int maxBounces;  ///< scattering events on a path, at most
     float phaseG;
     float surfaceFactor;  ///< see surfaceNormal() [mm/HU]; 0: no surfaces

@@ -99,6 +99,7 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Boun
     flattenClip(*prepared, scene);
 
     FlatScene& flat = prepared->flat;
+    flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.maxBounces = scene.model == Model::multipleScattering ? scene.maxBounces : 1;
     flat.phaseG = scene.phaseG;
     flat.surfaceFactor = 25 * scene.gradientFactor * scene.gradientFactor * scene.gradientFactor / kHuScale;

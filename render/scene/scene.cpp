@@ -21,12 +21,19 @@ Result<void> checkClip(const Clip& clip) {
     return ok ? ok : below("clip", ok.error());
 }
 
+Result<void> checkEstimator(const Scene& scene) {
+    if (scene.estimator == Estimator::kroesMarch && scene.model != Model::singleScattering)
+        return Error{"kroesMarch knows one event on a path, but the model is " + std::string(modelName(scene.model)),
+                     "estimator", "Take the model singleScattering, or the estimator unbiased."};
+    return {};
+}
+
 Result<void> checkTransport(const Scene& scene) {
     for (const auto& ok :
          {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
           checkRange(scene.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
           checkRange(scene.maxBounces, {1, 100000}, "maxBounces"),
-          checkRange(scene.toleranceLevels, {1e-3, 16}, "toleranceLevels"), check(scene.window),
+          checkRange(scene.toleranceLevels, {1e-3, 16}, "toleranceLevels"), check(scene.window), checkEstimator(scene),
           checkRange(scene.film.x, {1, 16384}, "film.width"), checkRange(scene.film.y, {1, 16384}, "film.height")})
         if (!ok)
             return ok;
@@ -51,6 +58,10 @@ const char* modelName(Model model) {
             break;
     }
     return "maximumIntensity";
+}
+
+const char* estimatorName(Estimator estimator) {
+    return estimator == Estimator::unbiased ? "unbiased" : "kroesMarch";
 }
 
 Result<void> check(const HuWindow& window) {

@@ -37,6 +37,11 @@ enum class Estimator {
     kroesMarch  ///< as Exposure Render does, steps of 3 voxels and all: BIASED, one event, to be compared with
 };
 
+inline constexpr Estimator kEstimators[] = {Estimator::unbiased, Estimator::kroesMarch};
+
+/// Its word in scene files: "kroesMarch".
+const char* estimatorName(Estimator estimator);
+
 /// The HU that maximumIntensity shows as greys, in even steps at exposure 1.
 struct HuWindow {
     float lowHu = -200;   ///< black; [-32768, 32767]

@@ -192,11 +192,19 @@ void readModel(JsonFields& fields, Model& model) {
                      word(Model::singleScattering), word(Model::multipleScattering), word(Model::maximumIntensity)});
 }
 
+void readEstimator(JsonFields& fields, Estimator& estimator) {
+    const auto word = [](Estimator meant) {
+        return std::pair<std::string_view, Estimator>(estimatorName(meant), meant);
+    };
+    fields.optional("estimator", estimator, {word(Estimator::unbiased), word(Estimator::kroesMarch)});
+}
+
 void readScene(JsonFields& fields, const std::filesystem::path& folder, SceneFile& file) {
     Scene& scene = file.scene;
     file.source = readVolume(fields.object("volume"), folder);
     scene.transferFunction = readTransferFunction(fields);
     readModel(fields, scene.model);
+    readEstimator(fields, scene.estimator);
     readWindow(fields, scene.window);
     fields.optional("toleranceLevels", scene.toleranceLevels);
     readPhase(fields, scene.phaseG);

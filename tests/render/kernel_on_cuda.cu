@@ -1,6 +1,7 @@
 /// The kernel headers, compiled for a GPU: compiling is the test. One thread, one pixel; nothing is launched.
 
 #include "render/kernel/integrator.h"
+#include "render/kernel/kroes_path.h"
 #include "render/kernel/march.h"
 #include "render/kernel/pixel.h"
 #include "render/kernel/projection.h"
@@ -39,6 +40,11 @@ __global__ void marchRay(FlatScene scene, Ray ray, RandomStream random, float* e
     const float step = marchStep(scene.volume, kExposureRenderStep);
     ends[0] = marchToCollision(scene, ray, random, step);
     ends[1] = marchTransmittance(scene, ray, random, step);
+}
+
+__global__ void marchSample(FlatScene scene, PixelSums* sums) {
+    const ivec2 pixel(blockIdx.x, blockIdx.y);
+    addSample(sums[blockIdx.x], kroesSample(scene, pixel, 0, matterDepths(scene, pixel)).radiance);
 }
 
 }  // namespace pdr

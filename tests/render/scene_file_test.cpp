@@ -18,6 +18,7 @@ static const char* kFull = R"({
     { "hu": 0, "opacity": 0 },
     { "hu": 100, "opacity": 0.5, "albedo": [0.1, 0.2, 0.3], "emission": 4, "specular": 0.25, "roughness": 0.75 } ] },
   "model": "singleScattering",
+  "estimator": "kroesMarch",
   "window": { "lowHu": -50, "highHu": 350 },
   "toleranceLevels": 0.5,
   "phase": { "g": 0.3 },
@@ -86,6 +87,7 @@ class SceneFileTest : public QObject {
         QVERIFY((scene.transferFunction.nodes[1] ==
                  TransferNode{100, 0.5f, {0.1f, 0.2f, 0.3f}, vec3(4), vec3(0.25f), 0.75f}));
         QVERIFY((scene.window == HuWindow{-50, 350}));
+        QVERIFY(scene.estimator == Estimator::kroesMarch);
         QCOMPARE(scene.toleranceLevels, 0.5f);
         QCOMPARE(scene.phaseG, 0.3f);
         QCOMPARE(scene.gradientFactor, 6.0f);
@@ -108,7 +110,8 @@ class SceneFileTest : public QObject {
         QVERIFY2(bool(file), file ? "" : file.error().text().c_str());
         QCOMPARE(QString::fromStdString(file->source.dicomFolder.string()), folder_.filePath("ct"));
         QVERIFY(file->source.raw.path.empty() && !file->source.clampHu && file->source.seriesUid.empty());
-        QVERIFY(file->scene.film == Scene{}.film && file->scene.seed == 1 && file->scene.lights.empty());
+        QVERIFY(file->scene.film == Scene{}.film && file->scene.seed == 1 &&
+                file->scene.estimator == Estimator::unbiased && file->scene.lights.empty());
     }
 
     void everyMistakeNamesItsField_data() {
@@ -145,6 +148,9 @@ class SceneFileTest : public QObject {
         row("transferFunction.nodes.0.roughness", "rough", "transferFunction.nodes[0].roughness");
         row("transferFunction.nodes.0.shine", 1, "transferFunction.nodes[0].shine");
         row("model", "raytracing", "model");
+        row("model", "multipleScattering", "estimator");
+        row("model", "emission", "estimator");
+        row("estimator", "quick", "estimator");
         row("window.lowHu", removed, "window.lowHu");
         row("window.lowHu", 350, "window.highHu");
         row("window.highHu", 40000, "window.highHu");

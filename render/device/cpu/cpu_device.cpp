@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "render/device/cpu/cpu_film.h"
+#include "render/device/cpu/marched_tile.h"
 #include "render/device/cpu/pixel_batch.h"
 #include "render/device/cpu/projection_batch.h"
 #include "render/device/device.h"
@@ -62,7 +63,9 @@ class CpuDevice final : public Device {
             const int x = piece.cols().begin(), y = piece.rows().begin();
             const Tile part{tile.x + x, tile.y + y, int(piece.cols().size()), int(piece.rows().size())};
             const TileSums partSums{sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride, &healths.local()};
-            if (scattering)
+            if (flat.marched)
+                renderMarched(flat, part, samples, partSums);
+            else if (scattering)
                 renderTile(batches_.local(), flat, part, samples, partSums);
             else
                 projections_.local().render(flat, part, samples, partSums);

@@ -1,0 +1,106 @@
+#pragma once
+/// A Gpu (gpu/gpu.h) made of the CPU's threads and memory: what is written for GPUs runs on the CPU too, to be compared
+/// there and to be tested without one. Every order is carried out before the call returns, so that both streams are in
+/// order and every event is reached.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+
+#include "render/base/result.h"
+#include "render/device/gpu/gpu.h"
+
+namespace pdr {
+
+class HostGpu {
+  public:
+    struct Event {};
+
+    /// A program is sent to a GPU by value, in so many bytes at most.
+    static constexpr std::size_t kLargestProgram = 4096;
+
+    /// `totalBytes` of memory, 0 = all that the machine has; `threads` 0 = one per core.
+    explicit HostGpu(std::size_t totalBytes = 0, int threads = 0);
+    ~HostGpu();
+    HostGpu(const HostGpu&) = delete;
+    HostGpu& operator=(const HostGpu&) = delete;
+
+    std::string name() const { return "cpu"; }
+    GpuMemory memory() const;
+
+    /// At addresses that 256 divides. Errors: more than memory().free.
+    void* allocate(std::size_t bytes);
+    void release(void* memory);
+    /// Host memory; it counts as none of the device's.
+    void* allocatePinned(std::size_t bytes);
+    void releasePinned(void* memory);
+
+    void copyToDevice(void* to, const void* from, std::size_t bytes, GpuStream stream);
+    void copyToHost(void* to, const void* from, std::size_t bytes, GpuStream stream);
+    void clear(void* memory, std::size_t bytes, GpuStream stream);
+
+    template <class Program>
+    void launch(Program program, std::int64_t count, GpuStream) {
+        run(program, count, Order::even);
+    }
+    template <class Program>
+    void launchQueued(Program program, std::int64_t count, GpuStream) {
+        run(program, count, Order::queued);
+    }
+
+    void record(Event&, GpuStream) {}
+    void wait(GpuStream, Event&) {}
+    void await(Event&) {}
+    void awaitAll() {}
+
+    std::optional<Error> takeError();
+
+    /// Bytes that were allocated, pinned ones too, and not yet released.
+    std::size_t allocated() const;
+
+  protected:
+    /// Keeps the first error.
+    void fail(Error error);
+    bool failed() const;
+
+  private:
+    enum class Order { even, queued };
+    struct Threads;
+
+    template <class Program>
+    void run(const Program& program, std::int64_t count, Order order) {
+        static_assert(std::is_trivially_copyable_v<Program> && sizeof(Program) <= kLargestProgram);
+        if (failed() || count <= 0)
+            return;
+        share(count, order, [&program](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t i = begin; i != end; ++i)
+                program(i);
+        });
+    }
+
+    /// Calls piece(begin, end) from all threads so that [0, count) is covered.
+    void share(std::int64_t count, Order order, const std::function<void(std::int64_t, std::int64_t)>& piece);
+
+    /// The memory, or null where the machine has none left.
+    void* taken(std::size_t bytes);
+    /// The bytes that lay there.
+    std::size_t given(void* memory);
+
+    std::size_t total_;
+    std::unique_ptr<Threads> threads_;
+
+    mutable std::mutex mutex_;                          ///< of the rest
+    std::unordered_map<void*, std::size_t> allocated_;  ///< bytes by address, pinned ones too
+    std::size_t used_ = 0, pinned_ = 0;                 ///< bytes
+    std::optional<Error> error_;
+};
+
+static_assert(Gpu<HostGpu>);
+
+}  // namespace pdr

@@ -1,0 +1,30 @@
+#pragma once
+/// The levels of a display, by a search among the radiances at which they begin; the same on every device.
+
+#include <array>
+#include <cstdint>
+
+#include "render/base/portable.h"
+
+namespace pdr {
+
+/// Entry k is the radiance, in units of the exposure, from which level k + 1 is shown; ascending.
+inline constexpr int kThresholds = 255;
+using Thresholds = std::array<double, kThresholds>;
+
+/// Those of the curve of tone_map.h.
+const Thresholds& displayThresholds();
+
+/// Level of `radiance`: 0 for what is not above 0. `thresholds`: kThresholds of them.
+PDR_HD inline std::uint8_t levelOf(const double* thresholds, double radiance, double exposure) {
+    if (!(radiance > 0))
+        return 0;
+    const double share = radiance / exposure;
+    int level = 0;
+    for (int step = (kThresholds + 1) / 2; step > 0; step /= 2)
+        if (thresholds[level + step - 1] <= share)
+            level += step;
+    return std::uint8_t(level);
+}
+
+}  // namespace pdr
