@@ -1,7 +1,7 @@
 #pragma once
 /// The whole transport on one page, by Monte Carlo, without bias.
 ///   cameraStart -> track<DeltaTracking> -> arrival -> track<RatioTracking>, and again while the path goes on
-/// A path is a value that goes through these steps; a GPU takes one at a time (tracePath), the CPU many in step.
+/// A path is a value that goes through these steps; a GPU's thread takes one at a time (takeLeg), the CPU many in step.
 /// All light comes in by next-event estimation: a path that leaves the volume after an event brings nothing more.
 
 #include "render/kernel/camera_ray.h"
@@ -101,35 +101,41 @@ struct Unwatched {
     PDR_HD void light(const Arrival&, float) {}
 };
 
+/// One leg of a path, and what is met at its end; false where the path ends. `bounce`: legs before it.
+template <std::uint32_t F, class Watch>
+PDR_HD_INLINE bool takeLeg(const FlatScene& scene, Path& path, int bounce, Sampled& result, Watch&& watch) {
+    const float collision = track<DeltaTracking>(
+        scene, path.leg.ray, path.random.stream(bounce, BounceDimension::flight), result.overMajorant);
+    watch.leg(path, bounce, collision);
+    if (collision < 0) {
+        if (bounce == 0)
+            result.radiance = background(scene, path.leg);
+        return false;
+    }
+    const Arrival met = arrival<F>(scene, path, collision, bounce);
+    result.radiance += met.emitted;
+    float transmittance = 0;
+    if (!isDark(met.scattered)) {
+        transmittance = track<RatioTracking>(scene, met.scattered.ray,
+                                             path.random.stream(bounce, BounceDimension::shadow), result.overMajorant);
+        if (transmittance != 0)  // in full shadow not even infinite light counts
+            result.radiance += met.scattered.radiance * transmittance;
+    }
+    watch.light(met, transmittance);
+    result.cut = met.cut;
+    return met.goesOn;
+}
+
 /// One sample of the radiance that the camera sees through `pixel` (x, y). `watch` is told each leg with the distance
 /// of its event (-1: none), and then what was met there with the transmittance of the way to the light.
 template <std::uint32_t F, class Watch>
 PDR_HD inline Sampled tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths, Watch&& watch) {
     Path path = cameraStart(scene, pixel, sample, depths);
     Sampled result;
-    for (int bounce = 0;; ++bounce) {
-        const float collision = track<DeltaTracking>(
-            scene, path.leg.ray, path.random.stream(bounce, BounceDimension::flight), result.overMajorant);
-        watch.leg(path, bounce, collision);
-        if (collision < 0) {
-            if (bounce == 0)
-                result.radiance = background(scene, path.leg);
-            return result;
-        }
-        const Arrival met = arrival<F>(scene, path, collision, bounce);
-        result.radiance += met.emitted;
-        float transmittance = 0;
-        if (!isDark(met.scattered)) {
-            transmittance = track<RatioTracking>(
-                scene, met.scattered.ray, path.random.stream(bounce, BounceDimension::shadow), result.overMajorant);
-            if (transmittance != 0)  // in full shadow not even infinite light counts
-                result.radiance += met.scattered.radiance * transmittance;
-        }
-        watch.light(met, transmittance);
-        result.cut = met.cut;
-        if (!met.goesOn)
-            return result;
-    }
+    int bounce = 0;
+    while (takeLeg<F>(scene, path, bounce, result, watch))
+        ++bounce;
+    return result;
 }
 
 }  // namespace pdr

@@ -20,6 +20,19 @@ constexpr GpuStream kStream = GpuStream::compute;
 struct Square {
     std::int64_t* numbers;
     void operator()(std::int64_t i) const { numbers[i] += i * i; }
+
+    // In a queue: i steps of i each.
+    struct Walk {
+        std::int64_t index, left;
+    };
+    bool start(std::int64_t i, Walk& walk) const {
+        walk = {i, i};
+        return i > 0;
+    }
+    bool step(Walk& walk) const {
+        numbers[walk.index] += walk.index;
+        return --walk.left > 0;
+    }
 };
 
 struct CountUp {
@@ -42,6 +55,13 @@ struct Meet {
         for (int patience = 0; *came < awaited && patience < 5000; ++patience)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
+
+    struct Walk {};
+    bool start(std::int64_t i, Walk&) const {
+        (*this)(i);
+        return false;
+    }
+    bool step(Walk&) const { return false; }
 };
 
 template <class Launch>

@@ -22,6 +22,9 @@ class HostGpu {
   public:
     struct Event {};
 
+    /// One program with all effects: it need not be fast.
+    static constexpr std::uint32_t kToldApart = 0;
+
     /// A program is sent to a GPU by value, in so many bytes at most.
     static constexpr std::size_t kLargestProgram = 4096;
 
@@ -47,11 +50,16 @@ class HostGpu {
 
     template <class Program>
     void launch(Program program, std::int64_t count, GpuStream) {
-        run(program, count, Order::even);
+        run<Program>(program, count, Order::even);
     }
     template <class Program>
     void launchQueued(Program program, std::int64_t count, GpuStream) {
-        run(program, count, Order::queued);
+        const auto walk = [&program](std::int64_t index) {
+            typename Program::Walk at;
+            for (bool going = program.start(index, at); going;)
+                going = program.step(at);
+        };
+        run<Program>(walk, count, Order::queued);
     }
 
     void record(Event&, GpuStream) {}
@@ -73,14 +81,14 @@ class HostGpu {
     enum class Order { even, queued };
     struct Threads;
 
-    template <class Program>
-    void run(const Program& program, std::int64_t count, Order order) {
+    template <class Program, class Each>
+    void run(const Each& each, std::int64_t count, Order order) {
         static_assert(std::is_trivially_copyable_v<Program> && sizeof(Program) <= kLargestProgram);
         if (failed() || count <= 0)
             return;
-        share(count, order, [&program](std::int64_t begin, std::int64_t end) {
+        share(count, order, [&each](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i != end; ++i)
-                program(i);
+                each(i);
         });
     }
 

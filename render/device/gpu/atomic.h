@@ -49,4 +49,13 @@ PDR_HD inline void atomicRaise(std::int32_t& target, std::int32_t value) {
 #endif
 }
 
+/// `target` as it was, which is then one more.
+PDR_HD inline std::int32_t atomicTakeNext(std::int32_t& target) {
+#if defined(__CUDA_ARCH__)
+    return atomicAdd(&target, 1);
+#else
+    return std::atomic_ref(target).fetch_add(1, std::memory_order_relaxed);
+#endif
+}
+
 }  // namespace pdr

@@ -6,6 +6,11 @@
 ///
 /// A program is a value with `void operator()(std::int64_t index) const`, marked PDR_HD; it holds numbers and pointers
 /// to device memory, at most 4 KB. Its threads do not know each other; they meet only in atomics (gpu/atomic.h).
+/// A program for a queue, where one index may take long, goes step by step instead, so that threads that run in step
+/// with others can take the next index as soon as they are done with one:
+///   Walk                                         what a thread is at
+///   bool start(std::int64_t index, Walk&) const  false: it is done already
+///   bool step(Walk&) const                       false: it is done
 ///
 /// The first error is kept, and after it nothing is done any more until it is taken: whoever finishes a step asks.
 
@@ -29,6 +34,9 @@ struct GpuMemory {
 template <class G>
 concept Gpu = requires(G gpu, const G known, void* memory, const void* host, std::size_t bytes, GpuStream stream,
                        typename G::Event event, std::int64_t count) {
+    /// Effects (kernel/features.h) that programs are compiled with and without.
+    { G::kToldApart } -> std::convertible_to<std::uint32_t>;
+
     { known.name() } -> std::convertible_to<std::string>;
     { known.memory() } -> std::same_as<GpuMemory>;
 
@@ -54,8 +62,7 @@ concept Gpu = requires(G gpu, const G known, void* memory, const void* host, std
     { gpu.takeError() } -> std::same_as<std::optional<Error>>;
     /// And, for any program:
     ///   launch(program, count, stream)       program(i) for all i in [0, count)
-    ///   launchQueued(program, count, stream) the same with as many threads as the GPU holds, each of which takes the
-    ///                                        next i when it has done with one: for programs of uneven length
+    ///   launchQueued(program, count, stream) as many threads as the GPU holds walk through all i in [0, count)
 };
 
 }  // namespace pdr

@@ -1,0 +1,178 @@
+#pragma once
+/// What rays are led by, made on the device: ranges, bounds on the extinction, and where matter lies in the view. The
+/// same numbers, bit by bit, as scene/majorants and scene/view_bounds make on the host.
+
+#include <climits>
+
+#include "render/device/gpu/atomic.h"
+#include "render/kernel/cell_bound.h"
+#include "render/kernel/ray_maximum.h"
+#include "render/kernel/view_footprint.h"
+
+namespace pdr {
+
+/// For each fine cell.
+struct RangesProgram {
+    const std::int16_t* voxels;
+    ivec3 size, fine;
+    HuRange* ranges;
+
+    PDR_HD void operator()(std::int64_t index) const { ranges[index] = rangeOfCell(voxels, size, cellAt(index, fine)); }
+};
+
+/// What the host must know of the bounds.
+struct BoundsSummary {
+    std::int32_t low[3] = {INT_MAX, INT_MAX, INT_MAX};   ///< fine cells with a bound above 0: the lowest ...
+    std::int32_t high[3] = {INT_MIN, INT_MIN, INT_MIN};  ///< ... and the highest along each axis
+    std::int32_t highest = 0;                            ///< the largest bound, as bits
+};
+
+/// For each coarse cell: its own bound and those of its fine cells.
+struct MajorantsProgram {
+    const HuRange* ranges;
+    FlatTransferFunction function;
+    float highestOfCurve;
+    bool highestHu;  ///< for maximumIntensity: the highest HU, lifted by kHuLift
+    ivec3 coarseGrid;
+    float *fine, *coarse;
+    BoundsSummary* summary;
+
+    PDR_HD float bound(HuRange range) const {
+        if (highestHu)
+            return range.empty() ? 0.0f : float(range.highest + kHuLift);
+        return extinctionBound(function.extinctionPerMm, highestOpacity(function, range), highestOfCurve);
+    }
+
+    PDR_HD void operator()(std::int64_t index) const {
+        const ivec3 first = cellAt(index, coarseGrid) * kFinePerCoarse, fineGrid = coarseGrid * kFinePerCoarse;
+        ivec3 low(INT_MAX), high(INT_MIN);
+        float most = 0;
+        for (int n = 0; n < 64; ++n) {
+            const ivec3 cell = first + ivec3(n & 3, (n >> 2) & 3, n >> 4);
+            const std::int64_t at = cellIndex(cell, fineGrid);
+            const float here = bound(ranges[at]);
+            fine[at] = here;
+            if (!(here > 0))
+                continue;
+            most = glm::max(most, here);
+            low = glm::min(low, cell);
+            high = glm::max(high, cell);
+        }
+        coarse[index] = most;
+        if (!(most > 0))
+            return;
+        for (int axis = 0; axis < 3; ++axis) {
+            atomicLower(summary->low[axis], low[axis]);
+            atomicRaise(summary->high[axis], high[axis]);
+        }
+        atomicRaise(summary->highest, bitsOf(most));
+    }
+};
+
+/// Floats as whole numbers in the same order; and back.
+PDR_HD inline std::int32_t orderedBits(float x) {
+    const std::int32_t bits = bitsOf(x);
+    return bits >= 0 ? bits : bits ^ INT_MAX;
+}
+PDR_HD inline float fromOrderedBits(std::int32_t ordered) {
+    return floatOf(ordered >= 0 ? ordered : ordered ^ INT_MAX);
+}
+
+/// Depths of a block of pixels as ordered bits, while cells are added to it.
+struct OrderedDepths {
+    std::int32_t nearest, farthest;
+
+    PDR_HD void include(const CoveredBlocks& covered) {
+        atomicLower(nearest, orderedBits(covered.nearest));
+        atomicRaise(farthest, orderedBits(covered.farthest));
+    }
+};
+
+/// Cells that cover so many blocks that one thread should not go through them alone.
+struct WideCells {
+    static constexpr int kRoom = 16384;
+    static constexpr int kManyBlocks = 64;
+
+    std::int32_t count = 0;
+    std::int32_t behind = 0;  ///< some cell reaches behind the eye
+};
+
+/// For each block: nothing is there yet.
+struct ClearDepthsProgram {
+    OrderedDepths* depths;
+
+    PDR_HD void operator()(std::int64_t index) const {
+        depths[index] = {orderedBits(floatOf(0x7F800000)), orderedBits(-floatOf(0x7F800000))};
+    }
+};
+
+/// For each coarse cell: its fine cells are added to the blocks that they cover.
+struct CoverProgram {
+    FlatMajorants grid;
+    ViewProjection projection;
+    FlatClip clip;
+    ivec2 film, blocks;
+    OrderedDepths* depths;
+    WideCells* wide;
+    CoveredBlocks* wideCells;  ///< room for WideCells::kRoom
+
+    PDR_HD void cover(const CoveredBlocks& covered) const {
+        for (int y = covered.first.y; y <= covered.last.y; ++y)
+            for (int x = covered.first.x; x <= covered.last.x; ++x)
+                depths[std::int64_t(y) * blocks.x + x].include(covered);
+    }
+
+    PDR_HD void add(ivec3 cell) const {
+        if (!(grid.fine[cellIndex(cell, grid.fineSize)] > 0) || cutAway(clip, cell))
+            return;
+        bool behind;
+        const Footprint footprint = footprintOf(projection, cell, behind);
+        if (behind) {
+            atomicRaise(wide->behind, 1);
+            return;
+        }
+        const CoveredBlocks covered(footprint, film, blocks);
+        const ivec2 extent = covered.last - covered.first + 1;
+        const bool many = extent.x > 0 && extent.x * extent.y > WideCells::kManyBlocks;
+        const std::int32_t place = many ? atomicTakeNext(wide->count) : WideCells::kRoom;
+        if (place < WideCells::kRoom)
+            wideCells[place] = covered;
+        else
+            cover(covered);
+    }
+
+    PDR_HD void operator()(std::int64_t index) const {
+        if (!(grid.coarse[index] > 0))
+            return;
+        const ivec3 first = cellAt(index, grid.coarseSize) * kFinePerCoarse;
+        for (int n = 0; n < 64; ++n)
+            add(first + ivec3(n & 3, (n >> 2) & 3, n >> 4));
+    }
+};
+
+/// For each block: the wide cells are added, and the depths are as the kernel reads them.
+struct ViewDepthsProgram {
+    const OrderedDepths* ordered;
+    const WideCells* wide;
+    const CoveredBlocks* wideCells;
+    ivec2 blocks;
+    vec2* depths;
+
+    PDR_HD void operator()(std::int64_t index) const {
+        const ivec2 block(int(index % blocks.x), int(index / blocks.x));
+        if (wide->behind != 0) {
+            depths[index] = vec2(0, floatOf(0x7F800000));
+            return;
+        }
+        vec2 depth(fromOrderedBits(ordered[index].nearest), fromOrderedBits(ordered[index].farthest));
+        const int count = glm::min(wide->count, WideCells::kRoom);
+        for (int i = 0; i < count; ++i) {
+            const CoveredBlocks& cell = wideCells[i];
+            if (block.x >= cell.first.x && block.x <= cell.last.x && block.y >= cell.first.y && block.y <= cell.last.y)
+                depth = {glm::min(depth.x, cell.nearest), glm::max(depth.y, cell.farthest)};
+        }
+        depths[index] = depth;
+    }
+};
+
+}  // namespace pdr

@@ -1,0 +1,75 @@
+#pragma once
+/// From the film to what is carried to the host: levels, and the sums that its status is made from.
+
+#include "render/device/gpu/trace_programs.h"
+#include "render/film/levels.h"
+
+namespace pdr {
+
+/// Sums of so many numbers by one thread, then of so many of those by another.
+inline constexpr int kPixelsPerSum = 16, kSumsPerTotal = 256;
+
+/// A picture on its way, one piece of memory: the head, totals of the status, RGBA8 pixels, and the tail.
+struct FrameLayout {
+    std::int64_t pixels;
+
+    struct Head {
+        std::uint64_t id;  ///< of the picture; the same at the other end, or it is torn
+        GpuHealth health;
+    };
+
+    PDR_HD std::int64_t sums() const { return (pixels + kPixelsPerSum - 1) / kPixelsPerSum; }
+    PDR_HD std::int64_t totals() const { return (sums() + kSumsPerTotal - 1) / kSumsPerTotal; }
+    PDR_HD std::int64_t totalsAt() const { return sizeof(Head); }
+    PDR_HD std::int64_t pixelsAt() const { return totalsAt() + totals() * std::int64_t(sizeof(StatusSums)); }
+    PDR_HD std::int64_t tailAt() const { return (pixelsAt() + pixels * 4 + 7) / 8 * 8; }
+    PDR_HD std::int64_t bytes() const { return tailAt() + std::int64_t(sizeof(std::uint64_t)); }
+};
+
+/// For each kPixelsPerSum pixels: their levels, and their share of the status.
+struct DevelopProgram {
+    FrameLayout layout;
+    const PixelSums* block;
+    const Moments* moments;
+    const double* thresholds;
+    double exposure;
+    std::byte* frame;
+    StatusSums* sums;
+
+    PDR_HD void operator()(std::int64_t index) const {
+        StatusSums mine;
+        const std::int64_t begin = index * kPixelsPerSum, end = glm::min(begin + kPixelsPerSum, layout.pixels);
+        for (std::int64_t pixel = begin; pixel < end; ++pixel) {
+            const Moments known = merged(moments[pixel], block[pixel]);
+            mine.add(known);
+            auto* rgba = reinterpret_cast<std::uint8_t*>(frame) + layout.pixelsAt() + pixel * 4;
+            for (int channel = 0; channel < 3; ++channel)
+                rgba[channel] = levelOf(thresholds, known.mean[channel], exposure);
+            rgba[3] = 255;
+        }
+        sums[index] = mine;
+    }
+};
+
+/// For each kSumsPerTotal sums: their total; and once, when all else is there, both ends of the frame.
+struct SealProgram {
+    FrameLayout layout;
+    const StatusSums* sums;
+    const GpuHealth* health;
+    std::uint64_t id;
+    std::byte* frame;
+
+    PDR_HD void operator()(std::int64_t index) const {
+        StatusSums total;
+        const std::int64_t begin = index * kSumsPerTotal, end = glm::min(begin + kSumsPerTotal, layout.sums());
+        for (std::int64_t i = begin; i < end; ++i)
+            total.add(sums[i]);
+        reinterpret_cast<StatusSums*>(frame + layout.totalsAt())[index] = total;
+        if (index != 0)
+            return;
+        *reinterpret_cast<FrameLayout::Head*>(frame) = {id, *health};
+        *reinterpret_cast<std::uint64_t*>(frame + layout.tailAt()) = id;
+    }
+};
+
+}  // namespace pdr

@@ -1,0 +1,195 @@
+#pragma once
+/// The film in a GPU's memory. Only finished pictures cross the bus: two lie ready in host memory that the GPU copies
+/// to by itself, in a stream of its own, while the next samples are taken.
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <chrono>
+#include <cstring>
+
+#include "render/device/gpu/film_programs.h"
+#include "render/device/gpu/gpu_scene.h"
+#include "render/device/gpu/launch_size.h"
+#include "render/device/gpu/tracer.h"
+#include "render/device/live_film.h"
+
+namespace pdr {
+
+template <Gpu G>
+class GpuFilm final : public LiveFilm {
+  public:
+    /// `gpu` and `scene` must outlive it. outcome(gpu) tells whether there is room for it.
+    GpuFilm(G& gpu, const GpuScene<G>& scene, ivec2 size, std::uint64_t revision);
+    ~GpuFilm() override { gpu_.awaitAll(); }
+
+    Result<void> iterate(std::uint32_t n, std::stop_token stop) override;
+    Result<void> show(const Display& display) override;
+    Result<Picture> take() override;
+    int ahead() const override { return kAhead; }
+    Result<std::shared_ptr<const Film>> film() override;
+    Result<void> resume(const Film& film) override;
+
+  private:
+    static constexpr int kAhead = 2;
+
+    /// A picture on its way.
+    struct Slot {
+        Slot(G& gpu, std::size_t bytes) : onDevice(gpu, bytes), onHost(gpu, bytes) {}
+
+        GpuArray<G, std::byte> onDevice;
+        PinnedBytes<G> onHost;
+        typename G::Event developed{}, arrived{};
+        std::uint64_t id = 0;
+        std::uint64_t samples = 0;
+    };
+
+    Tile whole() const { return {0, 0, size_.x, size_.y}; }
+    std::int64_t pixels() const { return std::int64_t(size_.x) * size_.y; }
+    void launch(std::uint32_t samples);
+    Picture pictureIn(const Slot& slot) const;
+
+    G& gpu_;
+    const GpuScene<G>& scene_;
+    ivec2 size_;
+    std::uint64_t revision_;
+    std::uint64_t samples_ = 0;
+    FrameLayout layout_;
+    LaunchSize launchSize_;
+
+    GpuArray<G, PixelSums> block_;
+    GpuArray<G, Moments> moments_;
+    GpuArray<G, vec3> radiance_;
+    GpuArray<G, StatusSums> sums_;
+    GpuArray<G, GpuHealth> health_;
+    GpuArray<G, double> thresholds_;
+    std::array<Slot, kAhead> slots_;
+    std::uint64_t shown_ = 0, taken_ = 0;
+    std::array<typename G::Event, 2> launched_{};  ///< the ends of the last two launches
+    std::uint64_t launches_ = 0;
+};
+
+template <Gpu G>
+GpuFilm<G>::GpuFilm(G& gpu, const GpuScene<G>& scene, ivec2 size, std::uint64_t revision)
+    : gpu_(gpu),
+      scene_(scene),
+      size_(size),
+      revision_(revision),
+      layout_{pixels()},
+      launchSize_(pixels()),
+      block_(gpu, pixels()),
+      moments_(gpu, pixels()),
+      radiance_(gpu),
+      sums_(gpu, layout_.sums()),
+      health_(gpu, 1),
+      thresholds_(gpu, kThresholds),
+      slots_{Slot(gpu, layout_.bytes()), Slot(gpu, layout_.bytes())} {
+    block_.clear();
+    moments_.clear();
+    const GpuHealth perfect;
+    health_.copyFrom(&perfect);
+    thresholds_.copyFrom(displayThresholds().data());
+}
+
+template <Gpu G>
+void GpuFilm<G>::launch(std::uint32_t samples) {
+    radiance_.resize(std::size_t(pixels()) * samples);
+    const TraceTarget target{{whole(), {samples_, samples}}, radiance_.data(), health_.data()};
+    traceAndAdd(gpu_, scene_.flat(), target, block_.data(), moments_.data());
+    samples_ += samples;
+}
+
+/// One launch is under way while the next is ordered, and no more, so that a stop comes within a launch.
+template <Gpu G>
+Result<void> GpuFilm<G>::iterate(std::uint32_t n, std::stop_token stop) {
+    while (n > 0 && !stop.stop_requested()) {
+        const std::uint32_t samples = std::min(n, launchSize_.samples());
+        launch(samples);
+        n -= samples;
+        gpu_.record(launched_[launches_ % 2], GpuStream::compute);
+        ++launches_;
+        gpu_.await(launched_[launches_ % 2]);
+        launchSize_.ended(samples);
+    }
+    return outcome(gpu_);
+}
+
+template <Gpu G>
+Result<void> GpuFilm<G>::show(const Display& display) {
+    assert(shown_ - taken_ < kAhead);
+    Slot& slot = slots_[shown_ % kAhead];
+    slot.id = ++shown_;
+    slot.samples = samples_;
+    std::byte* frame = slot.onDevice.data();
+    gpu_.launch(DevelopProgram{layout_, block_.data(), moments_.data(), thresholds_.data(), double(display.exposure),
+                               frame, sums_.data()},
+                layout_.sums(), GpuStream::compute);
+    gpu_.launch(SealProgram{layout_, sums_.data(), health_.data(), slot.id, frame}, layout_.totals(),
+                GpuStream::compute);
+    gpu_.record(slot.developed, GpuStream::compute);
+    gpu_.wait(GpuStream::copy, slot.developed);
+    gpu_.copyToHost(slot.onHost.data(), frame, std::size_t(layout_.bytes()), GpuStream::copy);
+    gpu_.record(slot.arrived, GpuStream::copy);
+    return outcome(gpu_);
+}
+
+template <Gpu G>
+Result<Picture> GpuFilm<G>::take() {
+    assert(taken_ < shown_);
+    Slot& slot = slots_[taken_++ % kAhead];
+    gpu_.await(slot.arrived);
+    if (Result<void> done = outcome(gpu_); !done)
+        return done.error();
+    std::uint64_t head, tail;
+    std::memcpy(&head, slot.onHost.data(), sizeof head);
+    std::memcpy(&tail, slot.onHost.data() + layout_.tailAt(), sizeof tail);
+    if (head != slot.id || tail != slot.id)
+        return Error{"a picture was torn on its way from the device", gpu_.name(),
+                     "Choose another device; this one cannot be trusted."};
+    return pictureIn(slot);
+}
+
+template <Gpu G>
+Picture GpuFilm<G>::pictureIn(const Slot& slot) const {
+    const std::byte* bytes = slot.onHost.data();
+    FrameLayout::Head head;
+    std::memcpy(&head, bytes, sizeof head);
+    StatusSums all;
+    for (std::int64_t i = 0; i < layout_.totals(); ++i) {
+        StatusSums one;
+        std::memcpy(&one, bytes + layout_.totalsAt() + i * std::int64_t(sizeof one), sizeof one);
+        all.add(one);
+    }
+    const auto* rgba = reinterpret_cast<const std::uint8_t*>(bytes + layout_.pixelsAt());
+    return {{rgba, rgba + pixels() * 4}, statusOf(all, std::size_t(pixels()), slot.samples, toHealth(head.health))};
+}
+
+template <Gpu G>
+Result<std::shared_ptr<const Film>> GpuFilm<G>::film() {
+    FilmContent content{
+        samples_, std::vector<Moments>(std::size_t(pixels())), std::vector<PixelSums>(std::size_t(pixels())), {}};
+    GpuHealth health;
+    moments_.copyTo(content.moments.data());
+    block_.copyTo(content.block.data());
+    health_.copyTo(&health);
+    gpu_.awaitAll();
+    if (Result<void> done = outcome(gpu_); !done)
+        return done.error();
+    content.health = toHealth(health);
+    return std::make_shared<const Film>(size_, revision_, std::move(content));
+}
+
+template <Gpu G>
+Result<void> GpuFilm<G>::resume(const Film& film) {
+    assert(film.size() == size_);
+    const FilmContent content = film.content();
+    const GpuHealth health = toGpuHealth(content.health);
+    moments_.copyFrom(content.moments.data());
+    block_.copyFrom(content.block.data());
+    health_.copyFrom(&health);
+    gpu_.awaitAll();
+    samples_ = content.samplesPerPixel;
+    return outcome(gpu_);
+}
+
+}  // namespace pdr

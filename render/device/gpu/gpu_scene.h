@@ -1,0 +1,214 @@
+#pragma once
+/// A scene in a GPU's memory. What did not change since the last one is not sent again; what rays are led by is made
+/// there.
+
+#include <memory>
+
+#include "render/device/gpu/bounds_programs.h"
+#include "render/device/gpu/gpu_array.h"
+#include "render/device/gpu/memory_error.h"
+#include "render/kernel/flight.h"
+#include "render/scene/flatten.h"
+
+namespace pdr {
+
+template <Gpu G>
+class GpuScene {
+  public:
+    explicit GpuScene(G& gpu) : gpu_(gpu) {}
+
+    /// Takes `scene`; needs nothing that Bounds::onHost makes. Errors: it does not fit (needed, free), or the GPU's;
+    /// then there is no scene.
+    Result<void> upload(std::shared_ptr<const PreparedScene> scene);
+
+    bool empty() const { return scene_ == nullptr; }
+    /// The scene with all its pointers into the GPU's memory.
+    const FlatScene& flat() const { return flat_; }
+
+    /// Device memory for a volume of that many voxels and what rays are led by in it.
+    static std::size_t bytesFor(ivec3 voxels);
+
+  private:
+    Result<void> takeVolume(const Volume& volume);
+    void sendTables(const PreparedScene& scene);
+    void sendEnvironment(const PreparedScene& scene);
+    Result<void> bound(const PreparedScene& scene);
+    void boundView(const PreparedScene& scene);
+    void forget();
+
+    G& gpu_;
+    std::shared_ptr<const PreparedScene> scene_;
+    FlatScene flat_{};
+
+    GpuArray<G, std::int16_t> voxels_{gpu_};
+    GpuArray<G, HuRange> ranges_{gpu_};
+    GpuArray<G, float> fine_{gpu_}, coarse_{gpu_};
+    GpuArray<G, BoundsSummary> summary_{gpu_, 1};
+    GpuTable<G, OpacityPiece> pieces_{gpu_};
+    GpuTable<G, Material> materials_{gpu_};
+    GpuTable<G, std::uint16_t> pieceAt_{gpu_};
+    GpuTable<G, float> optics_{gpu_};
+    GpuTable<G, FlatLight> lights_{gpu_};
+    GpuTable<G, FlatPlane> planes_{gpu_};
+    std::shared_ptr<const EnvironmentTables> environment_;
+    GpuArray<G, vec3> texels_{gpu_};
+    GpuArray<G, float> density_{gpu_}, rowSums_{gpu_}, columnSums_{gpu_};
+    GpuArray<G, OrderedDepths> orderedDepths_{gpu_};
+    GpuArray<G, WideCells> wide_{gpu_, 1};
+    GpuArray<G, CoveredBlocks> wideCells_{gpu_, WideCells::kRoom};
+    GpuArray<G, vec2> depths_{gpu_};
+};
+
+template <Gpu G>
+std::size_t GpuScene<G>::bytesFor(ivec3 voxels) {
+    const auto cells = [](ivec3 size) { return std::size_t(size.x) * size.y * size.z; };
+    const std::size_t coarse = cells(coarseCells(voxels));
+    return cells(voxels) * sizeof(std::int16_t) + coarse * 64 * (sizeof(HuRange) + sizeof(float)) +
+           coarse * sizeof(float);
+}
+
+template <Gpu G>
+Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
+    const bool sameVolume = scene_ && scene_->volume == scene->volume;
+    const bool sameBounds = sameVolume && scene_->tables.sameOpacity(scene->tables) &&
+                            (scene_->flat.optics.model == FlatModel::maximumIntensity) ==
+                                (scene->flat.optics.model == FlatModel::maximumIntensity);
+    scene_ = nullptr;
+    if (!sameVolume)
+        if (Result<void> fits = takeVolume(*scene->volume); !fits)
+            return fits;
+    const FlatMajorants bounds = flat_.majorants;
+    flat_ = scene->flat;
+    flat_.volume.voxels = voxels_.data();
+    sendTables(*scene);
+    sendEnvironment(*scene);
+    flat_.majorants = bounds;
+    if (!sameBounds)
+        if (Result<void> bounded = bound(*scene); !bounded)
+            return bounded;
+    boundView(*scene);
+    if (Result<void> done = outcome(gpu_); !done) {
+        forget();
+        return done;
+    }
+    scene_ = std::move(scene);
+    return {};
+}
+
+template <Gpu G>
+Result<void> GpuScene<G>::takeVolume(const Volume& volume) {
+    voxels_.free();
+    ranges_.free();
+    fine_.free();
+    coarse_.free();
+    const std::size_t needed = bytesFor(volume.size()), free = gpu_.memory().free;
+    if (needed > free)
+        return Error{"the volume does not fit into its memory: " + bytesText(needed) + " are needed, " +
+                         bytesText(free) + " are free",
+                     gpu_.name(),
+                     "Import a part of the series, close programs that use the device, or render on the CPU."};
+    const ivec3 coarse = coarseCells(volume.size()), fine = coarse * kFinePerCoarse;
+    const std::size_t coarseCount = std::size_t(coarse.x) * coarse.y * coarse.z;
+    voxels_.assign(volume.voxels());
+    ranges_.resize(coarseCount * 64);
+    fine_.resize(coarseCount * 64);
+    coarse_.resize(coarseCount);
+    gpu_.launch(RangesProgram{voxels_.data(), volume.size(), fine, ranges_.data()}, std::int64_t(ranges_.size()),
+                GpuStream::compute);
+    return outcome(gpu_);
+}
+
+template <Gpu G>
+void GpuScene<G>::sendTables(const PreparedScene& scene) {
+    pieces_.update(scene.tables.pieces);
+    materials_.update(scene.tables.materials);
+    pieceAt_.update(scene.tables.pieceAt);
+    optics_.update(scene.optics);
+    lights_.update(scene.lights);
+    planes_.update(scene.clipPlanes);
+    flat_.transferFunction.pieces = pieces_.data();
+    flat_.transferFunction.materials = materials_.data();
+    flat_.transferFunction.pieceAt = pieceAt_.data();
+    flat_.optics.table = optics_.data();
+    flat_.lights = lights_.data();
+    flat_.clip.planes = planes_.data();
+}
+
+template <Gpu G>
+void GpuScene<G>::sendEnvironment(const PreparedScene& scene) {
+    if (!scene.environment)
+        return;
+    FlatEnvironment& flat = flat_.environment;
+    if (environment_ != scene.environment) {
+        const std::size_t texels = std::size_t(flat.size.x) * flat.size.y;
+        texels_.assign({flat.texels, texels});
+        density_.assign({flat.density, texels});
+        rowSums_.assign({flat.rowSums, std::size_t(flat.size.y) + 1});
+        columnSums_.assign({flat.columnSums, (std::size_t(flat.size.x) + 1) * flat.size.y});
+        environment_ = scene.environment;
+    }
+    flat.texels = texels_.data();
+    flat.density = density_.data();
+    flat.rowSums = rowSums_.data();
+    flat.columnSums = columnSums_.data();
+}
+
+/// After an edit of the opacity: nothing but the curve's pieces goes to the GPU, and a few numbers come back.
+template <Gpu G>
+Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
+    const bool highestHu = scene.flat.optics.model == FlatModel::maximumIntensity;
+    const ivec3 coarse = coarseCells(scene.volume->size());
+    BoundsSummary summary;
+    summary_.copyFrom(&summary);
+    gpu_.launch(MajorantsProgram{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
+                                 coarse, fine_.data(), coarse_.data(), summary_.data()},
+                std::int64_t(coarse_.size()), GpuStream::compute);
+    summary_.copyTo(&summary);
+    gpu_.awaitAll();
+    if (Result<void> done = outcome(gpu_); !done) {
+        forget();
+        return done;
+    }
+    const vec3 volumeLow(-0.5f), volumeHigh = vec3(scene.volume->size()) - 0.5f;
+    const ivec3 low(summary.low[0], summary.low[1], summary.low[2]);
+    const ivec3 high(summary.high[0], summary.high[1], summary.high[2]);
+    const bool nothing = low.x > high.x;
+    flat_.majorants = {
+        .fine = fine_.data(),
+        .coarse = coarse_.data(),
+        .fineSize = coarse * kFinePerCoarse,
+        .coarseSize = coarse,
+        .occupiedLow = highestHu ? volumeLow : glm::max(nothing ? vec3(1e30f) : lowCorner(low), volumeLow),
+        .occupiedHigh = highestHu ? volumeHigh : glm::min(nothing ? vec3(-1e30f) : highCorner(high), volumeHigh),
+        .dense = mayBeDense(flat_.volume, floatOf(summary.highest))};
+    return {};
+}
+
+template <Gpu G>
+void GpuScene<G>::boundView(const PreparedScene& scene) {
+    const ivec2 film = scene.flat.camera.film, blocks = viewBlocks(film);
+    const std::size_t count = std::size_t(blocks.x) * blocks.y;
+    orderedDepths_.resize(count);
+    depths_.resize(count);
+    wide_.clear();
+    gpu_.launch(ClearDepthsProgram{orderedDepths_.data()}, std::int64_t(count), GpuStream::compute);
+    gpu_.launch(CoverProgram{flat_.majorants, ViewProjection(flat_), flat_.clip, film, blocks, orderedDepths_.data(),
+                             wide_.data(), wideCells_.data()},
+                std::int64_t(coarse_.size()), GpuStream::compute);
+    gpu_.launch(ViewDepthsProgram{orderedDepths_.data(), wide_.data(), wideCells_.data(), blocks, depths_.data()},
+                std::int64_t(count), GpuStream::compute);
+    flat_.viewBounds = {depths_.data(), blocks.x};
+}
+
+template <Gpu G>
+void GpuScene<G>::forget() {
+    pieces_.forget();
+    materials_.forget();
+    pieceAt_.forget();
+    optics_.forget();
+    lights_.forget();
+    planes_.forget();
+    environment_ = nullptr;
+}
+
+}  // namespace pdr

@@ -1,0 +1,238 @@
+#pragma once
+/// Samples: taken in any order by as many threads as there are, then added to their pixels in order, so that the sums
+/// are those of the CPU.
+
+#include "render/device/gpu/atomic.h"
+#include "render/film/moments.h"
+#include "render/kernel/integrator.h"
+#include "render/kernel/kroes_path.h"
+#include "render/kernel/pixel.h"
+#include "render/kernel/projection.h"
+
+namespace pdr {
+
+/// Health as threads count it together. Sample numbers below 2^32.
+struct GpuHealth {
+    struct Count {
+        std::uint64_t count = 0;
+        std::uint64_t first = ~0ull;  ///< sample << 32 | pixel
+    };
+    Count faults[kFaults];
+
+    PDR_HD void note(Fault fault, std::uint64_t sample, std::uint32_t pixel) {
+        Count& one = faults[std::uint32_t(fault)];
+        atomicAddTo(one.count, 1);
+        atomicLower(one.first, sample << 32 | pixel);
+    }
+};
+
+inline Health toHealth(const GpuHealth& counted) {
+    Health health;
+    for (int i = 0; i < kFaults; ++i)
+        health.faults[i] = {counted.faults[i].count, counted.faults[i].first >> 32,
+                            std::uint32_t(counted.faults[i].first)};
+    return health;
+}
+
+inline GpuHealth toGpuHealth(const Health& health) {
+    GpuHealth counted;
+    for (int i = 0; i < kFaults; ++i)
+        if (const FaultCount& fault = health.faults[i]; fault.count > 0)
+            counted.faults[i] = {fault.count, fault.sample << 32 | fault.pixel};
+    return counted;
+}
+
+/// The samples of a launch, numbered so that 32 threads in step take the same sample of 8 x 4 neighbours, the next 32
+/// their next sample, and only then come other pixels: they meet the same voxels.
+struct SampleGrid {
+    Tile tile;
+    SampleRange samples;
+
+    static constexpr int kWide = 8, kHigh = 4;
+
+    PDR_HD int blocksPerRow() const { return (tile.width + kWide - 1) / kWide; }
+    /// Some numbers are of no pixel of the tile: its edges cut blocks.
+    PDR_HD std::int64_t count() const {
+        const int rows = (tile.height + kHigh - 1) / kHigh;
+        return std::int64_t(blocksPerRow()) * rows * samples.count * (kWide * kHigh);
+    }
+    /// Pixel, from the tile's corner, and sample, from the range's first, of a number; false: there is none.
+    PDR_HD bool at(std::int64_t index, ivec2& place, std::uint32_t& sample) const {
+        const int inBlock = int(index % (kWide * kHigh));
+        const std::int64_t turn = index / (kWide * kHigh);
+        sample = std::uint32_t(turn % samples.count);
+        const int block = int(turn / samples.count);
+        place = {block % blocksPerRow() * kWide + inBlock % kWide, block / blocksPerRow() * kHigh + inBlock / kWide};
+        return place.x < tile.width && place.y < tile.height;
+    }
+    PDR_HD std::int64_t pixels() const { return std::int64_t(tile.width) * tile.height; }
+};
+
+/// Where the samples of a launch go before they are added: [sample][pixel of the tile].
+struct TraceTarget {
+    SampleGrid grid;
+    vec3* radiance;  ///< linear Rec. 709
+    GpuHealth* health;
+};
+
+/// For the numbers of a launch's samples. How one is taken is told by
+///   Take::Walk                             what it is at
+///   Take::start(scene, Origin, Walk&)      before its first step; false: nothing is to be done, walk.radiance is known
+///   Take::step(scene, Walk&)               false: it has ended
+///   Take::end(Walk, note)                  its radiance; note(fault) counts what happened to it
+struct SampleAddress {
+    ivec2 pixel;
+    std::uint64_t sample;
+};
+
+template <class Take>
+struct TraceProgram {
+    FlatScene scene;
+    TraceTarget target;
+
+    struct Walk {
+        typename Take::Walk taken;
+        std::int64_t place;  ///< in target.radiance
+        SampleAddress from;
+    };
+
+    PDR_HD bool start(std::int64_t index, Walk& walk) const {
+        ivec2 place;
+        std::uint32_t turn;
+        if (!target.grid.at(index, place, turn))
+            return false;
+        const Tile& tile = target.grid.tile;
+        walk.place = turn * target.grid.pixels() + std::int64_t(place.y) * tile.width + place.x;
+        walk.from = {ivec2(tile.x, tile.y) + place, target.grid.samples.first + turn};
+        if (Take::start(scene, walk.from, walk.taken))
+            return true;
+        end(walk);
+        return false;
+    }
+
+    PDR_HD bool step(Walk& walk) const {
+        if (Take::step(scene, walk.taken))
+            return true;
+        end(walk);
+        return false;
+    }
+
+    PDR_HD void end(const Walk& walk) const {
+        const auto note = [&](Fault fault) {
+            const ivec2 pixel = walk.from.pixel;
+            target.health->note(fault, walk.from.sample, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x));
+        };
+        target.radiance[walk.place] = Take::end(walk.taken, note);
+    }
+};
+
+/// By Monte Carlo, with the effects F; a step is a leg of the path.
+template <std::uint32_t F>
+struct TakePath {
+    struct Walk {
+        Path path;
+        Sampled result;
+        int bounce;
+    };
+
+    PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
+        const vec2 depths = matterDepths(scene, from.pixel);
+        walk.result = Sampled{};
+        walk.bounce = 0;
+        if (showsNothing(scene, depths)) {
+            walk.result.radiance = plainBackground(scene);
+            return false;
+        }
+        walk.path = cameraStart(scene, from.pixel, from.sample, depths);
+        return true;
+    }
+    PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
+        return takeLeg<F>(scene, walk.path, walk.bounce++, walk.result, Unwatched());
+    }
+    template <class Note>
+    PDR_HD static vec3 end(const Walk& walk, Note&& note) {
+        if (walk.result.overMajorant)
+            note(Fault::overMajorant);
+        if (walk.result.cut)
+            note(Fault::cutPath);
+        return walk.result.radiance;
+    }
+};
+
+/// As Exposure Render does, in one step.
+struct TakeMarch {
+    struct Walk {
+        SampleAddress from;
+        vec3 radiance;
+    };
+
+    PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
+        walk = {from, plainBackground(scene)};
+        return !showsNothing(scene, matterDepths(scene, from.pixel));
+    }
+    PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
+        const ivec2 pixel = walk.from.pixel;
+        walk.radiance = kroesSample(scene, pixel, walk.from.sample, matterDepths(scene, pixel)).radiance;
+        return false;
+    }
+    template <class Note>
+    PDR_HD static vec3 end(const Walk& walk, Note&&) {
+        return walk.radiance;
+    }
+};
+
+/// A sum along the ray, in one step.
+template <FlatModel Model>
+struct TakeProjection {
+    struct Walk {
+        SampleAddress from;
+        Projected found;
+    };
+
+    PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
+        walk.from = from;
+        if (!showsNothing(scene, matterDepths(scene, from.pixel)))
+            return true;
+        walk.found = projectedMiss<Model>(scene, backdrop<Model>(scene, Leg{}));
+        return false;
+    }
+    PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
+        const ivec2 pixel = walk.from.pixel;
+        const Leg leg = cameraStart(scene, pixel, walk.from.sample, matterDepths(scene, pixel)).leg;
+        walk.found = project<Model>(scene, leg.ray, backdrop<Model>(scene, leg));
+        return false;
+    }
+    template <class Note>
+    PDR_HD static vec3 end(const Walk& walk, Note&& note) {
+        if (!walk.found.withinTolerance)
+            note(Fault::overTolerance);
+        return walk.found.radiance;
+    }
+};
+
+/// For each pixel of the tile: its samples are added in order.
+struct AccumulateProgram {
+    TraceTarget from;
+    int filmWidth;
+    PixelSums* sums;   ///< of the tile, row by row
+    Moments* moments;  ///< likewise: full blocks go there; null: no block becomes full
+
+    PDR_HD void operator()(std::int64_t index) const {
+        const Tile& tile = from.grid.tile;
+        const ivec2 pixel(tile.x + int(index % tile.width), tile.y + int(index / tile.width));
+        PixelSums pixelSums = sums[index];
+        for (std::uint32_t i = 0; i < from.grid.samples.count; ++i) {
+            const vec3 radiance = from.radiance[i * from.grid.pixels() + index];
+            const std::uint64_t sample = from.grid.samples.first + i;
+            if (!addSample(pixelSums, radiance))
+                from.health->note(faultOf(radiance), sample, std::uint32_t(pixel.y * filmWidth + pixel.x));
+            if (moments != nullptr && (sample + 1) % kSamplesPerBlock == 0) {
+                moments[index] = merged(moments[index], pixelSums);
+                pixelSums = {};
+            }
+        }
+        sums[index] = pixelSums;
+    }
+};
+
+}  // namespace pdr

@@ -1,0 +1,56 @@
+#pragma once
+/// Launches of samples: the one table from what a scene calls for to the program compiled for it.
+
+#include <array>
+#include <utility>
+
+#include "render/device/gpu/gpu.h"
+#include "render/device/gpu/trace_programs.h"
+
+namespace pdr {
+
+template <Gpu G, class Take>
+void launchTrace(G& gpu, const FlatScene& scene, const TraceTarget& target) {
+    gpu.launchQueued(TraceProgram<Take>{scene, target}, target.grid.count(), GpuStream::compute);
+}
+
+template <Gpu G>
+using TraceLaunch = void (*)(G& gpu, const FlatScene& scene, const TraceTarget& target);
+
+/// The program for a scene that calls for `needed`: effects that are not told apart are always in it, and change
+/// nothing where they are not called for.
+constexpr std::uint32_t compiledMask(std::uint32_t toldApart, std::uint32_t needed) {
+    return (needed & toldApart) | ((kFeatureMasks - 1) & ~toldApart);
+}
+
+template <Gpu G, std::size_t... Masks>
+constexpr std::array<TraceLaunch<G>, sizeof...(Masks)> pathLaunches(std::index_sequence<Masks...>) {
+    return {launchTrace<G, TakePath<compiledMask(G::kToldApart, std::uint32_t(Masks))>>...};
+}
+
+template <Gpu G>
+TraceLaunch<G> traceLaunchFor(const FlatScene& scene) {
+    static constexpr auto kPaths = pathLaunches<G>(std::make_index_sequence<kFeatureMasks>());
+    switch (scene.optics.model) {
+        case FlatModel::absorption:
+            return launchTrace<G, TakeProjection<FlatModel::absorption>>;
+        case FlatModel::emission:
+            return launchTrace<G, TakeProjection<FlatModel::emission>>;
+        case FlatModel::emissionAbsorption:
+            return launchTrace<G, TakeProjection<FlatModel::emissionAbsorption>>;
+        case FlatModel::maximumIntensity:
+            return launchTrace<G, TakeProjection<FlatModel::maximumIntensity>>;
+        case FlatModel::scattering:
+            break;
+    }
+    return scene.marched ? launchTrace<G, TakeMarch> : kPaths[scene.features];
+}
+
+/// Takes the samples of `target` and adds them to `sums`; `moments` may be null. In the compute stream.
+template <Gpu G>
+void traceAndAdd(G& gpu, const FlatScene& scene, const TraceTarget& target, PixelSums* sums, Moments* moments) {
+    traceLaunchFor<G>(scene)(gpu, scene, target);
+    gpu.launch(AccumulateProgram{target, scene.camera.film.x, sums, moments}, target.grid.pixels(), GpuStream::compute);
+}
+
+}  // namespace pdr
