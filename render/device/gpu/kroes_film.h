@@ -32,7 +32,7 @@ class KroesFilm final : public LiveFilm {
         std::unique_ptr<LiveFilm> film(new KroesFilm(gpu, size, revision, schedule, std::move(sampler)));
         if (std::optional<Error> error = gpu.takeError())
             return *std::move(error);
-        return film;
+        return Result<std::unique_ptr<LiveFilm>>(std::move(film));  // nvcc needs it said
     }
 
     Result<void> iterate(std::uint32_t n, std::stop_token stop) override {
