@@ -236,6 +236,22 @@ class CliTest : public QObject {
         QCOMPARE(run({"render", scene(), "-o", at("m.png"), "--model", "shadows"}).code, 2);
     }
 
+    void theBiasedEstimatorIsThereToBeComparedWith() {
+        const QStringList common{"render", scene(), "--samples", "4", "--size", "30x30", "--preset", "CT bone"};
+        QCOMPARE(run(common + QStringList{"-o", at("u.png")}).code, 0);
+        const Run marched = run(common + QStringList{"-o", at("k.png"), "--estimator", "kroesMarch"});
+        QVERIFY2(marched.code == 0, marched.err.constData());
+        QVERIFY(QImage(at("u.png")) != QImage(at("k.png")));
+        QCOMPARE(QImage(at("k.png")).text("pdrender/estimator"), QString("kroesMarch (biased)"));
+        QVERIFY(!QImage(at("u.png")).textKeys().contains("pdrender/estimator"));
+        const Run bounced = run(common + QStringList{"-o", at("k.png"), "--estimator", "kroesMarch", "--model",
+                                                     "multipleScattering"});
+        QCOMPARE(bounced.code, 1);
+        QVERIFY(bounced.err.contains("one event"));
+        QCOMPARE(run(common + QStringList{"-o", at("k.png"), "--estimator", "fast"}).code, 2);
+        QCOMPARE(run({"replay", scene(), "--pixel", "1,1", "--estimator", "kroesMarch"}).code, 1);
+    }
+
     void aLensIsFocusedOnWhatAPixelShows() {
         QCOMPARE(run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset", "CT bone", "--aperture", "10",
                       "--focus", "32,24"}).code, 0);

@@ -28,8 +28,8 @@ static Health someFaults() {
     return health;
 }
 
-static const Provenance kFacts{128,  1.5, 0.025, someFaults(), 18446744073709551615u, "singleScattering", 2.5,
-                               "PD-Render 0.1.0"};
+static const Provenance kFacts{
+    128, 1.5, 0.025, someFaults(), 18446744073709551615u, "singleScattering", 2.5, "PD-Render 0.1.0"};
 
 /// Two samples a pixel, so that means and standard errors are known.
 static Film exampleFilm(ivec2 size) {
@@ -81,6 +81,19 @@ class ImageFileTest : public QObject {
         QCOMPARE(image.text("pdrender/model"), QString("singleScattering"));
         QCOMPARE(image.text("pdrender/extinctionPerMm"), QString("2.5"));
         QCOMPARE(image.text("Software"), QString("PD-Render 0.1.0"));
+    }
+
+    void aBiasedEstimatorIsSaid() {
+        const Film film = exampleFilm({2, 2});
+        QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"))));
+        QVERIFY(!QImage(folder_.filePath("a.png")).textKeys().contains("pdrender/estimator"));
+        Provenance biased = kFacts;
+        biased.estimator = "kroesMarch (biased)";
+        QVERIFY(bool(writePng(film, {4}, biased, at("a.png"))) && bool(writeExr(film, biased, at("a.exr"))));
+        QCOMPARE(QImage(folder_.filePath("a.png")).text("pdrender/estimator"), QString("kroesMarch (biased)"));
+        Imf::InputFile file(at("a.exr").c_str());
+        QCOMPARE(file.header().typedAttribute<Imf::StringAttribute>("pdrender/estimator").value(),
+                 "kroesMarch (biased)");
     }
 
     void exrComesBackAsItWasWritten() {

@@ -1,5 +1,6 @@
 /// The kernel headers, compiled for a GPU: compiling is the test. One thread, one pixel; nothing is launched.
 
+#include "render/device/gpu/kroes_programs.h"
 #include "render/kernel/integrator.h"
 #include "render/kernel/kroes_path.h"
 #include "render/kernel/march.h"
@@ -46,5 +47,18 @@ __global__ void marchSample(FlatScene scene, PixelSums* sums) {
     const ivec2 pixel(blockIdx.x, blockIdx.y);
     addSample(sums[blockIdx.x], kroesSample(scene, pixel, 0, matterDepths(scene, pixel)).radiance);
 }
+
+template <class Program>
+__global__ void runProgram(Program program) {
+    program(blockIdx.x * blockDim.x + threadIdx.x);
+}
+
+template __global__ void runProgram(kroes::Blur);
+template __global__ void runProgram(kroes::RunningMean);
+template __global__ void runProgram(kroes::AddToBlock);
+template __global__ void runProgram(kroes::MergeBlock);
+template __global__ void runProgram(kroes::ShowMean);
+template __global__ void runProgram(kroes::ShowSums);
+template __global__ void runProgram(kroes::Autofocus);
 
 }  // namespace pdr

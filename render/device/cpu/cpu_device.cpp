@@ -10,10 +10,13 @@
 #include <utility>
 
 #include "render/device/cpu/cpu_film.h"
+#include "render/device/cpu/cpu_frame_sampler.h"
+#include "render/device/cpu/host_gpu.h"
 #include "render/device/cpu/marched_tile.h"
 #include "render/device/cpu/pixel_batch.h"
 #include "render/device/cpu/projection_batch.h"
 #include "render/device/device.h"
+#include "render/device/gpu/kroes_film.h"
 
 namespace pdr {
 
@@ -41,7 +44,8 @@ class CpuDevice final : public Device {
         : threads_(threads > 0 ? threads : int(std::thread::hardware_concurrency())),
           allowed_(tbb::global_control::max_allowed_parallelism,
                    std::max(threads_, tbb::this_task_arena::max_concurrency())),
-          arena_(threads_) {}
+          arena_(threads_),
+          gpu_(0, threads_) {}
 
     DeviceInfo info() const override { return {"cpu", std::to_string(threads_) + " threads"}; }
 
@@ -77,7 +81,10 @@ class CpuDevice final : public Device {
         return {};
     }
 
-    Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule&) override {
+    Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) override {
+        if (schedule.kind == Schedule::Kind::kroes)
+            return KroesFilm<HostGpu>::make(gpu_, size, revision, schedule,
+                                            std::make_unique<CpuFrameSampler>(*this, gpu_, scene_, size));
         return std::unique_ptr<LiveFilm>(std::make_unique<CpuFilm>(*this, size, revision));
     }
 
@@ -85,6 +92,7 @@ class CpuDevice final : public Device {
     int threads_;
     tbb::global_control allowed_;  ///< more threads than cores, when asked for
     tbb::task_arena arena_;
+    HostGpu gpu_;  ///< for schedules that are written for GPUs
     tbb::enumerable_thread_specific<PixelBatch> batches_;
     tbb::enumerable_thread_specific<ProjectionBatch> projections_;
     std::shared_ptr<const PreparedScene> scene_;

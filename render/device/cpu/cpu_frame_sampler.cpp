@@ -1,0 +1,28 @@
+#include "render/device/cpu/cpu_frame_sampler.h"
+
+namespace pdr {
+
+namespace {
+
+/// A sum of one sample is that sample: what was single precision is so again, to the bit.
+struct TakeSample {
+    PixelSums* sums;
+    SampledPixel* frame;
+
+    void operator()(std::int64_t i) const {
+        frame[i] = {vec3(sums[i].sum), float(sums[i].count)};
+        sums[i] = {};
+    }
+};
+
+}  // namespace
+
+Result<void> CpuFrameSampler::sample(std::uint64_t number, SampledPixel* frame, std::stop_token stop) {
+    const Tile whole{0, 0, size_.x, size_.y};
+    if (Result<void> rendered = device_.render(whole, {number, 1}, {sums_.data(), size_.x, &health_}, stop); !rendered)
+        return rendered;
+    gpu_.launch(TakeSample{sums_.data(), frame}, std::int64_t(sums_.size()), GpuStream::compute);
+    return {};
+}
+
+}  // namespace pdr

@@ -1,0 +1,36 @@
+#pragma once
+/// How a device takes one sample of every pixel: all that the schedule of Exposure Render asks of it.
+
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+
+#include "render/base/health.h"
+#include "render/base/result.h"
+#include "render/scene/flatten.h"
+
+namespace pdr {
+
+/// One sample of one pixel.
+struct alignas(16) SampledPixel {
+    vec3 radiance;  ///< linear Rec. 709; 0 where it does not count
+    float counts;   ///< 1, or 0: it was no radiance
+};
+
+class FrameSampler {
+  public:
+    virtual ~FrameSampler() = default;
+
+    /// Writes sample `number` of every pixel to `frame`, device memory, row by row from the top; orders it or does it.
+    /// After a stop request the frame is worthless. Errors: the device's.
+    virtual Result<void> sample(std::uint64_t number, SampledPixel* frame, std::stop_token stop) = 0;
+    /// What went wrong with samples since it was last asked.
+    virtual Result<Health> takeHealth() = 0;
+
+    /// The uploaded scene, on the host ...
+    virtual std::shared_ptr<const PreparedScene> scene() const = 0;
+    /// ... and as programs read it.
+    virtual FlatScene sceneOnDevice() const = 0;
+};
+
+}  // namespace pdr

@@ -1,0 +1,242 @@
+#pragma once
+/// A film that is made as Exposure Render (Kroes, Post & Botha 2012) makes its picture, the way that `pd` replaces: for
+/// each iteration, one after the other and the host waiting after each,
+///   [K0] all parameters sent again -> one sample of every pixel -> [filter along x -> along y] -> mean -> tone map ->
+///   copy to pageable memory
+/// A show() after one iteration is the old frame; n iterations make n copies, of which the last is shown. Left out, in
+/// its favour: the filter on the 8-bit picture that runs for its first 86 iterations.
+///
+/// Schedule::runningMean tells nothing about its error: status() then has an infinite relative error and no mean
+/// luminance (0), and film() infinite standard errors.
+
+#include <cassert>
+#include <deque>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "render/device/gpu/kroes_resend.h"
+#include "render/device/live_film.h"
+#include "render/device/schedule.h"
+
+namespace pdr {
+
+template <Gpu G>
+class KroesFilm final : public LiveFilm {
+  public:
+    /// An empty film of `size` pixels; `gpu` must outlive it. Errors: no room for it.
+    static Result<std::unique_ptr<LiveFilm>> make(G& gpu, ivec2 size, std::uint64_t revision, const Schedule& schedule,
+                                                  std::unique_ptr<FrameSampler> sampler) {
+        std::unique_ptr<LiveFilm> film(new KroesFilm(gpu, size, revision, schedule, std::move(sampler)));
+        if (std::optional<Error> error = gpu.takeError())
+            return *std::move(error);
+        return Result<std::unique_ptr<LiveFilm>>(std::move(film));  // nvcc needs it said
+    }
+
+    Result<void> iterate(std::uint32_t n, std::stop_token stop) override {
+        for (; n > 0 && !stop.stop_requested(); --n)
+            if (Result<void> done = iterateOnce(stop); !done)
+                return done;
+        return {};
+    }
+
+    Result<void> show(const Display& display) override {
+        if (stale_ || display != display_) {
+            display_ = display;
+            toneMap();
+            if (std::optional<Error> error = gpu_.takeError())
+                return *std::move(error);
+            stale_ = false;
+        }
+        Result<FilmStatus> known = status();
+        if (!known)
+            return known.error();
+        pictures_.push_back({rgba_, *known});
+        return {};
+    }
+
+    Result<Picture> take() override {
+        assert(!pictures_.empty());
+        Picture oldest = std::move(pictures_.front());
+        pictures_.pop_front();
+        return oldest;
+    }
+
+    int ahead() const override { return 1; }
+
+    Result<std::shared_ptr<const Film>> film() override {
+        const Result<Health> health = allHealth();
+        if (!health)
+            return health.error();
+        FilmContent content{done_, std::vector<Moments>(pixels()), std::vector<PixelSums>(pixels()), *health};
+        if (schedule_.runningMean) {
+            std::vector<SampledPixel> mean(pixels());
+            mean_.get(mean.data());
+            for (std::size_t i = 0; i < pixels(); ++i)
+                content.moments[i] = momentsOf(mean[i]);
+        } else {
+            moments_.get(content.moments.data());
+            block_.get(content.block.data());
+        }
+        if (std::optional<Error> error = gpu_.takeError())
+            return *std::move(error);
+        return std::make_shared<const Film>(size_, revision_, std::move(content));
+    }
+
+    Result<void> resume(const Film& film) override {
+        assert(film.size() == size_);
+        const FilmContent content = film.content();
+        if (schedule_.runningMean) {
+            std::vector<SampledPixel> mean(pixels());
+            for (std::size_t i = 0; i < pixels(); ++i) {
+                const Moments known = merged(content.moments[i], content.block[i]);
+                mean[i] = {vec3(known.mean), known.count > 0 ? 1.0f : 0.0f};
+            }
+            mean_.set(mean.data());
+        } else {
+            moments_.set(content.moments.data());
+            block_.set(content.block.data());
+        }
+        if (std::optional<Error> error = gpu_.takeError())
+            return *std::move(error);
+        if (const Result<Health> dropped = sampler_->takeHealth(); !dropped)
+            return dropped.error();
+        done_ = content.samplesPerPixel;
+        health_ = content.health;
+        stale_ = true;
+        return {};
+    }
+
+  private:
+    KroesFilm(G& gpu, ivec2 size, std::uint64_t revision, const Schedule& schedule,
+              std::unique_ptr<FrameSampler> sampler)
+        : gpu_(gpu),
+          size_(size),
+          revision_(revision),
+          schedule_(schedule),
+          sampler_(std::move(sampler)),
+          frame_(gpu, pixels()),
+          rgbaOnDevice_(gpu, 4 * pixels()),
+          thresholds_(gpu, kThresholds),
+          rgba_(4 * pixels()) {
+        thresholds_.set(displayThresholds().data());
+        if (schedule.redundant)
+            constants_.emplace(gpu);
+        if (schedule.filter)
+            blurred_ = {gpu, pixels()};
+        if (schedule.runningMean) {
+            mean_ = {gpu, pixels()};
+            mean_.clear();
+        } else {
+            moments_ = {gpu, pixels()};
+            block_ = {gpu, pixels()};
+            moments_.clear();
+            block_.clear();
+        }
+        gpu.awaitAll();
+    }
+
+    std::size_t pixels() const { return std::size_t(size_.x) * std::size_t(size_.y); }
+
+    /// A launch over all pixels, and the wait for it.
+    template <class Program>
+    void stage(const Program& program) {
+        gpu_.launch(program, std::int64_t(pixels()), GpuStream::compute);
+        gpu_.awaitAll();
+    }
+
+    Result<void> iterateOnce(std::stop_token stop) {
+        std::optional<kroes::Resend<G>> resend;
+        if (constants_)
+            resend.emplace(gpu_, *constants_, *sampler_);
+        if (Result<void> sampled = sampler_->sample(done_, frame_.data(), stop); !sampled)
+            return sampled;
+        gpu_.awaitAll();
+        if (stop.stop_requested())
+            return {};
+        if (schedule_.filter) {
+            stage(kroes::Blur{frame_.data(), blurred_.data(), size_, 0});
+            stage(kroes::Blur{blurred_.data(), frame_.data(), size_, 1});
+        }
+        accumulate();
+        toneMap();
+        if (std::optional<Error> error = gpu_.takeError())
+            return *std::move(error);
+        ++done_;
+        stale_ = false;
+        return {};
+    }
+
+    void accumulate() {
+        if (schedule_.runningMean)
+            return stage(kroes::RunningMean{frame_.data(), mean_.data(), done_});
+        stage(kroes::AddToBlock{frame_.data(), block_.data()});
+        if ((done_ + 1) % kSamplesPerBlock == 0)
+            stage(kroes::MergeBlock{block_.data(), moments_.data()});
+    }
+
+    void toneMap() {
+        const kroes::Levels levels{thresholds_.data(), display_.exposure, rgbaOnDevice_.data()};
+        if (schedule_.runningMean)
+            stage(kroes::ShowMean{mean_.data(), levels});
+        else
+            stage(kroes::ShowSums{moments_.data(), block_.data(), levels});
+        rgbaOnDevice_.get(rgba_.data());
+        gpu_.awaitAll();
+    }
+
+    Result<Health> allHealth() {
+        const Result<Health> fresh = sampler_->takeHealth();
+        if (!fresh)
+            return fresh.error();
+        health_.add(*fresh);
+        return health_;
+    }
+
+    Result<FilmStatus> status() {
+        if (!schedule_.runningMean) {
+            const Result<std::shared_ptr<const Film>> known = film();
+            if (!known)
+                return known.error();
+            return (*known)->status();
+        }
+        const Result<Health> health = allHealth();
+        if (!health)
+            return health.error();
+        return FilmStatus{
+            .samplesPerPixel = done_, .health = *health, .relativeError = std::numeric_limits<double>::infinity()};
+    }
+
+    /// Of the iterations done the first is not in the mean, unless it is alone.
+    Moments momentsOf(const SampledPixel& mean) const {
+        if (!(mean.counts > 0))
+            return {};
+        return {dvec3(mean.radiance), dvec3(std::numeric_limits<double>::infinity()), done_ > 1 ? done_ - 1 : done_};
+    }
+
+    G& gpu_;
+    ivec2 size_;
+    std::uint64_t revision_;
+    Schedule schedule_;
+    std::unique_ptr<FrameSampler> sampler_;
+    std::uint64_t done_ = 0;  ///< iterations
+    Health health_;
+    Display display_;    ///< that of rgba_
+    bool stale_ = true;  ///< rgba_ is not the picture of what is there
+
+    // on the device
+    std::optional<kroes::Constants<G>> constants_;  ///< of K0
+    GpuBuffer<G, SampledPixel> frame_, blurred_;
+    GpuBuffer<G, SampledPixel> mean_;  ///< of runningMean, else ...
+    GpuBuffer<G, Moments> moments_;
+    GpuBuffer<G, PixelSums> block_;
+    GpuBuffer<G, std::uint8_t> rgbaOnDevice_;
+    GpuBuffer<G, double> thresholds_;
+
+    std::vector<std::uint8_t> rgba_;  ///< the last picture
+    std::deque<Picture> pictures_;
+};
+
+}  // namespace pdr
