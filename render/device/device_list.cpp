@@ -1,15 +1,62 @@
 #include "render/device/device_list.h"
 
+#include <charconv>
+#include <optional>
+
+#if defined(PDR_HAS_CUDA)
+#include "render/device/cuda/cuda_device.h"
+#endif
+
 namespace pdr {
 
+namespace {
+
+#if !defined(PDR_HAS_CUDA)
+/// What there is without a CUDA compiler.
+Error withoutCuda() {
+    return {"this program was built without CUDA", "cuda", "Render on the CPU, or build it where the CUDA Toolkit is."};
+}
+Result<std::vector<DeviceInfo>> cudaDevices() {
+    return withoutCuda();
+}
+Result<std::unique_ptr<Device>> makeCudaDevice(int) {
+    return withoutCuda();
+}
+#endif
+
+/// Number of the GPU in "cuda" or "cuda:1"; nothing where `name` is something else.
+std::optional<int> cudaIndex(const std::string& name) {
+    if (name == "cuda")
+        return 0;
+    if (!name.starts_with("cuda:"))
+        return std::nullopt;
+    int index = 0;
+    const char *begin = name.data() + 5, *end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(begin, end, index);
+    if (begin == end || stop != end || error != std::errc() || index < 0)
+        return std::nullopt;
+    return index;
+}
+
+}  // namespace
+
 std::vector<DeviceInfo> devicesHere() {
-    return {makeCpuDevice()->info()};
+    std::vector<DeviceInfo> devices{makeCpuDevice()->info()};
+    if (const auto gpus = cudaDevices())
+        devices.insert(devices.end(), gpus->begin(), gpus->end());
+    return devices;
 }
 
 Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads) {
-    if (name == "cpu" || name == "auto")
+    if (name == "cpu")
         return makeCpuDevice(threads);
-    return Error{"there is no such device", name, "Choose cpu."};
+    if (name == "auto") {
+        Result<std::unique_ptr<Device>> gpu = makeCudaDevice(0);
+        return gpu ? std::move(gpu) : Result<std::unique_ptr<Device>>(makeCpuDevice(threads));
+    }
+    if (const std::optional<int> index = cudaIndex(name))
+        return makeCudaDevice(*index);
+    return Error{"there is no such device", name, "Choose auto, cpu, cuda or cuda:1."};
 }
 
 }  // namespace pdr

@@ -28,9 +28,15 @@ constexpr std::array<TraceLaunch<G>, sizeof...(Masks)> pathLaunches(std::index_s
     return {launchTrace<G, TakePath<compiledMask(G::kToldApart, std::uint32_t(Masks))>>...};
 }
 
+/// The program for paths that need these effects. Specialised where the compiler takes long over them: cuda/.
+template <Gpu G>
+TraceLaunch<G> pathLaunch(std::uint32_t needed) {
+    static constexpr auto kPaths = pathLaunches<G>(std::make_index_sequence<kFeatureMasks>());
+    return kPaths[needed];
+}
+
 template <Gpu G>
 TraceLaunch<G> traceLaunchFor(const FlatScene& scene) {
-    static constexpr auto kPaths = pathLaunches<G>(std::make_index_sequence<kFeatureMasks>());
     switch (scene.optics.model) {
         case FlatModel::absorption:
             return launchTrace<G, TakeProjection<FlatModel::absorption>>;
@@ -43,7 +49,7 @@ TraceLaunch<G> traceLaunchFor(const FlatScene& scene) {
         case FlatModel::scattering:
             break;
     }
-    return scene.marched ? launchTrace<G, TakeMarch> : kPaths[scene.features];
+    return scene.marched ? launchTrace<G, TakeMarch> : pathLaunch<G>(scene.features);
 }
 
 /// Takes the samples of `target` and adds them to `sums`; `moments` may be null. In the compute stream.

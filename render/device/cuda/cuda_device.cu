@@ -1,0 +1,74 @@
+#include "render/device/cuda/cuda_device.h"
+
+#include "render/device/cuda/cuda_gpu.h"
+#include "render/device/cuda/trace_kernels.h"
+#include "render/device/gpu/gpu_device.h"
+
+namespace pdr {
+
+template <>
+TraceLaunch<CudaGpu> pathLaunch<CudaGpu>(std::uint32_t needed) {
+    static const std::array<std::array<TraceLaunch<CudaGpu>, kMasksPerFile>, kFeatureMasks / kMasksPerFile> kLaunches{
+        pathLaunchesFrom<0>(), pathLaunchesFrom<8>(), pathLaunchesFrom<16>(), pathLaunchesFrom<24>()};
+    return kLaunches[needed / kMasksPerFile][needed % kMasksPerFile];
+}
+
+namespace {
+
+constexpr const char* kName = "cuda";
+
+std::string versionText(int version) {
+    return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
+}
+
+/// Why there is no GPU to be had.
+Error noGpu(cudaError_t status) {
+    int driver = 0, runtime = 0;
+    cudaDriverGetVersion(&driver);
+    cudaRuntimeGetVersion(&runtime);
+    if (status == cudaErrorInsufficientDriver && driver == 0)
+        return {"there is no driver for a GPU of NVIDIA's", kName, "Install one, or render on the CPU."};
+    if (status == cudaErrorInsufficientDriver)
+        return {
+            "the driver is too old: it knows CUDA " + versionText(driver) + ", " + versionText(runtime) + " is needed",
+            kName, "Install a newer driver, or render on the CPU."};
+    if (status == cudaErrorNoDevice)
+        return {"there is no GPU of NVIDIA's", kName, "Render on the CPU."};
+    return {std::string("the GPU cannot be used (") + cudaGetErrorString(status) + ")", kName, "Render on the CPU."};
+}
+
+DeviceInfo infoOf(int index) {
+    cudaDeviceProp properties{};
+    cudaGetDeviceProperties(&properties, index);
+    return {index == 0 ? kName : kName + (":" + std::to_string(index)),
+            std::string(properties.name) + ", " + bytesText(properties.totalGlobalMem)};
+}
+
+}  // namespace
+
+Result<std::vector<DeviceInfo>> cudaDevices() {
+    int count = 0;
+    const cudaError_t status = cudaGetDeviceCount(&count);
+    cudaGetLastError();
+    if (status != cudaSuccess || count == 0)
+        return noGpu(status == cudaSuccess ? cudaErrorNoDevice : status);
+    std::vector<DeviceInfo> infos;
+    for (int i = 0; i < count; ++i)
+        infos.push_back(infoOf(i));
+    return Result<std::vector<DeviceInfo>>(std::move(infos));
+}
+
+Result<std::unique_ptr<Device>> makeCudaDevice(int index) {
+    const Result<std::vector<DeviceInfo>> known = cudaDevices();
+    if (!known)
+        return known.error();
+    if (index < 0 || std::size_t(index) >= known->size())
+        return Error{"there is no such GPU", "cuda:" + std::to_string(index),
+                     "The last one is cuda:" + std::to_string(known->size() - 1) + "."};
+    auto device = std::make_unique<GpuDevice<CudaGpu>>((*known)[std::size_t(index)], index);
+    if (Result<void> works = outcome(device->gpu()); !works)
+        return works.error();
+    return Result<std::unique_ptr<Device>>(std::move(device));
+}
+
+}  // namespace pdr

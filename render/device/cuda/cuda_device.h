@@ -1,0 +1,17 @@
+#pragma once
+/// GPUs of NVIDIA's as devices.
+
+#include <memory>
+#include <vector>
+
+#include "render/device/device.h"
+
+namespace pdr {
+
+/// Those that are here, in the runtime's order. Errors: why there is none: no driver, one that is too old, no GPU.
+Result<std::vector<DeviceInfo>> cudaDevices();
+
+/// GPU number `index`. Errors: cudaDevices()'s, no such number, or the GPU's own.
+Result<std::unique_ptr<Device>> makeCudaDevice(int index = 0);
+
+}  // namespace pdr

@@ -1,0 +1,134 @@
+#pragma once
+/// A GPU of NVIDIA's, through the CUDA runtime: a Gpu (gpu/gpu.h). For files that nvcc compiles.
+
+#include <cuda_runtime.h>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "render/base/result.h"
+#include "render/device/gpu/gpu.h"
+#include "render/kernel/features.h"
+
+namespace pdr {
+
+/// Program(index) for all indices, one thread each.
+template <class Program>
+__global__ void forEachIndex(const __grid_constant__ Program program, std::int64_t count) {
+    const std::int64_t index = std::int64_t(blockIdx.x) * blockDim.x + threadIdx.x;
+    if (index < count)
+        program(index);
+}
+
+/// Threads that stay: 32 in step go through their walks step by step, and those that have ended take the next indices
+/// from the queue, together.
+template <class Program>
+__global__ void walkQueue(const __grid_constant__ Program program, std::int64_t count, unsigned long long* next) {
+    constexpr unsigned kAll = 0xFFFFFFFFu;
+    const unsigned lane = threadIdx.x % 32;
+    typename Program::Walk walk;
+    bool walking = false, more = true;
+    while (true) {
+        const unsigned idle = __ballot_sync(kAll, !walking);
+        if (idle == kAll && !more)
+            return;
+        if (idle != 0 && more) {
+            unsigned long long first = 0;
+            if (lane == 0)
+                first = atomicAdd(next, static_cast<unsigned long long>(__popc(idle)));
+            first = __shfl_sync(kAll, first, 0);
+            const std::int64_t index = std::int64_t(first) + __popc(idle & ((1u << lane) - 1));
+            more = std::int64_t(first) < count;
+            if (!walking && index < count)
+                walking = program.start(index, walk);
+        }
+        if (walking)
+            walking = program.step(walk);
+    }
+}
+
+class CudaGpu {
+  public:
+    /// A mark in a stream; made when it is first recorded.
+    class Event {
+      public:
+        Event() = default;
+        ~Event();
+        Event(const Event&) = delete;
+        Event& operator=(const Event&) = delete;
+
+      private:
+        friend class CudaGpu;
+        cudaEvent_t event_ = nullptr;
+    };
+
+    static constexpr std::uint32_t kToldApart = kFeatureMasks - 1;
+
+    /// GPU number `index`, from 0.
+    explicit CudaGpu(int index);
+    ~CudaGpu();
+    CudaGpu(const CudaGpu&) = delete;
+    CudaGpu& operator=(const CudaGpu&) = delete;
+
+    const std::string& name() const { return name_; }
+    GpuMemory memory() const;
+
+    void* allocate(std::size_t bytes);
+    void release(void* memory);
+    void* allocatePinned(std::size_t bytes);
+    void releasePinned(void* memory);
+    void copyToDevice(void* to, const void* from, std::size_t bytes, GpuStream stream);
+    void copyToHost(void* to, const void* from, std::size_t bytes, GpuStream stream);
+    void clear(void* memory, std::size_t bytes, GpuStream stream);
+
+    void record(Event& event, GpuStream stream);
+    void wait(GpuStream stream, Event& event);
+    void await(Event& event);
+    void awaitAll();
+    std::optional<Error> takeError();
+
+    template <class Program>
+    void launch(const Program& program, std::int64_t count, GpuStream stream) {
+        if (!ready() || count <= 0)
+            return;
+        const auto blocks = unsigned((count + kThreads - 1) / kThreads);
+        forEachIndex<<<blocks, kThreads, 0, of(stream)>>>(program, count);
+        check(cudaGetLastError(), "a launch");
+    }
+
+    template <class Program>
+    void launchQueued(const Program& program, std::int64_t count, GpuStream stream) {
+        if (!ready() || count <= 0)
+            return;
+        const auto needed = unsigned((count + kThreads - 1) / kThreads);
+        const unsigned blocks = std::min(needed, residentBlocks(reinterpret_cast<const void*>(walkQueue<Program>)));
+        check(cudaMemsetAsync(next_, 0, sizeof *next_, of(stream)), "a launch");
+        walkQueue<<<blocks, kThreads, 0, of(stream)>>>(program, count, next_);
+        check(cudaGetLastError(), "a launch");
+    }
+
+  private:
+    static constexpr int kThreads = 128;
+
+    /// Whether calls are to be made: no error is kept. This thread's calls then go to this GPU.
+    bool ready();
+    /// Keeps the first error; `doing`: what was tried, "a launch".
+    bool check(cudaError_t status, const char* doing);
+    cudaStream_t of(GpuStream stream) const { return streams_[int(stream)]; }
+    /// Blocks of a kernel that the GPU holds at a time.
+    unsigned residentBlocks(const void* kernel);
+
+    int index_;
+    std::string name_;
+    std::array<cudaStream_t, 2> streams_{};
+    unsigned long long* next_ = nullptr;  ///< of the queue
+    std::map<const void*, unsigned> residentBlocks_;
+    std::optional<Error> error_;
+};
+
+static_assert(Gpu<CudaGpu>);
+
+}  // namespace pdr

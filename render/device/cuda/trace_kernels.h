@@ -1,0 +1,20 @@
+#pragma once
+/// The main kernels, one per set of effects: compiled in files of their own, side by side.
+
+#include <array>
+
+#include "render/device/cuda/cuda_gpu.h"
+#include "render/device/gpu/tracer.h"
+
+namespace pdr {
+
+inline constexpr std::uint32_t kMasksPerFile = 8;
+
+/// For the masks from First on. Defined in trace_kernels.cu, which is compiled once for each First.
+template <std::uint32_t First>
+std::array<TraceLaunch<CudaGpu>, kMasksPerFile> pathLaunchesFrom();
+
+template <>
+TraceLaunch<CudaGpu> pathLaunch<CudaGpu>(std::uint32_t needed);
+
+}  // namespace pdr
