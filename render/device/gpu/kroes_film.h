@@ -7,7 +7,8 @@
 /// its favour: the filter on the 8-bit picture that runs for its first 86 iterations.
 ///
 /// Schedule::runningMean tells nothing about its error: status() then has an infinite relative error and no mean
-/// luminance (0), and film() infinite standard errors.
+/// luminance (0), and film() infinite standard errors. Without it show() copies the sums to the host to know them: not
+/// what is to be timed.
 
 #include <cassert>
 #include <deque>
@@ -45,6 +46,7 @@ class KroesFilm final : public LiveFilm {
     Result<void> show(const Display& display) override {
         if (stale_ || display != display_) {
             display_ = display;
+            stale_ = true;
             toneMap();
             if (std::optional<Error> error = gpu_.takeError())
                 return *std::move(error);
@@ -148,6 +150,7 @@ class KroesFilm final : public LiveFilm {
     }
 
     Result<void> iterateOnce(std::stop_token stop) {
+        stale_ = true;
         std::optional<kroes::Resend<G>> resend;
         if (constants_)
             resend.emplace(gpu_, *constants_, *sampler_);
