@@ -42,7 +42,7 @@ class CpuDevice final : public Device {
                    std::max(threads_, tbb::this_task_arena::max_concurrency())),
           arena_(threads_) {}
 
-    DeviceInfo info() const override { return {"cpu", std::to_string(threads_) + " threads"}; }
+    DeviceInfo info() const override { return {"cpu", std::to_string(threads_) + " threads", true}; }
 
     Result<void> upload(std::shared_ptr<const PreparedScene> scene) override {
         scene_ = std::move(scene);
