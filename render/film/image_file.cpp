@@ -42,7 +42,7 @@ std::string healthFact(const Health& health) {
 
 /// Key and value of each fact, for the formats that hold text.
 std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
-    return {
+    std::vector<std::pair<std::string, std::string>> facts{
         {"pdrender/samplesPerPixel", std::to_string(from.samplesPerPixel)},
         {"pdrender/seconds", text(from.seconds)},
         {"pdrender/relativeError", text(from.relativeError)},
@@ -53,6 +53,9 @@ std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
         {"pdrender/extinctionPerMm", text(from.extinctionPerMm)},
         {"pdrender/program", from.program},
     };
+    if (!from.comparison.empty())
+        facts.emplace_back("pdrender/comparison", from.comparison);
+    return facts;
 }
 
 // ---- PNG

@@ -22,7 +22,8 @@ struct Provenance {
     std::uint64_t seed = 0;
     std::string model;
     double extinctionPerMm = 0;
-    std::string program;  ///< "PD-Render 0.1.0"
+    std::string program;     ///< "PD-Render 0.1.0"
+    std::string comparison;  ///< in another renderer's way, not the program's own: which; else empty, and not written
 };
 
 /// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks.
