@@ -270,7 +270,8 @@ void Session::Loop::send(std::vector<Picture> pictures, std::uint32_t n) {
         frame->seconds = seconds_;
         frame->iterationsPerSecond = meter_.iterationsPerSecond();
         frame->iterations = n;
-        frame->efficiency = meter_.efficiency();
+        if (schedule_.kind == Schedule::Kind::pd)  // else iterations hold their own display
+            frame->efficiency = meter_.efficiency();
         frame->device = place_.info().name;
         frame->schedule = schedule_;
         sink_(std::move(frame));

@@ -21,9 +21,9 @@ struct Mishaps {
     std::atomic<int> uploads = kNever, films = kNever, iterates = kNever, shows = kNever, takes = kNever;
     std::atomic<bool> tooSmall = false;  ///< uploads are refused, and nothing else
 
-    double iterationSeconds = 0;  ///< what an iteration takes, at least
-    double displaySeconds = 0;    ///< what a picture takes from show() to take(), at least
-    int ahead = 1;                ///< > 1: iterate() and show() return at once, and take() waits
+    std::atomic<double> iterationSeconds = 0;  ///< what an iteration takes, at least
+    std::atomic<double> displaySeconds = 0;    ///< what a picture takes from show() to take(), at least
+    int ahead = 1;                             ///< > 1: iterate() and show() return at once, and take() waits
 
     std::atomic<bool> gone = false;
     std::atomic<int> filmsRead = 0;  ///< calls of LiveFilm::film()
