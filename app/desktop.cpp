@@ -1,17 +1,46 @@
 #include "app/desktop.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "app/render_choices.h"
 #include "app/wiring.h"
+#include "render/device/device_list.h"
+#include "ui/status_text.h"
 
 namespace pdr::app {
 
-Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile)
-    : settings_(settingsFile), document_(std::move(presets)), bridge_(std::move(device)) {
+namespace {
+
+/// The devices of this machine to choose from, and the one in use, which may be none of them.
+void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
+    std::vector<DeviceInfo> devices = devicesHere();
+    const auto known = std::find_if(devices.begin(), devices.end(),
+                                    [&](const DeviceInfo& device) { return device.name == inUse.name; });
+    if (known != devices.end())
+        *known = inUse;
+    else
+        devices.push_back(inUse);
+    QStringList names, texts;
+    for (const DeviceInfo& device : devices) {
+        names << QString::fromStdString(device.name);
+        texts << ui::deviceText(names.back(), QString::fromStdString(device.details));
+    }
+    panel.setDevices(names, texts);
+    panel.setDevice(QString::fromStdString(inUse.name));
+}
+
+}  // namespace
+
+Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
+    : settings_(settingsFile), document_(std::move(presets)), bridge_(std::move(device), threads) {
     QStringList names;
     for (const Preset& preset : document_.presets())
         names << QString::fromStdString(preset.name);
     window_.look().setPresets(names);
+    offerDevices(window_.rendering(), bridge_.firstDevice());
+    window_.rendering().setPace(settings_.pace());
+    bridge_.setPace(paceOf(window_.rendering().pace()));
     window_.resize(1360, 860);
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());

@@ -11,12 +11,14 @@ namespace pdr::app {
 
 class Desktop {
   public:
-    /// `presets` holds at least one. `settingsFile`: where to keep the window's geometry; empty: the user's own place.
-    Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile = {});
+    /// `presets` holds at least one. `settingsFile`: where to keep the settings; empty: the user's own place.
+    /// `threads`: of the CPU, when another device is left for it; 0 = one per core.
+    Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile = {},
+            int threads = 0);
     /// Keeps the window's geometry for the next time.
     ~Desktop();
 
-    DesktopParts parts() { return {import_, document_, bridge_, window_}; }
+    DesktopParts parts() { return {import_, document_, bridge_, window_, settings_}; }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
     void open(const QString& folder) { import_.scanFolder(folder); }

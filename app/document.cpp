@@ -68,6 +68,19 @@ void Document::setPreset(int index) {
     applyPreset();
 }
 
+void Document::setEstimator(Estimator estimator) {
+    if (estimator == now_.scene.estimator)
+        return;
+    State state = now_;
+    state.scene.estimator = estimator;
+    if (!hasVolume()) {
+        now_ = std::move(state);
+        return;
+    }
+    remember();
+    apply(std::move(state), false);
+}
+
 void Document::setBrightness(double stops) {
     now_.brightness = stops;
     emit displayChanged(display());

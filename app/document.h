@@ -43,6 +43,7 @@ class Document : public QObject {
     void setCamera(const pdr::Camera& camera, bool moving);
     void setView(pdr::StandardView view);
     void setPreset(int index);
+    void setEstimator(pdr::Estimator estimator);
     /// Only what is shown changes, not what is computed; no step to undo.
     void setBrightness(double stops);
     /// The view's size in pixels; no step to undo.

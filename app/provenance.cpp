@@ -2,7 +2,19 @@
 
 namespace pdr::app {
 
-Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds) {
+std::string comparisonText(const Schedule& schedule, Estimator estimator) {
+    std::string text;
+    if (schedule.kind == Schedule::Kind::kroes) {
+        text = std::string("Exposure Render's schedule ") + (schedule.redundant ? "K0" : "K1");
+        if (schedule.filter)
+            text += ", blurred";
+    }
+    if (estimator == Estimator::kroesMarch)
+        text += std::string(text.empty() ? "" : " and ") + "Exposure Render's march, biased";
+    return text;
+}
+
+Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds, const Schedule& schedule) {
     return {status.samplesPerPixel,
             seconds,
             status.relativeError,
@@ -11,7 +23,7 @@ Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double sec
             modelName(scene.model),
             scene.transferFunction.extinctionPerMm,
             "PD-Render " PDR_VERSION,
-            scene.estimator == Estimator::unbiased ? "" : std::string(estimatorName(scene.estimator)) + " (biased)"};
+            comparisonText(schedule, scene.estimator)};
 }
 
 }  // namespace pdr::app

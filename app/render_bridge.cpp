@@ -3,13 +3,19 @@
 #include <utility>
 
 #include "app/provenance.h"
+#include "render/device/device_list.h"
 #include "render/film/image_file.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
 
-RenderBridge::RenderBridge(std::unique_ptr<Device> device)
-    : session_(std::move(device), [this](std::shared_ptr<const Frame> frame) { take(std::move(frame)); }) {}
+RenderBridge::RenderBridge(std::unique_ptr<Device> device, int threads)
+    : threads_(threads),
+      firstDevice_(device->info()),
+      device_(QString::fromStdString(firstDevice_.name)),
+      session_(
+          std::move(device), [this](std::shared_ptr<const Frame> frame) { take(std::move(frame)); },
+          [threads] { return makeCpuDevice(threads); }) {}
 
 /// While the hand moves, a picture that is a little behind is better than none; at rest only the newest scene counts.
 void RenderBridge::submit(const Scene& scene, bool moving) {
@@ -31,8 +37,16 @@ void RenderBridge::setDisplay(const Display& display) {
     session_.setDisplay(display);
 }
 
-void RenderBridge::setIterationsPerFrame(int n) {
-    session_.setIterationsPerFrame(n);
+void RenderBridge::setPace(const Pace& pace) {
+    session_.setPace(pace);
+}
+
+void RenderBridge::setSchedule(const Schedule& schedule) {
+    session_.setSchedule(schedule);
+}
+
+void RenderBridge::setDevice(const QString& name) {
+    session_.setDevice([name = name.toStdString(), threads = threads_] { return openDevice(name, threads); });
 }
 
 void RenderBridge::setPaused(bool paused) {
@@ -55,8 +69,9 @@ void RenderBridge::save(const QString& file) {
                          "Choose a name that ends in .png or .exr."});
         return;
     }
-    session_.inspect([this, file, exr, display = display_](const Film& film, const Scene& scene, double seconds) {
-        const Provenance provenance = provenanceOf(scene, film.status(), seconds);
+    session_.inspect([this, file, exr, display = display_](const FilmView& view) {
+        const Film& film = view.film;
+        const Provenance provenance = provenanceOf(view.scene, film.status(), view.seconds, view.schedule);
         const std::filesystem::path path = ui::fromQt(file);
         const Result<void> written = exr ? writeExr(film, provenance, path) : writePng(film, display, provenance, path);
         QMetaObject::invokeMethod(this, [this, file, written] {
@@ -70,6 +85,13 @@ void RenderBridge::save(const QString& file) {
 
 /// On the render thread.
 void RenderBridge::take(std::shared_ptr<const Frame> frame) {
+    if (!frame->notice.empty()) {
+        QMetaObject::invokeMethod(this, [this, notice = QString::fromStdString(frame->notice)] {
+            emit noticed(notice);
+            emit deviceChanged(device_);
+        });
+        return;
+    }
     const std::lock_guard lock(mutex_);
     const bool windowIsAsked = waiting_ != nullptr;
     waiting_ = std::move(frame);
@@ -92,6 +114,10 @@ void RenderBridge::deliver() {
         movingUnseen_ = false;
     if (next_ && !movingUnseen_)
         submit(*std::exchange(next_, std::nullopt), true);
+    if (const QString device = QString::fromStdString(frame->device); !device.isEmpty() && device != device_) {
+        device_ = device;
+        emit deviceChanged(device_);
+    }
     emit frameReady(frame);
 }
 

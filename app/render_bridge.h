@@ -16,9 +16,12 @@ class RenderBridge : public QObject {
     Q_OBJECT
 
   public:
-    explicit RenderBridge(std::unique_ptr<Device> device);
+    /// `threads`: of the CPU, where the picture goes on when `device` fails or another is chosen; 0 = one per core.
+    explicit RenderBridge(std::unique_ptr<Device> device, int threads = 0);
 
     bool paused() const { return paused_; }
+    /// The device that it began with.
+    const DeviceInfo& firstDevice() const { return firstDevice_; }
     /// The frame that was shown last; null when there is none.
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
 
@@ -26,7 +29,10 @@ class RenderBridge : public QObject {
     /// Scenes of a moving hand are taken one at a time, the newest next, so that every one of them is seen.
     void submit(const pdr::Scene& scene, bool moving);
     void setDisplay(const pdr::Display& display);
-    void setIterationsPerFrame(int n);
+    void setPace(const pdr::Pace& pace);
+    void setSchedule(const pdr::Schedule& schedule);
+    /// The picture goes on there. A device that cannot be used ends with noticed().
+    void setDevice(const QString& name);
     void setPaused(bool paused);
     /// Frames of the scenes so far are not wanted any more.
     void dropFrames();
@@ -37,6 +43,10 @@ class RenderBridge : public QObject {
   signals:
     void frameReady(const std::shared_ptr<const pdr::Frame>& frame);
     void pausedChanged(bool paused);
+    /// Frames come from this device from now on; said again with each notice.
+    void deviceChanged(const QString& name);
+    /// Something did not go as it was asked, and the rendering goes on: sentences for the user.
+    void noticed(const QString& sentences);
     void saved(const QString& file);
     void saveFailed(const pdr::Error& error);
 
@@ -54,6 +64,9 @@ class RenderBridge : public QObject {
     std::uint64_t oldestShown_ = 0;  ///< frames of earlier revisions are stale
     Display display_;
     bool paused_ = false;
+    int threads_;
+    DeviceInfo firstDevice_;
+    QString device_;   ///< that the last frame came from
     Session session_;  ///< last, so that it ends first: its thread calls take()
 };
 

@@ -5,6 +5,10 @@ namespace {
 
 constexpr auto kGeometry = "window/geometry";
 constexpr auto kState = "window/state";
+constexpr auto kDevice = "rendering/device";
+constexpr auto kAutomatic = "rendering/automatic";
+constexpr auto kIterations = "rendering/iterationsPerPicture";
+constexpr auto kFrames = "rendering/picturesPerSecond";
 
 QString ownFile() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "pd-render", "pdrender").fileName();
@@ -20,6 +24,26 @@ QByteArray Settings::windowGeometry() const {
 
 QByteArray Settings::windowState() const {
     return store_.value(kState).toByteArray();
+}
+
+QString Settings::device() const {
+    return store_.value(kDevice, "auto").toString();
+}
+
+ui::PaceChoice Settings::pace() const {
+    const ui::PaceChoice usual;
+    return {store_.value(kAutomatic, usual.automatic).toBool(), store_.value(kIterations, usual.iterations).toInt(),
+            store_.value(kFrames, usual.framesPerSecond).toDouble()};
+}
+
+void Settings::keepDevice(const QString& name) {
+    store_.setValue(kDevice, name);
+}
+
+void Settings::keepPace(const ui::PaceChoice& pace) {
+    store_.setValue(kAutomatic, pace.automatic);
+    store_.setValue(kIterations, pace.iterations);
+    store_.setValue(kFrames, pace.framesPerSecond);
 }
 
 void Settings::keepWindow(const QByteArray& geometry, const QByteArray& state) {

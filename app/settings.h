@@ -1,10 +1,12 @@
 #pragma once
-/// What the desktop keeps between two runs: the window's geometry. Nothing of a patient, so not the folder opened last
-/// either: its name may be a patient's.
+/// What the desktop keeps between two runs: the window's geometry, the device and the pace that were chosen. Nothing of
+/// a patient, so not the folder opened last either: its name may be a patient's.
 
 #include <QByteArray>
 #include <QSettings>
 #include <QString>
+
+#include "ui/render_panel.h"
 
 namespace pdr::app {
 
@@ -15,6 +17,10 @@ class Settings {
 
     QByteArray windowGeometry() const;
     QByteArray windowState() const;
+    QString device() const;  ///< "auto" as long as none was chosen
+    ui::PaceChoice pace() const;
+    void keepDevice(const QString& name);
+    void keepPace(const ui::PaceChoice& pace);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);
 
   private:

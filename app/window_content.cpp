@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/provenance.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
 #include "ui/to_qt.h"
@@ -77,6 +78,10 @@ void showFailure(const DesktopParts& parts, const Error& error) {
     parts.window.message().showError(error);
 }
 
+void showNotice(const DesktopParts& parts, const QString& sentences) {
+    parts.window.message().showError({sentences.toStdString(), "", ""});
+}
+
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame) {
     if (!frame->error.empty())
         return showFailure(parts, {frame->error, "", ""});
@@ -87,8 +92,14 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
 
 void showStatus(const DesktopParts& parts) {
     const auto& frame = parts.bridge.lastFrame();
-    if (frame && frame->error.empty())
-        parts.window.status().setText(ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()));
+    if (!frame || !frame->error.empty())
+        return;
+    QStringList text{ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()),
+                     ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency})};
+    const std::string comparison = comparisonText(frame->schedule, parts.document.scene().estimator);
+    if (!comparison.empty())
+        text.prepend(ui::MainWindow::tr("comparison: %1").arg(QString::fromStdString(comparison)));
+    parts.window.status().setText(text.join(", "));
 }
 
 void showDocument(const DesktopParts& parts) {
@@ -97,6 +108,7 @@ void showDocument(const DesktopParts& parts) {
     parts.window.viewport().setCamera(camera);
     parts.window.look().setPreset(document.preset());
     parts.window.look().setBrightness(document.brightness());
+    parts.window.rendering().setEstimator(document.scene().estimator);
     parts.window.setUndoAvailable(document.canUndo(), document.canRedo());
 }
 

@@ -6,6 +6,7 @@
 #include "app/document.h"
 #include "app/import_job.h"
 #include "app/render_bridge.h"
+#include "app/settings.h"
 #include "ui/main_window.h"
 
 namespace pdr::app {
@@ -16,6 +17,7 @@ struct DesktopParts {
     Document& document;
     RenderBridge& bridge;
     ui::MainWindow& window;
+    Settings& settings;
 };
 
 /// An invitation to open a folder, and no picture.
@@ -30,6 +32,8 @@ void showProgress(const DesktopParts& parts, double fraction, const QString& ste
 void showReadingEnded(const DesktopParts& parts);
 /// A message. What was shown before stays.
 void showFailure(const DesktopParts& parts, const Error& error);
+/// Sentences about something that did not go as it was asked; the rendering goes on.
+void showNotice(const DesktopParts& parts, const QString& sentences);
 /// The picture and how good it is.
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame);
 /// How good the picture is, in words; again when the rendering is held or goes on.

@@ -1,5 +1,7 @@
 #include "app/wiring.h"
 
+#include "app/render_choices.h"
+
 namespace pdr::app {
 namespace {
 
@@ -37,6 +39,7 @@ void wireEdits(const DesktopParts& parts) {
                      [&document] { document.setView(StandardView::anterior); });
     QObject::connect(&window.look(), &ui::LookPanel::presetChosen, &document, &Document::setPreset);
     QObject::connect(&window.look(), &ui::LookPanel::brightnessChosen, &document, &Document::setBrightness);
+    QObject::connect(&window.rendering(), &ui::RenderPanel::estimatorChosen, &document, &Document::setEstimator);
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }
@@ -48,8 +51,12 @@ void wireRendering(const DesktopParts& parts) {
     ui::MainWindow& window = parts.window;
     QObject::connect(&document, &Document::displayChanged, &bridge, &RenderBridge::setDisplay);
     QObject::connect(&document, &Document::sceneChanged, &bridge, &RenderBridge::submit);
-    QObject::connect(&window.look(), &ui::LookPanel::iterationsPerFrameChosen, &bridge,
-                     &RenderBridge::setIterationsPerFrame);
+    const ui::RenderPanel& rendering = window.rendering();
+    QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &bridge,
+                     [&bridge](const ui::PaceChoice& pace) { bridge.setPace(paceOf(pace)); });
+    QObject::connect(&rendering, &ui::RenderPanel::scheduleChosen, &bridge,
+                     [&bridge](const ui::ScheduleChoice& schedule) { bridge.setSchedule(scheduleOf(schedule)); });
+    QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
     QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
 }
@@ -61,6 +68,9 @@ void wireScreen(const DesktopParts& parts) {
                      [parts](const std::shared_ptr<const Frame>& frame) { showFrame(parts, frame); });
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, &ui::MainWindow::setPaused);
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, [parts] { showStatus(parts); });
+    QObject::connect(&parts.bridge, &RenderBridge::deviceChanged, &window.rendering(), &ui::RenderPanel::setDevice);
+    QObject::connect(&parts.bridge, &RenderBridge::noticed, &window,
+                     [parts](const QString& sentences) { showNotice(parts, sentences); });
     QObject::connect(&parts.bridge, &RenderBridge::saved, &window, [parts](const QString& file) {
         parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file));
     });
@@ -70,6 +80,15 @@ void wireScreen(const DesktopParts& parts) {
     QObject::connect(&parts.document, &Document::displayChanged, &window, [parts] { showDocument(parts); });
 }
 
+/// 5. What was chosen for this machine is kept.
+void wireSettings(const DesktopParts& parts) {
+    const ui::RenderPanel& rendering = parts.window.rendering();
+    QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &parts.window,
+                     [parts](const QString& name) { parts.settings.keepDevice(name); });
+    QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &parts.window,
+                     [parts](const ui::PaceChoice& pace) { parts.settings.keepPace(pace); });
+}
+
 }  // namespace
 
 void wire(const DesktopParts& parts) {
@@ -77,6 +96,7 @@ void wire(const DesktopParts& parts) {
     wireEdits(parts);
     wireRendering(parts);
     wireScreen(parts);
+    wireSettings(parts);
 }
 
 }  // namespace pdr::app

@@ -22,14 +22,6 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
     connect(&brightness_, &QSlider::valueChanged, this,
             [this](int value) { emit brightnessChosen(double(value) / kStepsPerStop); });
 
-    iterations_.setAccessibleName(tr("Iterations per picture"));
-    iterations_.setToolTip(
-        tr("How many iterations are computed before the picture is shown anew. More is a little faster, "
-           "fewer is livelier; the result is the same."));
-    iterations_.setRange(1, 1000);
-    iterations_.setKeyboardTracking(false);
-    connect(&iterations_, &QSpinBox::valueChanged, this, &LookPanel::iterationsPerFrameChosen);
-
     pause_.setAccessibleName(tr("Pause"));
     pause_.setToolTip(tr("Hold the rendering, or let it go on (Space)"));
     pause_.setCheckable(true);
@@ -38,14 +30,9 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
 
     auto* brightnessLabel = new QLabel(tr("&Brightness"));
     brightnessLabel->setBuddy(&brightness_);
-    auto* iterationsLabel = new QLabel(tr("&Iterations per picture"));
-    iterationsLabel->setBuddy(&iterations_);
-    auto* iterationsRow = new QHBoxLayout;
-    iterationsRow->addWidget(iterationsLabel, 1);
-    iterationsRow->addWidget(&iterations_);
 
     // A click leaves the keyboard with the picture, so that Space goes on to mean pause; Tab still reaches everything.
-    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &iterations_, &pause_})
+    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
     auto* column = new QVBoxLayout(this);
@@ -56,7 +43,6 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
     column->addStretch(1);
-    column->addLayout(iterationsRow);
     column->addWidget(&pause_);
 }
 
@@ -80,11 +66,6 @@ void LookPanel::setPreset(int index) {
 void LookPanel::setBrightness(double stops) {
     const QSignalBlocker silent(this);
     brightness_.setValue(int(std::lround(stops * kStepsPerStop)));
-}
-
-void LookPanel::setIterationsPerFrame(int n) {
-    const QSignalBlocker silent(this);
-    iterations_.setValue(n);
 }
 
 void LookPanel::setPaused(bool paused) {

@@ -1,10 +1,9 @@
 #pragma once
-/// How the volume looks: presets, brightness, and how often the picture is shown anew. Setters are silent.
+/// How the volume looks: presets and brightness; and whether the rendering holds. Setters are silent.
 
 #include <QButtonGroup>
 #include <QPushButton>
 #include <QSlider>
-#include <QSpinBox>
 #include <QVBoxLayout>
 #include <QWidget>
 
@@ -20,7 +19,6 @@ class LookPanel : public QWidget {
     void setPreset(int index);
     /// In stops: one more is twice as bright; 0 = as the preset says. Kept in [-4, 4].
     void setBrightness(double stops);
-    void setIterationsPerFrame(int n);
     void setPaused(bool paused);
 
     QSize sizeHint() const override { return {220, 400}; }
@@ -28,14 +26,12 @@ class LookPanel : public QWidget {
   signals:
     void presetChosen(int index);
     void brightnessChosen(double stops);
-    void iterationsPerFrameChosen(int n);
     void pauseChosen(bool paused);
 
   private:
     QVBoxLayout* presetColumn_;
     QButtonGroup presets_;
     QSlider brightness_;
-    QSpinBox iterations_;
     QPushButton pause_;
 };
 

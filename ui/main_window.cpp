@@ -44,6 +44,7 @@ MainWindow::MainWindow()
     : viewport_(new Viewport),
       series_(new SeriesPanel),
       look_(new LookPanel),
+      rendering_(new RenderPanel),
       status_(new StatusLine),
       message_(new MessageBar),
       keys_(new KeysOverlay(this)) {
@@ -59,6 +60,7 @@ MainWindow::MainWindow()
 
     seriesDock_ = addPanel(tr("Series"), series_, Qt::LeftDockWidgetArea, Qt::Key_F2);
     lookDock_ = addPanel(tr("Look"), look_, Qt::RightDockWidgetArea, Qt::Key_F3);
+    renderDock_ = addPanel(tr("Rendering"), rendering_, Qt::RightDockWidgetArea, Qt::Key_F4);
     fillFileMenu();
     fillEditMenu();
     fillViewMenu();
@@ -157,6 +159,7 @@ void MainWindow::fillViewMenu() {
     menu->addSeparator();
     menu->addAction(seriesDock_->toggleViewAction());
     menu->addAction(lookDock_->toggleViewAction());
+    menu->addAction(renderDock_->toggleViewAction());
     alone_ = menu->addAction(tr("Picture &alone"), QKeySequence(Qt::Key_F11));
     alone_->setCheckable(true);
     connect(alone_, &QAction::toggled, this, &MainWindow::showPictureAlone);
@@ -197,6 +200,7 @@ void MainWindow::showPictureAlone(bool alone) {
     statusBar()->setVisible(!alone);
     seriesDock_->setVisible(!alone);
     lookDock_->setVisible(!alone);
+    renderDock_->setVisible(!alone);
     setWindowState(alone ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     if (!alone)
         restoreState(stateBeforeAlone_);

@@ -1,6 +1,6 @@
 #pragma once
-/// The desktop's window: the picture in the middle, the series on the left, the look on the right, one line of truth
-/// below. It shows values and emits edits; it knows no renderer and no importer.
+/// The desktop's window: the picture in the middle, the series on the left, the look and the rendering on the right,
+/// one line of truth below. It shows values and emits edits; it knows no renderer and no importer.
 
 #include <QAction>
 #include <QDockWidget>
@@ -10,6 +10,7 @@
 #include "ui/keys_overlay.h"
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
+#include "ui/render_panel.h"
 #include "ui/series_panel.h"
 #include "ui/status_line.h"
 #include "ui/viewport.h"
@@ -25,6 +26,7 @@ class MainWindow : public QMainWindow {
     Viewport& viewport() { return *viewport_; }
     SeriesPanel& series() { return *series_; }
     LookPanel& look() { return *look_; }
+    RenderPanel& rendering() { return *rendering_; }
     StatusLine& status() { return *status_; }
     MessageBar& message() { return *message_; }
 
@@ -67,11 +69,13 @@ class MainWindow : public QMainWindow {
     Viewport* viewport_;
     SeriesPanel* series_;
     LookPanel* look_;
+    RenderPanel* rendering_;
     StatusLine* status_;
     MessageBar* message_;
     KeysOverlay* keys_;
     QDockWidget* seriesDock_ = nullptr;
     QDockWidget* lookDock_ = nullptr;
+    QDockWidget* renderDock_ = nullptr;
     QAction* save_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;

@@ -10,6 +10,8 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
     text_.setToolTip(
         tr("The error is the picture's standard error in relation to its brightness: it halves when the samples "
            "are four times as many."));
+    // A long line is cut off at its end; it must not make the window wider.
+    text_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     bar_.setAccessibleName(tr("Progress"));
     bar_.setRange(0, 1000);
     bar_.setTextVisible(false);

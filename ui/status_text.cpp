@@ -66,4 +66,19 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
     return parts.join(", ");
 }
 
+QString deviceText(const QString& name, const QString& details) {
+    const QString title = name == "cpu" ? translated("CPU") : name;
+    return details.isEmpty() ? title : title + " (" + details + ')';
+}
+
+QString makingText(const Making& making) {
+    const QString device = making.device == "cpu" ? translated("the CPU") : making.device;
+    QString text = making.iterations == 1
+                       ? translated("1 iteration per frame on %1").arg(device)
+                       : translated("%1 iterations per frame on %2").arg(making.iterations).arg(device);
+    if (making.efficiency > 0)
+        text += ", " + translated("efficiency %1 %").arg(std::floor(100 * making.efficiency));
+    return text;
+}
+
 }  // namespace pdr::ui

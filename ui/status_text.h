@@ -11,4 +11,17 @@ namespace pdr::ui {
 /// Nothing without samples.
 QString statusText(const FilmStatus& status, double iterationsPerSecond, bool paused);
 
+/// A device to choose: "CPU (2 threads)".
+QString deviceText(const QString& name, const QString& details);
+
+/// What the picture is made by.
+struct Making {
+    QString device;  ///< its name: "cpu"
+    std::uint32_t iterations = 0;
+    double efficiency = 0;  ///< (0, 1]; 0 = not known
+};
+
+/// "10 iterations per frame on the CPU, efficiency 99 %"
+QString makingText(const Making& making);
+
 }  // namespace pdr::ui

@@ -11,7 +11,7 @@
 #include "app/cli/run_command.h"
 #include "app/provenance.h"
 #include "render/base/replacing_file.h"
-#include "render/device/device.h"
+#include "render/device/device_list.h"
 #include "render/film/image_file.h"
 #include "render/scene/flatten.h"
 
@@ -42,6 +42,10 @@ Result<void> writeAll(const RenderOptions& options, const LoadedScene& work, con
 Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& interrupt) {
     if (auto ok = checkOutputs(options); !ok)
         return ok.error();
+    const auto opened = openDevice(options.device, options.threads);
+    if (!opened)
+        return opened.error();
+    Device& device = **opened;
     ProgressLine line;
     const std::stop_token stop = interrupt.token();
     auto work = loadScene(options.scene, [&](double fraction, std::string_view step) {
@@ -51,12 +55,11 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
     if (!work)
         return work.error();
 
-    const auto device = makeCpuDevice(options.threads);
-    if (auto ok = device->upload(Flattener().prepare(work->scene)); !ok)
+    if (auto ok = device.upload(Flattener().prepare(work->scene)); !ok)
         return ok.error();
     Film film(work->scene.film, work->scene.revision);
     const auto result =
-        BatchRender(*device, film, options.stops).run(stop, [&](const BatchState& state) { line.show(state); });
+        BatchRender(device, film, options.stops).run(stop, [&](const BatchState& state) { line.show(state); });
     line.finish();
     if (!result)
         return result.error();
@@ -64,7 +67,7 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
         return Error{"ended before the first sample: nothing was written", "", ""};
     if (auto ok = writeAll(options, *work, film, *result); !ok)
         return ok.error();
-    const RenderReport report{options.outputs, film.size(), work->scene.seed, device->info(), *result};
+    const RenderReport report{options.outputs, film.size(), work->scene.seed, device.info(), *result};
     std::fputs((options.json ? jsonText(report) : plainText(report)).c_str(), stdout);
     return result->reason;
 }

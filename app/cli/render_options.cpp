@@ -53,7 +53,8 @@ void describeRender(QCommandLineParser& parser) {
         {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
         {"seconds", "Stop after T seconds of rendering.", "T"},
         {"error", "Stop when the relative standard error of the picture is E, such as 0.01.", "E"},
-        {"device", "What renders: cpu.", "NAME", "cpu"},
+        {"device", "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ...",
+         "NAME", "auto"},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
     });
 }
@@ -231,14 +232,21 @@ int readThreads(const QCommandLineParser& parser) {
     return int(Reader(parser).whole("threads", 1, 1024).value_or(0));
 }
 
+/// Whether it is there is found out when it is opened.
+std::string readDevice(const QCommandLineParser& parser) {
+    const QString name = parser.value("device");
+    if (!QRegularExpression("^(auto|cpu|cuda(:\\d{1,3})?)$").match(name).hasMatch())
+        usageError("--device", "must be auto, cpu, cuda or a number after it such as cuda:1");
+    return name.toStdString();
+}
+
 void readRender(const QCommandLineParser& parser, RenderOptions& options) {
     options.scene = readScene(parser, "render");
     options.outputs = readOutputs(parser);
     options.stops = readStops(Reader(parser));
     options.threads = readThreads(parser);
     options.json = parser.isSet("json");
-    if (parser.value("device") != "cpu")
-        usageError("--device", "must be cpu, the only device of this version");
+    options.device = readDevice(parser);
 }
 
 void readEffects(const QCommandLineParser& parser, EffectsOptions& options) {

@@ -19,6 +19,7 @@ struct RenderOptions {
     SceneInput scene;
     std::vector<std::filesystem::path> outputs;  ///< at least one; each .png or .exr
     Stops stops;                                 ///< 256 samples when nothing was asked for
+    std::string device = "auto";                 ///< as openDevice() takes it
     int threads = 0;                             ///< 0 = one per core
     bool json = false;
     bool help = false;

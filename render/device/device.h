@@ -14,8 +14,9 @@
 namespace pdr {
 
 struct DeviceInfo {
-    std::string name;     ///< "cpu"
-    std::string details;  ///< for the user: "2 threads"
+    std::string name;         ///< "cpu"
+    std::string details;      ///< for the user: "2 threads"
+    bool hostMemory = false;  ///< what it computes lies in the memory of this program, and is lost only with it
 };
 
 class Device {

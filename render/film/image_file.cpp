@@ -42,7 +42,7 @@ std::string healthFact(const Health& health) {
 
 /// Key and value of each fact, for the formats that hold text.
 std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
-    std::vector<std::pair<std::string, std::string>> all{
+    std::vector<std::pair<std::string, std::string>> facts{
         {"pdrender/samplesPerPixel", std::to_string(from.samplesPerPixel)},
         {"pdrender/seconds", text(from.seconds)},
         {"pdrender/relativeError", text(from.relativeError)},
@@ -53,9 +53,9 @@ std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
         {"pdrender/extinctionPerMm", text(from.extinctionPerMm)},
         {"pdrender/program", from.program},
     };
-    if (!from.estimator.empty())
-        all.emplace_back("pdrender/estimator", from.estimator);
-    return all;
+    if (!from.comparison.empty())
+        facts.emplace_back("pdrender/comparison", from.comparison);
+    return facts;
 }
 
 // ---- PNG
@@ -141,8 +141,6 @@ Imf::Header exrHeader(ivec2 size, const Provenance& from) {
     header.insert("pdrender/model", Imf::StringAttribute(from.model));
     header.insert("pdrender/extinctionPerMm", Imf::DoubleAttribute(from.extinctionPerMm));
     header.insert("pdrender/program", Imf::StringAttribute(from.program));
-    if (!from.estimator.empty())
-        header.insert("pdrender/estimator", Imf::StringAttribute(from.estimator));
     return header;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The render loop on its own thread: newest Scene in, frames out.
+/// The render loop on its own thread: newest Scene in, frames out. A device that fails costs seconds of samples at
+/// most: the picture goes on on another.
 
 #include <cstdint>
 #include <functional>
@@ -11,30 +12,47 @@
 #include "render/film/display.h"
 #include "render/film/film.h"
 #include "render/scene/scene.h"
+#include "render/session/pace.h"
 
 namespace pdr {
 
-/// One displayed picture.
+/// One displayed picture, or a word to the user.
 struct Frame {
     std::uint64_t revision = 0;      ///< of the Scene that it shows
     ivec2 size{0};                   ///< pixels; smaller than scene.film while the hand moves: stretch it
-    std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top
+    std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top; empty with an error or a notice
     FilmStatus status;
     double seconds = 0;              ///< spent on this revision
     double iterationsPerSecond = 0;  ///< lately
-    std::string error;               ///< for the user, when rendering failed; the picture is then empty
+    std::uint32_t iterations = 0;    ///< n, the iterations from one frame to the next
+    double efficiency = 0;           ///< lately: the part of the time that went into iterations, (0, 1]; 0 = not known
+    std::string device;              ///< its name: "cpu"
+    Schedule schedule;
+    std::string error;   ///< for the user, when rendering failed and holds
+    std::string notice;  ///< for the user, when it goes on, but not as was asked: whole sentences
 };
 
 /// Called on the render thread; must return soon.
 using FrameSink = std::function<void(std::shared_ptr<const Frame>)>;
 
-/// Called on the render thread with all that is known about the picture, the scene that it shows, and the seconds
-/// spent.
-using FilmLook = std::function<void(const Film& film, const Scene& scene, double seconds)>;
+/// All that is known about a picture.
+struct FilmView {
+    const Film& film;
+    const Scene& scene;  ///< that it shows
+    const Schedule& schedule;
+    double seconds;  ///< spent
+};
+
+/// Called on the render thread.
+using FilmLook = std::function<void(const FilmView&)>;
+
+/// Opens a device; called on the render thread, so it may take its time.
+using DeviceOpener = std::function<Result<std::unique_ptr<Device>>()>;
 
 class Session {
   public:
-    Session(std::unique_ptr<Device> device, FrameSink sink);
+    /// `fallback` is opened when the device in use fails or refuses a scene; none: that is then an error.
+    Session(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback = {});
     ~Session();  ///< stops within one launch
 
     /// Renders `scene` from now on; a running launch for an older one is cancelled. `moving`: the hand still drags, so
@@ -42,11 +60,18 @@ class Session {
     void submit(Scene scene, bool moving);
     /// Shows what is there with other display settings, without a restart.
     void setDisplay(const Display& display);
-    /// n, the iterations per displayed frame; [1, 10000].
+    /// How many iterations a displayed frame gets.
+    void setPace(const Pace& pace);
+    /// n, the iterations per displayed frame, by hand; [1, 10000].
     void setIterationsPerFrame(int n);
+    /// The picture begins anew, made in this way.
+    void setSchedule(const Schedule& schedule);
+    /// The picture goes on on another device, from the samples that it has. One that cannot be opened or refuses the
+    /// scene changes nothing; a notice says why.
+    void setDevice(DeviceOpener open);
     /// Holds or goes on.
     void setPaused(bool paused);
-    /// Calls `look` once, between two launches, as soon as the newest scene has a picture and the hand rests.
+    /// Calls `look` once, between two launches, as soon as the newest scene has samples and the hand rests.
     void inspect(FilmLook look);
 
   private:

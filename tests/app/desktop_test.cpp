@@ -11,6 +11,7 @@
 
 #include "app/desktop.h"
 #include "app/presets.h"
+#include "tests/support/failing_device.h"
 #include "tests/support/phantom_series.h"
 #include "tests/support/shared_data.h"
 #include "ui/to_qt.h"
@@ -19,7 +20,8 @@ namespace pdr::app {
 
 /// A desktop with settings of its own, and the frames that it has shown.
 struct Trial {
-    Trial() : desktop(*bundledPresets(), makeCpuDevice(1), folder.filePath("settings.ini")) {
+    explicit Trial(std::unique_ptr<Device> device = makeCpuDevice(1))
+        : desktop(*bundledPresets(), std::move(device), folder.filePath("settings.ini"), 1) {
         QObject::connect(&desktop.parts().bridge, &RenderBridge::frameReady,
                          [this](const std::shared_ptr<const Frame>& frame) { frames.push_back(frame); });
         desktop.window().resize(900, 500);
@@ -50,6 +52,17 @@ struct Trial {
     Desktop desktop;
     std::vector<std::shared_ptr<const Frame>> frames;
 };
+
+static const QComboBox* device(Trial& trial) {
+    for (const QComboBox* box : trial.desktop.window().rendering().findChildren<QComboBox*>())
+        if (box->accessibleName() == "Device")
+            return box;
+    return nullptr;
+}
+
+static QString statusText(Trial& trial) {
+    return trial.desktop.window().status().findChild<QLabel*>()->text();
+}
 
 /// Measures how long the event loop is busy with one thing at most.
 class StallWatch : public QObject {
@@ -88,6 +101,12 @@ class TestDesktop : public QObject {
     void aFailedFolderIsSaidAndThePictureStays();
     void theTitleNamesTheSeriesButNotThePatient();
     void onlyTheWindowIsKept();
+    void aDeviceThatFailsIsSaidAndThePictureGoesOn();
+    void aDeviceThatIsNotThereIsSaidAndThePictureGoesOn();
+    void anotherDeviceGoesOnFromTheSamples();
+    void theStatusSaysWhatThePictureIsMadeBy();
+    void aComparisonIsSaidPlainly();
+    void theDeviceAndThePaceAreKept();
     void aRealChestIsShown();
 
   private:
@@ -303,6 +322,92 @@ void TestDesktop::onlyTheWindowIsKept() {
     }
     const QSettings settings(file, QSettings::IniFormat);
     QCOMPARE(settings.allKeys(), QStringList({"window/geometry", "window/state"}));
+}
+
+void TestDesktop::aDeviceThatFailsIsSaidAndThePictureGoesOn() {
+    auto mishaps = std::make_shared<test::Mishaps>();
+    Trial trial(test::failing(mishaps));
+    QCOMPARE(device(trial)->currentData().toString(), "failing");
+    trial.openAndWait(series_);
+    QVERIFY(trial.desktop.window().message().isHidden());
+    mishaps->gone = true;
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->device == "cpu", 2000);
+    const QString text = trial.desktop.window().message().text();
+    QVERIFY2(text.contains("the device is lost") && text.contains("goes on on the CPU."), qPrintable(text));
+    QTRY_COMPARE(device(trial)->currentData().toString(), "cpu");
+    const std::size_t frames = trial.frames.size();
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, 10000);
+}
+
+void TestDesktop::aDeviceThatIsNotThereIsSaidAndThePictureGoesOn() {
+    Trial trial;
+    trial.openAndWait(series_);
+    trial.desktop.window().rendering().setDevices({"cpu", "abacus"}, {"CPU", "abacus"});
+    trial.desktop.window().rendering().setDevice("abacus");
+    emit trial.desktop.window().rendering().deviceChosen("abacus");
+    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("abacus"), 10000);
+    QTRY_COMPARE(device(trial)->currentData().toString(), "cpu");  // what is really in use
+    const std::size_t frames = trial.frames.size();
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, 10000);
+}
+
+void TestDesktop::anotherDeviceGoesOnFromTheSamples() {
+    Trial trial(test::failing(std::make_shared<test::Mishaps>()));
+    trial.openAndWait(series_);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= 3, 20000);
+    emit trial.desktop.window().rendering().deviceChosen("cpu");
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->device == "cpu", 10000);
+    const auto first = std::find_if(trial.frames.begin(), trial.frames.end(),
+                                    [](const auto& frame) { return frame->device == "cpu"; });
+    QVERIFY((*first)->status.samplesPerPixel > (*(first - 1))->status.samplesPerPixel);
+    QTRY_COMPARE(device(trial)->currentData().toString(), "cpu");
+}
+
+void TestDesktop::theStatusSaysWhatThePictureIsMadeBy() {
+    Trial trial;
+    trial.openAndWait(series_);
+    QTRY_VERIFY_WITH_TIMEOUT(statusText(trial).contains("per frame on the CPU, efficiency "), 10000);
+    QVERIFY(!statusText(trial).contains("comparison"));
+}
+
+void TestDesktop::aComparisonIsSaidPlainly() {
+    Trial trial;
+    trial.openAndWait(series_);
+    ui::RenderPanel& panel = trial.desktop.window().rendering();
+    Document& document = trial.desktop.parts().document;
+    emit panel.estimatorChosen(Estimator::kroesMarch);
+    QVERIFY(document.scene().estimator == Estimator::kroesMarch);
+    trial.waitForNewest();
+    QVERIFY2(statusText(trial).startsWith("comparison: Exposure Render's march, biased"),
+             qPrintable(statusText(trial)));
+    QTest::keyClick(&trial.desktop.window(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.scene().estimator == Estimator::unbiased);
+    trial.waitForNewest();
+    QVERIFY(!statusText(trial).contains("comparison"));
+
+    emit panel.scheduleChosen({ui::ScheduleChoice::Way::k1, true});
+    QTRY_VERIFY_WITH_TIMEOUT(statusText(trial).startsWith("comparison: Exposure Render's schedule K1, blurred, "),
+                             10000);
+    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    emit trial.desktop.window().saveRequested(trial.folder.filePath("picture.png"));
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 20000);
+    QCOMPARE(QImage(trial.folder.filePath("picture.png")).text("pdrender/comparison"),
+             "Exposure Render's schedule K1, blurred");
+}
+
+void TestDesktop::theDeviceAndThePaceAreKept() {
+    const QTemporaryDir kept;
+    const QString file = kept.filePath("settings.ini");
+    {
+        Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
+        QCOMPARE(Settings(file).device(), "auto");
+        QVERIFY(desktop.window().rendering().pace() == ui::PaceChoice{});
+        emit desktop.window().rendering().deviceChosen("cpu");
+        emit desktop.window().rendering().paceChosen({false, 12, 3.5});
+    }
+    Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
+    QCOMPARE(Settings(file).device(), "cpu");
+    QVERIFY((desktop.window().rendering().pace() == ui::PaceChoice{false, 12, 3.5}));
 }
 
 void TestDesktop::aRealChestIsShown() {

@@ -5,6 +5,8 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <string>
+#include <vector>
 
 #include "render/session/session.h"
 
@@ -16,7 +18,10 @@ class Screen {
     FrameSink sink() {
         return [this](std::shared_ptr<const Frame> frame) {
             const std::lock_guard lock(mutex_);
-            newest_ = std::move(frame);
+            if (!frame->notice.empty())
+                notices_.push_back(frame->notice);
+            else
+                newest_ = std::move(frame);
             ++count_;
             arrived_.notify_all();
         };
@@ -31,6 +36,12 @@ class Screen {
         return found ? newest_ : nullptr;
     }
 
+    /// What the user was told so far.
+    std::vector<std::string> notices() {
+        const std::lock_guard lock(mutex_);
+        return notices_;
+    }
+
     int count() {
         const std::lock_guard lock(mutex_);
         return count_;
@@ -40,6 +51,7 @@ class Screen {
     std::mutex mutex_;
     std::condition_variable arrived_;
     std::shared_ptr<const Frame> newest_;
+    std::vector<std::string> notices_;
     int count_ = 0;
 };
 

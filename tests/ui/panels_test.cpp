@@ -9,6 +9,7 @@
 
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
+#include "ui/render_panel.h"
 #include "ui/series_panel.h"
 #include "ui/series_text.h"
 #include "ui/status_line.h"
@@ -54,6 +55,8 @@ class TestPanels : public QObject {
     void brightnessBeyondTheSliderIsKeptAtItsEnd();
     void theStatusSaysErrorSamplesAndSpeed_data();
     void theStatusSaysErrorSamplesAndSpeed();
+    void theStatusNamesTheDeviceAndItsIterations();
+    void aLongStatusDoesNotWidenTheWindow();
     void progressHasACancelButton();
     void anErrorSaysWhatAndWhatNextAndWhere();
     void everyControlHasAnAccessibleName();
@@ -152,32 +155,28 @@ void TestPanels::lookControlsEmitWhatTheHandChose() {
     LookPanel panel;
     panel.setPresets({"CT bone", "CT lung"});
     QSignalSpy preset(&panel, &LookPanel::presetChosen), brightness(&panel, &LookPanel::brightnessChosen);
-    QSignalSpy iterations(&panel, &LookPanel::iterationsPerFrameChosen), pause(&panel, &LookPanel::pauseChosen);
+    QSignalSpy pause(&panel, &LookPanel::pauseChosen);
     for (QPushButton* button : panel.findChildren<QPushButton*>()) {
         if (button->text() == "CT lung" || button->text() == "Pause")
             QTest::mouseClick(button, Qt::LeftButton);
     }
     panel.findChild<QSlider*>()->setValue(15);
-    panel.findChild<QSpinBox*>()->setValue(100);
     QCOMPARE(preset.count(), 1);
     QCOMPARE(preset.first().first().toInt(), 1);
     QCOMPARE(brightness.first().first().toDouble(), 1.5);
-    QCOMPARE(iterations.first().first().toInt(), 100);
     QCOMPARE(pause.first().first().toBool(), true);
 }
 
 void TestPanels::lookSettersAreSilent() {
     LookPanel panel;
     QSignalSpy preset(&panel, &LookPanel::presetChosen), brightness(&panel, &LookPanel::brightnessChosen);
-    QSignalSpy iterations(&panel, &LookPanel::iterationsPerFrameChosen), pause(&panel, &LookPanel::pauseChosen);
+    QSignalSpy pause(&panel, &LookPanel::pauseChosen);
     panel.setPresets({"CT bone", "CT lung"});
     panel.setPreset(1);
     panel.setBrightness(-1.3);
-    panel.setIterationsPerFrame(77);
     panel.setPaused(true);
-    QCOMPARE(panel.findChild<QSpinBox*>()->value(), 77);
     QCOMPARE(panel.findChild<QSlider*>()->value(), -13);
-    QCOMPARE(preset.count() + brightness.count() + iterations.count() + pause.count(), 0);
+    QCOMPARE(preset.count() + brightness.count() + pause.count(), 0);
 }
 
 void TestPanels::brightnessBeyondTheSliderIsKeptAtItsEnd() {
@@ -217,6 +216,20 @@ void TestPanels::theStatusSaysErrorSamplesAndSpeed() {
     QCOMPARE(statusText(status, speed, paused), expected);
 }
 
+void TestPanels::theStatusNamesTheDeviceAndItsIterations() {
+    QCOMPARE(makingText({"cpu", 10, 0.9951}), "10 iterations per frame on the CPU, efficiency 99 %");
+    QCOMPARE(makingText({"cuda:1", 1, 0}), "1 iteration per frame on cuda:1");
+    QCOMPARE(deviceText("cpu", "2 threads"), "CPU (2 threads)");
+    QCOMPARE(deviceText("cuda:1", ""), "cuda:1");
+}
+
+void TestPanels::aLongStatusDoesNotWidenTheWindow() {
+    StatusLine line;
+    const int before = line.minimumSizeHint().width();
+    line.setText(QString(500, 'm'));
+    QCOMPARE(line.minimumSizeHint().width(), before);
+}
+
 void TestPanels::progressHasACancelButton() {
     StatusLine line;
     line.show();
@@ -244,14 +257,17 @@ void TestPanels::everyControlHasAnAccessibleName() {
     SeriesPanel series;
     LookPanel look;
     look.setPresets({"CT bone"});
+    RenderPanel rendering;
     StatusLine status;
     MessageBar message;
-    for (QWidget* panel : std::initializer_list<QWidget*>{&series, &look, &status, &message}) {
+    for (QWidget* panel : std::initializer_list<QWidget*>{&series, &look, &rendering, &status, &message}) {
         for (const QWidget* widget : panel->findChildren<QWidget*>()) {
-            const bool control = qobject_cast<const QAbstractButton*>(widget) ||
-                                 qobject_cast<const QListView*>(widget) ||
-                                 qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QSpinBox*>(widget);
-            const bool own = !widget->objectName().startsWith("qt_");  // not the parts that Qt makes a control of
+            const bool control =
+                qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QListView*>(widget) ||
+                qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+                qobject_cast<const QComboBox*>(widget);
+            const bool own = !widget->objectName().startsWith("qt_") &&
+                             !widget->inherits("QComboBoxListView");  // not the parts that Qt makes a control of
             if (control && own && !qobject_cast<const QScrollBar*>(widget))
                 QVERIFY2(!widget->accessibleName().isEmpty(), widget->metaObject()->className());
         }

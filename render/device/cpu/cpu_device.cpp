@@ -47,7 +47,7 @@ class CpuDevice final : public Device {
           arena_(threads_),
           gpu_(0, threads_) {}
 
-    DeviceInfo info() const override { return {"cpu", std::to_string(threads_) + " threads"}; }
+    DeviceInfo info() const override { return {"cpu", std::to_string(threads_) + " threads", true}; }
 
     Result<void> upload(std::shared_ptr<const PreparedScene> scene) override {
         scene_ = std::move(scene);

@@ -1,0 +1,20 @@
+#pragma once
+/// What the hand chose in the rendering panel, in the renderer's terms.
+
+#include "render/session/session.h"
+#include "ui/render_panel.h"
+
+namespace pdr::app {
+
+inline Pace paceOf(const ui::PaceChoice& choice) {
+    return {choice.automatic, choice.iterations, choice.framesPerSecond};
+}
+
+inline Schedule scheduleOf(const ui::ScheduleChoice& choice) {
+    using Way = ui::ScheduleChoice::Way;
+    if (choice.way == Way::ours)
+        return {};
+    return {.kind = Schedule::Kind::kroes, .redundant = choice.way == Way::k0, .filter = choice.filter};
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,47 @@
+#pragma once
+/// The picture in the making together with the device that makes it, so that both can be changed for others.
+
+#include <memory>
+#include <string>
+
+#include "render/device/device.h"
+
+namespace pdr {
+
+/// A device in a sentence: "the CPU", "the GPU cuda:1".
+std::string spoken(const DeviceInfo& device);
+
+class FilmOnDevice {
+  public:
+    explicit FilmOnDevice(std::unique_ptr<Device> device) : device_(std::move(device)), info_(device_->info()) {}
+
+    const DeviceInfo& info() const { return info_; }
+    /// Null: nothing is being rendered.
+    LiveFilm* film() const { return film_.get(); }
+    bool hasScene() const { return scene_ != nullptr; }
+    // Of the scene:
+    ivec2 size() const { return scene_->flat.camera.film; }
+    std::uint64_t revision() const { return scene_->revision; }
+
+    /// An empty film of `scene`. Errors: the device's; there is no film then.
+    Result<void> begin(std::shared_ptr<const PreparedScene> scene, const Schedule& schedule);
+    /// The same scene from the beginning.
+    Result<void> restart(const Schedule& schedule);
+    /// Goes on on `device`, from `from` where that is not null. Errors: the new device's; everything is as before then.
+    Result<void> moveTo(std::unique_ptr<Device> device, const Film* from);
+    void dropFilm() { film_.reset(); }
+    /// As if there had been no scene.
+    void forget() {
+        film_.reset();
+        scene_.reset();
+    }
+
+  private:
+    std::unique_ptr<Device> device_;
+    DeviceInfo info_;
+    std::shared_ptr<const PreparedScene> scene_;
+    Schedule schedule_;
+    std::unique_ptr<LiveFilm> film_;  ///< after device_: it must not outlive it
+};
+
+}  // namespace pdr

@@ -1,0 +1,90 @@
+#pragma once
+/// The render thread.
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "render/session/film_on_device.h"
+#include "render/session/orders.h"
+#include "render/session/session.h"
+
+namespace pdr {
+
+class Session::Loop {
+  public:
+    Loop(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback);
+    ~Loop();
+
+    Orders orders;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void run(std::stop_token stop);
+    Orders::Situation situation() const;
+
+    // What a step may ask for. Each leaves either a film that can go on, or none and a frame that says why.
+    void switchTo(const DeviceOpener& open);
+    void begin(const Orders::SceneOrder& order);
+    void restart(const Schedule& schedule);
+    void work(const Orders::Step& step);
+
+    // Parts of work(). Errors: the device's.
+    Result<void> iterate(const Orders::Step& step);
+    Result<void> show(const Orders::Step& step);
+    Result<std::vector<Picture>> takeAllBut(int left);
+    Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
+    Result<void> keepCheckpoint();
+    Result<void> letOthersLook();
+    void send(std::vector<Picture> pictures, std::uint32_t n);
+
+    // Beginnings.
+    void startOver();
+    void goOnFrom(std::shared_ptr<const Film> film);
+    Scene coarse(Scene scene) const;
+
+    // When a device fails or refuses.
+    void recover(const std::string& reason);
+    void stopped(const Error& error) { recover(spoken(place_.info()) + " stopped answering: " + error.text()); }
+    void refused(const Error& error) { recover(spoken(place_.info()) + " cannot make this picture: " + error.text()); }
+    void fail(std::uint64_t revision, const std::string& sentence);
+    void notify(const std::string& sentences);
+
+    std::uint32_t wanted(const Pace& pace) const;
+    std::uint32_t launch(std::uint32_t wanted) const;
+
+    FrameSink sink_;
+    DeviceOpener fallback_;
+    FilmOnDevice place_;
+    bool onFallback_ = false;
+    Flattener flattener_;
+    Scene scene_;  ///< that the film shows
+    Schedule schedule_;
+    bool moving_ = false;
+
+    // Of the film:
+    std::uint64_t samples_ = 0;  ///< that it holds
+    std::uint32_t done_ = 0;     ///< iterations since it was last shown
+    int waiting_ = 0;            ///< pictures ordered and not taken
+    bool first_ = false;         ///< its first picture is still to come
+    bool fresh_ = false;         ///< the first one from this device is
+    double frameSeconds_ = 0;    ///< of the frame in the making
+    double seconds_ = 0;         ///< of all of them
+
+    PaceMeter meter_;
+    bool measuring_ = false;  ///< the frame in the making, with nothing behind it
+    Clock::time_point measuredAt_;
+
+    std::shared_ptr<const Film> checkpoint_;  ///< what is left when the device is lost; null: nothing
+    Clock::time_point checkpointAt_;
+    double checkpointSeconds_ = 0;  ///< what the last one cost
+
+    double pixelsPerSecond_ = 5e6;  ///< a guess until the first frame was timed
+
+    std::jthread thread_;  ///< last: it uses all of the above
+};
+
+}  // namespace pdr

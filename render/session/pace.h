@@ -1,0 +1,49 @@
+#pragma once
+/// How many iterations a displayed frame gets: by hand, or as many as make the display cheap without making it slow.
+
+#include <cstdint>
+#include <deque>
+
+namespace pdr {
+
+struct Pace {
+    bool automatic = false;
+    int iterations = 1;           ///< by hand; [1, 10000]
+    double framesPerSecond = 10;  ///< automatic: at least so many where the device can; [0.1, 60]
+    double efficiency = 0.98;     ///< automatic: the part of the time that should go into iterations; (0, 1)
+
+    /// With every number in its range.
+    Pace clamped() const;
+    bool operator==(const Pace&) const = default;
+};
+
+/// What one displayed frame costs on a device, from recent frames. Medians: a frame that another program delayed does
+/// not count.
+class PaceMeter {
+  public:
+    void clear() { *this = {}; }
+    /// A frame of n iterations that took that long, and its display, one after the other; seconds.
+    void addFrame(std::uint32_t n, double iterationSeconds, double displaySeconds);
+    /// A frame of n iterations came `seconds` after the one before, whatever went on at the same time.
+    void addPeriod(std::uint32_t n, double seconds);
+
+    /// Whether there are as many measured frames as medians are taken of.
+    bool settled() const;
+    /// n for the next frame; 1 as long as nothing is known.
+    std::uint32_t iterations(const Pace& pace) const;
+    /// The part of the time that goes into iterations, (0, 1]; 0 as long as nothing is known.
+    double efficiency() const;
+    double iterationsPerSecond() const { return median(rates_); }
+
+  private:
+    using Recent = std::deque<double>;
+    static void keep(Recent& recent, double value);
+    static double median(const Recent& recent);  ///< 0 of nothing
+
+    Recent iterationSeconds_;         ///< Tp, of one iteration
+    Recent displaySeconds_;           ///< Tt + Tc, of one tone map and copy
+    std::uint32_t lastMeasured_ = 0;  ///< n of the last frame whose times are known
+    Recent rates_;                    ///< iterations per second, all in all
+};
+
+}  // namespace pdr

@@ -1,0 +1,308 @@
+/// A device that fails, refuses or is changed for another: the picture goes on, and no sample counts that was not
+/// taken.
+
+#include <QTest>
+#include <chrono>
+#include <future>
+#include <thread>
+
+#include "tests/support/failing_device.h"
+#include "tests/support/pictures.h"
+#include "tests/support/screen.h"
+
+using namespace pdr;
+using namespace std::chrono_literals;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+const DeviceOpener kCpu = [] { return makeCpuDevice(1); };
+
+DeviceOpener opener(const std::shared_ptr<test::Mishaps>& mishaps) {
+    return [mishaps] { return test::failing(mishaps); };
+}
+
+Scene someScene(std::uint64_t revision = 1) {
+    Scene scene = test::plainScene(test::bumpyVolume({20, 20, 20}, dvec3(1), 3), 1);
+    scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 600, .opacity = 1}};
+    scene.film = {12, 8};
+    scene.revision = revision;
+    return scene;
+}
+
+/// The film as it stands.
+Film filmOf(Session& session) {
+    auto film = std::make_shared<std::promise<Film>>();
+    auto future = film->get_future();
+    session.inspect([film](const FilmView& view) { film->set_value(view.film); });
+    if (future.wait_for(20s) != std::future_status::ready)
+        qFatal("nobody looks at the film");
+    return future.get();
+}
+
+/// Whether `film` is, bit by bit, that of its samples taken at a stretch on the CPU.
+bool neverInterrupted(const Film& film) {
+    return film.samplesPerPixel() > 0 && test::sameBits(film, test::render(someScene(), film.samplesPerPixel()));
+}
+
+auto samples(std::uint64_t least) {
+    return [least](const Frame& frame) { return frame.status.samplesPerPixel >= least; };
+}
+bool onCpu(const Frame& frame) {
+    return frame.device == "cpu" && !frame.rgba.empty();
+}
+
+}  // namespace
+
+class FaultsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aDeviceThatFailsHandsOver_data() {
+        QTest::addColumn<int>("uploads");
+        QTest::addColumn<int>("iterates");
+        QTest::addColumn<int>("shows");
+        QTest::addColumn<int>("takes");
+        QTest::addColumn<int>("films");
+        QTest::addColumn<int>("ahead");
+        const int never = test::Mishaps::kNever;
+        for (const int ahead : {1, 3}) {
+            const auto row = [&](const char* what) -> QTestData& {
+                return QTest::newRow(qPrintable(QString("%1, %2 ahead").arg(what).arg(ahead)));
+            };
+            row("upload") << 0 << never << never << never << never << ahead;
+            row("first iteration") << never << 0 << never << never << never << ahead;
+            row("70th iteration") << never << 70 << never << never << never << ahead;
+            row("show") << never << never << 5 << never << never << ahead;
+            row("take") << never << never << never << 5 << never << ahead;
+            row("look") << never << never << never << never << 0 << ahead;
+        }
+    }
+
+    void aDeviceThatFailsHandsOver() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        QFETCH(int, uploads);
+        QFETCH(int, iterates);
+        QFETCH(int, shows);
+        QFETCH(int, takes);
+        QFETCH(int, films);
+        QFETCH(int, ahead);
+        mishaps->uploads = uploads;
+        mishaps->iterates = iterates;
+        mishaps->shows = shows;
+        mishaps->takes = takes;
+        mishaps->films = films;
+        mishaps->ahead = ahead;
+        test::Screen screen;
+        Session session(test::failing(mishaps), screen.sink(), kCpu);
+        session.submit(someScene(), false);
+        const Film film = filmOf(session);
+        QVERIFY(neverInterrupted(film));
+        QVERIFY(screen.await(onCpu));
+        QVERIFY(neverInterrupted(filmOf(session)));
+        QCOMPARE(screen.notices().size(), std::size_t(1));
+        const QString notice = QString::fromStdString(screen.notices().front());
+        QVERIFY2(notice.startsWith("The GPU failing ") && notice.contains("the device is lost") &&
+                     notice.endsWith("The picture goes on on the CPU."),
+                 qPrintable(notice));
+    }
+
+    /// What was known two seconds before the device was lost is still known after it, and the picture stands for no
+    /// longer than that.
+    void onlySecondsAreLost() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->iterationSeconds = 0.002;
+        test::Screen screen;
+        Session session(test::failing(mishaps), screen.sink(), kCpu);
+        session.submit(someScene(), false);
+        std::this_thread::sleep_for(3s);
+        const auto last = screen.await(samples(100));
+        QVERIFY(last && last->device == "failing");
+        QVERIFY(mishaps->filmsRead >= 1 && mishaps->filmsRead <= 2);
+        const auto start = Clock::now();
+        mishaps->gone = true;
+        const auto first = screen.await(onCpu);
+        QVERIFY(first && Clock::now() - start < 2s);
+        // A third of the time or more had been kept by then.
+        QVERIFY2(
+            first->status.samplesPerPixel > last->status.samplesPerPixel / 3,
+            qPrintable(
+                QString("%1 of %2 samples left").arg(first->status.samplesPerPixel).arg(last->status.samplesPerPixel)));
+        QVERIFY(neverInterrupted(filmOf(session)));
+        QCOMPARE(screen.notices().size(), std::size_t(1));
+    }
+
+    void theHostNeedsNoCheckpoint() {
+        // The CPU behind the same counters: only what says that it is lost with the program.
+        class Host final : public Device {
+          public:
+            explicit Host(std::shared_ptr<test::Mishaps> mishaps) : inner_(std::move(mishaps)) {}
+            DeviceInfo info() const override { return {"host", "", true}; }
+            Result<void> upload(std::shared_ptr<const PreparedScene> scene) override {
+                return inner_.upload(std::move(scene));
+            }
+            Result<void> render(const Tile& tile, SampleRange range, TileSums sums, std::stop_token stop) override {
+                return inner_.render(tile, range, sums, stop);
+            }
+            Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision,
+                                                   const Schedule& schedule) override {
+                return inner_.film(size, revision, schedule);
+            }
+
+          private:
+            test::FailingDevice inner_;
+        };
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->iterationSeconds = 0.01;
+        test::Screen screen;
+        Session session(std::make_unique<Host>(mishaps), screen.sink());
+        session.submit(someScene(), false);
+        std::this_thread::sleep_for(2500ms);
+        QVERIFY(screen.await(samples(2)));
+        QCOMPARE(mishaps->filmsRead.load(), 0);
+    }
+
+    void aFaultWhilePausedIsHealedToo() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        test::Screen screen;
+        Session session(test::failing(mishaps), screen.sink(), kCpu);
+        session.submit(someScene(), false);
+        QVERIFY(screen.await(samples(10)));
+        session.setPaused(true);
+        std::this_thread::sleep_for(50ms);
+        mishaps->gone = true;
+        session.setDisplay({.exposure = 2});
+        QVERIFY(screen.await(onCpu));  // its one picture, as of a new scene
+        std::this_thread::sleep_for(100ms);
+        const std::uint64_t held = filmOf(session).samplesPerPixel();
+        std::this_thread::sleep_for(100ms);
+        QCOMPARE(filmOf(session).samplesPerPixel(), held);
+        session.setPaused(false);
+        QVERIFY(screen.await(samples(held + 3)));
+        QVERIFY(neverInterrupted(filmOf(session)));
+    }
+
+    void aVolumeThatIsRefusedIsRenderedOnTheCpu() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->tooSmall = true;
+        test::Screen screen;
+        Session session(test::failing(mishaps), screen.sink(), kCpu);
+        session.submit(someScene(), false);
+        QVERIFY(screen.await(onCpu));
+        QCOMPARE(screen.notices().size(), std::size_t(1));
+        const QString notice = QString::fromStdString(screen.notices().front());
+        QVERIFY2(notice.contains("9.3 GB") && notice.contains("6.0 GB") && notice.contains("on the CPU"),
+                 qPrintable(notice));
+        QVERIFY(neverInterrupted(filmOf(session)));
+    }
+
+    void aFallbackThatFailsTooIsAnErrorAndTheNextDeviceGoesOn() {
+        auto first = std::make_shared<test::Mishaps>(), second = std::make_shared<test::Mishaps>();
+        first->iterates = 5;
+        second->iterates = 5;
+        test::Screen screen;
+        Session session(test::failing(first), screen.sink(), opener(second));
+        session.submit(someScene(), false);
+        const auto failed = screen.await([](const Frame& frame) { return !frame.error.empty(); });
+        QVERIFY(failed && failed->revision == 1);
+        QVERIFY(failed->error.find("the device is lost") != std::string::npos);
+        QCOMPARE(screen.notices().size(), std::size_t(1));
+        session.setDevice(kCpu);
+        QVERIFY(screen.await(onCpu));
+        QVERIFY(neverInterrupted(filmOf(session)));
+    }
+
+    void aFallbackThatCannotBeOpenedOrRefusesIsAnError() {
+        auto small = std::make_shared<test::Mishaps>();
+        small->tooSmall = true;
+        const DeviceOpener none = [] { return Error{"there is no such device", "cuda:7", ""}; };
+        for (const DeviceOpener& fallback : {none, opener(small), DeviceOpener()}) {
+            auto mishaps = std::make_shared<test::Mishaps>();
+            mishaps->takes = 2;
+            test::Screen screen;
+            Session session(test::failing(mishaps), screen.sink(), fallback);
+            session.submit(someScene(), false);
+            const auto failed = screen.await([](const Frame& frame) { return !frame.error.empty(); });
+            QVERIFY(failed && failed->error.find("the device is lost") != std::string::npos);
+            QVERIFY(screen.notices().empty());
+        }
+    }
+
+    void devicesChangedTwentyTimesLoseNothing() {
+        auto one = std::make_shared<test::Mishaps>(), other = std::make_shared<test::Mishaps>();
+        other->ahead = 3;
+        test::Screen screen;
+        Session session(test::failing(one), screen.sink(), kCpu);
+        session.setIterationsPerFrame(7);
+        session.submit(someScene(), false);
+        std::uint64_t before = 0;
+        for (int i = 0; i < 20; ++i) {
+            session.setDevice(i % 3 == 0 ? kCpu : opener(i % 3 == 1 ? one : other));
+            const Film film = filmOf(session);
+            QVERIFY(film.samplesPerPixel() >= before);
+            before = film.samplesPerPixel();
+            std::this_thread::sleep_for(std::chrono::milliseconds(i));
+        }
+        QVERIFY(screen.await(samples(before + 1)));
+        QVERIFY(screen.notices().empty());
+        QVERIFY(neverInterrupted(filmOf(session)));
+    }
+
+    void aDeviceThatRefusesChangesNothing() {
+        auto small = std::make_shared<test::Mishaps>();
+        small->tooSmall = true;
+        const DeviceOpener none = [] { return Error{"there is no such device", "cuda:7", "Choose cpu."}; };
+        test::Screen screen;
+        Session session(makeCpuDevice(1), screen.sink(), kCpu);
+        session.submit(someScene(), false);
+        QVERIFY(screen.await(samples(20)));
+        session.setDevice(opener(small));
+        QTRY_COMPARE(screen.notices().size(), std::size_t(1));
+        const std::uint64_t before = filmOf(session).samplesPerPixel();
+        QVERIFY(before >= 20);
+        session.setDevice(none);
+        QVERIFY(screen.await(samples(before + 5)));
+        QTRY_COMPARE(screen.notices().size(), std::size_t(2));
+        QVERIFY(screen.notices()[0].find("6.0 GB are free") != std::string::npos);
+        QVERIFY(screen.notices()[1].find("cuda:7") != std::string::npos);
+        QVERIFY(neverInterrupted(filmOf(session)));
+    }
+
+    void aLongFrameDoesNotHoldTheChangeUp() {
+        auto slow = std::make_shared<test::Mishaps>();
+        slow->iterationSeconds = 0.02;
+        test::Screen screen;
+        Session session(test::failing(slow), screen.sink(), kCpu);
+        session.submit(someScene(), false);
+        QVERIFY(screen.await(samples(2)));  // its speed is known by now
+        session.setIterationsPerFrame(1000);
+        std::this_thread::sleep_for(100ms);
+        const auto start = Clock::now();
+        session.setDevice(kCpu);
+        QVERIFY(screen.await(onCpu));
+        QVERIFY(Clock::now() - start < 2s);
+        QVERIFY(neverInterrupted(filmOf(session)));
+    }
+
+    void itEndsInTheMiddleOfAnything() {
+        for (int i = 0; i < 60; ++i) {
+            auto mishaps = std::make_shared<test::Mishaps>();
+            mishaps->iterates = i;
+            mishaps->ahead = 1 + i % 3;
+            mishaps->tooSmall = i % 7 == 0;
+            test::Screen screen;
+            Session session(test::failing(mishaps), screen.sink(), i % 5 == 0 ? opener(mishaps) : kCpu);
+            session.setIterationsPerFrame(1 + i % 4);
+            session.submit(someScene(), i % 4 == 0);
+            std::this_thread::sleep_for(std::chrono::microseconds(i * 200));
+            session.setDevice(kCpu);
+            session.setSchedule({});
+            session.inspect([](const FilmView&) {});
+            std::this_thread::sleep_for(std::chrono::microseconds(i % 6 * 300));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(FaultsTest)
+#include "faults_test.moc"
