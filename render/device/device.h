@@ -19,6 +19,11 @@ struct DeviceInfo {
     bool hostMemory = false;  ///< what it computes lies in the memory of this program, and is lost only with it
 };
 
+/// Who is to make what rays are led by in scenes for a device: a device that has a memory of its own makes it there.
+inline Bounds boundsFor(const DeviceInfo& info) {
+    return info.hostMemory ? Bounds::onHost : Bounds::onDevice;
+}
+
 class Device {
   public:
     virtual ~Device() = default;

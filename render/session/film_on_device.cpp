@@ -8,11 +8,15 @@ std::string spoken(const DeviceInfo& device) {
     return device.hostMemory ? "the CPU" : "the GPU " + device.name;
 }
 
-Result<void> FilmOnDevice::begin(std::shared_ptr<const PreparedScene> scene, const Schedule& schedule) {
+Result<void> FilmOnDevice::upload(Device& device) {
+    return device.upload(flattener_.prepare(*scene_, boundsFor(device.info())));
+}
+
+Result<void> FilmOnDevice::begin(const Scene& scene, const Schedule& schedule) {
     film_.reset();
-    scene_ = std::move(scene);
+    scene_ = scene;
     schedule_ = schedule;
-    if (Result<void> uploaded = device_->upload(scene_); !uploaded)
+    if (Result<void> uploaded = upload(*device_); !uploaded)
         return uploaded;
     return restart(schedule);
 }
@@ -30,7 +34,7 @@ Result<void> FilmOnDevice::restart(const Schedule& schedule) {
 Result<void> FilmOnDevice::moveTo(std::unique_ptr<Device> device, const Film* from) {
     std::unique_ptr<LiveFilm> moved;
     if (scene_) {
-        if (Result<void> uploaded = device->upload(scene_); !uploaded)
+        if (Result<void> uploaded = upload(*device); !uploaded)
             return uploaded;
         Result<std::unique_ptr<LiveFilm>> film = device->film(size(), revision(), schedule_);
         if (!film)

@@ -2,6 +2,7 @@
 /// The picture in the making together with the device that makes it, so that both can be changed for others.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "render/device/device.h"
@@ -18,13 +19,13 @@ class FilmOnDevice {
     const DeviceInfo& info() const { return info_; }
     /// Null: nothing is being rendered.
     LiveFilm* film() const { return film_.get(); }
-    bool hasScene() const { return scene_ != nullptr; }
+    bool hasScene() const { return scene_.has_value(); }
     // Of the scene:
-    ivec2 size() const { return scene_->flat.camera.film; }
+    ivec2 size() const { return scene_->film; }
     std::uint64_t revision() const { return scene_->revision; }
 
     /// An empty film of `scene`. Errors: the device's; there is no film then.
-    Result<void> begin(std::shared_ptr<const PreparedScene> scene, const Schedule& schedule);
+    Result<void> begin(const Scene& scene, const Schedule& schedule);
     /// The same scene from the beginning.
     Result<void> restart(const Schedule& schedule);
     /// Goes on on `device`, from `from` where that is not null. Errors: the new device's; everything is as before then.
@@ -37,9 +38,13 @@ class FilmOnDevice {
     }
 
   private:
+    /// The scene as `device` needs it.
+    Result<void> upload(Device& device);
+
     std::unique_ptr<Device> device_;
     DeviceInfo info_;
-    std::shared_ptr<const PreparedScene> scene_;
+    Flattener flattener_;
+    std::optional<Scene> scene_;
     Schedule schedule_;
     std::unique_ptr<LiveFilm> film_;  ///< after device_: it must not outlive it
 };

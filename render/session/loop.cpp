@@ -83,7 +83,7 @@ void Session::Loop::begin(const Orders::SceneOrder& order) {
     }
     scene_ = std::move(scene);
     startOver();
-    if (const Result<void> begun = place_.begin(flattener_.prepare(scene_), schedule_); !begun)
+    if (const Result<void> begun = place_.begin(scene_, schedule_); !begun)
         refused(begun.error());
 }
 

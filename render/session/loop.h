@@ -60,7 +60,6 @@ class Session::Loop {
     DeviceOpener fallback_;
     FilmOnDevice place_;
     bool onFallback_ = false;
-    Flattener flattener_;
     Scene scene_;  ///< that the film shows
     Schedule schedule_;
     bool moving_ = false;

@@ -1,12 +1,14 @@
 #include <QTest>
+#include <chrono>
+#include <cmath>
 #include <cstring>
+#include <thread>
 
 #include "render/device/cpu/host_gpu.h"
 #include "render/device/gpu/gpu_device.h"
 #include "render/film/tone_map.h"
 #include "tests/support/faulty_gpu.h"
 #include "tests/support/pictures.h"
-#include "tests/support/random_scenes.h"
 #include "tests/support/scenes.h"
 
 using namespace pdr;
@@ -14,7 +16,7 @@ using namespace pdr;
 namespace {
 
 std::unique_ptr<GpuDevice<HostGpu>> hostDevice(std::size_t bytes = 0) {
-    return std::make_unique<GpuDevice<HostGpu>>(DeviceInfo{"host", "threads as a GPU"}, bytes);
+    return std::make_unique<GpuDevice<HostGpu>>(DeviceInfo{"host", "threads as a GPU", false}, bytes);
 }
 
 Scene bumpyScene() {
@@ -77,7 +79,10 @@ class GpuDeviceTest : public QObject {
             Scene scene = bumpyScene();
             edit(scene);
             QVERIFY2(scene.check(), what);
-            QVERIFY2(same(test::render(scene, 20, *cpu), test::render(scene, 20, *gpu)), what);
+            const Film theirs = test::render(scene, 20, *cpu);
+            QVERIFY2(same(theirs, test::render(scene, 20, *gpu)), what);
+            // And with ranges, bounds and the bounds of the view made on the device.
+            QVERIFY2(same(theirs, *lived(*gpu, scene, 20, 20)), what);
         };
         agrees("lens", [](Scene& s) { s.camera.apertureMm = 8; });
         agrees("orthographic", [](Scene& s) { s.camera.type = Camera::Type::orthographic; });
@@ -102,6 +107,194 @@ class GpuDeviceTest : public QObject {
         const Film reference = test::render(bumpyScene(), 150, *cpu);
         for (const std::uint32_t n : {1u, 7u, 64u, 100u, 150u})
             QVERIFY(same(reference, *lived(*gpu, bumpyScene(), 150, n)));
+    }
+
+    void twoPicturesOnTheirWayAreThoseOfTheirFilms() {
+        const auto gpu = hostDevice();
+        const Scene scene = bumpyScene();
+        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
+        const auto film = *gpu->film(scene.film, scene.revision, {});
+        QCOMPARE(film->ahead(), 2);
+        std::vector<std::shared_ptr<const Film>> films;
+        const auto order = [&] {
+            QVERIFY(film->iterate(30, {}));
+            QVERIFY(film->show({.exposure = 0.7f}));
+            films.push_back(*film->film());
+        };
+        order();
+        for (int round = 0; round < 4; ++round) {
+            order();
+            const Result<Picture> picture = film->take();
+            QVERIFY(picture);
+            const Film& shown = *films[round];
+            QVERIFY(picture->rgba == toneMap(shown, {.exposure = 0.7f}));
+            QCOMPARE(picture->status.samplesPerPixel, shown.samplesPerPixel());
+            QVERIFY(std::fabs(picture->status.relativeError / shown.status().relativeError - 1) < 1e-12);
+            QVERIFY(std::fabs(picture->status.meanLuminance / shown.status().meanLuminance - 1) < 1e-12);
+        }
+    }
+
+    void aPictureGoesOnOnAnotherDeviceAsIfItHadBeenThereAllTheTime() {
+        const Scene scene = bumpyScene();
+        const auto gpu = hostDevice();
+        const auto cpu = makeCpuDevice();
+        const Film reference = test::render(scene, 130, *cpu);
+        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
+        QVERIFY(cpu->upload(Flattener().prepare(scene)));
+        std::shared_ptr<const Film> film = std::make_shared<const Film>(scene.film, scene.revision);
+        Device* const turns[] = {gpu.get(), cpu.get(), gpu.get(), cpu.get()};
+        const std::uint32_t samples[] = {37, 40, 52, 1};
+        for (int i = 0; i < 4; ++i) {
+            const auto here = *turns[i]->film(scene.film, scene.revision, {});
+            QVERIFY(here->resume(*film));
+            QVERIFY(here->iterate(samples[i], {}));
+            film = *here->film();
+        }
+        QVERIFY(same(reference, *film));
+    }
+
+    void exposureRendersScheduleGivesTheSamePictureHere() {
+        const Schedule plain{.kind = Schedule::Kind::kroes, .redundant = true, .filter = false, .runningMean = false};
+        const Scene scene = bumpyScene();
+        const auto gpu = hostDevice();
+        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
+        const auto film = *gpu->film(scene.film, scene.revision, plain);
+        QVERIFY(film->iterate(70, {}));
+        QVERIFY(same(test::render(scene, 70), **film->film()));
+    }
+
+    void onlyWhatChangedIsSentAgain() {
+        const auto plan = std::make_shared<test::FaultPlan>();
+        plan->call = test::FaultPlan::Call::copy;
+        GpuDevice<test::FaultyGpu> gpu(DeviceInfo{"counting", "", false}, plan);
+        Flattener flattener;
+        const auto copiesFor = [&](const Scene& scene) {
+            const int before = plan->calls;
+            return gpu.upload(flattener.prepare(scene, Bounds::onDevice)) ? plan->calls - before : -1;
+        };
+        Scene scene = bumpyScene();
+        QVERIFY(copiesFor(scene) > 4);
+        QCOMPARE(copiesFor(scene), 0);
+        scene.camera.eyeMm += dvec3(10, 0, 0);
+        QCOMPARE(copiesFor(scene), 0);
+        scene.transferFunction.nodes[1].albedo = vec3(0.1f);  // materials, and the table of the other models
+        QCOMPARE(copiesFor(scene), 2);
+        scene.transferFunction.nodes[1].opacity = 0.3f;  // these, the pieces, and the summary to and fro
+        QCOMPARE(copiesFor(scene), 4);
+    }
+
+    void memoryReturnsToItsStartAfterAThousandLoads() {
+        const auto cycle = [](GpuDevice<HostGpu>& gpu, std::shared_ptr<const Volume> volume) {
+            Scene scene = bumpyScene();
+            scene.volume = std::move(volume);
+            scene.film = {8, 8};
+            return gpu.upload(Flattener().prepare(scene, Bounds::onDevice)) &&
+                   (*gpu.film(scene.film, 1, {}))->iterate(1, {});
+        };
+        const auto one = test::bumpyVolume({20, 21, 22}, dvec3(1), 1),
+                   other = test::bumpyVolume({30, 9, 12}, dvec3(1), 2);
+        const auto gpu = hostDevice();
+        QVERIFY(cycle(*gpu, one) && cycle(*gpu, other) && cycle(*gpu, one));
+        const std::size_t start = gpu->gpu().allocated();
+        for (int i = 0; i < 1000; ++i)
+            QVERIFY(cycle(*gpu, i % 2 ? one : other));
+        QCOMPARE(gpu->gpu().allocated(), start);
+    }
+
+    void aVolumeThatDoesNotFitIsRefusedWithTheFigures() {
+        const auto gpu = hostDevice(1'000'000);
+        Scene scene = bumpyScene();
+        scene.volume = test::makeVolume({100, 100, 100}, dvec3(1), [](int, int, int) { return 0; });
+        const Result<void> refused = gpu->upload(Flattener().prepare(scene, Bounds::onDevice));
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().what,
+                 std::string("the volume does not fit into its memory: 2.2 MB are needed, 1.0 MB are free"));
+        QVERIFY(gpu->upload(Flattener().prepare(bumpyScene(), Bounds::onDevice)));  // a smaller one fits
+    }
+
+    /// Whatever call fails: a sentence, no crash, and afterwards the device works again.
+    void everyCallMayFail() {
+        const Scene scene = bumpyScene();
+        const Film reference = test::render(scene, 3);
+        const auto prepared = Flattener().prepare(scene, Bounds::onDevice);
+        const auto picture = [&](Device& device) -> Result<std::shared_ptr<const Film>> {
+            if (const auto uploaded = device.upload(prepared); !uploaded)
+                return uploaded.error();
+            auto film = device.film(scene.film, 1, {});
+            if (!film)
+                return film.error();
+            if (const auto iterated = (*film)->iterate(3, {}); !iterated)
+                return iterated.error();
+            if (const auto shown = (*film)->show({}); !shown)
+                return shown.error();
+            if (const auto taken = (*film)->take(); !taken)
+                return taken.error();
+            return (*film)->film();
+        };
+        int failures = 0;
+        for (int call = 0;; ++call) {
+            const auto plan = std::make_shared<test::FaultPlan>();
+            plan->fails = call;
+            GpuDevice<test::FaultyGpu> gpu(DeviceInfo{"faulty", "", false}, plan);
+            const auto made = picture(gpu);
+            if (!plan->failed)
+                break;
+            failures += !made;
+            QVERIFY(made || made.error().what == "it failed on purpose");
+            const auto again = picture(gpu);
+            QVERIFY2(again && same(reference, **again), qPrintable(QString("after call %1").arg(call)));
+        }
+        QVERIFY(failures > 30);
+    }
+
+    void aLostDeviceIsToldAndLeftInPeace() {
+        for (const int call : {3, 20, 60, 80}) {
+            const auto plan = std::make_shared<test::FaultPlan>();
+            plan->fails = call;
+            plan->lost = true;
+            GpuDevice<test::FaultyGpu> gpu(DeviceInfo{"faulty", "", false}, plan);
+            const Scene scene = bumpyScene();
+            Film film(scene.film, 1);
+            const Tile whole{0, 0, scene.film.x, scene.film.y};
+            const bool uploaded(gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
+            for (int i = 0; i < 10 && !plan->failed; ++i)
+                (void)gpu.render(whole, film.nextSamples(1), film.sums(whole), {});
+            QVERIFY(plan->failed);
+            QVERIFY(!gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
+            QVERIFY(call < 60 || uploaded);
+        }
+    }
+
+    void aTornPictureIsSeen() {
+        struct TornGpu : HostGpu {
+            using HostGpu::HostGpu;
+            void copyToHost(void* to, const void* from, std::size_t bytes, GpuStream stream) {
+                HostGpu::copyToHost(to, from, stream == GpuStream::copy ? bytes / 2 : bytes, stream);
+            }
+        };
+        GpuDevice<TornGpu> gpu(DeviceInfo{"torn", "", false});
+        const Scene scene = bumpyScene();
+        QVERIFY(gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
+        const auto film = *gpu.film(scene.film, 1, {});
+        QVERIFY(film->iterate(1, {}) && film->show({}));
+        const Result<Picture> picture = film->take();
+        QVERIFY(!picture);
+        QVERIFY(picture.error().what.find("torn") != std::string::npos);
+    }
+
+    void aStopEndsAFilmBetweenLaunches() {
+        const auto gpu = hostDevice();
+        const Scene scene = bumpyScene();
+        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
+        const auto film = *gpu->film(scene.film, 1, {});
+        std::stop_source stop;
+        std::jthread later([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            stop.request_stop();
+        });
+        const auto start = std::chrono::steady_clock::now();
+        QVERIFY(film->iterate(1'000'000, stop.get_token()));
+        QVERIFY(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
     }
 };
 

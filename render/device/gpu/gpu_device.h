@@ -5,6 +5,8 @@
 
 #include "render/device/device.h"
 #include "render/device/gpu/gpu_film.h"
+#include "render/device/gpu/gpu_frame_sampler.h"
+#include "render/device/gpu/kroes_film.h"
 
 namespace pdr {
 
@@ -66,7 +68,10 @@ Result<void> GpuDevice<G>::render(const Tile& tile, SampleRange samples, TileSum
 }
 
 template <Gpu G>
-Result<std::unique_ptr<LiveFilm>> GpuDevice<G>::film(ivec2 size, std::uint64_t revision, const Schedule&) {
+Result<std::unique_ptr<LiveFilm>> GpuDevice<G>::film(ivec2 size, std::uint64_t revision, const Schedule& schedule) {
+    if (schedule.kind == Schedule::Kind::kroes)
+        return KroesFilm<G>::make(gpu_, size, revision, schedule,
+                                  std::make_unique<GpuFrameSampler<G>>(gpu_, scene_, size));
     auto film = std::make_unique<GpuFilm<G>>(gpu_, scene_, size, revision);
     if (Result<void> room = outcome(gpu_); !room)
         return room.error();

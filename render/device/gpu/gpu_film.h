@@ -21,7 +21,10 @@ class GpuFilm final : public LiveFilm {
   public:
     /// `gpu` and `scene` must outlive it. outcome(gpu) tells whether there is room for it.
     GpuFilm(G& gpu, const GpuScene<G>& scene, ivec2 size, std::uint64_t revision);
-    ~GpuFilm() override { gpu_.awaitAll(); }
+    ~GpuFilm() override {
+        gpu_.awaitAll();
+        gpu_.takeError();  // nobody is left to be told
+    }
 
     Result<void> iterate(std::uint32_t n, std::stop_token stop) override;
     Result<void> show(const Display& display) override;
@@ -126,6 +129,9 @@ Result<void> GpuFilm<G>::show(const Display& display) {
                 layout_.sums(), GpuStream::compute);
     gpu_.launch(SealProgram{layout_, sums_.data(), health_.data(), slot.id, frame}, layout_.totals(),
                 GpuStream::compute);
+    std::memset(slot.onHost.data(), 0,
+                sizeof slot.id);  // what an earlier picture left there must not pass for this one
+    std::memset(slot.onHost.data() + layout_.tailAt(), 0, sizeof slot.id);
     gpu_.record(slot.developed, GpuStream::compute);
     gpu_.wait(GpuStream::copy, slot.developed);
     gpu_.copyToHost(slot.onHost.data(), frame, std::size_t(layout_.bytes()), GpuStream::copy);

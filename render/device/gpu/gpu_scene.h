@@ -17,11 +17,12 @@ class GpuScene {
   public:
     explicit GpuScene(G& gpu) : gpu_(gpu) {}
 
-    /// Takes `scene`; needs nothing that Bounds::onHost makes. Errors: it does not fit (needed, free), or the GPU's;
-    /// then there is no scene.
+    /// Takes `scene`. What rays are led by is sent where the scene has it (Bounds::onHost), else made. Errors: it does
+    /// not fit (needed, free), or the GPU's; then there is no scene.
     Result<void> upload(std::shared_ptr<const PreparedScene> scene);
 
-    bool empty() const { return scene_ == nullptr; }
+    /// As it was uploaded; null: there is none.
+    const std::shared_ptr<const PreparedScene>& prepared() const { return scene_; }
     /// The scene with all its pointers into the GPU's memory.
     const FlatScene& flat() const { return flat_; }
 
@@ -34,6 +35,7 @@ class GpuScene {
     void sendEnvironment(const PreparedScene& scene);
     Result<void> bound(const PreparedScene& scene);
     void boundView(const PreparedScene& scene);
+    void sendBounds(const PreparedScene& scene);
     void forget();
 
     G& gpu_;
@@ -43,7 +45,7 @@ class GpuScene {
     GpuArray<G, std::int16_t> voxels_{gpu_};
     GpuArray<G, HuRange> ranges_{gpu_};
     GpuArray<G, float> fine_{gpu_}, coarse_{gpu_};
-    GpuArray<G, BoundsSummary> summary_{gpu_, 1};
+    GpuArray<G, BoundsSummary> summary_{gpu_};
     GpuTable<G, OpacityPiece> pieces_{gpu_};
     GpuTable<G, Material> materials_{gpu_};
     GpuTable<G, std::uint16_t> pieceAt_{gpu_};
@@ -54,8 +56,8 @@ class GpuScene {
     GpuArray<G, vec3> texels_{gpu_};
     GpuArray<G, float> density_{gpu_}, rowSums_{gpu_}, columnSums_{gpu_};
     GpuArray<G, OrderedDepths> orderedDepths_{gpu_};
-    GpuArray<G, WideCells> wide_{gpu_, 1};
-    GpuArray<G, CoveredBlocks> wideCells_{gpu_, WideCells::kRoom};
+    GpuArray<G, WideCells> wide_{gpu_};
+    GpuArray<G, CoveredBlocks> wideCells_{gpu_};
     GpuArray<G, vec2> depths_{gpu_};
 };
 
@@ -70,7 +72,9 @@ std::size_t GpuScene<G>::bytesFor(ivec3 voxels) {
 template <Gpu G>
 Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     const bool sameVolume = scene_ && scene_->volume == scene->volume;
-    const bool sameBounds = sameVolume && scene_->tables.sameOpacity(scene->tables) &&
+    const bool made = scene->flat.majorants.fine == nullptr;
+    const bool sameBounds = sameVolume && made && scene_->flat.majorants.fine == nullptr &&
+                            scene_->tables.sameOpacity(scene->tables) &&
                             (scene_->flat.optics.model == FlatModel::maximumIntensity) ==
                                 (scene->flat.optics.model == FlatModel::maximumIntensity);
     scene_ = nullptr;
@@ -82,11 +86,12 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     flat_.volume.voxels = voxels_.data();
     sendTables(*scene);
     sendEnvironment(*scene);
-    flat_.majorants = bounds;
-    if (!sameBounds)
+    if (sameBounds)
+        flat_.majorants = bounds;
+    else if (made)
         if (Result<void> bounded = bound(*scene); !bounded)
             return bounded;
-    boundView(*scene);
+    made ? boundView(*scene) : sendBounds(*scene);
     if (Result<void> done = outcome(gpu_); !done) {
         forget();
         return done;
@@ -159,6 +164,7 @@ Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
     const bool highestHu = scene.flat.optics.model == FlatModel::maximumIntensity;
     const ivec3 coarse = coarseCells(scene.volume->size());
     BoundsSummary summary;
+    summary_.resize(1);
     summary_.copyFrom(&summary);
     gpu_.launch(MajorantsProgram{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
                                  coarse, fine_.data(), coarse_.data(), summary_.data()},
@@ -190,7 +196,9 @@ void GpuScene<G>::boundView(const PreparedScene& scene) {
     const std::size_t count = std::size_t(blocks.x) * blocks.y;
     orderedDepths_.resize(count);
     depths_.resize(count);
+    wide_.resize(1);
     wide_.clear();
+    wideCells_.resize(WideCells::kRoom);
     gpu_.launch(ClearDepthsProgram{orderedDepths_.data()}, std::int64_t(count), GpuStream::compute);
     gpu_.launch(CoverProgram{flat_.majorants, ViewProjection(flat_), flat_.clip, film, blocks, orderedDepths_.data(),
                              wide_.data(), wideCells_.data()},
@@ -198,6 +206,19 @@ void GpuScene<G>::boundView(const PreparedScene& scene) {
     gpu_.launch(ViewDepthsProgram{orderedDepths_.data(), wide_.data(), wideCells_.data(), blocks, depths_.data()},
                 std::int64_t(count), GpuStream::compute);
     flat_.viewBounds = {depths_.data(), blocks.x};
+}
+
+template <Gpu G>
+void GpuScene<G>::sendBounds(const PreparedScene& scene) {
+    const FlatMajorants& theirs = scene.flat.majorants;
+    const auto cells = [](ivec3 size) { return std::size_t(size.x) * size.y * size.z; };
+    const int rows = viewBlocks(scene.flat.camera.film).y;
+    fine_.assign({theirs.fine, cells(theirs.fineSize)});
+    coarse_.assign({theirs.coarse, cells(theirs.coarseSize)});
+    depths_.assign({scene.flat.viewBounds.depths, std::size_t(scene.flat.viewBounds.blocksPerRow) * rows});
+    flat_.majorants.fine = fine_.data();
+    flat_.majorants.coarse = coarse_.data();
+    flat_.viewBounds.depths = depths_.data();
 }
 
 template <Gpu G>
