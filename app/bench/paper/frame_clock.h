@@ -1,0 +1,21 @@
+#pragma once
+/// How long frames take that come one after the other.
+
+#include <cstdint>
+#include <stop_token>
+
+#include "render/device/live_film.h"
+
+namespace pdr::bench::paper {
+
+struct Lap {
+    double seconds = 0;
+    std::uint64_t frames = 0;
+};
+
+/// Frames of n iterations each, for at least `seconds`, with as many ordered ahead as the film allows: a frame's time
+/// is that from one take to the next. The first frame warms up and is not counted, unless it takes `seconds` alone.
+/// After a stop request: what was whole before it.
+Result<Lap> timeFrames(LiveFilm& film, std::uint32_t n, const Display& display, double seconds, std::stop_token stop);
+
+}  // namespace pdr::bench::paper
