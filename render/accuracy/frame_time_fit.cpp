@@ -73,22 +73,22 @@ Result<FrameTimeFit> FrameTimeFit::of(const std::vector<TimedFrame>& frames) {
     return fit;
 }
 
-Interval FrameTimeFit::interval(int unknown) const {
-    const std::array<double, kMostUnknowns> bounded{model_.launch, model_.sample, model_.pixel, model_.communication};
-    const double half = quantile_ * scatter_ * std::sqrt(free_.covariance[unknown][unknown]);
-    const double low = free_.unknowns[unknown] - half, high = free_.unknowns[unknown] + half;
-    return {std::max(0.0, std::min(low, bounded[unknown])), std::max(high, bounded[unknown])};
+Interval FrameTimeFit::interval(const Factors& factors, double more) const {
+    const Factors bounded{model_.launch, model_.sample, model_.pixel, model_.communication};
+    double value = 0, middle = 0, variance = 0;
+    for (int i = 0; i < kMostUnknowns; ++i) {
+        value += factors[i] * bounded[i];
+        middle += factors[i] * free_.unknowns[i];
+        for (int j = 0; j < kMostUnknowns; ++j)
+            variance += factors[i] * free_.covariance[i][j] * factors[j];
+    }
+    const double half = quantile_ * std::sqrt(scatter_ * scatter_ * variance + more);
+    return {std::max(0.0, std::min(middle - half, value)), std::max(middle + half, value)};
 }
 
 PredictedFrame FrameTimeFit::predict(const FrameWork& work) const {
-    const auto x = factors(work);
-    const double seconds = frameSeconds(model_, work), unbounded = frameSeconds(modelOf(free_), work);
-    double variance = seconds * seconds;  // of the measurement itself
-    for (int i = 0; i < kMostUnknowns; ++i)
-        for (int j = 0; j < kMostUnknowns; ++j)
-            variance += x[i] * free_.covariance[i][j] * x[j];
-    const double half = quantile_ * scatter_ * std::sqrt(variance);
-    return {seconds, {std::max(0.0, std::min(unbounded - half, seconds)), std::max(unbounded + half, seconds)}};
+    const double seconds = frameSeconds(model_, work), own = scatter_ * seconds;
+    return {seconds, interval(factors(work), own * own)};
 }
 
 }  // namespace pdr

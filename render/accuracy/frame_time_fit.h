@@ -38,10 +38,12 @@ class FrameTimeFit {
 
     /// Nothing in it is negative.
     const FrameTimeModel& model() const { return model_; }
-    Interval launch() const { return interval(0); }
-    Interval sample() const { return interval(1); }
-    Interval pixel() const { return interval(2); }
-    Interval communication() const { return interval(3); }
+    Interval launch() const { return interval({1, 0, 0, 0}); }
+    Interval sample() const { return interval({0, 1, 0, 0}); }
+    Interval pixel() const { return interval({0, 0, 1, 0}); }
+    Interval communication() const { return interval({0, 0, 0, 1}); }
+    /// Of T0 + T_c, a frame of one launch and no pixels: often known well where neither of the two is.
+    Interval floor() const { return interval({1, 0, 0, 1}); }
 
     /// False where every frame had as many launches as the others: T0 is then a part of T_c, which is all that is
     /// known.
@@ -51,7 +53,9 @@ class FrameTimeFit {
     PredictedFrame predict(const FrameWork& work) const;
 
   private:
-    Interval interval(int unknown) const;
+    using Factors = std::array<double, kMostUnknowns>;
+    /// Of the sum of the unknowns times `factors`; `more`: variance besides, in squared seconds.
+    Interval interval(const Factors& factors, double more = 0) const;
 
     FrameTimeModel model_;
     Solution free_;  ///< without the bounds: intervals are about it

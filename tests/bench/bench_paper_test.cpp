@@ -162,6 +162,7 @@ class BenchPaperTest : public QObject {
         const Report report = madeUp(0.02);
         const QString text = QString::fromStdString(markdown(report));
         QCOMPARE(soundTables(text), 9);
+        QVERIFY(!text.contains("these figures are not its own"));
         QVERIFY(!text.contains("INCOMPLETE") && !text.contains("nan") && !text.contains("inf"));
         const auto rows = rowsOf(QString::fromStdString(csv(report)));
         QCOMPARE(int(rows.size()), 30);
@@ -193,6 +194,7 @@ class BenchPaperTest : public QObject {
         QVERIFY(text.contains("INCOMPLETE: broken off in round 1 of 5"));
         QVERIFY(!text.contains("nan") && !text.contains("inf"));
         const auto rows = rowsOf(QString::fromStdString(csv(report)));
+        QCOMPARE(int(rows.size()), 30);
         QCOMPARE(rows[0].at("frames_per_second"), QString());
         QCOMPARE(rows[0].at("frame_ms"), QString());
         QVERIFY(!rows[kWayCount].at("frames_per_second").isEmpty());
@@ -200,6 +202,14 @@ class BenchPaperTest : public QObject {
         const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(json_(report))).object();
         QVERIFY(json["cells"][0]["framesPerSecond"].isNull());
         QVERIFY(!json["complete"].toBool());
+    }
+
+    void sharedDeviceIsTold() {
+        Report report = madeUp(0);
+        for (Run& run : report.measured.cells[kPd100].runs)
+            run.load = 0.4;
+        report.figures = figuresOf(report.measured, report.plan);
+        QVERIFY(markdown(report).find("the device was busy for only 40 %") != std::string::npos);
     }
 
     void nothingMeasuredIsAReportToo() {

@@ -174,25 +174,6 @@ class FrameClockTest : public QObject {
         QVERIFY(!result.complete);
         QCOMPARE(diary.taken, 0);
     }
-
-    /// The processor of a thread that waits is idler than that of one that computes.
-    void loadTellsWorkFromWaiting() {
-        const auto load = processorLoad(1);
-        const auto during = [&](auto&& work) {
-            load->start();
-            const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(80);
-            while (std::chrono::steady_clock::now() < end)
-                work();
-            return load->stop().value();
-        };
-        const double waiting = during([] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); });
-        const double computing = during([] {});
-        QVERIFY(waiting >= 0 && computing <= 1);
-        QVERIFY(waiting < computing);
-        const auto gpu = gpuLoad(0);  // with or without a driver: this is too short to know
-        gpu->start();
-        QVERIFY(!gpu->stop());
-    }
 };
 
 QTEST_GUILESS_MAIN(FrameClockTest)

@@ -61,7 +61,7 @@ class FrameTimeFitTest : public QObject {
         std::mt19937_64 random(7);
         std::normal_distribution<double> error(0, kScatter);
         const FrameWork other{800 * 600, 20, 1};
-        int launch = 0, sample = 0, pixel = 0, communication = 0, forecast = 0;
+        int launch = 0, sample = 0, pixel = 0, communication = 0, floor = 0, forecast = 0;
         for (int round = 0; round < kRounds; ++round) {
             const auto fit = FrameTimeFit::of(measured(kTruth, kScatter, random));
             QVERIFY(bool(fit));
@@ -69,12 +69,14 @@ class FrameTimeFitTest : public QObject {
             sample += fit->sample().holds(kTruth.sample);
             pixel += fit->pixel().holds(kTruth.pixel);
             communication += fit->communication().holds(kTruth.communication);
+            floor += fit->floor().holds(kTruth.launch + kTruth.communication);
             forecast += fit->predict(other).interval.holds(frameSeconds(kTruth, other) * (1 + error(random)));
         }
         QVERIFY(ninetyFivePercent(launch, kRounds));
         QVERIFY(ninetyFivePercent(sample, kRounds));
         QVERIFY(ninetyFivePercent(pixel, kRounds));
         QVERIFY(ninetyFivePercent(communication, kRounds));
+        QVERIFY(ninetyFivePercent(floor, kRounds));
         QVERIFY(ninetyFivePercent(forecast, kRounds));
     }
 

@@ -26,8 +26,8 @@ std::string head(const Report& report) {
     text +=
         "* K0: Exposure Render's schedule (Kroes, Post & Botha 2012), all uploaded and allocated anew for each\n"
         "  iteration; K1: without that; pd: n iterations, then one tone map and one copy, behind the next ones\n";
-    return text + "* each figure is the median of up to " + std::to_string(report.plan.rounds) +
-           " runs, between which all others had their turn\n";
+    return text + "* each figure is the median of up to " + std::to_string(report.plan.rounds) + " runs, " +
+           plain(report.plan.seconds) + " s in all, between which the others had their turn\n";
 }
 
 std::string tableTwo(const Figures& figures) {
@@ -43,6 +43,16 @@ std::string tableTwo(const Figures& figures) {
     return "\n## Table 2. One iteration a frame\n\n" + table.text();
 }
 
+/// With so many iterations a frame a device has little to wait for: what is missing went elsewhere.
+std::string sharedDevice(const SizeFigures& largest) {
+    constexpr double kAlone = 0.9;
+    const std::optional<double> load = largest.load[kPd100];
+    if (!load || *load >= kAlone)
+        return "";
+    return "\nAt " + text(largest.size) + " with n=100 the device was busy for only " + percent(load) +
+           " of the time. Other programs took the rest, or it was\nheld up: these figures are not its own.\n";
+}
+
 std::string tableThree(const Figures& figures) {
     TextTable table({"resolution", "n=10 FPS", "IPS", "load", "n=100 FPS", "IPS", "load"});
     for (const SizeFigures& size : figures.sizes) {
@@ -54,7 +64,7 @@ std::string tableThree(const Figures& figures) {
         }
         table.add(row);
     }
-    return "\n## Table 3. pd, more iterations a frame\n\n" + table.text();
+    return "\n## Table 3. pd, more iterations a frame\n\n" + table.text() + sharedDevice(figures.sizes.front());
 }
 
 std::string tableFour(const Figures& figures) {
@@ -115,6 +125,8 @@ std::string parameters(const FrameTimeFit& fit) {
     add("beta, a pixel of a frame [ns]", model.pixel, fit.pixel(), 1e9);
     add(fit.launchIsKnown() ? "T_c, a frame [ms]" : "T_c + T0, a frame [ms]", model.communication, fit.communication(),
         1e3);
+    if (fit.launchIsKnown())
+        add("T0 + T_c, together [ms]", model.launch + model.communication, fit.floor(), 1e3);
     return table.text();
 }
 

@@ -54,6 +54,12 @@ std::string digits(std::optional<double> value) {
     return fixed(*value, std::clamp(4 - before, 0, 9));
 }
 
+std::string plain(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
 std::string share(std::optional<double> value) {
     if (!value || !std::isfinite(*value))
         return kNothing;

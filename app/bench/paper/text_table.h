@@ -24,6 +24,8 @@ class TextTable {
 
 /// Four significant digits, never an exponent: "0.1079", "10.79", "2498"; "-" for nothing.
 std::string digits(std::optional<double> value);
+/// As short as it can be said: "3", "0.05".
+std::string plain(double value);
 /// Three digits after the point, four where it is nearly 1: "0.723", "0.9990".
 std::string share(std::optional<double> value);
 /// "98 %"
