@@ -43,7 +43,7 @@ class DeviceLoadTest : public QObject {
         const auto load = gpuLoad(0);
         fakeNvmlBusyPercent = 10;
         load->start();
-        std::this_thread::sleep_for(milliseconds(100));
+        std::this_thread::sleep_for(milliseconds(30));
         fakeNvmlBusyPercent = 60;
         std::this_thread::sleep_for(milliseconds(500));
         const auto busy = load->stop();

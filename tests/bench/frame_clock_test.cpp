@@ -38,7 +38,7 @@ class SlowFilm final : public LiveFilm {
         ++diary_.taken;
         if (diary_.stopAfterThree != nullptr && diary_.taken == 3)
             diary_.stopAfterThree->request_stop();
-        return Picture{};
+        return Picture{{}, {.samplesPerPixel = 16, .relativeError = 0.25}};
     }
     int ahead() const override { return diary_.ahead; }
     Result<std::shared_ptr<const Film>> film() override { return Error{"none", "", ""}; }
@@ -92,6 +92,7 @@ class FrameClockTest : public QObject {
         QVERIFY(lap->seconds >= 0.02);
         QCOMPARE(int(lap->frames), diary.taken - 1);
         QCOMPARE(diary.iterations, 3 * diary.shown);
+        QCOMPARE(lap->sampleNoise, 1.0);
         QVERIFY(lap->seconds >= 3 * diary.seconds * double(lap->frames));
         QCOMPARE(diary.mostWaiting, 1);
     }

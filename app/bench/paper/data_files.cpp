@@ -32,6 +32,10 @@ const SizeFigures& figuresOf(const Report& report, std::size_t cell) {
     return report.figures.sizes[cell / kWayCount];
 }
 
+bool isPd(const Cell& cell) {
+    return kWays[cell.way].schedule.kind == Schedule::Kind::pd;
+}
+
 Json cellJson(const Report& report, std::size_t place) {
     const Cell& cell = report.measured.cells[place];
     const SizeFigures& size = figuresOf(report, place);
@@ -49,6 +53,8 @@ Json cellJson(const Report& report, std::size_t place) {
             {"iterationSeconds", number(size.iteration)},
             {"otherSeconds", number(size.other[cell.way])},
             {"efficiency", number(size.efficiency[cell.way])},
+            {"sampleNoise", number(isPd(cell) ? size.sampleNoise : std::nullopt)},
+            {"secondsToOnePercent", number(isPd(cell) ? size.secondsToError(cell.way) : std::nullopt)},
             {"runs", runs}};
 }
 

@@ -1,8 +1,10 @@
 #include "app/bench/paper/figures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/accuracy/efficiency.h"
+#include "render/accuracy/error_against_time.h"
 
 namespace pdr::bench::paper {
 
@@ -26,6 +28,9 @@ SizeFigures sizeFigures(const Measured& measured, std::size_t place, ivec2 size)
             figures.framesPerSecond[way] = 1 / cell.spread().median;
             figures.load[way] = cell.load();
         }
+    if (const Cell& cell = measured.at(place, kPd100); cell.measured())
+        if (const double noise = cell.runs.back().lap.sampleNoise; std::isfinite(noise))
+            figures.sampleNoise = noise;
     if (const auto rate = figures.framesPerSecond[kPd100])
         figures.iteration = iterationFromFrameRate(kWays[kPd100].iterations, *rate);
     for (int way = 0; way < kWayCount; ++way)
@@ -97,6 +102,18 @@ std::optional<double> SizeFigures::iterationsPerSecond(WayPlace way) const {
     if (!framesPerSecond[way])
         return std::nullopt;
     return kWays[way].iterations * *framesPerSecond[way];
+}
+
+std::optional<double> SizeFigures::samplesToError() const {
+    if (!sampleNoise)
+        return std::nullopt;
+    return std::ceil(samplesForError(kError, *sampleNoise * *sampleNoise));
+}
+
+std::optional<double> SizeFigures::secondsToError(WayPlace way) const {
+    if (!samplesToError() || !framesPerSecond[way])
+        return std::nullopt;
+    return secondsForSamples(*samplesToError(), kWays[way].iterations, 1 / *framesPerSecond[way]);
 }
 
 Figures figuresOf(const Measured& measured, const Plan& plan) {

@@ -11,6 +11,8 @@
 
 namespace pdr::bench::paper {
 
+inline constexpr double kError = 0.01;
+
 /// Of one resolution. Nothing where it was not measured.
 struct SizeFigures {
     ivec2 size;
@@ -19,9 +21,14 @@ struct SizeFigures {
     std::optional<double> iteration;                          ///< T_p [s], eq. 6, from pd n = 100
     std::array<std::optional<double>, kWayCount> other;       ///< T_t + T_c [s], eq. 7; the same for all n of pd
     std::array<std::optional<double>, kWayCount> efficiency;  ///< eq. 1
+    std::optional<double> sampleNoise;                        ///< Lap::sampleNoise, of pd n = 100
 
     double pixels() const { return double(size.x) * size.y; }
     std::optional<double> iterationsPerSecond(WayPlace way) const;
+    /// Samples of a pixel, and the seconds that they take under `way`, until the standard error of the pixels (root
+    /// mean square) is kError of the picture's mean.
+    std::optional<double> samplesToError() const;
+    std::optional<double> secondsToError(WayPlace way) const;
 };
 
 /// E at one size and n: as eq. 5 hopes, and as the share of the time in which samples are taken at full speed.

@@ -2,6 +2,7 @@
 /// How long frames take that come one after the other.
 
 #include <cstdint>
+#include <limits>
 #include <stop_token>
 
 #include "render/device/live_film.h"
@@ -11,6 +12,9 @@ namespace pdr::bench::paper {
 struct Lap {
     double seconds = 0;
     std::uint64_t frames = 0;
+    /// Standard deviation of one sample of a pixel over the picture's mean (both luminance; root mean square over the
+    /// pixels), as the last picture knew it; infinite where it did not.
+    double sampleNoise = std::numeric_limits<double>::infinity();
 };
 
 /// Frames of n iterations each, for at least `seconds`, with as many ordered ahead as the film allows: a frame's time

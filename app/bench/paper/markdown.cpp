@@ -106,6 +106,16 @@ std::string figureThree(const Figures& figures) {
     return "\n## Figure 3. Efficiency, E (eq. 1)\n\n" + table.text();
 }
 
+/// Only of pd: what Exposure Render's filter blurs stays wrong, however long one waits.
+std::string accuracy(const Figures& figures) {
+    TextTable table({"resolution", "samples a pixel", "pd n=1 [s]", "pd n=10 [s]", "pd n=100 [s]"});
+    for (const SizeFigures& size : figures.sizes)
+        table.add({text(size.size), digits(size.samplesToError()), digits(size.secondsToError(kPd1)),
+                   digits(size.secondsToError(kPd10)), digits(size.secondsToError(kPd100))});
+    return "\n## What accuracy costs: time to an error of " + plain(100 * kError) + " %\n\n" + table.text() +
+           "\nThe error is the standard error of the pixels, root mean square, over the picture's mean brightness.\n";
+}
+
 std::string goals(const Figures& figures) {
     TextTable table({"figure", "here", "goal", "paper, GTX 560 Ti"});
     for (const Goal& goal : goalsOf(figures))
@@ -183,7 +193,7 @@ std::string basis(const Report& report) {
 std::string markdown(const Report& report) {
     const Figures& figures = report.figures;
     return head(report) + tableTwo(figures) + tableThree(figures) + tableFour(figures) + tableFive(figures) +
-           figureThree(figures) + goals(figures) + model(report) + basis(report);
+           figureThree(figures) + accuracy(figures) + goals(figures) + model(report) + basis(report);
 }
 
 }  // namespace pdr::bench::paper
