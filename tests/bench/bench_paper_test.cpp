@@ -176,11 +176,11 @@ class BenchPaperTest : public QObject {
         QVERIFY(!text.contains("INCOMPLETE") && !text.contains("nan") && !text.contains("inf"));
         const auto rows = rowsOf(QString::fromStdString(csv(report)));
         QCOMPARE(int(rows.size()), 30);
-        const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(json_(report))).object();
-        QCOMPARE(json["cells"].toArray().size(), 30);
-        QVERIFY(json["complete"].toBool());
+        const auto parsed = QJsonDocument::fromJson(QByteArray::fromStdString(json(report))).object();
+        QCOMPARE(parsed["cells"].toArray().size(), 30);
+        QVERIFY(parsed["complete"].toBool());
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            const QJsonObject cell = json["cells"][int(i)].toObject();
+            const QJsonObject cell = parsed["cells"][int(i)].toObject();
             QCOMPARE(cell["way"].toString(), rows[i].at("way"));
             QCOMPARE(cell["width"].toInt(), rows[i].at("width").toInt());
             for (const auto& [inJson, inCsv] : {std::pair("framesPerSecond", "frames_per_second"),
@@ -209,9 +209,9 @@ class BenchPaperTest : public QObject {
         QCOMPARE(rows[0].at("frame_ms"), QString());
         QVERIFY(!rows[kWayCount].at("frames_per_second").isEmpty());
         QCOMPARE(rows[kWayCount].at("efficiency"), QString());
-        const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(json_(report))).object();
-        QVERIFY(json["cells"][0]["framesPerSecond"].isNull());
-        QVERIFY(!json["complete"].toBool());
+        const auto parsed = QJsonDocument::fromJson(QByteArray::fromStdString(json(report))).object();
+        QVERIFY(parsed["cells"][0]["framesPerSecond"].isNull());
+        QVERIFY(!parsed["complete"].toBool());
     }
 
     void sharedDeviceIsTold() {
@@ -283,10 +283,10 @@ class BenchPaperTest : public QObject {
         QCOMPARE(int(rows.size()), 10);
         for (const auto& row : rows)
             QVERIFY(row.at("frames").toInt() >= 1 && row.at("frames_per_second").toDouble() > 0);
-        const auto json = QJsonDocument::fromJson(contents(folder.filePath("paper.json"))).object();
-        QCOMPARE(json["cells"].toArray().size(), 10);
-        QVERIFY(json["complete"].toBool());
-        QVERIFY(json["fit"].isNull());
+        const auto parsed = QJsonDocument::fromJson(contents(folder.filePath("paper.json"))).object();
+        QCOMPARE(parsed["cells"].toArray().size(), 10);
+        QVERIFY(parsed["complete"].toBool());
+        QVERIFY(parsed["fit"].isNull());
     }
 
     void breakingOffKeepsWhatIsThere() {
@@ -305,9 +305,6 @@ class BenchPaperTest : public QObject {
         QVERIFY(contents(folder.filePath("paper.md")).contains("INCOMPLETE: broken off in round 1 of 5"));
         QVERIFY(rowsOf(contents(folder.filePath("paper.csv")))[0].at("frames").toInt() > 1);
     }
-
-  private:
-    static std::string json_(const Report& report) { return pdr::bench::paper::json(report); }
 };
 
 QTEST_GUILESS_MAIN(BenchPaperTest)
