@@ -18,28 +18,23 @@ using Clock = std::chrono::steady_clock;
 
 class ProcessorLoad final : public DeviceLoad {
   public:
-    explicit ProcessorLoad(int threads)
-        : threads_(threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency()))) {}
+    explicit ProcessorLoad(int threads) : threads_(threadCount(threads)) {}
 
-    std::string source() const override { return "processor time of " + std::to_string(threads_) + " threads"; }
+    std::string source() const override {
+        return "processor time of " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");
+    }
     void start() override {
         began_ = Clock::now();
-        spent_ = spent();
+        spent_ = processorSeconds();
     }
     std::optional<double> stop() override {
         const double wall = std::chrono::duration<double>(Clock::now() - began_).count();
         if (!(wall > 0))
             return std::nullopt;
-        return std::clamp((spent() - spent_) / (wall * threads_), 0.0, 1.0);
+        return std::clamp((processorSeconds() - spent_) / (wall * threads_), 0.0, 1.0);
     }
 
   private:
-    static double spent() {
-        timespec time{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-        return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-    }
-
     int threads_;
     Clock::time_point began_ = Clock::now();
     double spent_ = 0;
@@ -142,6 +137,16 @@ class GpuLoad final : public DeviceLoad {
 };
 
 }  // namespace
+
+double processorSeconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+int threadCount(int threads) {
+    return threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency()));
+}
 
 std::unique_ptr<DeviceLoad> processorLoad(int threads) {
     return std::make_unique<ProcessorLoad>(threads);

@@ -19,6 +19,11 @@ class DeviceLoad {
     virtual std::optional<double> stop() = 0;
 };
 
+/// That all threads of this program have spent on the processor [s].
+double processorSeconds();
+/// `threads`, or one per core for 0.
+int threadCount(int threads);
+
 /// `threads` of this program do the work; 0 = one per core.
 std::unique_ptr<DeviceLoad> processorLoad(int threads);
 

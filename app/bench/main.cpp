@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
             "       pdrender-bench rebound [--size N] [--edits N]\n"
             "       pdrender-bench trackers [SCENE.json ...] [--rays N] [--rounds N]\n"
             "       pdrender-bench paper [SCENE.json] [--device D] [--threads N] [--estimator unbiased|kroesMarch]\n"
-            "                            [--largest WxH] [--seconds S] [--rounds N] [--out DIR]\n"
+            "                            [--clock wall|processor] [--largest WxH] [--seconds S] [--rounds N] [--out "
+            "DIR]\n"
             "       pdrender-bench selftest [--device D] [--quick] [--seed N] [WORDS]\n",
             stderr);
     return code == kExplained ? 2 : code;

@@ -220,6 +220,9 @@ class BenchPaperTest : public QObject {
             run.load = 0.4;
         report.figures = figuresOf(report.measured, report.plan);
         QVERIFY(markdown(report).find("the device was busy for only 40 %") != std::string::npos);
+        report.plan.time = TimeOf::processor;  // others' share is left out
+        QVERIFY(markdown(report).find("the device was busy for only") == std::string::npos);
+        QVERIFY(markdown(report).find("* clock: processor time") != std::string::npos);
     }
 
     void nothingMeasuredIsAReportToo() {
@@ -257,6 +260,9 @@ class BenchPaperTest : public QObject {
         for (const char* bad : {"x", "12", "12x", "x12", "10x10", "240x135x", "-240x135"})
             QVERIFY(!told({"--largest", bad}).empty());
         QVERIFY(!told({"--estimator", "guess"}).empty());
+        QVERIFY(!told({"--clock", "sun"}).empty());
+        QVERIFY(!told({"--clock", "processor", "--device", "cuda"}).empty());
+        QVERIFY(settingsFrom({"--clock", "processor", "--threads", "1"})->plan.time == TimeOf::processor);
         QVERIFY(!told({"a.json", "b.json"}).empty());
         QVERIFY(!told({"--out", "/no/such/folder"}).empty());
         const auto settings = settingsFrom({"s.json", "--largest", "240x135", "--seconds", "0.5", "--rounds", "2"});

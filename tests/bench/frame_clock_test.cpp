@@ -67,6 +67,8 @@ class SlowDevice final : public Device {
     bool refusesKroes_;
 };
 
+const WorkClock kWall = clockOf(TimeOf::wall, 1);
+
 Scene smallScene() {
     return test::plainScene(test::makeVolume({4, 4, 4}, dvec3(1), [](int, int, int) { return 100; }), 1);
 }
@@ -75,7 +77,7 @@ Result<void> measured(
     Device& device, const Plan& plan, Measured& result, std::stop_token stop = {},
     const Watch& watch = [](const Cell&, int, double) {}) {
     const auto load = processorLoad(1);
-    return measure(device, smallScene(), {}, plan, *load, watch, std::move(stop), result);
+    return measure(device, smallScene(), {}, plan, kWall, *load, watch, std::move(stop), result);
 }
 
 }  // namespace
@@ -87,7 +89,7 @@ class FrameClockTest : public QObject {
     void firstFrameWarmsUp() {
         Diary diary;
         SlowFilm film(diary);
-        const auto lap = timeFrames(film, 3, {}, 0.02, {});
+        const auto lap = timeFrames(film, 3, {}, 0.02, kWall, {});
         QVERIFY(bool(lap));
         QVERIFY(lap->seconds >= 0.02);
         QCOMPARE(int(lap->frames), diary.taken - 1);
@@ -100,17 +102,30 @@ class FrameClockTest : public QObject {
     void frameThatFillsTheTimeCountsAlone() {
         Diary diary;
         SlowFilm film(diary);
-        const auto lap = timeFrames(film, 20, {}, 0.01, {});
+        const auto lap = timeFrames(film, 20, {}, 0.01, kWall, {});
         QVERIFY(bool(lap));
         QCOMPARE(int(lap->frames), 1);
         QCOMPARE(diary.taken, 1);
         QVERIFY(lap->seconds >= 20 * diary.seconds);
     }
 
+    /// A film that sleeps spends next to nothing on the processor: the clock tells which time it is.
+    void processorsClockLeavesOutWhatOthersTake() {
+        Diary diary;
+        SlowFilm film(diary);
+        const auto lap = timeFrames(film, 1, {}, 0.001, clockOf(TimeOf::processor, 1), {});
+        QVERIFY(bool(lap));
+        QVERIFY(lap->seconds >= 0.001);
+        QVERIFY(lap->seconds < 0.5 * diary.seconds * double(lap->frames));
+        const WorkClock one = clockOf(TimeOf::processor, 1), ten = clockOf(TimeOf::processor, 10);
+        const double spent = one(), tenth = ten();
+        QVERIFY(tenth >= 0.1 * spent && tenth <= 0.1 * one());
+    }
+
     void asManyAreOrderedAheadAsTheFilmAllows() {
         Diary diary{.ahead = 3};
         SlowFilm film(diary);
-        const auto lap = timeFrames(film, 1, {}, 0.02, {});
+        const auto lap = timeFrames(film, 1, {}, 0.02, kWall, {});
         QVERIFY(bool(lap));
         QCOMPARE(diary.mostWaiting, 3);
         QCOMPARE(int(lap->frames), diary.taken - 1);
@@ -120,7 +135,7 @@ class FrameClockTest : public QObject {
         std::stop_source stop;
         Diary diary{.stopAfterThree = &stop};
         SlowFilm film(diary);
-        const auto lap = timeFrames(film, 1, {}, 1000, stop.get_token());
+        const auto lap = timeFrames(film, 1, {}, 1000, kWall, stop.get_token());
         QVERIFY(bool(lap));
         QCOMPARE(int(lap->frames), 1);  // the first warmed up, the third came with the stop
     }

@@ -45,7 +45,8 @@ Result<void> run(Device& device, const Settings& settings, const ShownScene& sho
                           text(cell.size) + " " + kWays[cell.way].title(),
                       secondsLeft);
     };
-    return measure(device, shown.scene, shown.display, settings.plan, *load, watch, stop, report.measured);
+    return measure(device, shown.scene, shown.display, settings.plan, clockOf(settings.plan.time, settings.threads),
+                   *load, watch, stop, report.measured);
 }
 
 int tell(Report& report, const Settings& settings, const Result<void>& ran) {

@@ -125,6 +125,7 @@ std::string json(const Report& report) {
               {"estimator", setup.estimator},
               {"secondsPerCell", report.plan.seconds},
               {"rounds", report.plan.rounds},
+              {"clock", report.plan.time == TimeOf::wall ? "wall" : "processor"},
               {"cells", Json::array()},
               {"communicationSeconds",
                {{"K0", number(report.figures.communication[kK0])},

@@ -107,7 +107,7 @@ std::optional<double> SizeFigures::iterationsPerSecond(WayPlace way) const {
 std::optional<double> SizeFigures::samplesToError() const {
     if (!sampleNoise)
         return std::nullopt;
-    return std::ceil(samplesForError(kError, *sampleNoise * *sampleNoise));
+    return std::max(1.0, std::ceil(samplesForError(kError, *sampleNoise * *sampleNoise)));
 }
 
 std::optional<double> SizeFigures::secondsToError(WayPlace way) const {

@@ -1,17 +1,10 @@
 #include "app/bench/paper/frame_clock.h"
 
-#include <chrono>
 #include <cmath>
 
 namespace pdr::bench::paper {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double between(Clock::time_point from, Clock::time_point to) {
-    return std::chrono::duration<double>(to - from).count();
-}
 
 Result<void> order(LiveFilm& film, std::uint32_t n, const Display& display, std::stop_token stop) {
     if (Result<void> taken = film.iterate(n, stop); !taken)
@@ -25,9 +18,10 @@ double sampleNoise(const FilmStatus& status) {
 
 }  // namespace
 
-Result<Lap> timeFrames(LiveFilm& film, std::uint32_t n, const Display& display, double seconds, std::stop_token stop) {
-    const Clock::time_point began = Clock::now();
-    Clock::time_point first = began, last = began;
+Result<Lap> timeFrames(LiveFilm& film, std::uint32_t n, const Display& display, double seconds, const WorkClock& now,
+                       std::stop_token stop) {
+    const double began = now();
+    double first = began;
     std::uint64_t taken = 0;
     Lap lap;
     for (int waiting = 0; true; --waiting) {
@@ -40,11 +34,11 @@ Result<Lap> timeFrames(LiveFilm& film, std::uint32_t n, const Display& display, 
         if (stop.stop_requested())
             return lap;
         ++taken;
-        last = Clock::now();
+        const double last = now();
         if (taken > 1)
-            lap = {between(first, last), taken - 1, sampleNoise(picture->status)};
-        else if (between(began, last) >= seconds)
-            return Lap{between(began, last), 1, sampleNoise(picture->status)};
+            lap = {last - first, taken - 1, sampleNoise(picture->status)};
+        else if (last - began >= seconds)
+            return Lap{last - began, 1, sampleNoise(picture->status)};
         else
             first = last;
         if (taken > 1 && lap.seconds >= seconds)

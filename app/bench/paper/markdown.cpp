@@ -23,11 +23,16 @@ std::string head(const Report& report) {
     text += "* processor: " + setup.processor + ", " + std::to_string(setup.cores) + " cores\n";
     text += "* scene: " + setup.scene + "; estimator: " + setup.estimator + "\n";
     text += "* load: " + setup.loadSource + "\n";
+    if (report.plan.time == TimeOf::processor)
+        text += "* clock: processor time over the number of threads; what other programs took is left out\n";
     text +=
         "* K0: Exposure Render's schedule (Kroes, Post & Botha 2012), all uploaded and allocated anew for each\n"
         "  iteration; K1: without that; pd: n iterations, then one tone map and one copy, behind the next ones\n";
-    return text + "* each figure is the median of up to " + std::to_string(report.plan.rounds) + " runs, " +
-           plain(report.plan.seconds) + " s in all, between which the others had their turn\n";
+    const std::string seconds = plain(report.plan.seconds) + " s";
+    if (report.plan.rounds == 1)
+        return text + "* each figure stands on one run of about " + seconds + "\n";
+    return text + "* each figure is the median of up to " + std::to_string(report.plan.rounds) + " runs, " + seconds +
+           " in all, between which the others had their turn\n";
 }
 
 std::string tableTwo(const Figures& figures) {
@@ -53,7 +58,8 @@ std::string sharedDevice(const SizeFigures& largest) {
            " of the time. Other programs took the rest, or it was\nheld up: these figures are not its own.\n";
 }
 
-std::string tableThree(const Figures& figures) {
+std::string tableThree(const Report& report) {
+    const Figures& figures = report.figures;
     TextTable table({"resolution", "n=10 FPS", "IPS", "load", "n=100 FPS", "IPS", "load"});
     for (const SizeFigures& size : figures.sizes) {
         std::vector<std::string> row{text(size.size)};
@@ -64,7 +70,8 @@ std::string tableThree(const Figures& figures) {
         }
         table.add(row);
     }
-    return "\n## Table 3. pd, more iterations a frame\n\n" + table.text() + sharedDevice(figures.sizes.front());
+    return "\n## Table 3. pd, more iterations a frame\n\n" + table.text() +
+           (report.plan.time == TimeOf::wall ? sharedDevice(figures.sizes.front()) : "");
 }
 
 std::string tableFour(const Figures& figures) {
@@ -192,7 +199,7 @@ std::string basis(const Report& report) {
 
 std::string markdown(const Report& report) {
     const Figures& figures = report.figures;
-    return head(report) + tableTwo(figures) + tableThree(figures) + tableFour(figures) + tableFive(figures) +
+    return head(report) + tableTwo(figures) + tableThree(report) + tableFour(figures) + tableFive(figures) +
            figureThree(figures) + accuracy(figures) + goals(figures) + model(report) + basis(report);
 }
 

@@ -23,11 +23,12 @@ double samples(const Cell& cell) {
 
 class Experiment {
   public:
-    Experiment(Device& device, const Display& display, const Plan& plan, DeviceLoad& load, const Watch& watch,
-               std::stop_token stop, Measured& measured)
+    Experiment(Device& device, const Display& display, const Plan& plan, const WorkClock& now, DeviceLoad& load,
+               const Watch& watch, std::stop_token stop, Measured& measured)
         : device_(device),
           display_(display),
           plan_(plan),
+          now_(now),
           load_(load),
           watch_(watch),
           stop_(std::move(stop)),
@@ -79,7 +80,7 @@ class Experiment {
         if (!film)
             return film.error();
         load_.start();
-        const Result<Lap> lap = timeFrames(**film, way.iterations, display_, share(), stop_);
+        const Result<Lap> lap = timeFrames(**film, way.iterations, display_, share(), now_, stop_);
         const std::optional<double> load = load_.stop();
         if (!lap)
             return lap.error();
@@ -112,6 +113,7 @@ class Experiment {
     Device& device_;
     const Display& display_;
     const Plan& plan_;
+    const WorkClock& now_;
     DeviceLoad& load_;
     const Watch& watch_;
     std::stop_token stop_;
@@ -157,9 +159,9 @@ std::optional<double> Cell::load() const {
     return sum / seconds;
 }
 
-Result<void> measure(Device& device, const Scene& scene, const Display& display, const Plan& plan, DeviceLoad& load,
-                     const Watch& watch, std::stop_token stop, Measured& measured) {
-    Experiment experiment(device, display, plan, load, watch, stop, measured);
+Result<void> measure(Device& device, const Scene& scene, const Display& display, const Plan& plan, const WorkClock& now,
+                     DeviceLoad& load, const Watch& watch, std::stop_token stop, Measured& measured) {
+    Experiment experiment(device, display, plan, now, load, watch, stop, measured);
     if (Result<void> prepared = experiment.prepare(scene); !prepared)
         return prepared;
     for (int round = 1; round <= plan.rounds && !stop.stop_requested(); ++round) {

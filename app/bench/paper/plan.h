@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bench/paper/work_clock.h"
 #include "render/base/portable.h"
 #include "render/device/schedule.h"
 
@@ -44,7 +45,8 @@ struct Plan {
     std::vector<ivec2> sizes{kSizes.begin(), kSizes.end()};  ///< the largest first; never empty
     double seconds = 3;                                      ///< that a cell is measured for, in all rounds; > 0
     int rounds = 5;                                          ///< >= 1
-    std::uint32_t perLaunch = kSamplesPerLaunch;             ///< >= 1
+    TimeOf time = TimeOf::wall;
+    std::uint32_t perLaunch = kSamplesPerLaunch;  ///< >= 1
 
     /// b of eq. T(R, n, b), efficiency.h.
     std::uint32_t samplesPerLaunch(const Way& way) const {

@@ -10,8 +10,8 @@ namespace pdr::bench::paper {
 
 namespace {
 
-constexpr const char* kNames[] = {"--device", "--threads", "--out",      "--seconds",
-                                  "--rounds", "--largest", "--estimator"};
+constexpr const char* kNames[] = {"--device", "--threads", "--out",       "--seconds",
+                                  "--rounds", "--largest", "--estimator", "--clock"};
 
 std::optional<std::string> named(const Options& options, const char* name) {
     const auto found = options.named.find(name);
@@ -51,6 +51,17 @@ Result<Estimator> estimatorNamed(const std::string& word) {
     if (word == "kroesMarch")
         return Estimator::kroesMarch;
     return Error{"there is no such estimator", "--estimator " + word, "Choose unbiased or kroesMarch."};
+}
+
+Result<TimeOf> timeNamed(const std::string& word, const std::string& device) {
+    if (word == "wall")
+        return TimeOf::wall;
+    if (word != "processor")
+        return Error{"there is no such clock", "--clock " + word, "Choose wall or processor."};
+    if (device != "cpu")
+        return Error{"the processor's time says nothing about another device", "--clock processor --device " + device,
+                     "Leave one of them out."};
+    return TimeOf::processor;
 }
 
 /// Before anything is measured: nobody waits minutes to hear that the folder is missing.
@@ -94,6 +105,12 @@ Result<Settings> settingsFrom(const Arguments& arguments) {
         if (!estimator)
             return estimator.error();
         settings.estimator = *estimator;
+    }
+    if (const auto word = named(*options, "--clock")) {
+        const Result<TimeOf> time = timeNamed(*word, settings.device);
+        if (!time)
+            return time.error();
+        settings.plan.time = *time;
     }
     if (const auto word = named(*options, "--out")) {
         const Result<std::filesystem::path> folder = folderFor(*word);
