@@ -15,13 +15,15 @@ namespace pdr::bench {
 namespace paper {
 namespace {
 
+Result<ShownScene> sceneOfFile(const std::string& path) {
+    const Result<Scene> scene = loadScene(path);
+    if (!scene)
+        return scene.error();
+    return ShownScene{*scene, {}, path + ", " + modelName(scene->model)};
+}
+
 Result<ShownScene> sceneFor(const Settings& settings) {
-    Result<ShownScene> shown = headScene();
-    if (!settings.sceneFile.empty()) {
-        const Result<Scene> scene = loadScene(settings.sceneFile);
-        shown = scene ? Result<ShownScene>(ShownScene{*scene, {}, settings.sceneFile + ", " + modelName(scene->model)})
-                      : Result<ShownScene>(scene.error());
-    }
+    Result<ShownScene> shown = settings.sceneFile.empty() ? headScene() : sceneOfFile(settings.sceneFile);
     if (shown && settings.estimator)
         shown->scene.estimator = *settings.estimator;
     return shown;
