@@ -83,7 +83,8 @@ Interval FrameTimeFit::interval(const Factors& factors, double more) const {
             variance += factors[i] * free_.covariance[i][j] * factors[j];
     }
     const double half = quantile_ * std::sqrt(scatter_ * scatter_ * variance + more);
-    return {std::max(0.0, std::min(middle - half, value)), std::max(middle + half, value)};
+    // About both, or an unknown that the bounds hold at 0 would seem to be known exactly.
+    return {std::max(0.0, std::min(middle, value) - half), std::max(middle, value) + half};
 }
 
 PredictedFrame FrameTimeFit::predict(const FrameWork& work) const {

@@ -2,7 +2,7 @@
 /// The model of frame times (efficiency.h) fitted to measured ones, with the error of what it says.
 ///   weights    relative errors are taken to be equal, whatever the size of the frame
 ///   intervals  hold the truth 95 times in 100 where the measurements scatter about the model normally and alike; from
-///              the residuals, so that what the model misses counts too
+///              the residuals, so that what the model misses counts too; wider where a bound holds an unknown at 0
 
 #include <array>
 #include <vector>
@@ -58,7 +58,7 @@ class FrameTimeFit {
     Interval interval(const Factors& factors, double more = 0) const;
 
     FrameTimeModel model_;
-    Solution free_;  ///< without the bounds: intervals are about it
+    Solution free_;  ///< without the bounds
     double scatter_ = 0;
     double quantile_ = 0;  ///< of Student's t
     bool launchIsKnown_ = true;

@@ -96,6 +96,16 @@ class FrameTimeFitTest : public QObject {
         QVERIFY(held >= 0.95 * kRounds);
     }
 
+    /// Times that want T_c far below 0: it is 0 then, but nobody knows it for certain.
+    void unknownAtItsBoundIsNotCertain() {
+        std::mt19937_64 random(9);
+        const auto fit = FrameTimeFit::of(measured({3e-3, 47e-9, 4e-9, -2.5e-3}, 0.01, random));
+        QVERIFY(bool(fit));
+        QCOMPARE(fit->model().communication, 0.0);
+        QVERIFY(fit->communication().high > 1e-5);
+        QVERIFY(fit->launch().low < fit->model().launch && fit->model().launch < fit->launch().high);
+    }
+
     /// All samples in one launch: T0 and T_c come once a frame each, and nobody can tell them apart.
     void floorIsPartOfCommunicationWhereEveryFrameIsOneLaunch() {
         std::mt19937_64 random(5);
