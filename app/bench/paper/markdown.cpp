@@ -3,7 +3,6 @@
 
 #include "app/bench/paper/report.h"
 #include "app/bench/paper/text_table.h"
-#include "render/accuracy/efficiency.h"
 
 namespace pdr::bench::paper {
 
@@ -168,15 +167,17 @@ std::string model(const Report& report) {
     text += parameters(fit);
     text += "\nFitted to the medians of pd; they scatter about it by " + digits(100 * fit.scatter()) +
             " %. b = min(n, " + std::to_string(report.plan.perLaunch) + ").\n\n";
-    TextTable table(
-        {"tile", "n", "E, eq. 5", "E against full speed", "95 % from", "to", "T measured [ms]", "T fitted [ms]"});
+    TextTable table({"tile", "n", "E, eq. 5", "E against full speed", "95 % from", "to", "T measured [ms]",
+                     "T fitted [ms]", "95 % from", "to"});
     for (const TileEfficiency& tile : figures.tiles) {
         const Way& way = kWays[tile.way];
         const auto size = std::ranges::find(figures.sizes, tile.size, &SizeFigures::size);
         const FrameWork work{size->pixels(), way.iterations, report.plan.samplesPerLaunch(way)};
+        const PredictedFrame fitted = fit.predict(work);
         table.add({paper::text(tile.size), std::to_string(way.iterations), share(tile.manyNodes), share(tile.share),
                    share(tile.interval.low), share(tile.interval.high),
-                   milliseconds(1 / *size->framesPerSecond[tile.way]), milliseconds(frameSeconds(fit.model(), work))});
+                   milliseconds(1 / *size->framesPerSecond[tile.way]), milliseconds(fitted.seconds),
+                   milliseconds(fitted.interval.low), milliseconds(fitted.interval.high)});
     }
     return text + table.text() + (figures.tiles.empty() ? "" : optimism(figures));
 }
