@@ -29,6 +29,13 @@ int rebound(const Arguments& arguments);
 /// primary rays of each scene; without scenes, of a head phantom as bone, as skin over bone, and as soft tissue.
 int trackers(const Arguments& arguments);
 
+/// paper [SCENE.json] [--device D] [--threads N] [--estimator unbiased|kroesMarch] [--clock wall|processor]
+/// [--largest WxH] [--seconds S] [--rounds N] [--out DIR]: the experiment that this program began with: frames per
+/// second, time of an iteration, time beside it, and efficiency, for six resolutions, Exposure Render's schedule and
+/// ours with n = 1, 10 and 100. Each cell is measured for S seconds in N rounds. DIR gets paper.md, paper.csv and
+/// paper.json. 1: it was broken off, too.
+int paperExperiment(const Arguments& arguments);
+
 /// selftest [--device D] [--quick] [--seed N] [WORDS]: renders scenes that physics knows the answer to, and prints a
 /// table. 1: the device deviates, or the test was broken off. WORDS: only cases whose name or family holds them.
 int selftest(const Arguments& arguments);

@@ -2,6 +2,7 @@
 /// The words of a command line: files in order, and numbers by name.
 
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -44,6 +45,19 @@ struct Options {
         const char* end = found->second.data() + found->second.size();
         const auto [stop, error] = std::from_chars(found->second.data(), end, value);
         if (error != std::errc() || stop != end || value < least)
+            return std::nullopt;
+        return value;
+    }
+
+    /// A decimal number above 0, likewise.
+    std::optional<double> positive(const std::string& name, double otherwise) const {
+        const auto found = named.find(name);
+        if (found == named.end())
+            return otherwise;
+        double value = 0;
+        const char* end = found->second.data() + found->second.size();
+        const auto [stop, error] = std::from_chars(found->second.data(), end, value);
+        if (error != std::errc() || stop != end || !(value > 0) || !std::isfinite(value))
             return std::nullopt;
         return value;
     }

@@ -1,11 +1,9 @@
-#include <signal.h>
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 
 #include "app/bench/commands.h"
+#include "app/bench/held_signals.h"
 #include "app/bench/options.h"
 #include "app/bench/selftest_measure.h"
 #include "app/bench/selftest_table.h"
@@ -20,30 +18,6 @@ int fail(const Error& error) {
     std::fprintf(stderr, "pdrender-bench: %s\n", error.text().c_str());
     return 1;
 }
-
-/// Ctrl-C and SIGTERM wait until somebody asks for them. Made before any thread starts: threads inherit it.
-class HeldSignals {
-  public:
-    HeldSignals() {
-        sigemptyset(&set_);
-        sigaddset(&set_, SIGINT);
-        sigaddset(&set_, SIGTERM);
-        pthread_sigmask(SIG_BLOCK, &set_, &before_);
-    }
-    ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    HeldSignals(const HeldSignals&) = delete;
-    HeldSignals& operator=(const HeldSignals&) = delete;
-
-    bool came() {
-        const timespec now{0, 0};
-        came_ = came_ || sigtimedwait(&set_, nullptr, &now) > 0;
-        return came_;
-    }
-
-  private:
-    sigset_t set_, before_;
-    bool came_ = false;
-};
 
 bool chosen(const Options& options, const Family& family, const Case& reference) {
     const std::string text = family.name + " " + reference.name;

@@ -1,6 +1,7 @@
 #include "render/accuracy/significance.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace pdr {
 
@@ -40,6 +41,27 @@ double normalZ(double p) {
     for (int i = 0; i < 100; ++i) {
         const double middle = (low + high) / 2;
         (normalP(middle) > p ? low : high) = middle;
+    }
+    return high;
+}
+
+double studentP(double t, int freedom) {
+    const double angle = std::atan(std::fabs(t) / std::sqrt(double(freedom)));
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    const bool odd = freedom % 2 == 1;
+    double term = odd ? cosine : 1, sum = 0;
+    for (int k = odd ? 3 : 2; k <= freedom; k += 2) {
+        sum += term;
+        term *= cosine * cosine * (k - 1) / k;
+    }
+    return 1 - (odd ? (angle + sine * sum) * 2 / std::numbers::pi : sine * sum);
+}
+
+double studentT(double p, int freedom) {
+    double low = 0, high = 1e8;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = (low + high) / 2;
+        (studentP(middle, freedom) > p ? low : high) = middle;
     }
     return high;
 }

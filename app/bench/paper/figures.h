@@ -1,0 +1,63 @@
+#pragma once
+/// What the paper reads from frame times: its tables 2 to 5, figure 3, and what goes beyond.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/bench/paper/measurement.h"
+#include "render/accuracy/frame_time_fit.h"
+
+namespace pdr::bench::paper {
+
+inline constexpr double kError = 0.01;
+
+/// Of one resolution. Nothing where it was not measured.
+struct SizeFigures {
+    ivec2 size;
+    std::array<std::optional<double>, kWayCount> framesPerSecond;
+    std::array<std::optional<double>, kWayCount> load;
+    std::optional<double> iteration;                          ///< T_p [s], eq. 6, from pd n = 100
+    std::array<std::optional<double>, kWayCount> other;       ///< T_t + T_c [s], eq. 7; the same for all n of pd
+    std::array<std::optional<double>, kWayCount> efficiency;  ///< eq. 1
+    std::optional<double> sampleNoise;                        ///< Lap::sampleNoise, of pd n = 100
+
+    double pixels() const { return double(size.x) * size.y; }
+    std::optional<double> iterationsPerSecond(WayPlace way) const;
+    /// Samples of a pixel, and the seconds that they take under `way`, until the standard error of the pixels (root
+    /// mean square) is kError of the picture's mean.
+    std::optional<double> samplesToError() const;
+    std::optional<double> secondsToError(WayPlace way) const;
+};
+
+/// E at one size and n: as eq. 5 hopes, and as the share of the time in which samples are taken at full speed.
+struct TileEfficiency {
+    ivec2 size;
+    WayPlace way;
+    double manyNodes;   ///< eq. 5
+    double share;       ///< n alpha R FPS
+    Interval interval;  ///< of share, from that of alpha, 95 %
+};
+
+struct Figures {
+    std::vector<SizeFigures> sizes;                              ///< as in the plan
+    std::array<std::optional<double>, kWayCount> communication;  ///< T_c [s], eq. 8, from the smallest resolution
+    std::optional<FrameTimeFit> fit;                             ///< of pd
+    std::string whyNoFit;
+    std::vector<TileEfficiency> tiles;  ///< of pd; empty without a fit
+};
+
+Figures figuresOf(const Measured& measured, const Plan& plan);
+
+/// A ratio that the new way is to reach.
+struct Goal {
+    std::string what;
+    std::optional<double> paper;  ///< on a GTX 560 Ti
+    std::optional<double> wanted;
+    std::optional<double> here;
+};
+
+std::vector<Goal> goalsOf(const Figures& figures);
+
+}  // namespace pdr::bench::paper

@@ -1,0 +1,33 @@
+#include "app/bench/paper/head_scene.h"
+
+#include "app/bench/paper/plan.h"
+#include "render/scene/fit_view.h"
+#include "render/scene/preset.h"
+#include "render/volume/phantom.h"
+
+namespace pdr::bench::paper {
+
+extern const char* const kBonePreset;  ///< resources/presets/ct_bone.json, compiled in
+
+namespace {
+
+constexpr double kShare = 0.95;  ///< of the picture's height that the head's box takes
+
+}  // namespace
+
+Result<ShownScene> headScene() {
+    const Result<Preset> preset = presetFromJson(kBonePreset, "the preset of the benchmark");
+    if (!preset)
+        return preset.error();
+    Scene scene;
+    scene.volume = std::make_shared<Volume>(headPhantom());
+    const VolumeGeometry& geometry = scene.volume->geometry();
+    const double aspect = double(kSizes.front().x) / kSizes.front().y;
+    const Camera front = standardView(StandardView::anterior, geometry.centreMm(), geometry.radiusMm(), aspect);
+    scene.camera = fittedView(front, geometry, aspect, kShare);
+    scene = withPreset(scene, *preset);
+    return ShownScene{scene, preset->display,
+                      "head phantom of 256x230x256 voxels, preset \"" + preset->name + "\", single scattering"};
+}
+
+}  // namespace pdr::bench::paper

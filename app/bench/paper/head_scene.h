@@ -1,0 +1,21 @@
+#pragma once
+/// What is rendered where no scene is named.
+
+#include <string>
+
+#include "render/film/display.h"
+#include "render/scene/scene.h"
+
+namespace pdr::bench::paper {
+
+struct ShownScene {
+    Scene scene;
+    Display display;
+    std::string description;  ///< for the report
+};
+
+/// A head of as many voxels as the paper's (256 x 230 x 256; its own, Manix, is not free) from the front, with the look
+/// of the preset "CT bone", single scattering.
+Result<ShownScene> headScene();
+
+}  // namespace pdr::bench::paper

@@ -1,0 +1,62 @@
+#pragma once
+/// What the paper's experiment measures: Perez Monte et al., "Estimation of Volume Rendering Efficiency with GPU in a
+/// Parallel Distributed Environment", section 5.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/bench/paper/work_clock.h"
+#include "render/base/portable.h"
+#include "render/device/schedule.h"
+
+namespace pdr::bench::paper {
+
+/// A way from samples to displayed frames.
+struct Way {
+    const char* name;  ///< of the schedule: "K0"
+    Schedule schedule;
+    std::uint32_t iterations;  ///< n, of one frame
+
+    std::string title() const { return std::string(name) + " n=" + std::to_string(iterations); }
+};
+
+/// Places in kWays.
+enum WayPlace { kK0, kK1, kPd1, kPd10, kPd100, kWayCount };
+
+inline constexpr std::array<Way, kWayCount> kWays{{
+    {"K0", {.kind = Schedule::Kind::kroes, .redundant = true}, 1},
+    {"K1", {.kind = Schedule::Kind::kroes}, 1},
+    {"pd", {}, 1},
+    {"pd", {}, 10},
+    {"pd", {}, 100},
+}};
+
+/// The paper's resolutions, the largest first.
+inline constexpr std::array<ivec2, 6> kSizes{{{1920, 1080}, {960, 540}, {480, 270}, {240, 135}, {120, 67}, {60, 34}}};
+
+/// Samples of a pixel that one launch takes at most under `pd`: the film's block (film.h). K0 and K1 take one.
+inline constexpr std::uint32_t kSamplesPerLaunch = 64;
+
+struct Plan {
+    std::vector<ivec2> sizes{kSizes.begin(), kSizes.end()};  ///< the largest first; never empty
+    double seconds = 3;                                      ///< that a cell is measured for, in all rounds; > 0
+    int rounds = 5;                                          ///< >= 1
+    TimeOf time = TimeOf::wall;
+    std::uint32_t perLaunch = kSamplesPerLaunch;  ///< >= 1
+
+    /// b of eq. T(R, n, b), efficiency.h.
+    std::uint32_t samplesPerLaunch(const Way& way) const {
+        return way.schedule.kind == Schedule::Kind::pd && way.iterations > 1 ? std::min(way.iterations, perLaunch) : 1;
+    }
+};
+
+/// "240x135"
+std::string text(ivec2 size);
+/// The other way round; nothing where it is no such text or a side is 0.
+std::optional<ivec2> sizeOf(const std::string& text);
+
+}  // namespace pdr::bench::paper

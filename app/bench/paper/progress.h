@@ -1,0 +1,23 @@
+#pragma once
+/// Says on standard error what is measured and how long it will take: one line drawn anew on a terminal, a plain line
+/// now and then elsewhere.
+
+#include <chrono>
+#include <string>
+
+namespace pdr::bench::paper {
+
+class Progress {
+  public:
+    Progress();
+    ~Progress();
+
+    void show(const std::string& what, double secondsLeft);
+
+  private:
+    bool terminal_;
+    bool open_ = false;
+    std::chrono::steady_clock::time_point last_;
+};
+
+}  // namespace pdr::bench::paper

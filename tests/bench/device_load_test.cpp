@@ -1,0 +1,75 @@
+#include <QTest>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "app/bench/device_load.h"
+
+using namespace pdr::bench;
+using std::chrono::milliseconds;
+
+extern "C" std::atomic<unsigned> fakeNvmlBusyPercent;  // fake_nvml.cpp, which dlopen() finds instead of the driver's
+
+class DeviceLoadTest : public QObject {
+    Q_OBJECT
+
+    template <class Work>
+    static double during(DeviceLoad& load, Work&& work) {
+        load.start();
+        const auto end = std::chrono::steady_clock::now() + milliseconds(80);
+        while (std::chrono::steady_clock::now() < end)
+            work();
+        return load.stop().value_or(-1);
+    }
+
+  private slots:
+    void processorThatWaitsIsIdlerThanOneThatComputes() {
+        const auto load = processorLoad(1);
+        const double waiting = during(*load, [] { std::this_thread::sleep_for(milliseconds(5)); });
+        const double computing = during(*load, [] {});
+        QVERIFY(waiting >= 0 && computing <= 1);
+        QVERIFY(waiting < computing);
+    }
+
+    void moreThreadsShareTheSameWork() {
+        const double alone = during(*processorLoad(1), [] {});
+        const double oneOfMany = during(*processorLoad(100), [] {});
+        QVERIFY(oneOfMany <= 0.0101 && oneOfMany < alone);
+    }
+
+    /// The driver's first answers are about the time before.
+    void gpuIsAsBusyAsItsDriverSaysAfterAWhile() {
+        const auto load = gpuLoad(0);
+        fakeNvmlBusyPercent = 10;
+        load->start();
+        std::this_thread::sleep_for(milliseconds(30));
+        fakeNvmlBusyPercent = 60;
+        std::this_thread::sleep_for(milliseconds(500));
+        const auto busy = load->stop();
+        QVERIFY(busy.has_value());
+        QVERIFY(std::fabs(*busy - 0.6) < 1e-9);
+    }
+
+    void shortTimeOrNoGpuIsNotGuessed() {
+        const auto load = gpuLoad(0);
+        load->start();
+        QVERIFY(!load->stop());
+        const auto none = gpuLoad(7);
+        none->start();
+        std::this_thread::sleep_for(milliseconds(400));
+        QVERIFY(!none->stop());
+    }
+
+    void deviceNamesChooseTheSource() {
+        QVERIFY(loadOf("cpu", 2)->source() == "processor time of 2 threads");
+        QVERIFY(loadOf("cuda", 0)->source() == gpuLoad(0)->source());
+        const auto second = loadOf("cuda:1", 0);  // there is only one
+        second->start();
+        std::this_thread::sleep_for(milliseconds(400));
+        QVERIFY(!second->stop());
+    }
+};
+
+QTEST_GUILESS_MAIN(DeviceLoadTest)
+#include "device_load_test.moc"
