@@ -28,8 +28,8 @@ static Health someFaults() {
     return health;
 }
 
-static const Provenance kFacts{128,  1.5, 0.025, someFaults(), 18446744073709551615u, "singleScattering", 2.5,
-                               "PD-Render 0.1.0"};
+static const Provenance kFacts{
+    128, 1.5, 0.025, someFaults(), 18446744073709551615u, "singleScattering", 2.5, "PD-Render 0.1.0"};
 
 /// Two samples a pixel, so that means and standard errors are known.
 static Film exampleFilm(ivec2 size) {
@@ -131,6 +131,19 @@ class ImageFileTest : public QObject {
                     QCOMPARE(values[(y * 7 + x) * 6 + 3 + c], float(pixel.standardError[c]));
                 }
             }
+    }
+
+    void anotherRenderersScheduleIsSaid() {
+        const Film film = exampleFilm({2, 2});
+        QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"))));
+        QVERIFY(!QImage(folder_.filePath("a.png")).textKeys().contains("pdrender/schedule"));
+        Provenance compared = kFacts;
+        compared.schedule = "Exposure Render's K1, blurred";
+        QVERIFY(bool(writePng(film, {4}, compared, at("a.png"))) && bool(writeExr(film, compared, at("a.exr"))));
+        QCOMPARE(QImage(folder_.filePath("a.png")).text("pdrender/schedule"), "Exposure Render's K1, blurred");
+        Imf::InputFile file(at("a.exr").c_str());
+        QCOMPARE(file.header().typedAttribute<Imf::StringAttribute>("pdrender/schedule").value(),
+                 "Exposure Render's K1, blurred");
     }
 
     void sameFilmSameBytes() {
