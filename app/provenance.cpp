@@ -2,16 +2,11 @@
 
 namespace pdr::app {
 
-std::string comparisonText(const Schedule& schedule, Estimator estimator) {
-    std::string text;
-    if (schedule.kind == Schedule::Kind::kroes) {
-        text = std::string("Exposure Render's schedule ") + (schedule.redundant ? "K0" : "K1");
-        if (schedule.filter)
-            text += ", blurred";
-    }
-    if (estimator == Estimator::kroesMarch)
-        text += std::string(text.empty() ? "" : " and ") + "Exposure Render's march, biased";
-    return text;
+std::string scheduleText(const Schedule& schedule) {
+    if (schedule.kind == Schedule::Kind::pd)
+        return {};
+    return std::string("Exposure Render's ") + (schedule.redundant ? "K0" : "K1") +
+           (schedule.filter ? ", blurred" : "");
 }
 
 Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds, const Schedule& schedule) {
@@ -23,7 +18,8 @@ Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double sec
             modelName(scene.model),
             scene.transferFunction.extinctionPerMm,
             "PD-Render " PDR_VERSION,
-            comparisonText(schedule, scene.estimator)};
+            scene.estimator == Estimator::unbiased ? "" : "kroesMarch (biased)",
+            scheduleText(schedule)};
 }
 
 }  // namespace pdr::app

@@ -9,9 +9,8 @@
 
 namespace pdr::app {
 
-/// What makes a picture one to compare with, and not this program's own: "Exposure Render's schedule K1, blurred".
-/// Empty: it is its own.
-std::string comparisonText(const Schedule& schedule, Estimator estimator);
+/// A schedule that is for comparison: "Exposure Render's K1, blurred". Empty: ours.
+std::string scheduleText(const Schedule& schedule);
 
 /// `seconds`: spent on rendering it.
 Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds, const Schedule& schedule = {});

@@ -17,4 +17,11 @@ inline Schedule scheduleOf(const ui::ScheduleChoice& choice) {
     return {.kind = Schedule::Kind::kroes, .redundant = choice.way == Way::k0, .filter = choice.filter};
 }
 
+inline ui::ScheduleChoice choiceOf(const Schedule& schedule) {
+    using Way = ui::ScheduleChoice::Way;
+    if (schedule.kind == Schedule::Kind::pd)
+        return {};
+    return {schedule.redundant ? Way::k0 : Way::k1, schedule.filter};
+}
+
 }  // namespace pdr::app

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/provenance.h"
+#include "app/render_choices.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
 #include "ui/to_qt.h"
@@ -96,9 +96,9 @@ void showStatus(const DesktopParts& parts) {
         return;
     QStringList text{ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()),
                      ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency})};
-    const std::string comparison = comparisonText(frame->schedule, parts.document.scene().estimator);
-    if (!comparison.empty())
-        text.prepend(ui::MainWindow::tr("comparison: %1").arg(QString::fromStdString(comparison)));
+    const QString comparison = ui::comparisonText(choiceOf(frame->schedule), parts.document.scene().estimator);
+    if (!comparison.isEmpty())
+        text.prepend(comparison);
     parts.window.status().setText(text.join(", "));
 }
 

@@ -15,12 +15,12 @@ RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
         control->setFocusPolicy(Qt::TabFocus);
     for (QComboBox* box : {&device_, &schedule_, &estimator_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(12);
+        box->setMinimumContentsLength(8);
     }
 
     auto* rows = new QFormLayout;
     rows->setContentsMargins(0, 0, 0, 0);
-    rows->addRow(tr("De&vice"), &device_);
+    rows->addRow(&device_);  // the whole row: names of GPUs are long
     rows->addRow(&automatic_);
     rows->addRow(tr("Pictures per &second"), &framesPerSecond_);
     rows->addRow(tr("&Iterations per picture"), &iterations_);

@@ -44,6 +44,8 @@ class RenderPanel : public QWidget {
     PaceChoice pace() const;
     ScheduleChoice schedule() const;
 
+    QSize sizeHint() const override { return {240, QWidget::sizeHint().height()}; }
+
   signals:
     void deviceChosen(const QString& name);
     void paceChosen(const pdr::ui::PaceChoice& pace);

@@ -66,6 +66,19 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
     return parts.join(", ");
 }
 
+QString comparisonText(const ScheduleChoice& schedule, Estimator estimator) {
+    QStringList parts;
+    if (schedule.way != ScheduleChoice::Way::ours) {
+        const bool k0 = schedule.way == ScheduleChoice::Way::k0;
+        parts << translated("Exposure Render's schedule %1").arg(k0 ? "K0" : "K1");
+        if (schedule.filter)
+            parts << translated("blurred");
+    }
+    if (estimator == Estimator::kroesMarch)
+        parts << translated("march of 3 voxels") << translated("biased");
+    return parts.isEmpty() ? QString() : translated("comparison: %1").arg(parts.join(", "));
+}
+
 QString deviceText(const QString& name, const QString& details) {
     const QString title = name == "cpu" ? translated("CPU") : name;
     return details.isEmpty() ? title : title + " (" + details + ')';

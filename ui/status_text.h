@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "render/film/film.h"
+#include "ui/render_panel.h"
 
 namespace pdr::ui {
 
@@ -20,6 +21,10 @@ struct Making {
     std::uint32_t iterations = 0;
     double efficiency = 0;  ///< (0, 1]; 0 = not known
 };
+
+/// Why a picture is one to compare with, and not this program's own: "comparison: Exposure Render's schedule, blurred".
+/// Empty: it is its own.
+QString comparisonText(const ScheduleChoice& schedule, Estimator estimator);
 
 /// "10 iterations per frame on the CPU, efficiency 99 %"
 QString makingText(const Making& making);

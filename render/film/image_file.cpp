@@ -42,7 +42,7 @@ std::string healthFact(const Health& health) {
 
 /// Key and value of each fact, for the formats that hold text.
 std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
-    std::vector<std::pair<std::string, std::string>> facts{
+    std::vector<std::pair<std::string, std::string>> all{
         {"pdrender/samplesPerPixel", std::to_string(from.samplesPerPixel)},
         {"pdrender/seconds", text(from.seconds)},
         {"pdrender/relativeError", text(from.relativeError)},
@@ -53,9 +53,11 @@ std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
         {"pdrender/extinctionPerMm", text(from.extinctionPerMm)},
         {"pdrender/program", from.program},
     };
-    if (!from.comparison.empty())
-        facts.emplace_back("pdrender/comparison", from.comparison);
-    return facts;
+    if (!from.estimator.empty())
+        all.emplace_back("pdrender/estimator", from.estimator);
+    if (!from.schedule.empty())
+        all.emplace_back("pdrender/schedule", from.schedule);
+    return all;
 }
 
 // ---- PNG
@@ -141,6 +143,10 @@ Imf::Header exrHeader(ivec2 size, const Provenance& from) {
     header.insert("pdrender/model", Imf::StringAttribute(from.model));
     header.insert("pdrender/extinctionPerMm", Imf::DoubleAttribute(from.extinctionPerMm));
     header.insert("pdrender/program", Imf::StringAttribute(from.program));
+    if (!from.estimator.empty())
+        header.insert("pdrender/estimator", Imf::StringAttribute(from.estimator));
+    if (!from.schedule.empty())
+        header.insert("pdrender/schedule", Imf::StringAttribute(from.schedule));
     return header;
 }
 

@@ -13,7 +13,7 @@
 
 namespace pdr {
 
-/// How a picture came about: samples, seconds, seed, model, extinction scale, program version.
+/// How a picture came about: samples, seconds, seed, model, estimator, extinction scale, program version, schedule.
 struct Provenance {
     std::uint64_t samplesPerPixel = 0;
     double seconds = 0;
@@ -22,8 +22,9 @@ struct Provenance {
     std::uint64_t seed = 0;
     std::string model;
     double extinctionPerMm = 0;
-    std::string program;     ///< "PD-Render 0.1.0"
-    std::string comparison;  ///< in another renderer's way, not the program's own: which; else empty, and not written
+    std::string program;    ///< "PD-Render 0.1.0"
+    std::string estimator;  ///< "kroesMarch (biased)"; empty: the unbiased one
+    std::string schedule;   ///< "Exposure Render's K1, blurred"; empty: ours
 };
 
 /// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks.

@@ -22,6 +22,8 @@ class Session::Loop {
 
   private:
     using Clock = std::chrono::steady_clock;
+    /// Of a frame while the hand moves: fewer, calmer pixels are easier to follow.
+    static constexpr std::uint32_t kMovingSamples = 4;
 
     void run(std::stop_token stop);
     Orders::Situation situation() const;

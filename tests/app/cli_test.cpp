@@ -135,6 +135,15 @@ class CliTest : public QObject {
         QVERIFY2(result.err.contains(named), result.err.constData());
     }
 
+    void aDeviceThatIsNotThereIsSaidAtOnce() {
+        const Run result = run({"render", scene(), "-o", at("device.png"), "--device", "cuda:77"});
+        QCOMPARE(result.code, 1);
+        QVERIFY2(result.err.contains("cuda:77"), result.err.constData());
+        QVERIFY(!QFile::exists(at("device.png")));
+        for (const char* name : {"cpu", "auto"})
+            QCOMPARE(run({"render", scene(), "-o", at("device.png"), "--samples", "1", "--device", name}).code, 0);
+    }
+
     void aBadInputIsNamedAndNothingIsWritten() {
         for (const QString& input : {at("none"), at("ball.raw"), at("empty")}) {
             QDir(folder_.path()).mkdir("empty");

@@ -378,8 +378,7 @@ void TestDesktop::aComparisonIsSaidPlainly() {
     emit panel.estimatorChosen(Estimator::kroesMarch);
     QVERIFY(document.scene().estimator == Estimator::kroesMarch);
     trial.waitForNewest();
-    QVERIFY2(statusText(trial).startsWith("comparison: Exposure Render's march, biased"),
-             qPrintable(statusText(trial)));
+    QVERIFY2(statusText(trial).startsWith("comparison: march of 3 voxels, biased, "), qPrintable(statusText(trial)));
     QTest::keyClick(&trial.desktop.window(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene().estimator == Estimator::unbiased);
     trial.waitForNewest();
@@ -391,8 +390,7 @@ void TestDesktop::aComparisonIsSaidPlainly() {
     QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
     emit trial.desktop.window().saveRequested(trial.folder.filePath("picture.png"));
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 20000);
-    QCOMPARE(QImage(trial.folder.filePath("picture.png")).text("pdrender/comparison"),
-             "Exposure Render's schedule K1, blurred");
+    QCOMPARE(QImage(trial.folder.filePath("picture.png")).text("pdrender/schedule"), "Exposure Render's K1, blurred");
 }
 
 void TestDesktop::theDeviceAndThePaceAreKept() {

@@ -55,6 +55,7 @@ class TestDocument : public QObject {
     void anEditAfterUndoForgetsWhatWasUndone();
     void undoOfAPresetBringsItsLookBack();
     void manyStepsBackAndForthAreExact();
+    void theEstimatorIsAnEditLikeOthers();
     void brightnessChangesTheDisplayAndNothingElse();
     void theLightsFollowTheCamera();
     void theWindowsSizeIsNotUndone();
@@ -160,6 +161,28 @@ void TestDocument::manyStepsBackAndForthAreExact() {
         told.document.redo();
         QVERIFY(told.document.scene().camera == seen[std::size_t(i)]);
     }
+}
+
+void TestDocument::theEstimatorIsAnEditLikeOthers() {
+    Told told;
+    told.document.setEstimator(Estimator::unbiased);  // it is that already
+    QVERIFY(!told.document.canUndo());
+    told.document.setEstimator(Estimator::kroesMarch);
+    QVERIFY(told.scenes.back().estimator == Estimator::kroesMarch);
+    QVERIFY(told.scenes.back().revision > told.scenes.front().revision);
+    told.document.setPreset(1);
+    QVERIFY(told.scenes.back().estimator == Estimator::kroesMarch);
+    told.document.undo();
+    told.document.undo();
+    QVERIFY(told.scenes.back().estimator == Estimator::unbiased);
+    told.document.redo();
+    QVERIFY(told.scenes.back().estimator == Estimator::kroesMarch);
+
+    Document empty(twoPresets());  // the choice waits for a volume
+    empty.setEstimator(Estimator::kroesMarch);
+    QVERIFY(!empty.canUndo());
+    empty.open(cube());
+    QVERIFY(empty.scene().estimator == Estimator::kroesMarch);
 }
 
 void TestDocument::brightnessChangesTheDisplayAndNothingElse() {

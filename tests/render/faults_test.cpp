@@ -198,16 +198,21 @@ class FaultsTest : public QObject {
     }
 
     void aFallbackThatFailsTooIsAnErrorAndTheNextDeviceGoesOn() {
-        auto first = std::make_shared<test::Mishaps>(), second = std::make_shared<test::Mishaps>();
-        first->iterates = 5;
-        second->iterates = 5;
+        std::atomic<int> opened = 0;
+        const auto frail = [&opened] {
+            ++opened;
+            auto mishaps = std::make_shared<test::Mishaps>();
+            mishaps->iterates = 5;
+            return test::failing(mishaps);
+        };
         test::Screen screen;
-        Session session(test::failing(first), screen.sink(), opener(second));
+        Session session(frail(), screen.sink(), frail);
         session.submit(someScene(), false);
         const auto failed = screen.await([](const Frame& frame) { return !frame.error.empty(); });
         QVERIFY(failed && failed->revision == 1);
         QVERIFY(failed->error.find("the device is lost") != std::string::npos);
         QCOMPARE(screen.notices().size(), std::size_t(1));
+        QCOMPARE(opened.load(), 2);  // the device and its fallback; not one after the other for ever
         session.setDevice(kCpu);
         QVERIFY(screen.await(onCpu));
         QVERIFY(neverInterrupted(filmOf(session)));

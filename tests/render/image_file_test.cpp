@@ -146,6 +146,19 @@ class ImageFileTest : public QObject {
             }
     }
 
+    void anotherRenderersScheduleIsSaid() {
+        const Film film = exampleFilm({2, 2});
+        QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"))));
+        QVERIFY(!QImage(folder_.filePath("a.png")).textKeys().contains("pdrender/schedule"));
+        Provenance compared = kFacts;
+        compared.schedule = "Exposure Render's K1, blurred";
+        QVERIFY(bool(writePng(film, {4}, compared, at("a.png"))) && bool(writeExr(film, compared, at("a.exr"))));
+        QCOMPARE(QImage(folder_.filePath("a.png")).text("pdrender/schedule"), "Exposure Render's K1, blurred");
+        Imf::InputFile file(at("a.exr").c_str());
+        QCOMPARE(file.header().typedAttribute<Imf::StringAttribute>("pdrender/schedule").value(),
+                 "Exposure Render's K1, blurred");
+    }
+
     void sameFilmSameBytes() {
         const Film film = exampleFilm({16, 16});
         QVERIFY(bool(writeExr(film, kFacts, at("a.exr"))) && bool(writeExr(film, kFacts, at("b.exr"))));

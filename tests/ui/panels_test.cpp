@@ -56,6 +56,7 @@ class TestPanels : public QObject {
     void theStatusSaysErrorSamplesAndSpeed_data();
     void theStatusSaysErrorSamplesAndSpeed();
     void theStatusNamesTheDeviceAndItsIterations();
+    void theStatusSaysWhatIsForComparison();
     void aLongStatusDoesNotWidenTheWindow();
     void progressHasACancelButton();
     void anErrorSaysWhatAndWhatNextAndWhere();
@@ -221,6 +222,15 @@ void TestPanels::theStatusNamesTheDeviceAndItsIterations() {
     QCOMPARE(makingText({"cuda:1", 1, 0}), "1 iteration per frame on cuda:1");
     QCOMPARE(deviceText("cpu", "2 threads"), "CPU (2 threads)");
     QCOMPARE(deviceText("cuda:1", ""), "cuda:1");
+}
+
+void TestPanels::theStatusSaysWhatIsForComparison() {
+    using Way = ScheduleChoice::Way;
+    QCOMPARE(comparisonText({}, Estimator::unbiased), "");
+    QCOMPARE(comparisonText({Way::k0, true}, Estimator::unbiased),
+             "comparison: Exposure Render's schedule K0, blurred");
+    QCOMPARE(comparisonText({Way::k1, false}, Estimator::kroesMarch),
+             "comparison: Exposure Render's schedule K1, march of 3 voxels, biased");
 }
 
 void TestPanels::aLongStatusDoesNotWidenTheWindow() {

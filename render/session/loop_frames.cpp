@@ -1,0 +1,176 @@
+/// What the render thread does for a frame.
+
+#include <algorithm>
+#include <utility>
+
+#include "render/session/loop.h"
+
+namespace pdr {
+
+namespace {
+
+/// A launch at most, so that a change of devices, a pause or a look need not wait for a long frame.
+constexpr double kLaunchSeconds = 0.25;
+constexpr double kCheckpointSeconds = 2;   ///< between two of them, at least, ...
+constexpr double kCheckpointShare = 0.01;  ///< ... and the part of the time that they may take, at most
+constexpr double kMeasureSeconds = 2;      ///< between two frames whose display is measured alone
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+void Session::Loop::work(const Orders::Step& step) {
+    Result<void> done;
+    if (step.render)
+        done = iterate(step);
+    if (done && step.render && step.stop.stop_requested()) {
+        place_.dropFilm();  // torn sums; something newer is waiting
+        return;
+    }
+    const bool frameEnds = !step.render || done_ >= wanted(step.pace);
+    if (done && samples_ > 0 && frameEnds)
+        done = show(step);
+    if (done && samples_ > 0 && !moving_)
+        done = letOthersLook();
+    if (done && samples_ > 0 && !moving_ && !place_.info().hostMemory)
+        done = keepCheckpoint();
+    if (!done)
+        stopped(done.error());
+}
+
+std::uint32_t Session::Loop::wanted(const Pace& pace) const {
+    return moving_ ? kMovingSamples : meter_.iterations(pace);
+}
+
+/// How many of `wanted` iterations to order at once.
+std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
+    const std::uint32_t left = wanted > done_ ? wanted - done_ : 1;
+    const double pixels = double(place_.size().x) * place_.size().y;
+    const double speed = done_ > 0 && frameSeconds_ > 0 ? done_ / frameSeconds_ : pixelsPerSecond_ / pixels;
+    return std::uint32_t(std::clamp(speed * kLaunchSeconds, 1.0, double(left)));
+}
+
+Result<void> Session::Loop::iterate(const Orders::Step& step) {
+    const Clock::time_point start = Clock::now();
+    LiveFilm& film = *place_.film();
+    if (done_ == 0) {  // a frame begins
+        const bool due = fresh_ || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
+        measuring_ = film.ahead() > 1 && !moving_ && due;
+        if (measuring_) {
+            Result<std::vector<Picture>> before = takeAllBut(0);
+            if (!before)
+                return before.error();
+            send(*std::move(before), wanted(step.pace));
+        }
+    }
+    const Clock::time_point begin = measuring_ ? Clock::now() : start;
+    const std::uint32_t n = launch(wanted(step.pace));
+    if (Result<void> iterated = film.iterate(n, step.stop); !iterated)
+        return iterated;
+    done_ += n;
+    samples_ += n;
+    frameSeconds_ += secondsSince(begin);
+    return {};
+}
+
+/// Orders a picture, and sends the ones that are due: this one at once where it is the first, the hand moves, or
+/// nothing goes on behind.
+Result<void> Session::Loop::show(const Orders::Step& step) {
+    LiveFilm& film = *place_.film();
+    const bool atOnce = fresh_ || moving_ || measuring_ || !step.render;
+    const Clock::time_point start = Clock::now();
+    if (Result<void> ordered = film.show(step.display); !ordered)
+        return ordered;
+    ++waiting_;
+    Result<std::vector<Picture>> pictures = takeAllBut(atOnce ? 0 : film.ahead() - 1);
+    if (!pictures)
+        return pictures.error();
+    const double displaySeconds = secondsSince(start);
+    const std::uint32_t n = std::exchange(done_, 0);
+    const double frameSeconds = std::exchange(frameSeconds_, 0);
+    seconds_ += frameSeconds + displaySeconds;
+    first_ = fresh_ = false;
+    if (step.render) {
+        if (film.ahead() == 1)
+            meter_.addFrame(n, frameSeconds, displaySeconds);
+        else
+            meter_.addPeriod(n, frameSeconds + displaySeconds);
+        pixelsPerSecond_ = meter_.iterationsPerSecond() * place_.size().x * place_.size().y;
+    }
+    send(*std::move(pictures), wanted(step.pace));
+    return measuring_ && step.render ? measureDisplay(step.display, n, frameSeconds + displaySeconds) : Result<void>();
+}
+
+Result<std::vector<Picture>> Session::Loop::takeAllBut(int left) {
+    std::vector<Picture> pictures;
+    while (waiting_ > left) {
+        Result<Picture> picture = place_.film()->take();
+        if (!picture)
+            return picture.error();
+        --waiting_;
+        pictures.push_back(*std::move(picture));
+    }
+    return pictures;
+}
+
+/// Where work goes on behind, what a call takes says nothing. So a frame was made with nothing beside it, in
+/// `frameSeconds`; now its display alone once more, and what is left are its n iterations.
+Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t n, double frameSeconds) {
+    const Clock::time_point start = Clock::now();
+    if (Result<void> ordered = place_.film()->show(display); !ordered)
+        return ordered;
+    if (const Result<Picture> again = place_.film()->take(); !again)
+        return again.error();
+    const double displaySeconds = secondsSince(start);
+    meter_.addFrame(n, std::max(frameSeconds - displaySeconds, 0.0), displaySeconds);
+    seconds_ += displaySeconds;
+    measuring_ = false;
+    measuredAt_ = Clock::now();
+    return {};
+}
+
+Result<void> Session::Loop::letOthersLook() {
+    if (!orders.lookAsked())
+        return {};
+    const Result<std::shared_ptr<const Film>> film = place_.film()->film();
+    if (!film)
+        return film.error();
+    for (const FilmLook& look : orders.takeLooks())
+        look({**film, scene_, schedule_, seconds_ + frameSeconds_});
+    return {};
+}
+
+Result<void> Session::Loop::keepCheckpoint() {
+    if (secondsSince(checkpointAt_) < std::max(kCheckpointSeconds, checkpointSeconds_ / kCheckpointShare))
+        return {};
+    const Clock::time_point start = Clock::now();
+    Result<std::shared_ptr<const Film>> film = place_.film()->film();
+    if (!film)
+        return film.error();
+    checkpoint_ = *std::move(film);
+    checkpointAt_ = Clock::now();
+    checkpointSeconds_ = secondsSince(start);
+    return {};
+}
+
+void Session::Loop::send(std::vector<Picture> pictures, std::uint32_t n) {
+    for (Picture& picture : pictures) {
+        auto frame = std::make_shared<Frame>();
+        frame->revision = place_.revision();
+        frame->size = place_.size();
+        frame->rgba = std::move(picture.rgba);
+        frame->status = picture.status;
+        frame->seconds = seconds_;
+        frame->iterationsPerSecond = meter_.iterationsPerSecond();
+        frame->iterations = n;
+        if (schedule_.kind == Schedule::Kind::pd)  // else iterations hold their own display
+            frame->efficiency = meter_.efficiency();
+        frame->device = place_.info().name;
+        frame->schedule = schedule_;
+        sink_(std::move(frame));
+    }
+}
+
+}  // namespace pdr
