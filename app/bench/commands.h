@@ -12,7 +12,7 @@ inline constexpr int kExplained = -2;
 
 using Arguments = std::vector<std::string>;
 
-/// picture SCENE.json [--samples N] [--threads N] [--pfm FILE]: renders, and says how fast and how noisy.
+/// picture SCENE.json [--samples N] [--device D] [--threads N] [--pfm FILE]: renders, and says how fast and how noisy.
 int picture(const Arguments& arguments);
 
 /// frames SCENE.json [--frames N] [--threads N] [--colours FILE]: renders one sample a pixel N times, and says how long
@@ -35,6 +35,10 @@ int trackers(const Arguments& arguments);
 /// ours with n = 1, 10 and 100. Each cell is measured for S seconds in N rounds. DIR gets paper.md, paper.csv and
 /// paper.json. 1: it was broken off, too.
 int paperExperiment(const Arguments& arguments);
+
+/// parity [--device D] [--quick]: whether a device renders as the CPU does, sample by sample, and as itself however the
+/// work is cut; without --quick also that pictures arrive whole and that memory returns. 1: something fails.
+int parity(const Arguments& arguments);
 
 /// selftest [--device D] [--quick] [--seed N] [WORDS]: renders scenes that physics knows the answer to, and prints a
 /// table. 1: the device deviates, or the test was broken off. WORDS: only cases whose name or family holds them.

@@ -36,6 +36,12 @@ struct Options {
         return options;
     }
 
+    /// The word after `name`, `otherwise` where it is not given.
+    std::string word(const std::string& name, const std::string& otherwise) const {
+        const auto found = named.find(name);
+        return found == named.end() ? otherwise : found->second;
+    }
+
     /// A whole number of at least `least`, `otherwise` where it is not given, nothing where it is something else.
     std::optional<int> number(const std::string& name, int otherwise, int least) const {
         const auto found = named.find(name);

@@ -3,10 +3,10 @@
 #include <cstdio>
 
 #include "app/bench/commands.h"
+#include "app/bench/live_picture.h"
 #include "app/bench/load_scene.h"
 #include "app/bench/options.h"
 #include "app/bench/pfm.h"
-#include "render/device/device.h"
 #include "render/film/film.h"
 
 namespace pdr::bench {
@@ -24,7 +24,7 @@ GreyImage greyImage(const Film& film) {
 }  // namespace
 
 int picture(const Arguments& arguments) {
-    const auto options = Options::read(arguments, {"--samples", "--threads", "--pfm"});
+    const auto options = Options::read(arguments, {"--samples", "--threads", "--pfm", "--device"});
     const auto samples = options ? options->number("--samples", 64, 1) : std::nullopt;
     const auto threads = options ? options->number("--threads", 0, 0) : std::nullopt;
     if (!samples || !threads || options->files.size() != 1)
@@ -32,29 +32,30 @@ int picture(const Arguments& arguments) {
     const Result<Scene> scene = loadScene(options->files[0]);
     if (!scene)
         return fail(scene.error());
+    const auto film = begun(*scene, options->word("--device", "cpu"), *threads);
+    if (!film)
+        return fail(film.error());
 
-    const std::unique_ptr<Device> device = makeCpuDevice(*threads);
-    if (const auto uploaded = device->upload(Flattener().prepare(*scene)); !uploaded)
-        return fail(uploaded.error());
-    Film film(scene->film, 0);
-    const Tile whole{0, 0, scene->film.x, scene->film.y};
     const auto start = std::chrono::steady_clock::now();
-    while (film.samplesPerPixel() < std::uint64_t(*samples)) {
-        const SampleRange range = film.nextSamples(std::uint32_t(*samples - film.samplesPerPixel()));
-        if (const auto rendered = device->render(whole, range, film.sums(whole), {}); !rendered)
-            return fail(rendered.error());
-        film.commit(range);
-    }
+    const auto iterated = film->live->iterate(std::uint32_t(*samples), {});
+    const auto ordered = iterated ? film->live->show({}) : iterated;
+    const auto shown = ordered ? film->live->take() : Result<Picture>(ordered.error());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const FilmStatus status = film.status();
+    if (!shown)
+        return fail(shown.error());
+    const FilmStatus& status = shown->status;
     std::printf(
         "{\"samples\": %d, \"seconds\": %.4f, \"samplesPerSecond\": %.4g, \"mean\": %.7g, \"relativeError\": %.5g, "
         "\"rejected\": %llu}\n",
-        *samples, seconds, double(*samples) * whole.width * whole.height / seconds, status.meanLuminance,
+        *samples, seconds, double(*samples) * scene->film.x * scene->film.y / seconds, status.meanLuminance,
         status.relativeError, static_cast<unsigned long long>(status.health.rejected()));
-    if (const auto pfm = options->named.find("--pfm"); pfm != options->named.end())
-        if (const auto written = writePfm(greyImage(film), pfm->second); !written)
+    if (const auto pfm = options->named.find("--pfm"); pfm != options->named.end()) {
+        const auto all = film->live->film();
+        if (!all)
+            return fail(all.error());
+        if (const auto written = writePfm(greyImage(**all), pfm->second); !written)
             return fail(written.error());
+    }
     return 0;
 }
 

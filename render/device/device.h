@@ -14,9 +14,10 @@
 namespace pdr {
 
 struct DeviceInfo {
-    std::string name;         ///< "cpu"
-    std::string details;      ///< for the user: "2 threads"
-    bool hostMemory = false;  ///< what it computes lies in the memory of this program, and is lost only with it
+    std::string name;           ///< "cpu"
+    std::string details;        ///< for the user: "2 threads"
+    bool hostMemory = false;    ///< what it computes lies in the memory of this program, and is lost only with it
+    std::size_t freeBytes = 0;  ///< of a memory of its own, now
 };
 
 /// Who is to make what rays are led by in scenes for a device: a device that has a memory of its own makes it there.

@@ -41,7 +41,7 @@ class Experiment {
             ++scene.revision;
             if (const Result<void> sound = scene.check(); !sound)
                 return sound;
-            scenes_.push_back(flattener.prepare(scene));
+            scenes_.push_back(flattener.prepare(scene, boundsFor(device_.info())));
             for (int way = 0; way < kWayCount; ++way)
                 measured_.cells.push_back({size, WayPlace(way), {}});
         }

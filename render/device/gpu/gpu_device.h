@@ -18,7 +18,11 @@ class GpuDevice final : public Device {
     explicit GpuDevice(DeviceInfo info, Arguments&&... arguments)
         : info_(std::move(info)), gpu_(std::forward<Arguments>(arguments)...), scene_(gpu_) {}
 
-    DeviceInfo info() const override { return info_; }
+    DeviceInfo info() const override {
+        DeviceInfo now = info_;
+        now.freeBytes = gpu_.memory().free;
+        return now;
+    }
     Result<void> upload(std::shared_ptr<const PreparedScene> scene) override { return scene_.upload(std::move(scene)); }
     Result<void> render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) override;
     Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) override;

@@ -1,0 +1,23 @@
+#include "app/bench/live_picture.h"
+
+#include <utility>
+
+namespace pdr::bench {
+
+Result<std::unique_ptr<LiveFilm>> begun(Device& device, const Scene& scene, const Schedule& schedule) {
+    if (const auto uploaded = device.upload(Flattener().prepare(scene, boundsFor(device.info()))); !uploaded)
+        return uploaded.error();
+    return device.film(scene.film, scene.revision, schedule);
+}
+
+Result<LivePicture> begun(const Scene& scene, const std::string& device, int threads, const Schedule& schedule) {
+    auto opened = openDevice(device, threads);
+    if (!opened)
+        return opened.error();
+    auto film = begun(**opened, scene, schedule);
+    if (!film)
+        return film.error();
+    return LivePicture{*std::move(opened), *std::move(film)};
+}
+
+}  // namespace pdr::bench
