@@ -109,7 +109,7 @@ class CamerasTest : public QObject {
     /// Case 27. A lens of no size is a pinhole, bit by bit; a focus next to nothing divides by it.
     void focusOfNothingDividesByZero() {
         QVERIFY(std::isinf(1 / (1e-30f * 1e-30f)));
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         Scene scene = test::plainScene(test::bumpyVolume({24, 24, 24}, dvec3(1), 2), 1);
         scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 600, .opacity = 1}};
         scene.environment = {vec3(1), true};
@@ -164,7 +164,7 @@ class CamerasTest : public QObject {
 
     /// Case 28. Images of any size, cut into tiles of any size, none of them written beside.
     void oddImagesAreWrittenBesideTheirEdge() {
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         Scene scene = test::plainScene(test::bumpyVolume({24, 24, 24}, dvec3(1), 2), 1);
         scene.environment = {vec3(1), false};
         for (const ivec2 size : {ivec2(1, 1), ivec2(1, 37), ivec2(41, 1), ivec2(17, 33)}) {
@@ -202,7 +202,7 @@ class CamerasTest : public QObject {
         scene.environment = {vec3(1), false};
         scene.film = {16384, 16384};
         scene.camera.fovDegrees = 1;  // all of it is volume
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         (void)device->upload(Flattener().prepare(scene));
         std::vector<double> means;
         for (const ivec2 corner : {ivec2(0, 0), ivec2(16380, 0), ivec2(0, 16380), ivec2(16380, 16380)}) {

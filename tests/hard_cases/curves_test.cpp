@@ -183,7 +183,7 @@ class CurvesTest : public QObject {
     /// Case 37. The bound from the ends of a cell's range: tissue in a band is missing from the picture.
     void bandBetweenTheEndsOfARangeIsLost() {
         const Scene scene = bumpyScene(kBand);
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         const auto ends = [&](HuRange range) {
             const TransferFunction& curve = scene.transferFunction;
             return curve.extinctionPerMm * std::max(curve.opacityAt(range.lowest), curve.opacityAt(range.highest));
@@ -210,7 +210,7 @@ class CurvesTest : public QObject {
                 edited->majorants->coarse == fresh->majorants->coarse);
         QVERIFY(old->majorants->fine != fresh->majorants->fine);
 
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         const auto stale = test::prepared(after);
         stale->flat.majorants = old->flat.majorants;
         const Film right = test::sampled(*device, fresh, 32);
@@ -220,7 +220,7 @@ class CurvesTest : public QObject {
 
         // And no sample of the scene before the edit gets into the picture after it.
         test::Screen screen;
-        Session session(makeCpuDevice(), screen.sink());
+        Session session(test::testedDevice(), screen.sink());
         session.setIterationsPerFrame(32);
         session.submit(before, false);
         QVERIFY(screen.await([](const Frame& frame) { return frame.status.samplesPerPixel >= 64; }));
@@ -279,7 +279,7 @@ class CurvesTest : public QObject {
     /// Case 41. Every event a surface, or none: the picture is that of surfaces, or of the phase function, bit by bit.
     void saturatedSurfaceProbabilityLeavesItsRange() {
         QVERIFY(std::isnan(1e6f * 1e38f * 0.0f));  // a factor that has become infinite, times no gradient
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         const auto picture = [&](float gradientFactor) {
             Scene scene = bumpyScene({{.hu = 0, .opacity = 0}, {.hu = 0, .opacity = 1}});
             scene.gradientFactor = gradientFactor;

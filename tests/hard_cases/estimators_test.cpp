@@ -191,7 +191,7 @@ class EstimatorsTest : public QObject {
         };
         Scene scene = test::plainScene(test::makeVolume({1, 1, 1}, dvec3(1), [](int, int, int) { return 0; }), 0);
         scene.film = {64, 48};
-        Session session(makeCpuDevice(), look);
+        Session session(test::testedDevice(), look);
         const auto start = std::chrono::steady_clock::now();
         while (frames < 2000 && std::chrono::steady_clock::now() - start < std::chrono::seconds(4)) {
             ++scene.revision;
@@ -238,7 +238,7 @@ class EstimatorsTest : public QObject {
         };
         const std::vector<double> row{1, 5, 2, 8, 3, 9, 4, 7};
         QVERIFY(filtered(row, 0, 4, 3) != filtered(row, 0, 8, 3));
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         const Film whole = test::render(litBumps(), 66, *device);
         for (const int tile : {1, 5, 16}) {
             const Film tiled = test::render(litBumps(), 66, *device, 64, tile);
@@ -259,7 +259,7 @@ class EstimatorsTest : public QObject {
         QVERIFY(!nextQualityStep({.samplesPerPixel = 0, .relativeError = INFINITY}, 10));
 
         test::Screen screen;
-        Session session(makeCpuDevice(), screen.sink());
+        Session session(test::testedDevice(), screen.sink());
         for (const int n : {0, -5}) {  // taken as 1
             session.setIterationsPerFrame(n);
             Scene scene = litBumps();

@@ -51,7 +51,7 @@ class ExtremesTest : public QObject {
     }
     void everyExtremeWithEveryOther() {
         QFETCH(int, model);
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         for (const auto& volume : volumes())
             for (const float extinction : {0.0f, 1e-12f, 0.3f, 1e6f}) {
                 Scene scene = test::plainScene(volume, extinction);

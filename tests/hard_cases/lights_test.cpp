@@ -132,7 +132,7 @@ class LightsTest : public QObject {
         // In the picture: of two halves of the samples each knows the other's error.
         Scene scene = test::slab(2, {0, 0, -1}, 1);
         scene.lights = {SphereLight{kMiddle, 0.05, vec3(1e4)}};
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         scene.film = {8, 8};
         const Film one = test::render(scene, 4096, *device);
         scene.seed = 2;

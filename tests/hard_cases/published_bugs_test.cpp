@@ -121,7 +121,7 @@ class PublishedBugsTest : public QObject {
     void shadowsAreTinted() {
         const double tau = 1, through = std::exp(-tau), naive = through * 0.4;  // at an albedo of 0.4
         QVERIFY(std::fabs(naive / through - 1) > 0.5);
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         const Film dark = test::render(test::slab(tau, {0, 0, -1}, 0.4f), 64, *device);
         const Film bright = test::render(test::slab(tau, {0, 0, -1}, 0.8f), 64, *device);
         for (int i = 0; i < 16; ++i)
@@ -159,7 +159,7 @@ class PublishedBugsTest : public QObject {
     void constantGridIsNotTheHomogeneousMedium() {
         const Scene scene = test::slab(1.5, {0, 0, -1}, 0.8f);
         const double truth = 0.8 / (4 * M_PI) * -std::expm1(-3.0);
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         const auto loose = test::prepared(scene);
         auto bounds = std::make_shared<Majorants>(*loose->majorants);
         for (std::vector<float>* grid : {&bounds->fine, &bounds->coarse})

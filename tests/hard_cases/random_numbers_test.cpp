@@ -170,7 +170,7 @@ class RandomNumbersTest : public QObject {
 
     /// Case 14, two machines given the same seed: their pictures are equal bit by bit, which no two seeds' are.
     void twoMachinesWithTheSameSeedAddNothing() {
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         Scene scene = smallScene();
         const Film first = test::render(scene, 8, *device), same = test::render(scene, 8, *device);
         scene.seed = 2;
@@ -190,10 +190,10 @@ class RandomNumbersTest : public QObject {
     /// Case 15. The same numbers in every frame of a drag: the grain stays on the screen while the picture moves
     /// beneath.
     void grainSticksToTheScreenWhileTheCameraMoves() {
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         QVERIFY(test::sameBits(test::render(smallScene(), 4, *device), test::render(smallScene(), 4, *device)));
         test::Screen screen;
-        Session session(makeCpuDevice(), screen.sink());
+        Session session(test::testedDevice(), screen.sink());
         session.setPaused(true);  // each scene is shown once
         const auto frame = [&](std::uint64_t revision, bool moving) {
             Scene scene = smallScene();

@@ -141,7 +141,7 @@ class PhysicsTest : public QObject {
 
     /// What faultless runs do on 20 seeds: z is a standard normal number, neither wider nor narrower.
     void faultlessRunsDeviateByChanceOnly() {
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         double squares = 0;
         int runs = 0, alarms = 0;
         for (const Case& one : shippedCases()) {
@@ -164,7 +164,7 @@ class PhysicsTest : public QObject {
 
     /// A bias of just the size that a case is said to detect is found nine times out of ten, on 20 seeds each.
     void theStatedBiasIsFound() {
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         const double allowed = allowedZ(int(shippedCases().size()));
         int runs = 0, found = 0;
         for (Case one : {plainSlab(1), plainSlab(4), plainSlab(0.3)})
@@ -199,7 +199,7 @@ class PhysicsTest : public QObject {
                 std::fabs(on.value / through.expected - 1 - error) < kAllowed * on.standardError / through.expected,
                 qPrintable(QString("%1 instead of %2").arg(on.value / through.expected - 1).arg(error)));
         }
-        const auto device = makeCpuDevice();
+        const auto device = test::testedDevice();
         const Case fair = plainSlab(5);
         const Measurement got = measure(*device, fair, 1 << 20, 1, notCancelled).value();
         QCOMPARE(judge(fair, got, {1 << 20, 0.05}, kAllowed).verdict, Verdict::agrees);

@@ -9,6 +9,7 @@
 #include "render/film/film.h"
 #include "render/scene/flatten.h"
 #include "render/scene/scene.h"
+#include "tests/support/tested_device.h"
 
 namespace pdr::test {
 
@@ -71,7 +72,7 @@ inline Film render(const Scene& scene, std::uint64_t samples, Device& device, st
 }
 
 inline Film render(const Scene& scene, std::uint64_t samples) {
-    const std::unique_ptr<Device> device = makeCpuDevice();
+    const std::unique_ptr<Device> device = testedDevice();
     return render(scene, samples, *device);
 }
 
