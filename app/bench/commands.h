@@ -22,7 +22,8 @@ int frames(const Arguments& arguments);
 /// compare A.pfm REFERENCE.pfm: ratio of the means, and the root mean square difference over the reference's mean.
 int compare(const Arguments& arguments);
 
-/// rebound [--size N] [--edits N]: time to bound an N x N x N head anew after a transfer-function edit, on one core.
+/// rebound [--size N] [--edits N] [--device D]: time to bound an N x N x N head anew after a transfer-function edit: on
+/// one core, or on a device with a memory of its own, there with sending what is needed.
 int rebound(const Arguments& arguments);
 
 /// trackers [SCENE.json ...] [--rays N] [--rounds N]: what ways to the first collision cost, side by side, for N x N
@@ -36,8 +37,9 @@ int trackers(const Arguments& arguments);
 /// paper.json. 1: it was broken off, too.
 int paperExperiment(const Arguments& arguments);
 
-/// parity [--device D] [--quick]: whether a device renders as the CPU does, sample by sample, and as itself however the
-/// work is cut; without --quick also that pictures arrive whole and that memory returns. 1: something fails.
+/// parity [--device D] [--quick] [NAMES]: whether a device renders as the CPU does, sample by sample, and as itself
+/// however the work is cut; without --quick also that pictures arrive whole and that memory returns. NAMES: of these
+/// scenes only. 1: something fails.
 int parity(const Arguments& arguments);
 
 /// selftest [--device D] [--quick] [--seed N] [WORDS]: renders scenes that physics knows the answer to, and prints a

@@ -17,12 +17,12 @@ int main(int argc, char** argv) {
             "usage: pdrender-bench picture SCENE.json [--samples N] [--device D] [--threads N] [--pfm FILE]\n"
             "       pdrender-bench frames SCENE.json [--frames N] [--threads N] [--colours FILE]\n"
             "       pdrender-bench compare PICTURE.pfm REFERENCE.pfm\n"
-            "       pdrender-bench rebound [--size N] [--edits N]\n"
+            "       pdrender-bench rebound [--size N] [--edits N] [--device D]\n"
             "       pdrender-bench trackers [SCENE.json ...] [--rays N] [--rounds N]\n"
             "       pdrender-bench paper [SCENE.json] [--device D] [--threads N] [--estimator unbiased|kroesMarch]\n"
             "                            [--clock wall|processor] [--largest WxH] [--seconds S] [--rounds N] [--out "
             "DIR]\n"
-            "       pdrender-bench parity [--device D] [--quick]\n"
+            "       pdrender-bench parity [--device D] [--quick] [NAMES]\n"
             "       pdrender-bench selftest [--device D] [--quick] [--seed N] [WORDS]\n",
             stderr);
     return code == kExplained ? 2 : code;

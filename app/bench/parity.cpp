@@ -133,7 +133,7 @@ void returnMemory(Verdicts& verdicts, Device& device, Scene scene) {
 
 int parity(const Arguments& arguments) {
     const auto options = Options::read(arguments, {"--device"}, {"--quick"});
-    if (!options || !options->files.empty())
+    if (!options)
         return 2;
     const auto device = openDevice(options->word("--device", "cuda"));
     if (!device)
@@ -145,7 +145,8 @@ int parity(const Arguments& arguments) {
     const std::vector<ParityScene> scenes = parityScenes();
     Verdicts verdicts;
     for (const ParityScene& one : scenes)
-        compareWithCpu(verdicts, **device, *cpu, one);
+        if (options->files.empty() || std::ranges::count(options->files, one.name) > 0)
+            compareWithCpu(verdicts, **device, *cpu, one);
     if (!options->named.contains("--quick")) {
         compareWays(verdicts, **device, scenes[3].scene);
         carryPictures(verdicts, **device, scenes[3].scene);

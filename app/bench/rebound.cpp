@@ -1,12 +1,17 @@
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 #include <random>
 
 #include "app/bench/commands.h"
+#include "app/bench/load_scene.h"
 #include "app/bench/options.h"
+#include "render/device/device_list.h"
 #include "render/scene/flatten.h"
 #include "render/volume/phantom.h"
 
@@ -24,27 +29,56 @@ TransferFunction editedFunction(std::mt19937& random) {
     return function;
 }
 
+/// One core of the host: from the curve to its bounds.
+double hostMilliseconds(const CellRanges& ranges, ivec3 size, const TransferFunction& function) {
+    const std::clock_t start = std::clock();  // time on the core: neighbours do not count
+    const Majorants majorants(ranges, TransferTables(function), size);
+    return 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// A device with a memory of its own: from the edited scene to the device being ready to render it.
+double deviceMilliseconds(Device& device, Flattener& flattener, const Scene& scene) {
+    const auto prepared = flattener.prepare(scene, boundsFor(device.info()));
+    const auto start = std::chrono::steady_clock::now();
+    const auto uploaded = device.upload(prepared);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return uploaded ? 1e3 * seconds : -1;
+}
+
 }  // namespace
 
 int rebound(const Arguments& arguments) {
-    const auto options = Options::read(arguments, {"--size", "--edits"});
+    const auto options = Options::read(arguments, {"--size", "--edits", "--device"});
     const auto size = options ? options->number("--size", 256, 2) : std::nullopt;
     const auto edits = options ? options->number("--edits", 21, 1) : std::nullopt;
     if (!size || !edits || !options->files.empty())
         return 2;
-    const tbb::global_control oneCore(tbb::global_control::max_allowed_parallelism, 1);
-    const Volume volume = headPhantom(ivec3(*size), dvec3(250.0 / *size), 1);
-    const CellRanges ranges(volume);
+    const auto device = openDevice(options->word("--device", "cpu"));
+    if (!device)
+        return fail(device.error());
+    const bool onHost = (*device)->info().hostMemory;
+    const tbb::global_control oneCore(tbb::global_control::max_allowed_parallelism,
+                                      onHost ? 1 : tbb::this_task_arena::max_concurrency());
+    Scene scene;
+    scene.volume = std::make_shared<Volume>(headPhantom(ivec3(*size), dvec3(250.0 / *size), 1));
+    scene.film = {60, 34};
+    std::optional<CellRanges> ranges;
+    if (onHost)
+        ranges.emplace(*scene.volume);
+    Flattener flattener;
     std::mt19937 random(1);
     std::vector<double> milliseconds;
-    for (int i = 0; i < *edits; ++i) {
-        const TransferFunction function = editedFunction(random);
-        const std::clock_t start = std::clock();  // time on the core: neighbours do not count
-        const Majorants majorants(ranges, TransferTables(function), volume.size());
-        milliseconds.push_back(1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
+    for (int i = 0; i <= *edits; ++i) {
+        scene.transferFunction = editedFunction(random);
+        const double took = onHost ? hostMilliseconds(*ranges, scene.volume->size(), scene.transferFunction)
+                                   : deviceMilliseconds(**device, flattener, scene);
+        if (took < 0)
+            return fail({"the scene could not be sent to the device", options->word("--device", ""), ""});
+        if (i > 0)  // the first one brings the volume
+            milliseconds.push_back(took);
     }
     std::ranges::sort(milliseconds);
-    std::printf("{\"size\": %d, \"edits\": %d, \"medianMs\": %.3f, \"slowestMs\": %.3f}\n", *size, *edits,
+    std::printf("{\"size\": %d, \"edits\": %d, \"medianMs\": %.4f, \"slowestMs\": %.4f}\n", *size, *edits,
                 milliseconds[milliseconds.size() / 2], milliseconds.back());
     return 0;
 }

@@ -10,6 +10,7 @@
 #include "tests/physics/biased_march.h"
 #include "tests/physics/closed_forms.h"
 #include "tests/support/statistics.h"
+#include "tests/support/tested_device.h"
 
 using namespace pdr;
 using namespace pdr::bench;

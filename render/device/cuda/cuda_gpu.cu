@@ -118,10 +118,8 @@ void CudaGpu::await(Event& event) {
 }
 
 void CudaGpu::awaitAll() {
-    if (!ready())
-        return;
-    for (cudaStream_t stream : streams_)
-        check(cudaStreamSynchronize(stream), "a launch");
+    if (ready())
+        check(cudaDeviceSynchronize(), "a launch");
 }
 
 unsigned CudaGpu::residentBlocks(const void* kernel) {

@@ -75,12 +75,12 @@ class KroesFilm final : public LiveFilm {
         FilmContent content{done_, std::vector<Moments>(pixels()), std::vector<PixelSums>(pixels()), *health};
         if (schedule_.runningMean) {
             std::vector<SampledPixel> mean(pixels());
-            mean_.get(mean.data());
+            mean_.copyTo(mean.data());
             for (std::size_t i = 0; i < pixels(); ++i)
                 content.moments[i] = momentsOf(mean[i]);
         } else {
-            moments_.get(content.moments.data());
-            block_.get(content.block.data());
+            moments_.copyTo(content.moments.data());
+            block_.copyTo(content.block.data());
         }
         if (std::optional<Error> error = gpu_.takeError())
             return *std::move(error);
@@ -96,10 +96,10 @@ class KroesFilm final : public LiveFilm {
                 const Moments known = merged(content.moments[i], content.block[i]);
                 mean[i] = {vec3(known.mean), known.count > 0 ? 1.0f : 0.0f};
             }
-            mean_.set(mean.data());
+            mean_.copyFrom(mean.data());
         } else {
-            moments_.set(content.moments.data());
-            block_.set(content.block.data());
+            moments_.copyFrom(content.moments.data());
+            block_.copyFrom(content.block.data());
         }
         if (std::optional<Error> error = gpu_.takeError())
             return *std::move(error);
@@ -120,20 +120,24 @@ class KroesFilm final : public LiveFilm {
           schedule_(schedule),
           sampler_(std::move(sampler)),
           frame_(gpu, pixels()),
+          blurred_(gpu),
+          mean_(gpu),
+          moments_(gpu),
+          block_(gpu),
           rgbaOnDevice_(gpu, 4 * pixels()),
           thresholds_(gpu, kThresholds),
           rgba_(4 * pixels()) {
-        thresholds_.set(displayThresholds().data());
+        thresholds_.copyFrom(displayThresholds().data());
         if (schedule.redundant)
             constants_.emplace(gpu);
         if (schedule.filter)
-            blurred_ = {gpu, pixels()};
+            blurred_.resize(pixels());
         if (schedule.runningMean) {
-            mean_ = {gpu, pixels()};
+            mean_.resize(pixels());
             mean_.clear();
         } else {
-            moments_ = {gpu, pixels()};
-            block_ = {gpu, pixels()};
+            moments_.resize(pixels());
+            block_.resize(pixels());
             moments_.clear();
             block_.clear();
         }
@@ -186,7 +190,7 @@ class KroesFilm final : public LiveFilm {
             stage(kroes::ShowMean{mean_.data(), levels});
         else
             stage(kroes::ShowSums{moments_.data(), block_.data(), levels});
-        rgbaOnDevice_.get(rgba_.data());
+        rgbaOnDevice_.copyTo(rgba_.data());
         gpu_.awaitAll();
     }
 
@@ -231,12 +235,12 @@ class KroesFilm final : public LiveFilm {
 
     // on the device
     std::optional<kroes::Constants<G>> constants_;  ///< of K0
-    GpuBuffer<G, SampledPixel> frame_, blurred_;
-    GpuBuffer<G, SampledPixel> mean_;  ///< of runningMean, else ...
-    GpuBuffer<G, Moments> moments_;
-    GpuBuffer<G, PixelSums> block_;
-    GpuBuffer<G, std::uint8_t> rgbaOnDevice_;
-    GpuBuffer<G, double> thresholds_;
+    GpuArray<G, SampledPixel> frame_, blurred_;
+    GpuArray<G, SampledPixel> mean_;  ///< of runningMean, else ...
+    GpuArray<G, Moments> moments_;
+    GpuArray<G, PixelSums> block_;
+    GpuArray<G, std::uint8_t> rgbaOnDevice_;
+    GpuArray<G, double> thresholds_;
 
     std::vector<std::uint8_t> rgba_;  ///< the last picture
     std::deque<Picture> pictures_;

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "render/device/gpu/gpu_buffer.h"
+#include "render/device/gpu/gpu_array.h"
 #include "render/device/gpu/kroes_programs.h"
 #include "render/kernel/medium.h"
 
@@ -39,8 +39,8 @@ inline Tables bakedTables(const FlatTransferFunction& function) {
 /// The device memory that is kept from one iteration to the next.
 template <Gpu G>
 struct Constants {
-    GpuBuffer<G, unsigned char> parameters;
-    GpuBuffer<G, TableEntry> tables;
+    GpuArray<G, unsigned char> parameters;
+    GpuArray<G, TableEntry> tables;
 
     explicit Constants(G& gpu)
         : parameters(gpu, sizeof(FlatScene)), tables(gpu, std::size_t(kTables) * kTableSamples) {}
@@ -55,10 +55,10 @@ class Resend {
         : host_(sampler.scene()->flat), scene_(gpu, 1), view_(gpu, 1) {
         sendConstants(gpu, constants);
         sendTables(gpu, constants);
-        scene_.set(&host_);
+        scene_.copyFrom(&host_);
         autofocus(gpu, sampler.sceneOnDevice());
-        scene_.set(&host_);
-        view_.set(&host_.camera);
+        scene_.copyFrom(&host_);
+        view_.copyFrom(&host_.camera);
     }
 
   private:
@@ -79,16 +79,16 @@ class Resend {
     }
 
     void autofocus(G& gpu, const FlatScene& onDevice) {
-        GpuBuffer<G, float> found(gpu, 1);
+        GpuArray<G, float> found(gpu, 1);
         gpu.launch(Autofocus{onDevice, found.data()}, 1, GpuStream::compute);
         gpu.awaitAll();
         float distance = 0;
-        found.get(&distance);
+        found.copyTo(&distance);
     }
 
     FlatScene host_;
-    GpuBuffer<G, FlatScene> scene_;
-    GpuBuffer<G, FlatCamera> view_;
+    GpuArray<G, FlatScene> scene_;
+    GpuArray<G, FlatCamera> view_;
 };
 
 }  // namespace pdr::kroes
