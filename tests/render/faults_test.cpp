@@ -218,6 +218,21 @@ class FaultsTest : public QObject {
         QVERIFY(neverInterrupted(filmOf(session)));
     }
 
+    void aDeviceChosenAfterAFaultMayFailToo() {
+        auto first = std::make_shared<test::Mishaps>(), second = std::make_shared<test::Mishaps>();
+        first->gone = true;
+        test::Screen screen;
+        Session session(test::failing(first), screen.sink(), kCpu);
+        session.submit(someScene(), false);
+        QVERIFY(screen.await(onCpu));
+        session.setDevice(opener(second));
+        QVERIFY(screen.await([](const Frame& frame) { return frame.device == "failing"; }));
+        second->gone = true;
+        QVERIFY(screen.await(onCpu));
+        QCOMPARE(screen.notices().size(), std::size_t(2));
+        QVERIFY(neverInterrupted(filmOf(session)));
+    }
+
     void aFallbackThatCannotBeOpenedOrRefusesIsAnError() {
         auto small = std::make_shared<test::Mishaps>();
         small->tooSmall = true;

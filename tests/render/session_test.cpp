@@ -52,6 +52,52 @@ class SessionTest : public QObject {
         QVERIFY(std::chrono::steady_clock::now() - start < 2s);
     }
 
+    void newestSceneWinsAtOnceInExposureRendersOrderToo() {
+        test::Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        session.setSchedule({.kind = Schedule::Kind::kroes});
+        session.setIterationsPerFrame(10000);
+        Scene slow = someScene(1);
+        slow.film = {1024, 1024};
+        session.submit(slow, false);
+        std::this_thread::sleep_for(200ms);
+        session.setIterationsPerFrame(1);
+        const auto start = std::chrono::steady_clock::now();
+        session.submit(someScene(2), false);
+        const auto frame = screen.await([](const Frame& f) { return f.revision == 2; });
+        QVERIFY(frame && frame->schedule.kind == Schedule::Kind::kroes);
+        QVERIFY(std::chrono::steady_clock::now() - start < 2s);
+    }
+
+    void anotherScheduleBeginsAnew() {
+        test::Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        session.submit(someScene(1), false);
+        QVERIFY(screen.await([](const Frame& f) { return f.status.samplesPerPixel >= 50; }));
+        session.setPaused(true);
+        const Schedule k1{.kind = Schedule::Kind::kroes, .filter = false, .runningMean = false};
+        session.setSchedule(k1);
+        const auto shown = screen.await([&](const Frame& f) { return f.schedule == k1; });
+        QVERIFY(shown);  // once, even while paused
+        QCOMPARE(shown->status.samplesPerPixel, std::uint64_t(1));
+        QCOMPARE(shown->revision, std::uint64_t(1));
+        session.setPaused(false);
+        session.setSchedule({});
+        QVERIFY(screen.await([](const Frame& f) { return f.schedule == Schedule{}; }));
+    }
+
+    void aScheduleCanBeChosenBeforeThereIsAScene() {
+        test::Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        session.setSchedule({.kind = Schedule::Kind::kroes});
+        session.setDevice([] { return makeCpuDevice(1); });
+        std::this_thread::sleep_for(50ms);
+        QCOMPARE(screen.count(), 0);
+        session.submit(someScene(1), false);
+        const auto frame = screen.await([](const Frame&) { return true; });
+        QVERIFY(frame && frame->schedule.kind == Schedule::Kind::kroes && frame->device == "cpu");
+    }
+
     void pausedSessionShowsNewScenesOnceAndHolds() {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());

@@ -52,16 +52,22 @@ class FailingFilm final : public LiveFilm {
         if (Result<void> well = mishaps_->call(mishaps_->shows); !well)
             return well;
         spend(mishaps_->displaySeconds, {});
-        due_.push_back(busyUntil_);
-        return film_->show(display);
+        if (Result<void> shown = film_->show(display); !shown)
+            return shown;
+        Result<Picture> picture = film_->take();  // whatever the inner film's own ahead() is
+        if (!picture)
+            return picture.error();
+        pictures_.push_back({busyUntil_, *std::move(picture)});
+        return {};
     }
 
     Result<Picture> take() override {
         if (Result<void> well = mishaps_->call(mishaps_->takes); !well)
             return well.error();
-        std::this_thread::sleep_until(due_.front());
-        due_.pop_front();
-        return film_->take();
+        std::this_thread::sleep_until(pictures_.front().first);
+        Picture oldest = std::move(pictures_.front().second);
+        pictures_.pop_front();
+        return oldest;
     }
 
     int ahead() const override { return mishaps_->ahead; }
@@ -87,8 +93,8 @@ class FailingFilm final : public LiveFilm {
 
     std::unique_ptr<LiveFilm> film_;
     std::shared_ptr<Mishaps> mishaps_;
-    Clock::time_point busyUntil_;  ///< when all that was ordered is done
-    std::deque<Clock::time_point> due_;
+    Clock::time_point busyUntil_;                                 ///< when all that was ordered is done
+    std::deque<std::pair<Clock::time_point, Picture>> pictures_;  ///< and when they arrive
 };
 
 class FailingDevice final : public Device {
