@@ -54,8 +54,14 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads)
         Result<std::unique_ptr<Device>> gpu = makeCudaDevice(0);
         return gpu ? std::move(gpu) : Result<std::unique_ptr<Device>>(makeCpuDevice(threads));
     }
-    if (const std::optional<int> index = cudaIndex(name))
-        return makeCudaDevice(*index);
+    if (const std::optional<int> index = cudaIndex(name)) {
+        Result<std::unique_ptr<Device>> gpu = makeCudaDevice(*index);
+        if (gpu)
+            return gpu;
+        Error error = gpu.error();
+        error.where = name;
+        return error;
+    }
     return Error{"there is no such device", name, "Choose auto, cpu, cuda or cuda:1."};
 }
 

@@ -251,8 +251,8 @@ class CliTest : public QObject {
         const Run marched = run(common + QStringList{"-o", at("k.png"), "--estimator", "kroesMarch"});
         QVERIFY2(marched.code == 0, marched.err.constData());
         QVERIFY(QImage(at("u.png")) != QImage(at("k.png")));
-        QCOMPARE(QImage(at("k.png")).text("pdrender/comparison"), QString("Exposure Render's march, biased"));
-        QVERIFY(!QImage(at("u.png")).textKeys().contains("pdrender/comparison"));
+        QCOMPARE(QImage(at("k.png")).text("pdrender/estimator"), QString("kroesMarch (biased)"));
+        QVERIFY(!QImage(at("u.png")).textKeys().contains("pdrender/estimator"));
         const Run bounced = run(common + QStringList{"-o", at("k.png"), "--estimator", "kroesMarch", "--model",
                                                      "multipleScattering"});
         QCOMPARE(bounced.code, 1);

@@ -86,13 +86,13 @@ class ImageFileTest : public QObject {
     void aBiasedEstimatorIsSaid() {
         const Film film = exampleFilm({2, 2});
         QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"))));
-        QVERIFY(!QImage(folder_.filePath("a.png")).textKeys().contains("pdrender/comparison"));
+        QVERIFY(!QImage(folder_.filePath("a.png")).textKeys().contains("pdrender/estimator"));
         Provenance biased = kFacts;
         biased.estimator = "kroesMarch (biased)";
         QVERIFY(bool(writePng(film, {4}, biased, at("a.png"))) && bool(writeExr(film, biased, at("a.exr"))));
-        QCOMPARE(QImage(folder_.filePath("a.png")).text("pdrender/comparison"), QString("kroesMarch (biased)"));
+        QCOMPARE(QImage(folder_.filePath("a.png")).text("pdrender/estimator"), QString("kroesMarch (biased)"));
         Imf::InputFile file(at("a.exr").c_str());
-        QCOMPARE(file.header().typedAttribute<Imf::StringAttribute>("pdrender/comparison").value(),
+        QCOMPARE(file.header().typedAttribute<Imf::StringAttribute>("pdrender/estimator").value(),
                  "kroesMarch (biased)");
     }
 

@@ -10,7 +10,8 @@
 #include <thread>
 #include <utility>
 
-#include "render/device/device.h"
+#include "render/device/cpu/host_gpu.h"
+#include "render/device/gpu/gpu_device.h"
 
 namespace pdr::test {
 
@@ -99,7 +100,7 @@ class FailingFilm final : public LiveFilm {
 
 class FailingDevice final : public Device {
   public:
-    explicit FailingDevice(std::shared_ptr<Mishaps> mishaps) : mishaps_(std::move(mishaps)), cpu_(makeCpuDevice(1)) {}
+    explicit FailingDevice(std::shared_ptr<Mishaps> mishaps) : mishaps_(std::move(mishaps)) {}
 
     DeviceInfo info() const override { return {"failing", "for tests", false}; }
 
@@ -108,15 +109,15 @@ class FailingDevice final : public Device {
             return Error{"the volume needs 9.3 GB and 6.0 GB are free", "", "Choose a smaller part of it."};
         if (Result<void> well = mishaps_->call(mishaps_->uploads); !well)
             return well;
-        return cpu_->upload(std::move(scene));
+        return inner_.upload(std::move(scene));
     }
 
     Result<void> render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) override {
-        return cpu_->render(tile, samples, sums, stop);
+        return inner_.render(tile, samples, sums, stop);
     }
 
     Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) override {
-        Result<std::unique_ptr<LiveFilm>> film = cpu_->film(size, revision, schedule);
+        Result<std::unique_ptr<LiveFilm>> film = inner_.film(size, revision, schedule);
         if (!film)
             return film;
         return std::unique_ptr<LiveFilm>(std::make_unique<FailingFilm>(*std::move(film), mishaps_));
@@ -124,7 +125,7 @@ class FailingDevice final : public Device {
 
   private:
     std::shared_ptr<Mishaps> mishaps_;
-    std::unique_ptr<Device> cpu_;
+    GpuDevice<HostGpu> inner_{DeviceInfo{}, 0, 1};  ///< it makes the bounds of scenes itself, as a GPU does
 };
 
 inline std::unique_ptr<Device> failing(const std::shared_ptr<Mishaps>& mishaps) {
