@@ -25,7 +25,7 @@ constexpr FrameTimeModel kTruth{0.05e-3, 5e-9, 2e-9, 0.3e-3};
 constexpr double kKroesOther = 4e-3;
 
 double truth(const Plan& plan, ivec2 size, WayPlace way) {
-    const FrameWork work{double(size.x) * size.y, kWays[way].iterations, plan.samplesPerLaunch(kWays[way])};
+    const FrameWork work{double(size.x) * size.y, kWays[way].iterations, plan.samplesPerLaunch(kWays[way], size)};
     return frameSeconds(kTruth, work) + (way == kK0 ? kKroesOther : 0);
 }
 

@@ -41,6 +41,7 @@ Result<void> run(Device& device, const Settings& settings, const ShownScene& sho
     const std::unique_ptr<DeviceLoad> load = loadOf(device.info().name, settings.threads);
     report.setup = setupOf(device, *load, shown);
     report.plan = settings.plan;
+    report.plan.onGpu = !device.info().hostMemory;
     Progress progress;
     const Watch watch = [&](const Cell& cell, int round, double secondsLeft) {
         progress.show("round " + std::to_string(round) + " of " + std::to_string(settings.plan.rounds) + ": " +

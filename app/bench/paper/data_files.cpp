@@ -46,7 +46,7 @@ Json cellJson(const Report& report, std::size_t place) {
             {"height", cell.size.y},
             {"way", kWays[cell.way].name},
             {"iterations", kWays[cell.way].iterations},
-            {"samplesPerLaunch", report.plan.samplesPerLaunch(kWays[cell.way])},
+            {"samplesPerLaunch", report.plan.samplesPerLaunch(kWays[cell.way], cell.size)},
             {"framesPerSecond", number(size.framesPerSecond[cell.way])},
             {"iterationsPerSecond", number(size.iterationsPerSecond(cell.way))},
             {"load", number(size.load[cell.way])},

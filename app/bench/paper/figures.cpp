@@ -54,7 +54,8 @@ std::vector<TimedFrame> timedFrames(const Measured& measured, const Plan& plan) 
     for (const Cell& cell : measured.cells)
         if (isPd(cell.way) && cell.measured()) {
             const Way& way = kWays[cell.way];
-            const FrameWork work{double(cell.size.x) * cell.size.y, way.iterations, plan.samplesPerLaunch(way)};
+            const FrameWork work{double(cell.size.x) * cell.size.y, way.iterations,
+                                 plan.samplesPerLaunch(way, cell.size)};
             frames.push_back({work, cell.spread().median});
         }
     return frames;

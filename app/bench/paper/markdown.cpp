@@ -166,13 +166,14 @@ std::string model(const Report& report) {
     const FrameTimeFit& fit = *figures.fit;
     text += parameters(fit);
     text += "\nFitted to the medians of pd; they scatter about it by " + digits(100 * fit.scatter()) +
-            " %. b = min(n, " + std::to_string(report.plan.perLaunch) + ").\n\n";
+            " %. b = min(n, " + std::to_string(report.plan.mostPerLaunch(report.plan.sizes.back())) +
+            " and what there is room for).\n\n";
     TextTable table({"tile", "n", "E, eq. 5", "E against full speed", "95 % from", "to", "T measured [ms]",
                      "T fitted [ms]", "95 % from", "to"});
     for (const TileEfficiency& tile : figures.tiles) {
         const Way& way = kWays[tile.way];
         const auto size = std::ranges::find(figures.sizes, tile.size, &SizeFigures::size);
-        const FrameWork work{size->pixels(), way.iterations, report.plan.samplesPerLaunch(way)};
+        const FrameWork work{size->pixels(), way.iterations, report.plan.samplesPerLaunch(way, tile.size)};
         const PredictedFrame fitted = fit.predict(work);
         table.add({paper::text(tile.size), std::to_string(way.iterations), share(tile.manyNodes), share(tile.share),
                    share(tile.interval.low), share(tile.interval.high),

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "app/bench/paper/work_clock.h"
-#include "render/base/portable.h"
+#include "render/base/tile.h"
+#include "render/device/gpu/launch_size.h"
 #include "render/device/schedule.h"
 
 namespace pdr::bench::paper {
@@ -38,19 +39,25 @@ inline constexpr std::array<Way, kWayCount> kWays{{
 /// The paper's resolutions, the largest first.
 inline constexpr std::array<ivec2, 6> kSizes{{{1920, 1080}, {960, 540}, {480, 270}, {240, 135}, {120, 67}, {60, 34}}};
 
-/// Samples of a pixel that one launch takes at most under `pd`: the film's block (film.h). K0 and K1 take one.
-inline constexpr std::uint32_t kSamplesPerLaunch = 64;
-
 struct Plan {
     std::vector<ivec2> sizes{kSizes.begin(), kSizes.end()};  ///< the largest first; never empty
     double seconds = 3;                                      ///< that a cell is measured for, in all rounds; > 0
     int rounds = 5;                                          ///< >= 1
     TimeOf time = TimeOf::wall;
-    std::uint32_t perLaunch = kSamplesPerLaunch;  ///< >= 1
+    /// Samples of a pixel that one launch takes at most under `pd`, on the host: the film's block. K0 and K1 take one.
+    std::uint32_t perLaunch = kSamplesPerBlock;
+    /// On a GPU: as many as there is room for. A hundredth of a second's, which may be less, binds only where pictures
+    /// are so large that T0 is nothing.
+    bool onGpu = false;
 
+    std::uint32_t mostPerLaunch(ivec2 size) const {
+        return onGpu ? LaunchSize(std::int64_t(size.x) * size.y).most() : perLaunch;
+    }
     /// b of eq. T(R, n, b), efficiency.h.
-    std::uint32_t samplesPerLaunch(const Way& way) const {
-        return way.schedule.kind == Schedule::Kind::pd && way.iterations > 1 ? std::min(way.iterations, perLaunch) : 1;
+    std::uint32_t samplesPerLaunch(const Way& way, ivec2 size) const {
+        if (way.schedule.kind != Schedule::Kind::pd)
+            return 1;
+        return std::min(way.iterations, mostPerLaunch(size));
     }
 };
 
