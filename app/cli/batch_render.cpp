@@ -28,47 +28,68 @@ Result<BatchResult> BatchRender::run(std::stop_token stop, const Report& report)
         if (auto ok = takeSamples(elapsed, stop); !ok)
             return ok.error();
         elapsed = secondsSince(start);
+        const bool reports = elapsed - reported >= kReportSeconds;
+        if (reports || errorIsDue())
+            if (auto ok = look(); !ok)
+                return ok.error();
         reason = stop.stop_requested() ? StopReason::interrupted : reached(elapsed);
-        if (reason || elapsed - reported >= kReportSeconds) {
+        if (reason && done_ > 0)
+            if (auto ok = look(); !ok)
+                return ok.error();
+        if (reason || reports) {
             report(state(elapsed));
             reported = elapsed;
         }
     }
-    return BatchResult{*reason, film_.status(), elapsed};
+    return BatchResult{*reason, status_, elapsed};
+}
+
+bool BatchRender::errorIsDue() const {
+    return stops_.relativeError && done_ > 0 && done_ % kErrorEvery == 0;
 }
 
 Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
-    const Tile whole{0, 0, film_.size().x, film_.size().y};
-    const SampleRange range = film_.nextSamples(wantedSamples(elapsed));
+    const std::uint32_t samples = wantedSamples(elapsed);
     // A launch that is broken off leaves worthless sums: only the first one has nothing to lose.
-    const bool first = film_.samplesPerPixel() == 0;
-    if (auto ok = device_.render(whole, range, film_.sums(whole), first ? stop : std::stop_token()); !ok)
+    const bool first = done_ == 0;
+    if (auto ok = film_.iterate(samples, first ? stop : std::stop_token()); !ok)
         return ok;
     if (!(first && stop.stop_requested()))
-        film_.commit(range);
+        done_ += samples;
+    return {};
+}
+
+/// A film tells its status with a picture.
+Result<void> BatchRender::look() {
+    if (done_ == 0)
+        return {};
+    if (auto ok = film_.show({}); !ok)
+        return ok;
+    const auto picture = film_.take();
+    if (!picture)
+        return picture.error();
+    status_ = picture->status;
     return {};
 }
 
 std::uint32_t BatchRender::wantedSamples(double elapsed) const {
-    const std::uint64_t done = film_.samplesPerPixel();
-    if (done == 0)
+    if (done_ == 0)
         return 1;
     double time = kLaunchSeconds;
     if (stops_.seconds)
         time = std::min(time, *stops_.seconds - elapsed);
-    double wanted = std::floor(time * double(done) / std::max(elapsed, 1e-9));
+    double wanted = std::floor(time * double(done_) / std::max(elapsed, 1e-9));
     if (stops_.samples)
-        wanted = std::min(wanted, double(*stops_.samples - done));
+        wanted = std::min(wanted, double(*stops_.samples - done_));
     if (stops_.relativeError)
-        wanted = std::min(wanted, double(kErrorEvery - done % kErrorEvery));
+        wanted = std::min(wanted, double(kErrorEvery - done_ % kErrorEvery));
     return std::uint32_t(std::clamp(wanted, 1.0, double(kSamplesPerBlock)));
 }
 
 std::optional<StopReason> BatchRender::reached(double elapsed) const {
-    const std::uint64_t done = film_.samplesPerPixel();
-    if (stops_.samples && done >= *stops_.samples)
+    if (stops_.samples && done_ >= *stops_.samples)
         return StopReason::samples;
-    if (stops_.relativeError && done % kErrorEvery == 0 && film_.status().relativeError <= *stops_.relativeError)
+    if (errorIsDue() && status_.relativeError <= *stops_.relativeError)
         return StopReason::error;
     if (stops_.seconds && elapsed >= *stops_.seconds)
         return StopReason::seconds;
@@ -76,14 +97,14 @@ std::optional<StopReason> BatchRender::reached(double elapsed) const {
 }
 
 BatchState BatchRender::state(double elapsed) const {
-    BatchState state{film_.status(), elapsed, 0, std::nullopt};
+    BatchState state{status_, elapsed, 0, std::nullopt};
     if (stops_.samples)
-        state.fraction = std::max(state.fraction, double(film_.samplesPerPixel()) / double(*stops_.samples));
+        state.fraction = std::max(state.fraction, double(done_) / double(*stops_.samples));
     if (stops_.seconds)
         state.fraction = std::max(state.fraction, elapsed / *stops_.seconds);
     if (stops_.relativeError)
         state.fraction = std::max(state.fraction,
-                                  double(film_.samplesPerPixel()) / samplesToReach(*stops_.relativeError, state.film));
+                                  double(done_) / samplesToReach(*stops_.relativeError, state.film));
     state.fraction = std::min(state.fraction, 1.0);
     if (state.fraction > 0)
         state.secondsLeft = elapsed * (1 - state.fraction) / state.fraction;

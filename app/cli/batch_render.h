@@ -7,8 +7,7 @@
 #include <stop_token>
 
 #include "render/base/result.h"
-#include "render/device/device.h"
-#include "render/film/film.h"
+#include "render/device/live_film.h"
 
 namespace pdr::app {
 
@@ -39,8 +38,8 @@ class BatchRender {
   public:
     using Report = std::function<void(const BatchState&)>;
 
-    /// `film` is empty, of the size of the scene that `device` holds. Both outlive this.
-    BatchRender(Device& device, Film& film, const Stops& stops) : device_(device), film_(film), stops_(stops) {}
+    /// `film` is empty, of the scene that its device holds, and outlives this.
+    BatchRender(LiveFilm& film, const Stops& stops) : film_(film), stops_(stops) {}
 
     /// Renders until the first stop. After a stop request it ends with the sample that is on its way, so that the film
     /// stays right; the very first one is given up at once. `report` is called after the first sample and then about
@@ -52,10 +51,13 @@ class BatchRender {
     std::optional<StopReason> reached(double elapsed) const;
     BatchState state(double elapsed) const;
     Result<void> takeSamples(double elapsed, std::stop_token stop);
+    Result<void> look();
+    bool errorIsDue() const;
 
-    Device& device_;
-    Film& film_;
+    LiveFilm& film_;
     Stops stops_;
+    std::uint64_t done_ = 0;  ///< samples of every pixel
+    FilmStatus status_;       ///< of the film when it was last looked at
 };
 
 }  // namespace pdr::app

@@ -55,19 +55,23 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
     if (!work)
         return work.error();
 
-    if (auto ok = device.upload(Flattener().prepare(work->scene)); !ok)
+    if (auto ok = device.upload(Flattener().prepare(work->scene, boundsFor(device.info()))); !ok)
         return ok.error();
-    Film film(work->scene.film, work->scene.revision);
-    const auto result =
-        BatchRender(device, film, options.stops).run(stop, [&](const BatchState& state) { line.show(state); });
+    const auto film = device.film(work->scene.film, work->scene.revision, {});
+    if (!film)
+        return film.error();
+    const auto result = BatchRender(**film, options.stops).run(stop, [&](const BatchState& state) { line.show(state); });
     line.finish();
     if (!result)
         return result.error();
-    if (film.samplesPerPixel() == 0)
+    if (result->film.samplesPerPixel == 0)
         return Error{"ended before the first sample: nothing was written", "", ""};
-    if (auto ok = writeAll(options, *work, film, *result); !ok)
+    const auto picture = (*film)->film();
+    if (!picture)
+        return picture.error();
+    if (auto ok = writeAll(options, *work, **picture, *result); !ok)
         return ok.error();
-    const RenderReport report{options.outputs, film.size(), work->scene.seed, device.info(), *result};
+    const RenderReport report{options.outputs, work->scene.film, work->scene.seed, device.info(), *result};
     std::fputs((options.json ? jsonText(report) : plainText(report)).c_str(), stdout);
     return result->reason;
 }
