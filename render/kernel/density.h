@@ -1,13 +1,16 @@
 #pragma once
-/// The volume between its voxels: trilinear interpolation in float, borders clamped, and its gradient.
+/// The volume between its voxels: trilinear interpolation, borders clamped, and its gradient. In float, but for the
+/// function of single places where the volume has a texture: that one is filtered as texture units do.
 
 #include "render/base/lanes.h"
-#include "render/kernel/flat_scene.h"
+#include "render/kernel/texture.h"
 
 namespace pdr {
 
 /// HU at `position` (index space). Where all eight voxels agree the result is exactly theirs.
 PDR_HD inline float hounsfield(const FlatVolume& volume, vec3 position) {
+    if (volume.texture != 0)
+        return textureHounsfield(volume, position);
     const float x = glm::clamp(position.x, 0.0f, volume.lastIndex.x);
     const float y = glm::clamp(position.y, 0.0f, volume.lastIndex.y);
     const float z = glm::clamp(position.z, 0.0f, volume.lastIndex.z);
