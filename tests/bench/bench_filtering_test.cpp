@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "app/bench/filtering_price.h"
-#include "render/device/cpu/emulated_gpu.h"
+#include "render/kernel/pixel.h"
 #include "tests/support/scenes.h"
 
 using namespace pdr;
