@@ -11,6 +11,7 @@
 #include "tests/support/faulty_gpu.h"
 #include "tests/support/pictures.h"
 #include "tests/support/random_scenes.h"
+#include "tests/support/texture_reading.h"
 
 using namespace pdr;
 
@@ -139,6 +140,24 @@ class FilteringTest : public QObject {
             }
             QCOMPARE(before, last);
             QVERIFY(steps <= 256);
+        }
+    }
+
+    void programsReadTheVolumeAsTheSceneAsks() {
+        std::mt19937 random(8);
+        std::vector<vec3> places;
+        const BothWays both(noise({20, 21, 22}, -1024, 4095, 9));
+        for (int n = 0; n < 10'000; ++n)
+            places.push_back(anyPlace(random, both.volume->size()));
+        Scene scene = test::plainScene(both.volume, 1);
+        for (const Filtering filtering : kFilterings) {
+            scene.filtering = filtering;
+            HostGpu gpu;
+            const auto hu = test::readOn(gpu, Flattener().prepare(scene, Bounds::onDevice), places);
+            QVERIFY(hu);
+            for (std::size_t i = 0; i < places.size(); ++i)
+                QCOMPARE((*hu)[i], hounsfield(filtering == Filtering::fast ? both.fast : both.exact, places[i]));
+            QCOMPARE(gpu.allocated(), std::size_t(0));
         }
     }
 

@@ -132,8 +132,10 @@ std::uint64_t CudaGpu::makeTexture(const std::int16_t* voxels, ivec3 size) {
     copy.kind = cudaMemcpyHostToDevice;
     const bool copied = check(cudaMemcpy3DAsync(&copy, of(GpuStream::compute)), "copying a texture to it");
     const cudaTextureObject_t texture = copied ? textureOf(array) : 0;
-    if (texture == 0)
+    if (texture == 0) {
+        cudaStreamSynchronize(of(GpuStream::compute));
         cudaFreeArray(array);
+    }
     return texture;
 }
 
