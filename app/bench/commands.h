@@ -30,6 +30,11 @@ int rebound(const Arguments& arguments);
 /// primary rays of each scene; without scenes, of a head phantom as bone, as skin over bone, and as soft tissue.
 int trackers(const Arguments& arguments);
 
+/// filtering SCENE.json [--device D] [--samples N] [--points N] [--rounds N] [--json]: what fast filtering of the
+/// volume costs, in HU at N places and in display levels of a picture, and what time it saves. Without a GPU, D = cpu,
+/// one is played by the CPU.
+int filtering(const Arguments& arguments);
+
 /// paper [SCENE.json] [--device D] [--threads N] [--estimator unbiased|kroesMarch] [--clock wall|processor]
 /// [--largest WxH] [--seconds S] [--rounds N] [--out DIR]: the experiment that this program began with: frames per
 /// second, time of an iteration, time beside it, and efficiency, for six resolutions, Exposure Render's schedule and

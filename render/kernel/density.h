@@ -1,13 +1,14 @@
 #pragma once
-/// The volume between its voxels: trilinear interpolation in float, borders clamped, and its gradient.
+/// The volume between its voxels: trilinear interpolation, borders clamped, and its gradient. In float, but for the
+/// function of single places where the volume has a texture: that one is filtered as texture units do.
 
 #include "render/base/lanes.h"
-#include "render/kernel/flat_scene.h"
+#include "render/kernel/texture.h"
 
 namespace pdr {
 
-/// HU at `position` (index space). Where all eight voxels agree the result is exactly theirs.
-PDR_HD inline float hounsfield(const FlatVolume& volume, vec3 position) {
+/// HU at `position` (index space), exactly. Where all eight voxels agree the result is theirs.
+PDR_HD inline float interpolatedHounsfield(const FlatVolume& volume, vec3 position) {
     const float x = glm::clamp(position.x, 0.0f, volume.lastIndex.x);
     const float y = glm::clamp(position.y, 0.0f, volume.lastIndex.y);
     const float z = glm::clamp(position.z, 0.0f, volume.lastIndex.z);
@@ -27,6 +28,13 @@ PDR_HD inline float hounsfield(const FlatVolume& volume, vec3 position) {
     const float low = v00 + (v10 - v00) * b;
     const float high = v01 + (v11 - v01) * b;
     return low + (high - low) * c;
+}
+
+/// The same, or as texture units filter it where the volume has a texture.
+PDR_HD inline float hounsfield(const FlatVolume& volume, vec3 position) {
+    if (volume.texture != 0) [[unlikely]]  // on the CPU
+        return textureHounsfield(volume, position);
+    return interpolatedHounsfield(volume, position);
 }
 
 PDR_HD inline float hounsfield(const FlatVolume& volume, const Vec3<float>& position) {
@@ -125,13 +133,19 @@ PDR_HD inline vec3 localPosition(const FlatVolume& volume, vec3 position) {
     return volume.localFromIndex * (position - 0.5f * volume.lastIndex);
 }
 
-/// Gradient of the HU in local space [HU/mm], by central differences over one voxel to each side.
-PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
-    const auto difference = [&](vec3 offset) {
-        return 0.5f * (hounsfield(volume, position + offset) - hounsfield(volume, position - offset));
-    };
+/// The gradient of what read(position) returns [HU].
+template <class Read>
+PDR_HD inline vec3 gradientOf(const FlatVolume& volume, vec3 position, Read&& read) {
+    const auto difference = [&](vec3 offset) { return 0.5f * (read(position + offset) - read(position - offset)); };
     const vec3 perIndex(difference({1, 0, 0}), difference({0, 1, 0}), difference({0, 0, 1}));
     return glm::transpose(volume.indexFromLocal) * perIndex;
+}
+
+/// Gradient of the HU in local space [HU/mm], by central differences over one voxel to each side.
+PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
+    if (volume.texture != 0) [[unlikely]]  // asked once: on the CPU, six times would be felt
+        return gradientOf(volume, position, [&](vec3 place) { return textureHounsfield(volume, place); });
+    return gradientOf(volume, position, [&](vec3 place) { return interpolatedHounsfield(volume, place); });
 }
 
 }  // namespace pdr

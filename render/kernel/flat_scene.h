@@ -44,6 +44,7 @@ struct FlatVolume {
     dmat3 exactIndexFromLocal;  ///< linear part, 1/mm
     mat3 indexFromLocal;        ///< the same in single precision
     mat3 localFromIndex;        ///< linear part, mm
+    std::uint64_t texture;      ///< of a GPU, to be filtered by its texture units (kernel/texture.h); 0: exactly
 };
 
 /// Bounds on the extinction [1/mm] in cells of a grid; see volume/ranges.h for where the cells lie.
@@ -154,8 +155,9 @@ struct FlatScene {
     bool plainBackground;   ///< behind the volume it looks the same everywhere
     FlatEnvironment environment;
     FlatClip clip;
-    bool marched;    ///< by kernel/kroes_path.h instead of kernel/integrator.h: BIASED
-    int maxBounces;  ///< scattering events on a path, at most
+    bool fastFiltering;  ///< a device that has texture units may read the volume through them
+    bool marched;        ///< by kernel/kroes_path.h instead of kernel/integrator.h: BIASED
+    int maxBounces;      ///< scattering events on a path, at most
     float phaseG;
     float surfaceFactor;  ///< see surfaceNormal() [mm/HU]; 0: no surfaces
     std::uint64_t seed;

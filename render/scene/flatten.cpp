@@ -99,6 +99,7 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Boun
     flattenClip(*prepared, scene);
 
     FlatScene& flat = prepared->flat;
+    flat.fastFiltering = scene.filtering == Filtering::fast && !isProjection(scene.model);
     flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.maxBounces = scene.model == Model::multipleScattering ? scene.maxBounces : 1;
     flat.phaseG = scene.phaseG;

@@ -64,6 +64,10 @@ const char* estimatorName(Estimator estimator) {
     return estimator == Estimator::unbiased ? "unbiased" : "kroesMarch";
 }
 
+const char* filteringName(Filtering filtering) {
+    return filtering == Filtering::exact ? "exact" : "fast";
+}
+
 Result<void> check(const HuWindow& window) {
     for (const auto& ok : {checkRange(window.lowHu, {-32768, 32767}, "window.lowHu"),
                            checkRange(window.highHu, {-32768, 32767}, "window.highHu")})

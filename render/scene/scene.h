@@ -42,6 +42,17 @@ inline constexpr Estimator kEstimators[] = {Estimator::unbiased, Estimator::kroe
 /// Its word in scene files: "kroesMarch".
 const char* estimatorName(Estimator estimator);
 
+/// How the scattering models read the volume between its voxels.
+enum class Filtering {
+    exact,  ///< interpolated in single precision
+    fast    ///< by texture units where a device has them: shares of 8 bits (kernel/texture.h); else exactly
+};
+
+inline constexpr Filtering kFilterings[] = {Filtering::exact, Filtering::fast};
+
+/// Its word in scene files: "fast".
+const char* filteringName(Filtering filtering);
+
 /// The HU that maximumIntensity shows as greys, in even steps at exposure 1.
 struct HuWindow {
     float lowHu = -200;   ///< black; [-32768, 32767]
@@ -61,6 +72,7 @@ struct Scene {
     TransferFunction transferFunction;
     Model model = Model::singleScattering;
     Estimator estimator = Estimator::unbiased;
+    Filtering filtering = Filtering::exact;
     HuWindow window;
     float toleranceLevels = 0.25f;  ///< largest error of a ray of a projection, display levels of 255; [1e-3, 16]
     float phaseG = 0;               ///< Henyey-Greenstein mean cosine; (-1, 1)

@@ -199,12 +199,20 @@ void readEstimator(JsonFields& fields, Estimator& estimator) {
     fields.optional("estimator", estimator, {word(Estimator::unbiased), word(Estimator::kroesMarch)});
 }
 
+void readFiltering(JsonFields& fields, Filtering& filtering) {
+    const auto word = [](Filtering meant) {
+        return std::pair<std::string_view, Filtering>(filteringName(meant), meant);
+    };
+    fields.optional("filtering", filtering, {word(Filtering::exact), word(Filtering::fast)});
+}
+
 void readScene(JsonFields& fields, const std::filesystem::path& folder, SceneFile& file) {
     Scene& scene = file.scene;
     file.source = readVolume(fields.object("volume"), folder);
     scene.transferFunction = readTransferFunction(fields);
     readModel(fields, scene.model);
     readEstimator(fields, scene.estimator);
+    readFiltering(fields, scene.filtering);
     readWindow(fields, scene.window);
     fields.optional("toleranceLevels", scene.toleranceLevels);
     readPhase(fields, scene.phaseG);

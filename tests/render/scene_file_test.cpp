@@ -19,6 +19,7 @@ static const char* kFull = R"({
     { "hu": 100, "opacity": 0.5, "albedo": [0.1, 0.2, 0.3], "emission": 4, "specular": 0.25, "roughness": 0.75 } ] },
   "model": "singleScattering",
   "estimator": "kroesMarch",
+  "filtering": "fast",
   "window": { "lowHu": -50, "highHu": 350 },
   "toleranceLevels": 0.5,
   "phase": { "g": 0.3 },
@@ -88,6 +89,7 @@ class SceneFileTest : public QObject {
                  TransferNode{100, 0.5f, {0.1f, 0.2f, 0.3f}, vec3(4), vec3(0.25f), 0.75f}));
         QVERIFY((scene.window == HuWindow{-50, 350}));
         QVERIFY(scene.estimator == Estimator::kroesMarch);
+        QVERIFY(scene.filtering == Filtering::fast);
         QCOMPARE(scene.toleranceLevels, 0.5f);
         QCOMPARE(scene.phaseG, 0.3f);
         QCOMPARE(scene.gradientFactor, 6.0f);
@@ -111,7 +113,8 @@ class SceneFileTest : public QObject {
         QCOMPARE(QString::fromStdString(file->source.dicomFolder.string()), folder_.filePath("ct"));
         QVERIFY(file->source.raw.path.empty() && !file->source.clampHu && file->source.seriesUid.empty());
         QVERIFY(file->scene.film == Scene{}.film && file->scene.seed == 1 &&
-                file->scene.estimator == Estimator::unbiased && file->scene.lights.empty());
+                file->scene.estimator == Estimator::unbiased && file->scene.filtering == Filtering::exact &&
+                file->scene.lights.empty());
     }
 
     void everyMistakeNamesItsField_data() {
@@ -151,6 +154,8 @@ class SceneFileTest : public QObject {
         row("model", "multipleScattering", "estimator");
         row("model", "emission", "estimator");
         row("estimator", "quick", "estimator");
+        row("filtering", "nearest", "filtering");
+        row("filtering", true, "filtering");
         row("window.lowHu", removed, "window.lowHu");
         row("window.lowHu", 350, "window.highHu");
         row("window.highHu", 40000, "window.highHu");

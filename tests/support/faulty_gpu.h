@@ -11,7 +11,7 @@ namespace pdr::test {
 
 /// What is to fail, and what was called. The test holds it together with the FaultyGpu.
 struct FaultPlan {
-    enum class Call { any, allocate, pinned, copy, clear, launch, event, await };
+    enum class Call { any, allocate, pinned, texture, copy, clear, launch, event, await };
     static constexpr int kNever = -1;
 
     Call call = Call::any;  ///< this kind of call ...
@@ -37,6 +37,10 @@ class FaultyGpu : public HostGpu {
     void* allocatePinned(std::size_t bytes) {
         count(FaultPlan::Call::pinned);
         return HostGpu::allocatePinned(bytes);
+    }
+    std::uint64_t makeTexture(const std::int16_t* voxels, ivec3 size) {
+        count(FaultPlan::Call::texture);
+        return HostGpu::makeTexture(voxels, size);
     }
     void copyToDevice(void* to, const void* from, std::size_t bytes, GpuStream stream) {
         count(FaultPlan::Call::copy);

@@ -121,6 +121,10 @@ void HostGpu::releasePinned(void* memory) {
         pinned_ -= given(memory);
 }
 
+std::uint64_t HostGpu::makeTexture(const std::int16_t*, ivec3 size) {
+    return reinterpret_cast<std::uint64_t>(allocate(std::size_t(size.x) * size.y * size.z * sizeof(std::int16_t)));
+}
+
 void HostGpu::copyToDevice(void* to, const void* from, std::size_t bytes, GpuStream) {
     if (!failed() && bytes > 0)
         std::memcpy(to, from, bytes);

@@ -44,6 +44,10 @@ class HostGpu {
     void* allocatePinned(std::size_t bytes);
     void releasePinned(void* memory);
 
+    /// Nothing but bytes that count as taken: the kernel computes from the volume itself what a texture unit would.
+    std::uint64_t makeTexture(const std::int16_t* voxels, ivec3 size);
+    void releaseTexture(std::uint64_t texture) { release(reinterpret_cast<void*>(texture)); }
+
     void copyToDevice(void* to, const void* from, std::size_t bytes, GpuStream stream);
     void copyToHost(void* to, const void* from, std::size_t bytes, GpuStream stream);
     void clear(void* memory, std::size_t bytes, GpuStream stream);

@@ -83,6 +83,74 @@ void CudaGpu::releasePinned(void* memory) {
         cudaFreeHost(memory);
 }
 
+bool CudaGpu::textureFits(ivec3 size) {
+    ivec3 most(0);
+    const cudaDeviceAttr limits[] = {cudaDevAttrMaxTexture3DWidth, cudaDevAttrMaxTexture3DHeight,
+                                     cudaDevAttrMaxTexture3DDepth};
+    for (int axis = 0; axis < 3; ++axis)
+        if (!check(cudaDeviceGetAttribute(&most[axis], limits[axis], index_), "asking how large textures may be"))
+            return false;
+    const auto text = [](ivec3 voxels) {
+        return std::to_string(voxels.x) + " x " + std::to_string(voxels.y) + " x " + std::to_string(voxels.z);
+    };
+    if (size.x <= most.x && size.y <= most.y && size.z <= most.z)
+        return true;
+    error_ = Error{
+        "the volume is too large for fast filtering: it has " + text(size) + " voxels, textures may have " + text(most),
+        name_, "Choose exact filtering."};
+    return false;
+}
+
+cudaTextureObject_t CudaGpu::textureOf(cudaArray_t array) {
+    cudaResourceDesc resource{};
+    resource.resType = cudaResourceTypeArray;
+    resource.res.array.array = array;
+    cudaTextureDesc reading{};
+    for (cudaTextureAddressMode& mode : reading.addressMode)
+        mode = cudaAddressModeClamp;
+    reading.filterMode = cudaFilterModeLinear;
+    reading.readMode = cudaReadModeNormalizedFloat;
+    cudaTextureObject_t texture = 0;
+    return check(cudaCreateTextureObject(&texture, &resource, &reading, nullptr), "making a texture") ? texture : 0;
+}
+
+std::uint64_t CudaGpu::makeTexture(const std::int16_t* voxels, ivec3 size) {
+    if (!ready() || !textureFits(size))
+        return 0;
+    const std::size_t x = std::size_t(size.x), y = std::size_t(size.y), z = std::size_t(size.z);
+    const cudaChannelFormatDesc format = cudaCreateChannelDesc<short>();
+    cudaArray_t array = nullptr;
+    const cudaError_t status = cudaMalloc3DArray(&array, &format, make_cudaExtent(x, y, z));
+    if (status == cudaErrorMemoryAllocation)
+        error_ = memoryTooSmall(name_, x * y * z * sizeof *voxels, memory().free);
+    if (error_ || !check(status, "taking memory for a texture"))
+        return 0;
+    cudaMemcpy3DParms copy{};
+    copy.srcPtr = make_cudaPitchedPtr(const_cast<std::int16_t*>(voxels), x * sizeof *voxels, x, y);
+    copy.dstArray = array;
+    copy.extent = make_cudaExtent(x, y, z);
+    copy.kind = cudaMemcpyHostToDevice;
+    const bool copied = check(cudaMemcpy3DAsync(&copy, of(GpuStream::compute)), "copying a texture to it");
+    const cudaTextureObject_t texture = copied ? textureOf(array) : 0;
+    if (texture == 0) {
+        cudaStreamSynchronize(of(GpuStream::compute));
+        cudaFreeArray(array);
+    }
+    return texture;
+}
+
+void CudaGpu::releaseTexture(std::uint64_t texture) {
+    if (texture == 0)
+        return;
+    cudaSetDevice(index_);
+    cudaStreamSynchronize(of(GpuStream::compute));
+    cudaResourceDesc resource{};
+    const bool known = cudaGetTextureObjectResourceDesc(&resource, texture) == cudaSuccess;
+    cudaDestroyTextureObject(texture);
+    if (known)
+        cudaFreeArray(resource.res.array.array);
+}
+
 void CudaGpu::copyToDevice(void* to, const void* from, std::size_t bytes, GpuStream stream) {
     if (bytes > 0 && ready())
         check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, of(stream)), "copying to it");

@@ -80,6 +80,8 @@ class CudaGpu {
     void release(void* memory);
     void* allocatePinned(std::size_t bytes);
     void releasePinned(void* memory);
+    std::uint64_t makeTexture(const std::int16_t* voxels, ivec3 size);
+    void releaseTexture(std::uint64_t texture);
     void copyToDevice(void* to, const void* from, std::size_t bytes, GpuStream stream);
     void copyToHost(void* to, const void* from, std::size_t bytes, GpuStream stream);
     void clear(void* memory, std::size_t bytes, GpuStream stream);
@@ -117,6 +119,10 @@ class CudaGpu {
     bool ready();
     /// Keeps the first error; `doing`: what was tried, "a launch".
     bool check(cudaError_t status, const char* doing);
+    /// Whether textures may be that large; else the error is kept.
+    bool textureFits(ivec3 size);
+    /// A texture object for `array`; 0 after an error.
+    cudaTextureObject_t textureOf(cudaArray_t array);
     cudaStream_t of(GpuStream stream) const { return streams_[int(stream)]; }
     /// Blocks of a kernel that the GPU holds at a time.
     unsigned residentBlocks(const void* kernel);

@@ -20,6 +20,7 @@
 #include <optional>
 #include <string>
 
+#include "render/base/portable.h"
 #include "render/base/result.h"
 
 namespace pdr {
@@ -33,7 +34,8 @@ struct GpuMemory {
 
 template <class G>
 concept Gpu = requires(G gpu, const G known, void* memory, const void* host, std::size_t bytes, GpuStream stream,
-                       typename G::Event event, std::int64_t count) {
+                       typename G::Event event, std::int64_t count, const std::int16_t* voxels, ivec3 size,
+                       std::uint64_t texture) {
     /// Effects (kernel/features.h) that programs are compiled with and without.
     { G::kToldApart } -> std::convertible_to<std::uint32_t>;
 
@@ -46,6 +48,12 @@ concept Gpu = requires(G gpu, const G known, void* memory, const void* host, std
     /// Host memory that copies can go to and from behind the host's back.
     { gpu.allocatePinned(bytes) } -> std::same_as<void*>;
     {gpu.releasePinned(memory)};
+
+    /// A texture of a volume in host memory, x fastest, as kernel/texture.h reads it: linearly filtered, clamped, 16
+    /// bits as [-1, 1]. In the order of `compute`. 0 after an error; among them: it is larger than the GPU's textures
+    /// can be. releaseTexture(0) does nothing; it waits for what may still read there.
+    { gpu.makeTexture(voxels, size) } -> std::same_as<std::uint64_t>;
+    {gpu.releaseTexture(texture)};
 
     /// In stream order. Of host memory that is not pinned the host waits for the copy's end.
     {gpu.copyToDevice(memory, host, bytes, stream)};

@@ -6,6 +6,7 @@
 
 #include "render/device/gpu/bounds_programs.h"
 #include "render/device/gpu/gpu_array.h"
+#include "render/device/gpu/gpu_texture.h"
 #include "render/device/gpu/memory_error.h"
 #include "render/kernel/flight.h"
 #include "render/scene/flatten.h"
@@ -26,11 +27,14 @@ class GpuScene {
     /// The scene with all its pointers into the GPU's memory.
     const FlatScene& flat() const { return flat_; }
 
-    /// Device memory for a volume of that many voxels and what rays are led by in it.
+    /// Device memory for a volume of that many voxels and what rays are led by in it, without its texture.
     static std::size_t bytesFor(ivec3 voxels);
 
   private:
-    Result<void> takeVolume(const Volume& volume);
+    static bool wantsTexture(const PreparedScene& scene);
+    Result<void> room(const PreparedScene& scene, std::size_t needed) const;
+    Result<void> takeVolume(const PreparedScene& scene);
+    Result<void> takeTexture(const PreparedScene& scene);
     void sendTables(const PreparedScene& scene);
     void sendEnvironment(const PreparedScene& scene);
     Result<void> bound(const PreparedScene& scene);
@@ -43,6 +47,7 @@ class GpuScene {
     FlatScene flat_{};
 
     GpuArray<G, std::int16_t> voxels_{gpu_};
+    GpuTexture<G> texture_{gpu_};
     GpuArray<G, HuRange> ranges_{gpu_};
     GpuArray<G, float> fine_{gpu_}, coarse_{gpu_};
     GpuArray<G, BoundsSummary> summary_{gpu_};
@@ -79,11 +84,14 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
                                 (scene->flat.optics.model == FlatModel::maximumIntensity);
     scene_ = nullptr;
     if (!sameVolume)
-        if (Result<void> fits = takeVolume(*scene->volume); !fits)
+        if (Result<void> fits = takeVolume(*scene); !fits)
             return fits;
+    if (Result<void> fits = takeTexture(*scene); !fits)
+        return fits;
     const FlatMajorants bounds = flat_.majorants;
     flat_ = scene->flat;
     flat_.volume.voxels = voxels_.data();
+    flat_.volume.texture = texture_.handle();
     sendTables(*scene);
     sendEnvironment(*scene);
     if (sameBounds)
@@ -100,18 +108,35 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     return {};
 }
 
+/// A texture that cannot hold every voxel would be another volume: then filtering stays exact.
 template <Gpu G>
-Result<void> GpuScene<G>::takeVolume(const Volume& volume) {
+bool GpuScene<G>::wantsTexture(const PreparedScene& scene) {
+    return scene.flat.fastFiltering && textureHolds(scene.volume->storedRange());
+}
+
+template <Gpu G>
+Result<void> GpuScene<G>::room(const PreparedScene& scene, std::size_t needed) const {
+    const std::size_t free = gpu_.memory().free;
+    if (needed <= free)
+        return {};
+    return Error{"the volume does not fit into its memory: " + bytesText(needed) + " are needed, " + bytesText(free) +
+                     " are free",
+                 gpu_.name(),
+                 std::string(wantsTexture(scene) ? "Choose exact filtering, which needs less, import" : "Import") +
+                     " a part of the series, close programs that use the device, or render on the CPU."};
+}
+
+template <Gpu G>
+Result<void> GpuScene<G>::takeVolume(const PreparedScene& scene) {
+    const Volume& volume = *scene.volume;
+    texture_.free();
     voxels_.free();
     ranges_.free();
     fine_.free();
     coarse_.free();
-    const std::size_t needed = bytesFor(volume.size()), free = gpu_.memory().free;
-    if (needed > free)
-        return Error{"the volume does not fit into its memory: " + bytesText(needed) + " are needed, " +
-                         bytesText(free) + " are free",
-                     gpu_.name(),
-                     "Import a part of the series, close programs that use the device, or render on the CPU."};
+    const std::size_t texture = wantsTexture(scene) ? GpuTexture<G>::bytesFor(volume.size()) : 0;
+    if (Result<void> fits = room(scene, bytesFor(volume.size()) + texture); !fits)
+        return fits;
     const ivec3 coarse = coarseCells(volume.size()), fine = coarse * kFinePerCoarse;
     const std::size_t coarseCount = std::size_t(coarse.x) * coarse.y * coarse.z;
     voxels_.assign(volume.voxels());
@@ -120,6 +145,22 @@ Result<void> GpuScene<G>::takeVolume(const Volume& volume) {
     coarse_.resize(coarseCount);
     gpu_.launch(RangesProgram{voxels_.data(), volume.size(), fine, ranges_.data()}, std::int64_t(ranges_.size()),
                 GpuStream::compute);
+    return outcome(gpu_);
+}
+
+/// It is kept as long as the volume is, and no longer than it is asked for.
+template <Gpu G>
+Result<void> GpuScene<G>::takeTexture(const PreparedScene& scene) {
+    if (!wantsTexture(scene)) {
+        texture_.free();
+        return {};
+    }
+    if (texture_.handle() != 0)
+        return {};
+    const Volume& volume = *scene.volume;
+    if (Result<void> fits = room(scene, GpuTexture<G>::bytesFor(volume.size())); !fits)
+        return fits;
+    texture_.make(volume.voxels().data(), volume.size());
     return outcome(gpu_);
 }
 

@@ -1,0 +1,40 @@
+#pragma once
+/// A volume read on a GPU: whether its texture units do what is computed in their place elsewhere.
+
+#include <span>
+#include <vector>
+
+#include "render/device/gpu/gpu_scene.h"
+#include "render/kernel/density.h"
+
+namespace pdr::test {
+
+/// For each place (index space): the HU there.
+struct ReadProgram {
+    FlatVolume volume;
+    const vec3* places;
+    float* hu;
+
+    PDR_HD void operator()(std::int64_t index) const { hu[index] = hounsfield(volume, places[index]); }
+};
+
+/// HU of `scene`'s volume at `places`, filtered as the scene asks, by the programs of `gpu`.
+template <Gpu G>
+Result<std::vector<float>> readOn(G& gpu, std::shared_ptr<const PreparedScene> scene, std::span<const vec3> places) {
+    GpuScene<G> there(gpu);
+    if (Result<void> uploaded = there.upload(std::move(scene)); !uploaded)
+        return uploaded.error();
+    GpuArray<G, vec3> from(gpu);
+    GpuArray<G, float> to(gpu, places.size());
+    from.assign(places);
+    gpu.launch(ReadProgram{there.flat().volume, from.data(), to.data()}, std::int64_t(places.size()),
+               GpuStream::compute);
+    std::vector<float> hu(places.size());
+    to.copyTo(hu.data());
+    gpu.awaitAll();
+    if (Result<void> done = outcome(gpu); !done)
+        return done.error();
+    return hu;
+}
+
+}  // namespace pdr::test
