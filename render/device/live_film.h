@@ -6,19 +6,11 @@
 #include <cstdint>
 #include <memory>
 #include <stop_token>
-#include <vector>
 
 #include "render/base/result.h"
-#include "render/film/display.h"
-#include "render/film/film.h"
+#include "render/film/tone_map.h"
 
 namespace pdr {
-
-/// What a screen shows of a film.
-struct Picture {
-    std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top
-    FilmStatus status;               ///< of the film when it was shown
-};
 
 class LiveFilm {
   public:

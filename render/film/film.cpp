@@ -49,10 +49,17 @@ PixelEstimate Film::pixel(int x, int y) const {
 }
 
 FilmStatus Film::status() const {
+    return status([](std::size_t, const Moments&) {});
+}
+
+FilmStatus Film::status(const PixelLook& look) const {
     using Pixels = tbb::blocked_range<std::size_t>;
-    const auto add = [this](const Pixels& pixels, StatusSums sums) {
-        for (std::size_t i = pixels.begin(); i != pixels.end(); ++i)
-            sums.add(at(i));
+    const auto add = [&](const Pixels& pixels, StatusSums sums) {
+        for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
+            const Moments known = at(i);
+            sums.add(known);
+            look(i, known);
+        }
         return sums;
     };
     const auto join = [](StatusSums a, const StatusSums& b) {

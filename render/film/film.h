@@ -4,6 +4,7 @@
 /// Stays right for 1e7 iterations: blocks of 64 samples in double, merged by Chan's formula.
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct FilmContent {
     Health health;
 };
 
+using PixelLook = std::function<void(std::size_t index, const Moments& known)>;
+
 class Film {
   public:
     Film(ivec2 size, std::uint64_t revision);
@@ -57,6 +60,8 @@ class Film {
 
     PixelEstimate pixel(int x, int y) const;
     FilmStatus status() const;
+    /// The same, with a look at each pixel on the way: `look` gets its index and what is known of it, on many threads.
+    FilmStatus status(const PixelLook& look) const;
 
     FilmContent content() const { return {samples_, moments_, block_, health_}; }
 

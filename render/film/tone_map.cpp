@@ -1,7 +1,5 @@
 #include "render/film/tone_map.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 
 #include "render/film/levels.h"
@@ -34,20 +32,21 @@ std::uint8_t displayLevel(double radiance, const Display& display) {
     return levelOf(displayThresholds().data(), radiance, display.exposure);
 }
 
-std::vector<std::uint8_t> toneMap(const Film& film, const Display& display) {
-    const ivec2 size = film.size();
+Picture pictureOf(const Film& film, const Display& display) {
     const double* thresholds = displayThresholds().data();
-    std::vector<std::uint8_t> rgba(std::size_t(size.x) * std::size_t(size.y) * 4);
-    tbb::parallel_for(0, size.y, [&](int y) {
-        std::uint8_t* out = &rgba[std::size_t(y) * std::size_t(size.x) * 4];
-        for (int x = 0; x < size.x; ++x, out += 4) {
-            const dvec3 mean = film.pixel(x, y).mean;
-            for (int channel = 0; channel < 3; ++channel)
-                out[channel] = levelOf(thresholds, mean[channel], display.exposure);
-            out[3] = 255;
-        }
+    Picture picture{std::vector<std::uint8_t>(std::size_t(film.size().x) * std::size_t(film.size().y) * 4), {}};
+    // In one pass with the status: both wait for the film's memory.
+    picture.status = film.status([&](std::size_t pixel, const Moments& known) {
+        std::uint8_t* out = &picture.rgba[pixel * 4];
+        for (int channel = 0; channel < 3; ++channel)
+            out[channel] = levelOf(thresholds, known.mean[channel], display.exposure);
+        out[3] = 255;
     });
-    return rgba;
+    return picture;
+}
+
+std::vector<std::uint8_t> toneMap(const Film& film, const Display& display) {
+    return pictureOf(film, display).rgba;
 }
 
 }  // namespace pdr

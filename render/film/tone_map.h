@@ -12,7 +12,16 @@ namespace pdr {
 /// One channel: 0 for L <= 0, 255 for +infinity, monotone in L.
 std::uint8_t displayLevel(double radiance, const Display& display);
 
-/// The whole film as RGBA8 bytes (alpha 255), row by row from the top.
+/// What a screen shows of a film.
+struct Picture {
+    std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top
+    FilmStatus status;               ///< of the film when it was shown
+};
+
+/// The whole film as it is now.
+Picture pictureOf(const Film& film, const Display& display);
+
+/// Its pixels alone: the whole film as RGBA8 bytes (alpha 255), row by row from the top.
 std::vector<std::uint8_t> toneMap(const Film& film, const Display& display);
 
 }  // namespace pdr

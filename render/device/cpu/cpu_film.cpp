@@ -3,8 +3,6 @@
 #include <cassert>
 #include <utility>
 
-#include "render/film/tone_map.h"
-
 namespace pdr {
 
 Result<void> CpuFilm::iterate(std::uint32_t n, std::stop_token stop) {
@@ -22,7 +20,7 @@ Result<void> CpuFilm::iterate(std::uint32_t n, std::stop_token stop) {
 }
 
 Result<void> CpuFilm::show(const Display& display) {
-    shown_.push_back({toneMap(film_, display), film_.status()});
+    shown_.push_back(pictureOf(film_, display));
     return {};
 }
 
