@@ -135,6 +135,10 @@ int parity(const Arguments& arguments) {
     const auto options = Options::read(arguments, {"--device"}, {"--quick"});
     if (!options)
         return 2;
+    const std::vector<ParityScene> scenes = parityScenes();
+    for (const std::string& name : options->files)
+        if (std::ranges::count(scenes, name, &ParityScene::name) == 0)
+            return fail({"there is no such scene", name, "Without a name all are compared; the table names them."});
     const auto device = openDevice(options->word("--device", "cuda"));
     if (!device)
         return fail(device.error());
@@ -142,7 +146,6 @@ int parity(const Arguments& arguments) {
     std::printf("%s (%s) against the CPU: %u samples a pixel; %.1f %% of the pixels within %g, means within %g\n",
                 info.name.c_str(), info.details.c_str(), kSamples, 100 * kPixelShare, kPixelTolerance, kMeanTolerance);
     const auto cpu = makeCpuDevice();
-    const std::vector<ParityScene> scenes = parityScenes();
     Verdicts verdicts;
     for (const ParityScene& one : scenes)
         if (options->files.empty() || std::ranges::count(options->files, one.name) > 0)
