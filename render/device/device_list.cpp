@@ -3,6 +3,8 @@
 #include <charconv>
 #include <optional>
 
+#include "render/device/cpu/emulated_gpu.h"
+
 #if defined(PDR_HAS_CUDA)
 #include "render/device/cuda/cuda_device.h"
 #endif
@@ -50,6 +52,8 @@ std::vector<DeviceInfo> devicesHere() {
 Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads) {
     if (name == "cpu")
         return makeCpuDevice(threads);
+    if (name == "emulated")
+        return makeEmulatedGpu(threads);
     if (name == "auto") {
         Result<std::unique_ptr<Device>> gpu = makeCudaDevice(0);
         return gpu ? std::move(gpu) : Result<std::unique_ptr<Device>>(makeCpuDevice(threads));

@@ -39,6 +39,8 @@ class GpuDevice final : public Device {
 template <Gpu G>
 Result<void> GpuDevice<G>::render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) {
     const SampleGrid grid{tile, samples};
+    if (grid.pixels() == 0 || samples.count == 0)
+        return {};
     GpuArray<G, PixelSums> pixels(gpu_, std::size_t(grid.pixels()));
     GpuArray<G, GpuHealth> health(gpu_, 1);
     GpuArray<G, vec3> radiance(gpu_);
