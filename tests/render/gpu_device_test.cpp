@@ -212,6 +212,23 @@ class GpuDeviceTest : public QObject {
         QVERIFY(gpu->upload(Flattener().prepare(bumpyScene(), Bounds::onDevice)));  // a smaller one fits
     }
 
+    void withoutASceneNothingIsRendered() {
+        const auto gpu = hostDevice(1'000'000);
+        const Scene scene = bumpyScene();
+        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
+        Scene tooLarge = scene;
+        tooLarge.volume = test::makeVolume({100, 100, 100}, dvec3(1), [](int, int, int) { return 0; });
+        QVERIFY(!gpu->upload(Flattener().prepare(tooLarge, Bounds::onDevice)));
+        Film film({8, 8}, 1);
+        const Tile whole{0, 0, 8, 8};
+        QVERIFY(!gpu->render(whole, film.nextSamples(1), film.sums(whole), {}));
+        const Schedule k0{.kind = Schedule::Kind::kroes, .redundant = true}, k1{.kind = Schedule::Kind::kroes};
+        for (const Schedule& schedule : {Schedule{}, k0, k1}) {
+            const auto live = gpu->film({8, 8}, 1, schedule);
+            QVERIFY(!live || !(*live)->iterate(1, {}));
+        }
+    }
+
     /// Whatever call fails: a sentence, no crash, and afterwards the device works again.
     void everyCallMayFail() {
         const Scene scene = bumpyScene();

@@ -27,7 +27,7 @@ class FrameSampler {
     /// What went wrong with samples since it was last asked.
     virtual Result<Health> takeHealth() = 0;
 
-    /// The uploaded scene, on the host ...
+    /// The uploaded scene, on the host (null: there is none, and no sample will be taken) ...
     virtual std::shared_ptr<const PreparedScene> scene() const = 0;
     /// ... and as programs read it.
     virtual FlatScene sceneOnDevice() const = 0;

@@ -38,6 +38,8 @@ class GpuDevice final : public Device {
 /// In device memory and back: for those who want the sums themselves.
 template <Gpu G>
 Result<void> GpuDevice<G>::render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) {
+    if (Result<void> scene = scene_.isThere(); !scene)
+        return scene;
     const SampleGrid grid{tile, samples};
     if (grid.pixels() == 0 || samples.count == 0)
         return {};

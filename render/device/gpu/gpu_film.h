@@ -105,6 +105,8 @@ void GpuFilm<G>::launch(std::uint32_t samples) {
 /// One launch is under way while the next is ordered, and no more, so that a stop comes within a launch.
 template <Gpu G>
 Result<void> GpuFilm<G>::iterate(std::uint32_t n, std::stop_token stop) {
+    if (Result<void> scene = scene_.isThere(); !scene)
+        return scene;
     while (n > 0 && !stop.stop_requested()) {
         const std::uint32_t samples = std::min(n, launchSize_.samples());
         launch(samples);

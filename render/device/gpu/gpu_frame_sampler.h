@@ -35,6 +35,8 @@ class GpuFrameSampler final : public FrameSampler {
     }
 
     Result<void> sample(std::uint64_t number, SampledPixel* frame, std::stop_token) override {
+        if (Result<void> scene = scene_.isThere(); !scene)
+            return scene;
         const TraceTarget target{{{0, 0, size_.x, size_.y}, {number, 1}}, radiance_.data(), health_.data()};
         traceLaunchFor<G>(scene_.flat())(gpu_, scene_.flat(), target);
         gpu_.launch(KeepSampleProgram{target, frame}, target.grid.pixels(), GpuStream::compute);

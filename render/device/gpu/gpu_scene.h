@@ -24,6 +24,12 @@ class GpuScene {
 
     /// As it was uploaded; null: there is none.
     const std::shared_ptr<const PreparedScene>& prepared() const { return scene_; }
+    /// An error where there is none: samples would be of memory that is gone.
+    Result<void> isThere() const {
+        if (scene_)
+            return {};
+        return Error{"there is no scene on the device", gpu_.name(), "It was refused, or the device failed before."};
+    }
     /// The scene with all its pointers into the GPU's memory.
     const FlatScene& flat() const { return flat_; }
 

@@ -156,7 +156,7 @@ class KroesFilm final : public LiveFilm {
     Result<void> iterateOnce(std::stop_token stop) {
         stale_ = true;
         std::optional<kroes::Resend<G>> resend;
-        if (constants_)
+        if (constants_ && sampler_->scene())
             resend.emplace(gpu_, *constants_, *sampler_);
         if (Result<void> sampled = sampler_->sample(done_, frame_.data(), stop); !sampled)
             return sampled;
