@@ -12,6 +12,7 @@
 #include "tests/support/pictures.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/texture_reading.h"
+#include "tests/support/tissue_scene.h"
 
 using namespace pdr;
 
@@ -47,13 +48,7 @@ Cube<float> cubeAround(const FlatVolume& volume, vec3 place) {
 }
 
 Scene tissue(Filtering filtering) {
-    Scene scene = test::plainScene(test::bumpyVolume({50, 41, 37}, {0.9, 1.1, 1.3}, 3), 0.4f);
-    scene.transferFunction.nodes = {{.hu = -200, .opacity = 0},
-                                    {.hu = 300, .opacity = 0.2f, .albedo = vec3(0.9f, 0.6f, 0.5f)},
-                                    {.hu = 900, .opacity = 1, .specular = vec3(0.04f), .roughness = 0.3f}};
-    scene.gradientFactor = 2;
-    scene.environment.radiance = vec3(0.2f, 0.25f, 0.3f);
-    scene.film = {61, 45};
+    Scene scene = test::tissueScene();
     scene.filtering = filtering;
     return scene;
 }
