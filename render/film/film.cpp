@@ -5,11 +5,37 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 namespace pdr {
+namespace {
+
+bool sameBits(const dvec3& a, const dvec3& b) {
+    const auto same = [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); };
+    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+
+bool sameBits(const Moments& a, const Moments& b) {
+    return a.count == b.count && sameBits(a.mean, b.mean) && sameBits(a.m2, b.m2);
+}
+
+bool sameBits(const PixelSums& a, const PixelSums& b) {
+    return a.count == b.count && sameBits(a.sum, b.sum) && sameBits(a.sumOfSquares, b.sumOfSquares);
+}
+
+template <class T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return sameBits(x, y); });
+}
+
+}  // namespace
+
+bool sameBits(const FilmContent& a, const FilmContent& b) {
+    return a.samplesPerPixel == b.samplesPerPixel && sameBits(a.moments, b.moments) && sameBits(a.block, b.block);
+}
 
 Film::Film(ivec2 size, std::uint64_t revision)
     : size_(size), revision_(revision), block_(std::size_t(size.x) * size.y), moments_(block_.size()) {}

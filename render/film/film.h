@@ -39,6 +39,10 @@ struct FilmContent {
     Health health;
 };
 
+/// Whether both know the same to the last bit, number by number: what lies between the numbers in memory is nobody's
+/// value. Health is left out.
+bool sameBits(const FilmContent& a, const FilmContent& b);
+
 using PixelLook = std::function<void(std::size_t index, const Moments& known)>;
 
 class Film {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "render/base/health.h"
+#include "tests/support/places.h"
 
 /// What a run of the program left.
 struct Run {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dicom/import.h"
+#include "tests/support/places.h"
 #include "tests/support/shared_data.h"
 
 using namespace pdr;

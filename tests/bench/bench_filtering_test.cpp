@@ -9,6 +9,7 @@
 
 #include "app/bench/filtering_price.h"
 #include "render/kernel/pixel.h"
+#include "tests/support/places.h"
 #include "tests/support/scenes.h"
 
 using namespace pdr;

@@ -14,6 +14,7 @@
 #include "app/bench/paper/settings.h"
 #include "app/bench/paper/text_table.h"
 #include "render/accuracy/efficiency.h"
+#include "tests/support/places.h"
 
 using namespace pdr;
 using namespace pdr::bench;

@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QRegularExpression>
 
+#include "tests/support/places.h"
+
 namespace {
 
 const QString kFolder = QStringLiteral(PDR_SOURCE_DIR "/tests/hard_cases/");

@@ -1,4 +1,6 @@
 #include <QTest>
+#include <cmath>
+#include <cstring>
 
 #include "render/film/film.h"
 #include "render/kernel/random.h"
@@ -19,6 +21,28 @@ class FilmTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// What lies in memory between the numbers is nobody's value; a comparison of bytes saw it.
+    void filmsAreComparedNumberByNumber() {
+        const auto contentOver = [](unsigned char rubbish, double lastSum, double lastMean) {
+            FilmContent content{2, std::vector<Moments>(3), std::vector<PixelSums>(3), {}};
+            std::memset(static_cast<void*>(content.block.data()), rubbish, 3 * sizeof(PixelSums));
+            for (PixelSums& pixel : content.block) {
+                pixel.sum = pixel.sumOfSquares = dvec3(0.5);
+                pixel.count = 2;
+            }
+            content.block[2].sum.z = lastSum;
+            content.moments[2].mean.x = lastMean;
+            return content;
+        };
+        QVERIFY(sameBits(contentOver(0x00, 1, 1), contentOver(0xff, 1, 1)));
+        QVERIFY(!sameBits(contentOver(0, 1, 1), contentOver(0, std::nextafter(1, 2), 1)));
+        QVERIFY(!sameBits(contentOver(0, 1, 1), contentOver(0, 1, std::nextafter(1, 2))));
+        QVERIFY(!sameBits(contentOver(0, 1, 0.0), contentOver(0, 1, -0.0)));
+        FilmContent more = contentOver(0, 1, 1);
+        more.samplesPerPixel = 3;
+        QVERIFY(!sameBits(contentOver(0, 1, 1), more));
+    }
+
     void firstSamplesCountFully() {
         const auto ramp = [](std::uint64_t i) { return double(i + 1); };
         QCOMPARE(test::filmOf(1, ramp).pixel(0, 0).mean.x, 1.0);

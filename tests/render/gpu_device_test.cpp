@@ -1,7 +1,6 @@
 #include <QTest>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <thread>
 
 #include "render/device/cpu/host_gpu.h"
@@ -27,11 +26,7 @@ Scene bumpyScene() {
 }
 
 bool same(const Film& a, const Film& b) {
-    const FilmContent x = a.content(), y = b.content();
-    const auto sameBytes = [](const auto& p, const auto& q) {
-        return p.size() == q.size() && std::memcmp(p.data(), q.data(), p.size() * sizeof p[0]) == 0;
-    };
-    return x.samplesPerPixel == y.samplesPerPixel && sameBytes(x.moments, y.moments) && sameBytes(x.block, y.block);
+    return sameBits(a.content(), b.content());
 }
 
 /// `samples` by way of a live film, n at a time.

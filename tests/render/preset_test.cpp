@@ -3,6 +3,7 @@
 #include <QFile>
 
 #include "render/scene/preset.h"
+#include "tests/support/places.h"
 
 using namespace pdr;
 

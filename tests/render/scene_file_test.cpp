@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 
 #include "render/scene/scene_file.h"
+#include "tests/support/places.h"
 
 using namespace pdr;
 

@@ -4,6 +4,7 @@
 
 #include "app/bench/pfm.h"
 #include "render/scene/scene_file.h"
+#include "tests/support/places.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/statistics.h"

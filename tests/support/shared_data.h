@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "tests/support/places.h"
+
 namespace pdr::test {
 
 /// The folder that PDR_SHARED names, or `shared` beside the source tree.

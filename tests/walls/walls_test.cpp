@@ -4,6 +4,8 @@
 #include <QFile>
 #include <QRegularExpression>
 
+#include "tests/support/places.h"
+
 /// Reads every #include of the tree and fails where one crosses a wall of the house (design in README.md).
 class WallsTest : public QObject {
     Q_OBJECT
