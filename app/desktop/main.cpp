@@ -1,6 +1,8 @@
 /// pdrender: the desktop. Exit codes: 0, 1 for an error, 2 for wrong usage.
 
 #include <QApplication>
+#include <QFile>
+#include <QPixmap>
 #include <QTimer>
 
 #include <algorithm>
@@ -23,8 +25,17 @@ constexpr const char* kNoDisplay =
     "pdrender: there is no display to open a window on. Start it on a desktop, or render to files with pdrender-cli, "
     "which needs none.\n";
 
+/// Shows a patient, so a new file is for its owner alone.
+bool saveForOwner(const QPixmap& picture, const QString& path) {
+    QFile file(path);
+    const bool isNew = !file.exists();
+    return file.open(QFile::WriteOnly) &&
+           (!isNew || file.setPermissions(QFile::ReadOwner | QFile::WriteOwner)) && picture.save(&file, "PNG") &&
+           file.flush();
+}
+
 void takeScreenshot(ui::MainWindow& window, const QString& file) {
-    const bool saved = window.grab().save(file, "PNG");
+    const bool saved = saveForOwner(window.grab(), file);
     if (!saved)
         std::cerr << "pdrender: " << file.toStdString()
                   << ": the screenshot cannot be written there. Choose another file.\n";
