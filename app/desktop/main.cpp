@@ -1,11 +1,11 @@
 /// pdrender: the desktop.
 
-#include <QApplication>
 #include <QCommandLineParser>
 #include <QTimer>
 #include <iostream>
 
 #include "app/desktop.h"
+#include "app/desktop/application.h"
 #include "app/presets.h"
 #include "render/device/device_list.h"
 #include "ui/dark_theme.h"
@@ -95,7 +95,7 @@ int run(const Options& options) {
 }  // namespace pdr::app
 
 int main(int argc, char** argv) {
-    QApplication application(argc, argv);
+    pdr::app::Application application(argc, argv);
     QApplication::setApplicationName("pdrender");
     QApplication::setApplicationVersion(PDR_VERSION);
     pdr::ui::applyDarkTheme(application);

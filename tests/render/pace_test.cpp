@@ -186,7 +186,7 @@ class PaceTest : public QObject {
         for (std::size_t i = 0; i + 1 < shots.size(); ++i)
             QCOMPARE(shots[i].frame->status.samplesPerPixel, 3 * (i + 1));
         std::promise<std::uint64_t> samples;
-        session.inspect([&](const FilmView& view) { samples.set_value(view.film.samplesPerPixel()); });
+        session.inspect(1, [&](const Result<FilmView>& view) { samples.set_value(view->film.samplesPerPixel()); });
         QCOMPARE(shots.back().frame->status.samplesPerPixel, samples.get_future().get());
     }
 };
