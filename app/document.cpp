@@ -33,7 +33,7 @@ Display Document::display() const {
 void Document::open(std::shared_ptr<const Volume> volume) {
     past_.clear();
     future_.clear();
-    handMoves_ = false;
+    gesture_ = Gesture::none;
     now_.scene.volume = std::move(volume);
     now_.scene.camera = cameraOf(StandardView::anterior);
     applyPreset();
@@ -42,16 +42,23 @@ void Document::open(std::shared_ptr<const Volume> volume) {
 void Document::close() {
     past_.clear();
     future_.clear();
+    gesture_ = Gesture::none;
     now_.scene.volume.reset();
 }
 
 void Document::setCamera(const Camera& camera, bool moving) {
     if (!hasVolume())
         return;
-    if (!handMoves_)
-        remember();
-    handMoves_ = moving;
+    if (camera == now_.scene.camera && !moving)
+        return rest();
+    remember(Gesture::camera, moving);
     applyCamera(camera, moving);
+}
+
+/// Where the hand is: no other scene. Where it was not at the camera there is nothing new at all.
+void Document::rest() {
+    if (std::exchange(gesture_, Gesture::none) == Gesture::camera)
+        emit sceneChanged(now_.scene, false);
 }
 
 void Document::setView(StandardView view) {
@@ -78,18 +85,25 @@ void Document::setEstimator(Estimator estimator) {
         return;
     }
     remember();
-    apply(std::move(state), false);
+    edit(std::move(state), false);
 }
 
-void Document::setBrightness(double stops) {
+void Document::setBrightness(double stops, bool moving) {
+    if (stops == now_.brightness && gesture_ != Gesture::brightness)
+        return;
+    if (hasVolume())
+        remember(Gesture::brightness, moving);
     now_.brightness = stops;
     emit displayChanged(display());
 }
 
 void Document::setViewSize(ivec2 pixels) {
-    now_.scene.film = filmFor(pixels);
+    const ivec2 film = filmFor(pixels);
+    if (film == now_.scene.film)
+        return;
+    now_.scene.film = film;
     if (hasVolume())
-        apply(now_, false);
+        show(now_, false);
 }
 
 void Document::undo() {
@@ -98,9 +112,7 @@ void Document::undo() {
     future_.push_back(now_);
     State state = std::move(past_.back());
     past_.pop_back();
-    handMoves_ = false;
-    apply(std::move(state), false);
-    emit displayChanged(display());
+    comeBackTo(std::move(state));
 }
 
 void Document::redo() {
@@ -109,23 +121,42 @@ void Document::redo() {
     past_.push_back(now_);
     State state = std::move(future_.back());
     future_.pop_back();
-    handMoves_ = false;
-    apply(std::move(state), false);
-    emit displayChanged(display());
+    comeBackTo(std::move(state));
 }
 
-void Document::remember() {
+/// What stands now becomes a step to undo, unless `gesture` goes on.
+void Document::remember(Gesture gesture, bool moving) {
+    const bool goesOn = gesture != Gesture::none && gesture == gesture_;
+    gesture_ = moving ? gesture : Gesture::none;
+    if (goesOn)
+        return;
     past_.push_back(now_);
+    if (past_.size() > kSteps)
+        past_.pop_front();
     future_.clear();
 }
 
+void Document::edit(State state, bool moving) {
+    state.edit = ++edits_;
+    show(std::move(state), moving);
+}
+
 /// The window's size and the revision are not undone: an earlier state comes back as a new value.
-void Document::apply(State state, bool moving) {
+void Document::show(State state, bool moving) {
     const ivec2 film = now_.scene.film;
     now_ = std::move(state);
     now_.scene.film = film;
     now_.scene.revision = ++revision_;
     emit sceneChanged(now_.scene, moving);
+}
+
+void Document::comeBackTo(State state) {
+    gesture_ = Gesture::none;
+    if (state.edit == now_.edit)
+        now_.brightness = state.brightness;
+    else
+        show(std::move(state), false);
+    emit displayChanged(display());
 }
 
 /// Without a volume the choice waits for one.
@@ -135,7 +166,7 @@ void Document::applyPreset() {
         return;
     State state = now_;
     state.scene = withPreset(std::move(state.scene), presets_[std::size_t(state.preset)]);
-    apply(std::move(state), false);
+    edit(std::move(state), false);
 }
 
 /// The lights hang on the camera, so they are made anew with it.
@@ -143,7 +174,7 @@ void Document::applyCamera(const Camera& camera, bool moving) {
     State state = now_;
     state.scene.camera = camera;
     state.scene.lights = lightRig(presets_[std::size_t(state.preset)], state.scene.volume->geometry(), camera);
-    apply(std::move(state), moving);
+    edit(std::move(state), moving);
 }
 
 Camera Document::cameraOf(StandardView view) const {

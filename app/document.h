@@ -3,6 +3,7 @@
 /// scene's revision grows.
 
 #include <QObject>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -39,14 +40,15 @@ class Document : public QObject {
     void open(std::shared_ptr<const pdr::Volume> volume);
     /// Shows nothing.
     void close();
-    /// One gesture of the hand (moving, ..., moving, at rest) is one step to undo.
+    /// One gesture of the hand (moving, ..., moving, at rest) is one step to undo. A hand that rests where it is makes no
+    /// other scene.
     void setCamera(const pdr::Camera& camera, bool moving);
     void setView(pdr::StandardView view);
     void setPreset(int index);
     void setEstimator(pdr::Estimator estimator);
-    /// Only what is shown changes, not what is computed; no step to undo.
-    void setBrightness(double stops);
-    /// The view's size in pixels; no step to undo.
+    /// Only what is shown changes, not what is computed. A step to undo of its own, one for each gesture as well.
+    void setBrightness(double stops, bool moving = false);
+    /// The view's size in pixels; no step to undo. The picture begins anew where its film has another size.
     void setViewSize(pdr::ivec2 pixels);
     void undo();
     void redo();
@@ -62,20 +64,29 @@ class Document : public QObject {
         Scene scene;
         int preset = 0;
         double brightness = 0;
+        std::uint64_t edit = 0;  ///< number of the edit that made the scene; the same number: the same scene
     };
+    /// What the hand is at, as long as it moves.
+    enum class Gesture { none, camera, brightness };
+    /// Steps that can be undone: more than anyone goes back, and little memory.
+    static constexpr std::size_t kSteps = 300;
 
-    void remember();
-    void apply(State state, bool moving);
+    void remember(Gesture gesture = Gesture::none, bool moving = false);
+    void edit(State state, bool moving);
+    void show(State state, bool moving);
+    void comeBackTo(State state);
+    void rest();
     void applyPreset();
     void applyCamera(const Camera& camera, bool moving);
     Camera cameraOf(StandardView view) const;
 
     std::vector<Preset> presets_;
     State now_;
-    std::vector<State> past_;
+    std::deque<State> past_;
     std::vector<State> future_;
-    bool handMoves_ = false;
+    Gesture gesture_ = Gesture::none;
     std::uint64_t revision_ = 0;
+    std::uint64_t edits_ = 0;
 };
 
 }  // namespace pdr::app

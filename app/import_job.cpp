@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "dicom/import.h"
+#include "render/base/thrown.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
 
 ImportJob::ImportJob() {
     worker_.moveToThread(&thread_);
-    thread_.start();
 }
 
 ImportJob::~ImportJob() {
@@ -23,7 +23,7 @@ void ImportJob::scanFolder(const QString& folder) {
     start([this, folder](const Progress& progress) -> std::function<void()> {
         auto result = dicom::scanFolder(ui::fromQt(folder), progress);
         if (!result)
-            return [this, error = result.error()] { emit failed(error); };
+            return failure(result.error());
         return [this, folder, scan = std::move(*result)] {
             scan_ = scan;
             emit scanned(scan_, folder);
@@ -37,7 +37,7 @@ void ImportJob::loadSeries(int index) {
     start([this, index, series = scan_.series[std::size_t(index)]](const Progress& progress) -> std::function<void()> {
         auto result = dicom::loadSeries(series, dicom::Padding::maskAsAir, progress);
         if (!result)
-            return [this, error = result.error()] { emit failed(error); };
+            return failure(result.error());
         auto volume = std::make_shared<const Volume>(std::move(*result));
         return [this, index, volume] { emit loaded(volume, index); };
     });
@@ -52,7 +52,7 @@ void ImportJob::cancel() {
     emit finished();
 }
 
-void ImportJob::start(std::function<std::function<void()>(const Progress&)> work) {
+void ImportJob::start(Work work) {
     const std::uint64_t job = ++job_;
     running_ = true;
     const auto run = [this, job, work = std::move(work)] {
@@ -71,10 +71,28 @@ void ImportJob::start(std::function<std::function<void()>(const Progress&)> work
             });
             return true;
         };
-        const std::function<void()> result = work(progress);
+        const std::function<void()> result = resultOf(work, progress);
         QMetaObject::invokeMethod(this, [this, job, result] { deliver(job, result); });
     };
-    QMetaObject::invokeMethod(&worker_, run);
+    thread_.start();
+    if (thread_.isRunning())
+        QMetaObject::invokeMethod(&worker_, run);
+    else
+        deliver(job, failure({"nothing can be read: the system has no thread or no memory left for it", "",
+                              "Close other programs, then open the folder again."}));
+}
+
+/// The one place of the thread where exceptions end.
+std::function<void()> ImportJob::resultOf(const Work& work, const Progress& progress) {
+    try {
+        return work(progress);
+    } catch (...) {
+        return failure(thrownError());
+    }
+}
+
+std::function<void()> ImportJob::failure(const Error& error) {
+    return [this, error] { emit failed(error); };
 }
 
 /// A job that was overtaken has nothing to say, not even that it was cancelled.

@@ -44,15 +44,24 @@ class ImportJob : public QObject {
     /// The job that runs has ended, one way or another.
     void finished();
 
+  protected:
+    /// Returns what is to be called with its result.
+    using Work = std::function<std::function<void()>(const Progress&)>;
+    /// Runs `work` on the thread; what it returns is called back here, unless a newer job has begun. What it throws, and
+    /// a thread that the system does not give, end with failed().
+    void start(Work work);
+
+    QThread& thread() { return thread_; }
+
   private:
-    /// Runs `work` on the thread; what it returns is called back here, unless a newer job has begun.
-    void start(std::function<std::function<void()>(const Progress&)> work);
+    std::function<void()> resultOf(const Work& work, const Progress& progress);
+    std::function<void()> failure(const Error& error);
     void deliver(std::uint64_t job, const std::function<void()>& result);
 
     dicom::ScanResult scan_;
     std::atomic<std::uint64_t> job_ = 0;  ///< the one that may go on; older ones are cancelled
     bool running_ = false;
-    QThread thread_;
+    QThread thread_;  ///< begins with the first job
     QObject worker_;  ///< lives on thread_
 };
 

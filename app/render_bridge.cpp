@@ -8,6 +8,21 @@
 #include "ui/to_qt.h"
 
 namespace pdr::app {
+namespace {
+
+Result<void> write(const FilmView& view, const Display& display, bool exr, const QString& file) {
+    const Film& film = view.film;
+    const Provenance provenance = provenanceOf(view.scene, film.status(), view.seconds, view.schedule);
+    const std::filesystem::path path = ui::fromQt(file);
+    return exr ? writeExr(film, provenance, path) : writePng(film, display, provenance, path);
+}
+
+Error notSaved(const QString& file, const Error& reason) {
+    return {"not saved, because " + reason.what, file.toStdString(),
+            reason.hint + (reason.hint.ends_with('.') ? "" : ".") + " Then save again."};
+}
+
+}  // namespace
 
 RenderBridge::RenderBridge(std::unique_ptr<Device> device, int threads)
     : threads_(threads),
@@ -51,11 +66,17 @@ void RenderBridge::setDevice(const QString& name) {
 
 void RenderBridge::setPaused(bool paused) {
     paused_ = paused;
-    session_.setPaused(paused);
+    session_.setPaused(paused_ || unseen_);
     emit pausedChanged(paused);
 }
 
-void RenderBridge::dropFrames() {
+void RenderBridge::setUnseen(bool unseen) {
+    unseen_ = unseen;
+    session_.setPaused(paused_ || unseen_);
+}
+
+void RenderBridge::clear() {
+    session_.clear();
     oldestShown_ = newest_ + 1;
     next_.reset();
     movingUnseen_ = false;
@@ -69,11 +90,12 @@ void RenderBridge::save(const QString& file) {
                          "Choose a name that ends in .png or .exr."});
         return;
     }
-    session_.inspect([this, file, exr, display = display_](const FilmView& view) {
-        const Film& film = view.film;
-        const Provenance provenance = provenanceOf(view.scene, film.status(), view.seconds, view.schedule);
-        const std::filesystem::path path = ui::fromQt(file);
-        const Result<void> written = exr ? writeExr(film, provenance, path) : writePng(film, display, provenance, path);
+    if (!lastFrame_) {
+        emit saveFailed(notSaved(file, {"there is no picture", "", "Wait until there is one."}));
+        return;
+    }
+    session_.inspect(lastFrame_->revision, [this, file, exr, display = display_](const Result<FilmView>& view) {
+        const Result<void> written = view ? write(*view, display, exr, file) : notSaved(file, view.error());
         QMetaObject::invokeMethod(this, [this, file, written] {
             if (written)
                 emit saved(file);
@@ -93,10 +115,9 @@ void RenderBridge::take(std::shared_ptr<const Frame> frame) {
         return;
     }
     const std::lock_guard lock(mutex_);
-    const bool windowIsAsked = waiting_ != nullptr;
-    waiting_ = std::move(frame);
-    if (!windowIsAsked)
+    if (!waiting_)  // else the window is asked already; asked first, since asking may throw
         QMetaObject::invokeMethod(this, &RenderBridge::deliver, Qt::QueuedConnection);
+    waiting_ = std::move(frame);
 }
 
 /// On the window's thread.
@@ -109,7 +130,7 @@ void RenderBridge::deliver() {
     if (frame->revision < oldestShown_)
         return;
     oldestShown_ = frame->revision;
-    lastFrame_ = frame;
+    lastFrame_ = frame->error.empty() ? frame : nullptr;
     if (frame->revision == submitted_)
         movingUnseen_ = false;
     if (next_ && !movingUnseen_)

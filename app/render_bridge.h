@@ -22,7 +22,7 @@ class RenderBridge : public QObject {
     bool paused() const { return paused_; }
     /// The device that it began with.
     const DeviceInfo& firstDevice() const { return firstDevice_; }
-    /// The frame that was shown last; null when there is none.
+    /// The picture on the screen; null when there is none.
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
 
   public slots:
@@ -34,10 +34,12 @@ class RenderBridge : public QObject {
     /// The picture goes on there. A device that cannot be used ends with noticed().
     void setDevice(const QString& name);
     void setPaused(bool paused);
-    /// Frames of the scenes so far are not wanted any more.
-    void dropFrames();
-    /// Writes the picture as it stands by now; the name's end says the format: ".exr" or ".png". Ends with saved() or
-    /// saveFailed().
+    /// Holds as well, as long as nobody can see the picture; the user's own pause stays what it is.
+    void setUnseen(bool unseen);
+    /// Nothing is rendered any more, and nothing of the scenes so far is kept.
+    void clear();
+    /// Writes the picture that is on the screen, with the samples that it has by then; the name's end says the format:
+    /// ".exr" or ".png". Ends with saved() or saveFailed(), the latter also when another picture has taken its place.
     void save(const QString& file);
 
   signals:
@@ -64,6 +66,7 @@ class RenderBridge : public QObject {
     std::uint64_t oldestShown_ = 0;  ///< frames of earlier revisions are stale
     Display display_;
     bool paused_ = false;
+    bool unseen_ = false;
     int threads_;
     DeviceInfo firstDevice_;
     QString device_;   ///< that the last frame came from

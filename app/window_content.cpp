@@ -22,6 +22,14 @@ QString invitation() {
     return ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O");
 }
 
+/// The place of the picture, with a few words in it.
+void showNoPicture(const DesktopParts& parts, const QString& message) {
+    parts.window.viewport().clearPicture();
+    parts.window.viewport().setMessage(message);
+    parts.window.status().setText({});
+    parts.window.setPictureAvailable(false);
+}
+
 Error nothingLoadable(const dicom::ScanResult& scan, const QString& folder) {
     Error error{"no series in this folder can be shown", folder.toStdString(), "Open a folder with a CT series."};
     if (!scan.series.empty() && !scan.series.front().verdict.reason.empty())
@@ -33,13 +41,16 @@ Error nothingLoadable(const dicom::ScanResult& scan, const QString& folder) {
 
 void showNothing(const DesktopParts& parts) {
     parts.document.close();
-    parts.bridge.dropFrames();
-    parts.window.viewport().setImage({});
-    parts.window.viewport().setMessage(invitation());
-    parts.window.status().setText({});
+    parts.bridge.clear();
+    showNoPicture(parts, invitation());
     parts.window.setSubject({});
-    parts.window.setPictureAvailable(false);
+    parts.window.series().setNothingShown();
     showDocument(parts);
+}
+
+void showReading(const DesktopParts& parts, int index) {
+    showNothing(parts);
+    parts.import.loadSeries(index);
 }
 
 void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder) {
@@ -59,8 +70,7 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
     parts.window.message().clear();
     parts.window.setSubject(ui::seriesTitle(parts.import.scan().series[std::size_t(index)]));
     parts.window.series().setCurrent(index);
-    parts.window.viewport().setImage({});
-    parts.window.viewport().setMessage({});
+    showNoPicture(parts, {});
     parts.document.open(std::move(volume));
 }
 
@@ -83,20 +93,22 @@ void showNotice(const DesktopParts& parts, const QString& sentences) {
 }
 
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame) {
-    if (!frame->error.empty())
+    if (!frame->error.empty()) {
+        showNoPicture(parts, ui::MainWindow::tr("No picture"));
         return showFailure(parts, {frame->error, "", ""});
-    parts.window.viewport().setImage(imageOf(frame));
+    }
+    parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->look)});
     parts.window.setPictureAvailable(true);
     showStatus(parts);
 }
 
 void showStatus(const DesktopParts& parts) {
     const auto& frame = parts.bridge.lastFrame();
-    if (!frame || !frame->error.empty())
+    if (!frame)
         return;
     QStringList text{ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()),
                      ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency})};
-    const QString comparison = ui::comparisonText(choiceOf(frame->schedule), parts.document.scene().estimator);
+    const QString comparison = ui::comparisonText(choiceOf(frame->schedule), frame->estimator);
     if (!comparison.isEmpty())
         text.prepend(comparison);
     parts.window.status().setText(text.join(", "));

@@ -20,25 +20,27 @@ struct DesktopParts {
     Settings& settings;
 };
 
-/// An invitation to open a folder, and no picture.
+/// An invitation to open a folder, and no picture; nothing of the one before is kept.
 void showNothing(const DesktopParts& parts);
 /// The series of `folder`; the first one that can be shown is loaded, and if there is none a message says why.
 void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder);
+/// Closes what is shown, so that there is room, and reads the series `index` of the last scan.
+void showReading(const DesktopParts& parts, int index);
 /// The series `index` of the last scan, whose voxels are `volume`.
 void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index);
 /// How far reading has come.
 void showProgress(const DesktopParts& parts, double fraction, const QString& step);
-/// Reading has ended without a new picture: what was shown before stays.
+/// Reading has ended without a new picture: what is shown stays, if anything is.
 void showReadingEnded(const DesktopParts& parts);
 /// A message. What was shown before stays.
 void showFailure(const DesktopParts& parts, const Error& error);
 /// Sentences about something that did not go as it was asked; the rendering goes on.
 void showNotice(const DesktopParts& parts, const QString& sentences);
-/// The picture and how good it is.
+/// The picture with what it shows, and how good it is; or why there is none.
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame);
 /// How good the picture is, in words; again when the rendering is held or goes on.
 void showStatus(const DesktopParts& parts);
-/// Everything that follows the document: camera, preset, brightness, undo.
+/// Everything that follows the document: the camera that the hand turns, preset, brightness, undo.
 void showDocument(const DesktopParts& parts);
 
 }  // namespace pdr::app

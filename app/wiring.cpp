@@ -10,7 +10,8 @@ void wireImport(const DesktopParts& parts) {
     ImportJob& import = parts.import;
     ui::MainWindow& window = parts.window;
     QObject::connect(&window, &ui::MainWindow::folderChosen, &import, &ImportJob::scanFolder);
-    QObject::connect(&window.series(), &ui::SeriesPanel::seriesChosen, &import, &ImportJob::loadSeries);
+    QObject::connect(&window.series(), &ui::SeriesPanel::seriesChosen, &window,
+                     [parts](int index) { showReading(parts, index); });
     QObject::connect(&window, &ui::MainWindow::cancelRequested, &import, &ImportJob::cancel);
 
     QObject::connect(&import, &ImportJob::progressed, &window,
@@ -58,6 +59,7 @@ void wireRendering(const DesktopParts& parts) {
                      [&bridge](const ui::ScheduleChoice& schedule) { bridge.setSchedule(scheduleOf(schedule)); });
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
+    QObject::connect(&window, &ui::MainWindow::minimisedChanged, &bridge, &RenderBridge::setUnseen);
     QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
 }
 

@@ -24,6 +24,7 @@ void applyDarkTheme(QApplication& application) {
     palette.setColor(QPalette::Highlight, accent);
     palette.setColor(QPalette::HighlightedText, Qt::white);
     palette.setColor(QPalette::Link, QColor(120, 170, 230));
+    palette.setColor(QPalette::Light, panel);  // the shadow of disabled text
     palette.setColor(QPalette::Mid, QColor(70, 72, 77));
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, QColor(118, 120, 124));

@@ -19,8 +19,11 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
     brightness_.setAccessibleName(tr("Brightness"));
     brightness_.setToolTip(tr("Brighter to the right. It changes what is shown, not what is computed."));
     brightness_.setRange(-kStops * kStepsPerStop, kStops * kStepsPerStop);
-    connect(&brightness_, &QSlider::valueChanged, this,
-            [this](int value) { emit brightnessChosen(double(value) / kStepsPerStop); });
+    const auto choose = [this] {
+        emit brightnessChosen(double(brightness_.value()) / kStepsPerStop, brightness_.isSliderDown());
+    };
+    connect(&brightness_, &QSlider::valueChanged, this, choose);
+    connect(&brightness_, &QSlider::sliderReleased, this, choose);
 
     pause_.setAccessibleName(tr("Pause"));
     pause_.setToolTip(tr("Hold the rendering, or let it go on (Space)"));

@@ -25,7 +25,8 @@ class LookPanel : public QWidget {
 
   signals:
     void presetChosen(int index);
-    void brightnessChosen(double stops);
+    /// `moving`: the slider is still held; the last one of a gesture comes with false.
+    void brightnessChosen(double stops, bool moving);
     void pauseChosen(bool paused);
 
   private:

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
@@ -14,6 +13,8 @@
 #include <QVBoxLayout>
 #include <array>
 #include <utility>
+
+#include "ui/file_dialogs.h"
 
 namespace pdr::ui {
 namespace {
@@ -174,23 +175,15 @@ void MainWindow::fillHelpMenu() {
 }
 
 void MainWindow::chooseFolder() {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder with a CT"), lastFolder_);
+    const QString folder = askForFolder(this, lastFolder_);
     if (!folder.isEmpty())
         emit folderChosen(folder);
 }
 
 void MainWindow::chooseFile() {
-    const QString png = tr("PNG picture (*.png)"), exr = tr("OpenEXR with the error of every pixel (*.exr)");
-    QFileDialog dialog(this, tr("Save the picture"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilters({png, exr});
-    // With a suffix from the dialog itself it also asks before it overwrites.
-    dialog.setDefaultSuffix("png");
-    connect(&dialog, &QFileDialog::filterSelected, &dialog,
-            [&](const QString& filter) { dialog.setDefaultSuffix(filter == exr ? "exr" : "png"); });
-    dialog.selectFile("picture");
-    if (dialog.exec() == QDialog::Accepted)
-        emit saveRequested(dialog.selectedFiles().constFirst());
+    const QString file = askForPictureFile(this, *save_);
+    if (!file.isEmpty())
+        emit saveRequested(file);
 }
 
 void MainWindow::showPictureAlone(bool alone) {
@@ -218,6 +211,12 @@ void MainWindow::about() {
                           "they are.</p><p><b>Not for diagnostic use.</b> PD-Render is not a certified medical "
                           "device.</p><p>Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.</p>")
                            .arg(PDR_VERSION));
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange)
+        emit minimisedChanged(isMinimized());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -48,8 +48,11 @@ class MainWindow : public QMainWindow {
     void resetRequested();
     void pauseChosen(bool paused);
     void cancelRequested();
+    /// The window was minimised, or is back.
+    void minimisedChanged(bool minimised);
 
   protected:
+    void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;

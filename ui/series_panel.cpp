@@ -115,6 +115,11 @@ void SeriesPanel::setCurrent(int index) {
     showDetail(index);
 }
 
+void SeriesPanel::setNothingShown() {
+    shown_ = -1;
+    patient_.clear();
+}
+
 void SeriesPanel::showDetail(int index) {
     const QString text = model_.index(index, 0).data(kDetailRole).toString();
     detail_.setText(text);

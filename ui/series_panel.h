@@ -20,6 +20,8 @@ class SeriesPanel : public QWidget {
     /// Marks the series that is shown: its place in the scan, -1 for none. The patient named above the list is always
     /// the one in the picture, whatever the hand has marked since.
     void setCurrent(int index);
+    /// No patient is named, and what the hand has marked stays marked.
+    void setNothingShown();
     int current() const { return shown_; }
     QString patient() const { return patient_.text(); }
     QString detail() const { return detail_.text(); }

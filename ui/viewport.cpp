@@ -21,6 +21,14 @@ constexpr auto kRestAfter = std::chrono::milliseconds(250);
 constexpr int kMargin = 12;
 constexpr int kCubeSide = 64;
 
+/// With a shadow, since it may stand on bright bone.
+void paintText(QPainter& painter, const QRect& area, int where, const QString& text) {
+    painter.setPen(Qt::black);
+    painter.drawText(area.translated(1, 1), where, text);
+    painter.setPen(QColor(225, 225, 215));
+    painter.drawText(area, where, text);
+}
+
 }  // namespace
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent) {
@@ -35,16 +43,24 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     connect(&restTimer_, &QTimer::timeout, this, &Viewport::rest);
 }
 
-void Viewport::setImage(const QImage& image) {
-    image_ = image;
+void Viewport::setPicture(const Shown& picture) {
+    picture_ = picture;
     update();
+}
+
+void Viewport::clearPicture() {
+    picture_.reset();
+    update();
+}
+
+EdgeLetters Viewport::letters() const {
+    return picture_ ? edgeLetters(picture_->camera) : EdgeLetters{};
 }
 
 void Viewport::setCamera(const std::optional<Camera>& camera) {
     camera_ = camera;
     if (!camera_)
         moved_ = false;
-    update();
 }
 
 void Viewport::setMessage(const QString& message) {
@@ -147,7 +163,6 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 void Viewport::edit(const Camera& camera) {
     camera_ = camera;
     moved_ = true;
-    update();
     emit cameraEdited(camera, true);
 }
 
@@ -171,44 +186,51 @@ dvec2 Viewport::inHeights(QPointF distance) const {
 void Viewport::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), Qt::black);
-    if (image_.isNull())
+    if (!picture_)
         return paintMessage(painter);
     paintPicture(painter);
-    if (camera_)
-        paintLetters(painter);
+    paintLetters(painter);
+    paintLook(painter);
 }
 
 /// The field of view belongs to the height, so the picture is fitted to it: while the window is resized the patient
 /// keeps his size until the new picture comes.
 void Viewport::paintPicture(QPainter& painter) const {
-    const double scale = double(height()) / image_.height();
-    QRectF target(0, 0, image_.width() * scale, height());
+    const QImage& image = picture_->image;
+    const double scale = double(height()) / image.height();
+    QRectF target(0, 0, image.width() * scale, height());
     target.moveCenter(QRectF(rect()).center());
     if (std::abs(target.width() - width()) <= 2 * scale)
         target = rect();  // only the rounding of the film's size
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != sizeInPixels());
-    painter.drawImage(target, image_);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, image.size() != sizeInPixels());
+    painter.drawImage(target, image);
 }
 
 void Viewport::paintLetters(QPainter& painter) const {
-    QFont letters = font();
-    letters.setPointSizeF(letters.pointSizeF() * 1.25);
-    letters.setBold(true);
-    painter.setFont(letters);
-    const EdgeLetters edges = edgeLetters(*camera_);
+    QFont bold = font();
+    bold.setPointSizeF(bold.pointSizeF() * 1.25);
+    bold.setBold(true);
+    painter.setFont(bold);
+    const EdgeLetters edges = letters();
     const QRect area = rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
     const auto write = [&](int where, const std::string& text) {
-        painter.setPen(Qt::black);
-        painter.drawText(area.translated(1, 1), where, QString::fromStdString(text));
-        painter.setPen(QColor(225, 225, 215));
-        painter.drawText(area, where, QString::fromStdString(text));
+        paintText(painter, area, where, QString::fromStdString(text));
     };
     write(Qt::AlignLeft | Qt::AlignVCenter, edges.left);
     write(Qt::AlignRight | Qt::AlignVCenter, edges.right);
     write(Qt::AlignTop | Qt::AlignHCenter, edges.top);
     write(Qt::AlignBottom | Qt::AlignHCenter, edges.bottom);
     const QRectF cube(width() - kMargin - kCubeSide, height() - kMargin - kCubeSide, kCubeSide, kCubeSide);
-    paintOrientationCube(painter, cube, *camera_);
+    paintOrientationCube(painter, cube, picture_->camera);
+}
+
+/// Also where nothing else of the window is seen.
+void Viewport::paintLook(QPainter& painter) const {
+    painter.setFont(font());
+    QStringList lines{picture_->look, tr("Not for diagnostic use")};
+    lines.removeAll({});
+    const QRect area = rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
+    paintText(painter, area, Qt::AlignLeft | Qt::AlignBottom, lines.join('\n'));
 }
 
 void Viewport::paintMessage(QPainter& painter) const {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "render/scene/camera.h"
+#include "ui/orientation_letters.h"
 
 namespace pdr::ui {
 
@@ -17,9 +18,18 @@ class Viewport : public QWidget {
   public:
     explicit Viewport(QWidget* parent = nullptr);
 
-    /// The latest picture of whatever size; it is stretched to the view's height. A null image: nothing to show.
-    void setImage(const QImage& image);
-    /// The camera that the next edit starts from, and the orientation letters show. None: edits are ignored.
+    /// A picture and what it shows.
+    struct Shown {
+        QImage image;   ///< of whatever size: it is stretched to the view's height
+        Camera camera;  ///< that it was made with; letters and cube are painted from it
+        QString look;   ///< written into a corner
+    };
+
+    void setPicture(const Shown& picture);
+    void clearPicture();
+    /// The letters at the edges of the picture; none without one.
+    EdgeLetters letters() const;
+    /// The camera that the next edit starts from, which may be ahead of the picture's. None: edits are ignored.
     void setCamera(const std::optional<Camera>& camera);
     /// What stands in the middle as long as there is no picture.
     void setMessage(const QString& message);
@@ -58,9 +68,10 @@ class Viewport : public QWidget {
     dvec2 inHeights(QPointF distance) const;
     void paintPicture(QPainter& painter) const;
     void paintLetters(QPainter& painter) const;
+    void paintLook(QPainter& painter) const;
     void paintMessage(QPainter& painter) const;
 
-    QImage image_;
+    std::optional<Shown> picture_;
     QString message_;
     std::optional<Camera> camera_;
     Gesture gesture_ = Gesture::none;

@@ -1,6 +1,5 @@
 /// pdrender: the desktop. Exit codes: 0, 1 for an error, 2 for wrong usage.
 
-#include <QApplication>
 #include <QFile>
 #include <QPixmap>
 #include <QTimer>
@@ -12,6 +11,7 @@
 #include <string_view>
 
 #include "app/desktop.h"
+#include "app/desktop/application.h"
 #include "app/desktop/options.h"
 #include "app/presets.h"
 #include "app/program/program.h"
@@ -105,7 +105,7 @@ void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString&
 
 int runWithWindow(int argc, char** argv) {
     const QtMessageHandler usual = qInstallMessageHandler(endWhereQtGivesUp);
-    QApplication application(argc, argv);
+    Application application(argc, argv);
     qInstallMessageHandler(usual);
     QApplication::setApplicationName("pdrender");
     QApplication::setApplicationVersion(PDR_VERSION);

@@ -30,7 +30,8 @@ class Device {
     virtual ~Device() = default;
 
     virtual DeviceInfo info() const = 0;
-    /// Takes the scene that the next render() calls use. Errors: it does not fit (figures: needed, free).
+    /// Takes the scene that the next render() calls use; null: none, and what the one before needed is given back, its
+    /// volume among it. Errors: it does not fit (figures: needed, free).
     virtual Result<void> upload(std::shared_ptr<const PreparedScene> scene) = 0;
     /// Adds `samples` of every pixel of `tile` to `sums`, in order. Blocks until done. After a stop request it returns
     /// early and the sums are worthless.

@@ -83,6 +83,7 @@ Result<Preset> presetFromJson(std::string_view json, std::string_view where) {
 }
 
 Scene withPreset(Scene scene, const Preset& preset) {
+    scene.look = preset.name;
     scene.transferFunction = preset.transferFunction;
     scene.phaseG = preset.phaseG;
     scene.gradientFactor = preset.gradientFactor;

@@ -27,7 +27,7 @@ struct Preset {
 /// Reads one preset from JSON text ("format": "pdrender-preset"). `where` is used in error texts.
 Result<Preset> presetFromJson(std::string_view json, std::string_view where);
 
-/// `scene` with the preset's look; volume, camera, film, seed and revision stay.
+/// `scene` with the preset's look and its name; volume, camera, film, seed and revision stay.
 Scene withPreset(Scene scene, const Preset& preset);
 
 /// The rig of `preset` about a volume, tied to the camera: key panel upper left, fill right, rim behind.

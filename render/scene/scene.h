@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "render/base/result.h"
@@ -85,6 +86,7 @@ struct Scene {
     int maxBounces = 1000;   ///< multiple scattering: events on a path, at most; what is cut is counted; [1, 100000]
     std::uint64_t seed = 1;  ///< any
     std::uint64_t revision = 0;  ///< grows with each edit
+    std::string look;            ///< what the user calls the way it looks; no picture depends on it
 
     /// Every range above, and what cannot be rendered yet, with the field's name in `where`. The volume is not looked
     /// at.

@@ -31,6 +31,12 @@ Result<void> FilmOnDevice::restart(const Schedule& schedule) {
     return {};
 }
 
+void FilmOnDevice::close() {
+    forget();
+    flattener_ = {};
+    (void)device_->upload(nullptr);  // one that cannot even forget says so at the next scene
+}
+
 Result<void> FilmOnDevice::moveTo(std::unique_ptr<Device> device, const Film* from) {
     std::unique_ptr<LiveFilm> moved;
     if (scene_) {

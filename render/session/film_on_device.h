@@ -36,6 +36,8 @@ class FilmOnDevice {
         film_.reset();
         scene_.reset();
     }
+    /// The same, and nothing is kept for the next one either: neither here nor on the device.
+    void close();
 
   private:
     /// The scene as `device` needs it.

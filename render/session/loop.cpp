@@ -5,13 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "render/base/thrown.h"
 #include "render/kernel/random.h"
 
 namespace pdr {
 
 namespace {
 
-constexpr double kMovingSecondsPerFrame = 1.0 / 15;  ///< what a frame may take while the hand moves
+constexpr double kCoarseSeconds = 1.0 / 15;  ///< what a coarse frame may take
 constexpr int kCoarsest = 8;                         ///< at most this many pixels of the film to one that is rendered
 
 std::string capital(std::string text) {
@@ -41,36 +42,74 @@ Session::Loop::~Loop() {
 
 void Session::Loop::run(std::stop_token stop) {
     while (const std::optional<Orders::Step> step = orders.next(situation(), stop)) {
-        if (step->device)
-            switchTo(step->device);
-        if (step->schedule)
-            restart(*step->schedule);
-        if (step->order)
-            begin(*step->order);
-        if (place_.film() != nullptr)
-            work(*step);
+        try {
+            take(*step);
+        } catch (...) {
+            threw();
+        }
     }
+}
+
+void Session::Loop::take(const Orders::Step& step) {
+    if (step.clear)
+        clear();
+    answer(step);
+    if (step.device)
+        switchTo(step.device);
+    if (step.schedule)
+        restart(*step.schedule);
+    if (step.order) {
+        revision_ = step.order->scene.revision;
+        begin(*step.order);
+    }
+    if (place_.film() != nullptr)
+        work(step);
 }
 
 Orders::Situation Session::Loop::situation() const {
     const bool film = place_.film() != nullptr;
-    return {.film = film,
+    return {.scene = place_.hasScene(),
+            .film = film,
+            .revision = place_.hasScene() ? place_.revision() : 0,
             .first = film && first_,
             .unshown = film && samples_ > 0 && (done_ > 0 || waiting_ > 0 || fresh_),
-            .lookable = film && !moving_ && samples_ > 0};
+            .lookable = film && !coarse_ && samples_ > 0};
 }
 
-/// Takes a new scene, coarser while the hand moves so that frames come soon.
+void Session::Loop::clear() {
+    goOnFrom(nullptr);
+    scene_ = {};
+    place_.close();
+}
+
+/// To those who ask for a film that is not there.
+void Session::Loop::answer(const Orders::Step& step) const {
+    const Error reason =
+        step.clear ? Error{"the picture was closed", "", "Open the series again."}
+        : step.order || place_.film() != nullptr
+            ? Error{"another picture has taken its place", "", "Wait until the picture that you want is there."}
+            : Error{"the picture could not be made", "", "Change the view or the look first."};
+    for (const Orders::LookOrder& order : step.unanswerable)
+        order.look(reason);
+}
+
+/// Takes a new scene. A hand that comes to rest on a picture that was seen needs no second first look.
 void Session::Loop::begin(const Orders::SceneOrder& order) {
-    moving_ = order.moving;
-    Scene scene = moving_ ? coarse(order.scene) : order.scene;
-    if (const Result<void> fits = scene.check(); !fits) {
+    const bool seen = place_.film() != nullptr && coarse_ && !first_ && order.scene.revision == scene_.revision;
+    if (const Result<void> fits = order.scene.check(); !fits) {
         place_.forget();
-        return fail(order.scene.revision, fits.error().text());
+        return fail(fits.error().text());
     }
-    scene_ = std::move(scene);
+    scene_ = order.scene;
+    moving_ = order.moving;
+    beginFilm(moving_ || (!seen && divider() > 1));
+}
+
+/// The scene's film from its beginning, or a coarse one so that its frame comes soon.
+void Session::Loop::beginFilm(bool coarse) {
+    coarse_ = coarse;
     startOver();
-    if (const Result<void> begun = place_.begin(scene_, schedule_); !begun)
+    if (const Result<void> begun = place_.begin(coarse ? coarseScene() : scene_, schedule_); !begun)
         refused(begun.error());
 }
 
@@ -83,11 +122,16 @@ void Session::Loop::restart(const Schedule& schedule) {
         refused(begun.error());
 }
 
-Scene Session::Loop::coarse(Scene scene) const {
-    const double pixels = double(scene.film.x) * scene.film.y;
-    const double affordable = std::max(pixelsPerSecond_ * kMovingSecondsPerFrame / kMovingSamples, 1.0);
-    const int divider = std::clamp(int(std::ceil(std::sqrt(pixels / affordable))), 1, kCoarsest);
-    scene.film = glm::max((scene.film + divider - 1) / divider, ivec2(1));
+/// How many pixels of the film become one, along each side, in a coarse frame. 1: a full one comes as soon.
+int Session::Loop::divider() const {
+    const double pixels = double(scene_.film.x) * scene_.film.y;
+    const double affordable = std::max(pixelsPerSecond_ * kCoarseSeconds / kCoarseSamples, 1.0);
+    return std::clamp(int(std::ceil(std::sqrt(pixels / affordable))), 1, kCoarsest);
+}
+
+Scene Session::Loop::coarseScene() const {
+    Scene scene = scene_;
+    scene.film = glm::max((scene.film + divider() - 1) / divider(), ivec2(1));
     scene.seed ^= mixBits(scene.revision);  // else the grain would stand still on a picture that moves
     return scene;
 }
@@ -136,27 +180,41 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
 void Session::Loop::recover(const std::string& reason) {
     const std::string what = ended(capital(reason));
     if (onFallback_ || !fallback_)
-        return fail(place_.revision(), what);
+        return fail(what);
     Result<std::unique_ptr<Device>> device = fallback_();
     const Result<void> moved = device ? place_.moveTo(*std::move(device), checkpoint_.get()) : device.error();
     if (!moved)
-        return fail(place_.revision(), what + " Nor can the picture go on elsewhere: " + moved.error().text());
+        return fail(what + " Nor can the picture go on elsewhere: " + moved.error().text());
     onFallback_ = true;
     goOnFrom(std::exchange(checkpoint_, nullptr));
     notify(what + " The picture goes on on " + spoken(place_.info()) + ".");
 }
 
-void Session::Loop::fail(std::uint64_t revision, const std::string& sentence) {
+/// In a catch block: ends as any other fault does. The film's memory is given back first; should there be too little to
+/// go on elsewhere, there may still be enough to say so.
+void Session::Loop::threw() noexcept {
+    for (const bool elsewhere : {!place_.info().hostMemory, false}) {
+        try {
+            place_.dropFilm();
+            const std::string sentence = "This picture cannot be made: " + thrownError().text();
+            return elsewhere ? recover(sentence) : fail(sentence);
+        } catch (...) {
+            continue;
+        }
+    }
+}
+
+void Session::Loop::fail(const std::string& sentence) {
     place_.dropFilm();
     auto frame = std::make_shared<Frame>();
-    frame->revision = revision;
+    frame->revision = revision_;
     frame->error = sentence;
     sink_(std::move(frame));
 }
 
 void Session::Loop::notify(const std::string& sentences) {
     auto frame = std::make_shared<Frame>();
-    frame->revision = scene_.revision;
+    frame->revision = revision_;
     frame->notice = sentences;
     sink_(std::move(frame));
 }

@@ -20,13 +20,16 @@ class Session::Loop {
     Orders orders;
 
   private:
-    /// Of a frame while the hand moves: fewer, calmer pixels are easier to follow.
-    static constexpr std::uint32_t kMovingSamples = 4;
+    /// Of a coarse frame: fewer, calmer pixels are easier to follow.
+    static constexpr std::uint32_t kCoarseSamples = 4;
 
     void run(std::stop_token stop);
+    void take(const Orders::Step& step);
     Orders::Situation situation() const;
 
     // What a step may ask for. Each leaves either a film that can go on, or none and a frame that says why.
+    void clear();
+    void answer(const Orders::Step& step) const;
     void switchTo(const DeviceOpener& open);
     void begin(const Orders::SceneOrder& order);
     void restart(const Schedule& schedule);
@@ -42,15 +45,18 @@ class Session::Loop {
     void send(std::vector<Picture> pictures, std::uint32_t n);
 
     // Beginnings.
+    void beginFilm(bool coarse);
     void startOver();
     void goOnFrom(std::shared_ptr<const Film> film);
-    Scene coarse(Scene scene) const;
+    int divider() const;
+    Scene coarseScene() const;
 
     // When a device fails or refuses.
     void recover(const std::string& reason);
     void stopped(const Error& error) { recover(spoken(place_.info()) + " stopped answering: " + error.text()); }
     void refused(const Error& error) { recover(spoken(place_.info()) + " cannot make this picture: " + error.text()); }
-    void fail(std::uint64_t revision, const std::string& sentence);
+    void threw() noexcept;
+    void fail(const std::string& sentence);
     void notify(const std::string& sentences);
 
     std::uint32_t wanted(const Pace& pace) const;
@@ -63,9 +69,11 @@ class Session::Loop {
     SessionClock clock_;
     FilmOnDevice place_;
     bool onFallback_ = false;
-    Scene scene_;  ///< that the film shows
+    Scene scene_;                 ///< as it was submitted
+    std::uint64_t revision_ = 0;  ///< of the scene submitted last, whatever became of it
     Schedule schedule_;
     bool moving_ = false;
+    bool coarse_ = false;  ///< the film shows the scene in fewer pixels than it asks for
 
     // Of the film:
     std::uint64_t samples_ = 0;  ///< that it holds

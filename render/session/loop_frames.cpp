@@ -28,16 +28,18 @@ void Session::Loop::work(const Orders::Step& step) {
     const bool frameEnds = !step.render || done_ >= wanted(step.pace);
     if (done && samples_ > 0 && frameEnds)
         done = show(step);
-    if (done && samples_ > 0 && !moving_)
+    if (done && samples_ > 0 && !coarse_)
         done = letOthersLook();
-    if (done && samples_ > 0 && !moving_ && !place_.info().hostMemory)
+    if (done && samples_ > 0 && !coarse_ && !place_.info().hostMemory)
         done = keepCheckpoint();
     if (!done)
-        stopped(done.error());
+        return stopped(done.error());
+    if (coarse_ && !moving_ && !first_)
+        beginFilm(false);
 }
 
 std::uint32_t Session::Loop::wanted(const Pace& pace) const {
-    return moving_ ? kMovingSamples : meter_.iterations(pace);
+    return coarse_ ? kCoarseSamples : meter_.iterations(pace);
 }
 
 /// How many of `wanted` iterations to order at once.
@@ -53,7 +55,7 @@ Result<void> Session::Loop::iterate(const Orders::Step& step) {
     LiveFilm& film = *place_.film();
     if (done_ == 0) {  // a frame begins
         const bool due = fresh_ || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
-        measuring_ = film.ahead() > 1 && !moving_ && due;
+        measuring_ = film.ahead() > 1 && !coarse_ && due;
         if (measuring_) {
             Result<std::vector<Picture>> before = takeAllBut(0);
             if (!before)
@@ -71,11 +73,11 @@ Result<void> Session::Loop::iterate(const Orders::Step& step) {
     return {};
 }
 
-/// Orders a picture, and sends the ones that are due: this one at once where it is the first, the hand moves, or
-/// nothing goes on behind.
+/// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing goes
+/// on behind.
 Result<void> Session::Loop::show(const Orders::Step& step) {
     LiveFilm& film = *place_.film();
-    const bool atOnce = fresh_ || moving_ || measuring_ || !step.render;
+    const bool atOnce = fresh_ || coarse_ || measuring_ || !step.render;
     const double start = clock_();
     if (Result<void> ordered = film.show(step.display); !ordered)
         return ordered;
@@ -128,13 +130,13 @@ Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t
 }
 
 Result<void> Session::Loop::letOthersLook() {
-    if (!orders.lookAsked())
+    if (!orders.lookAsked(place_.revision()))
         return {};
     const Result<std::shared_ptr<const Film>> film = place_.film()->film();
     if (!film)
         return film.error();
-    for (const FilmLook& look : orders.takeLooks())
-        look({**film, scene_, schedule_, seconds_ + frameSeconds_});
+    for (const Orders::LookOrder& order : orders.takeLooks(place_.revision()))
+        order.look(FilmView{**film, scene_, schedule_, seconds_ + frameSeconds_});
     return {};
 }
 
@@ -155,6 +157,10 @@ void Session::Loop::send(std::vector<Picture> pictures, std::uint32_t n) {
     for (Picture& picture : pictures) {
         auto frame = std::make_shared<Frame>();
         frame->revision = place_.revision();
+        frame->camera = scene_.camera;
+        frame->look = scene_.look;
+        frame->estimator = scene_.estimator;
+        frame->coarse = coarse_;
         frame->size = place_.size();
         frame->rgba = std::move(picture.rgba);
         frame->status = picture.status;

@@ -1,8 +1,22 @@
 #include "render/session/orders.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace pdr {
+
+namespace {
+
+/// Takes the looks out that `wanted` holds for.
+template <class Wanted>
+std::vector<Orders::LookOrder> taken(std::vector<Orders::LookOrder>& looks, Wanted&& wanted) {
+    const auto first = std::stable_partition(looks.begin(), looks.end(), [&](const auto& look) { return !wanted(look); });
+    std::vector<Orders::LookOrder> out(std::make_move_iterator(first), std::make_move_iterator(looks.end()));
+    looks.erase(first, looks.end());
+    return out;
+}
+
+}  // namespace
 
 void Orders::submit(Scene scene, bool moving) {
     const std::lock_guard lock(mutex_);
@@ -43,9 +57,17 @@ void Orders::setPaused(bool paused) {
     changed_.notify_one();
 }
 
-void Orders::inspect(FilmLook look) {
+void Orders::clear() {
     const std::lock_guard lock(mutex_);
-    looks_.push_back(std::move(look));
+    scene_.reset();
+    clear_ = true;
+    running_.request_stop();
+    changed_.notify_one();
+}
+
+void Orders::inspect(std::uint64_t revision, FilmLook look) {
+    const std::lock_guard lock(mutex_);
+    looks_.push_back({revision, std::move(look)});
     changed_.notify_one();
 }
 
@@ -55,7 +77,10 @@ void Orders::cancel() {
 }
 
 bool Orders::somethingToDo(const Situation& situation) const {
-    const bool asked = scene_ || schedule_ || device_ || displayChanged_ || (situation.lookable && !looks_.empty());
+    const bool look = std::any_of(looks_.begin(), looks_.end(), [&](const LookOrder& look) {
+        return !situation.film || situation.lookable || look.revision != situation.revision;
+    });
+    const bool asked = clear_ || scene_ || schedule_ || device_ || displayChanged_ || look;
     return asked || (situation.film && (!paused_ || situation.first || situation.unshown));
 }
 
@@ -66,6 +91,7 @@ std::optional<Orders::Step> Orders::next(const Situation& situation, std::stop_t
         return std::nullopt;
     running_ = std::stop_source();
     Step step;
+    step.clear = std::exchange(clear_, false);
     step.device = std::exchange(device_, nullptr);
     step.schedule = std::exchange(schedule_, std::nullopt);
     step.order = std::exchange(scene_, std::nullopt);
@@ -73,18 +99,26 @@ std::optional<Orders::Step> Orders::next(const Situation& situation, std::stop_t
     step.display = display_;
     step.pace = pace_;
     step.stop = running_.get_token();
+    step.unanswerable = takeUnanswerable(situation, step);
     displayChanged_ = false;
     return step;
 }
 
-bool Orders::lookAsked() {
-    const std::lock_guard lock(mutex_);
-    return !looks_.empty();
+/// Scenes are submitted before they are looked at: what is neither there nor in this step will not come.
+std::vector<Orders::LookOrder> Orders::takeUnanswerable(const Situation& situation, const Step& step) {
+    const bool stays = !step.clear && (situation.film || (situation.scene && (step.schedule || step.device)));
+    const std::uint64_t revision = step.order ? step.order->scene.revision : situation.revision;
+    return taken(looks_, [&](const LookOrder& look) { return !(step.order || stays) || look.revision != revision; });
 }
 
-std::vector<FilmLook> Orders::takeLooks() {
+bool Orders::lookAsked(std::uint64_t revision) {
     const std::lock_guard lock(mutex_);
-    return std::exchange(looks_, {});
+    return std::any_of(looks_.begin(), looks_.end(), [&](const LookOrder& look) { return look.revision == revision; });
+}
+
+std::vector<Orders::LookOrder> Orders::takeLooks(std::uint64_t revision) {
+    const std::lock_guard lock(mutex_);
+    return taken(looks_, [&](const LookOrder& look) { return look.revision == revision; });
 }
 
 }  // namespace pdr

@@ -18,9 +18,16 @@ class Orders {
         bool moving;
     };
 
+    struct LookOrder {
+        std::uint64_t revision;  ///< of the scene that is to be looked at
+        FilmLook look;
+    };
+
     /// Where the render thread stands.
     struct Situation {
-        bool film = false;      ///< there is one
+        bool scene = false;     ///< there is one
+        bool film = false;      ///< there is one of it
+        std::uint64_t revision = 0;  ///< of the scene
         bool first = false;     ///< its first picture is still to come; that one is made even while paused
         bool unshown = false;   ///< the film holds what has not been shown
         bool lookable = false;  ///< it can be looked at
@@ -28,6 +35,8 @@ class Orders {
 
     /// What the render thread does next, in the order in which it does it.
     struct Step {
+        bool clear = false;                ///< forget the scene
+        std::vector<LookOrder> unanswerable;  ///< looks at what is not there and will not come
         DeviceOpener device;  ///< go on there; empty: as before
         std::optional<Schedule> schedule;
         std::optional<SceneOrder> order;
@@ -43,18 +52,20 @@ class Orders {
     void setSchedule(const Schedule& schedule);
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
-    void inspect(FilmLook look);
+    void clear();
+    void inspect(std::uint64_t revision, FilmLook look);
     /// Cancels the running step.
     void cancel();
 
     /// Waits until there is something to do; nothing after a stop request.
     std::optional<Step> next(const Situation& situation, std::stop_token stop);
-    /// Whether somebody wants to look at the film, and all who do.
-    bool lookAsked();
-    std::vector<FilmLook> takeLooks();
+    /// Whether somebody wants to look at the scene of `revision`, and all who do.
+    bool lookAsked(std::uint64_t revision);
+    std::vector<LookOrder> takeLooks(std::uint64_t revision);
 
   private:
     bool somethingToDo(const Situation& situation) const;
+    std::vector<LookOrder> takeUnanswerable(const Situation& situation, const Step& step);
 
     std::mutex mutex_;  ///< of all that follows
     std::condition_variable_any changed_;
@@ -65,7 +76,8 @@ class Orders {
     bool displayChanged_ = false;
     Pace pace_;
     bool paused_ = false;
-    std::vector<FilmLook> looks_;
+    bool clear_ = false;
+    std::vector<LookOrder> looks_;
     std::stop_source running_;
 };
 

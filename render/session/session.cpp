@@ -44,8 +44,12 @@ void Session::setPaused(bool paused) {
     loop_->orders.setPaused(paused);
 }
 
-void Session::inspect(FilmLook look) {
-    loop_->orders.inspect(std::move(look));
+void Session::clear() {
+    loop_->orders.clear();
+}
+
+void Session::inspect(std::uint64_t revision, FilmLook look) {
+    loop_->orders.inspect(revision, std::move(look));
 }
 
 }  // namespace pdr

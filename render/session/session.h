@@ -18,8 +18,13 @@ namespace pdr {
 
 /// One displayed picture, or a word to the user.
 struct Frame {
-    std::uint64_t revision = 0;      ///< of the Scene that it shows
-    ivec2 size{0};                   ///< pixels; smaller than scene.film while the hand moves: stretch it
+    std::uint64_t revision = 0;  ///< of the Scene that it shows
+    // Of that Scene, so that nothing else is written beside the picture:
+    Camera camera;
+    std::string look;
+    Estimator estimator = Estimator::unbiased;
+    bool coarse = false;  ///< a first look, or one of a moving hand; when the hand rests, better ones follow
+    ivec2 size{0};        ///< pixels; fewer than scene.film where it is coarse: stretch it
     std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top; empty with an error or a notice
     FilmStatus status;
     double seconds = 0;              ///< spent on this revision
@@ -43,8 +48,8 @@ struct FilmView {
     double seconds;  ///< spent
 };
 
-/// Called on the render thread.
-using FilmLook = std::function<void(const FilmView&)>;
+/// Called on the render thread: with the film, or with the reason why there is none.
+using FilmLook = std::function<void(const Result<FilmView>&)>;
 
 /// Opens a device; called on the render thread, so it may take its time.
 using DeviceOpener = std::function<Result<std::unique_ptr<Device>>()>;
@@ -62,8 +67,9 @@ class Session {
             SessionClock clock = steadySeconds);
     ~Session();  ///< stops within one launch
 
-    /// Renders `scene` from now on; a running launch for an older one is cancelled. `moving`: the hand still drags, so
-    /// frames come soon and coarse; submit again with false when it rests.
+    /// Renders `scene` from now on; a running launch for an older one is cancelled. The first frame comes soon and
+    /// coarse, unless the device makes a full one as soon. `moving`: the hand still drags, so all of them do; submit
+    /// again with false when it rests.
     void submit(Scene scene, bool moving);
     /// Shows what is there with other display settings, without a restart.
     void setDisplay(const Display& display);
@@ -78,8 +84,11 @@ class Session {
     void setDevice(DeviceOpener open);
     /// Holds or goes on.
     void setPaused(bool paused);
-    /// Calls `look` once, between two launches, as soon as the newest scene has samples and the hand rests.
-    void inspect(FilmLook look);
+    /// Shows nothing: scene, film and what the device keeps of them are given back soon.
+    void clear();
+    /// Calls `look` once, between two launches, as soon as the scene of `revision` has samples and the hand rests.
+    /// Errors: another scene has taken its place, it was closed, or it could not be rendered.
+    void inspect(std::uint64_t revision, FilmLook look);
 
   private:
     class Loop;

@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/desktop.h"
-#include "app/presets.h"
+#include "tests/support/desktop_trial.h"
 #include "tests/support/failing_device.h"
 #include "tests/support/phantom_series.h"
 #include "tests/support/shared_data.h"
@@ -19,41 +18,6 @@
 #include "ui/to_qt.h"
 
 namespace pdr::app {
-
-/// A desktop with settings of its own, and the frames that it has shown.
-struct Trial {
-    explicit Trial(std::unique_ptr<Device> device = makeCpuDevice(1))
-        : desktop(*bundledPresets(), std::move(device), folder.filePath("settings.ini"), 1) {
-        QObject::connect(&desktop.parts().bridge, &RenderBridge::frameReady,
-                         [this](const std::shared_ptr<const Frame>& frame) { frames.push_back(frame); });
-        desktop.window().resize(900, 500);
-        desktop.window().show();
-    }
-
-    void openAndWait(const QString& series) {
-        desktop.open(series);
-        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty(), 60000);
-    }
-
-    /// Waits for a picture of the document's newest scene.
-    void waitForNewest() {
-        const std::uint64_t newest = desktop.parts().document.scene().revision;
-        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == newest, 120000);
-    }
-
-    /// After a pause: until the launch that was on its way has been shown, and nobody computes any more.
-    void waitUntilStill() {
-        for (double spent = 1; spent > 0.02;) {
-            const test::ProcessorTime time;
-            QTest::qWait(500);
-            spent = time.seconds();
-        }
-    }
-
-    QTemporaryDir folder;
-    Desktop desktop;
-    std::vector<std::shared_ptr<const Frame>> frames;
-};
 
 static const QComboBox* device(Trial& trial) {
     for (const QComboBox* box : trial.desktop.window().rendering().findChildren<QComboBox*>())

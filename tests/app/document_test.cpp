@@ -56,12 +56,17 @@ class TestDocument : public QObject {
     void undoOfAPresetBringsItsLookBack();
     void manyStepsBackAndForthAreExact();
     void theEstimatorIsAnEditLikeOthers();
-    void brightnessChangesTheDisplayAndNothingElse();
+    void brightnessChangesTheDisplayAndIsAStepOfItsOwn();
+    void undoOfAViewLeavesTheBrightness();
+    void theWayBackIsLongButEnds();
     void theLightsFollowTheCamera();
     void theWindowsSizeIsNotUndone();
     void aNewVolumeHasNoWayBack();
     void withoutVolumeEditsWait();
     void theFilmIsCappedAndKeepsItsShape();
+    void aSizeWithTheSameFilmChangesNothing();
+    void aHandThatRestsWhereItIsShowsTheSameScene();
+    void aDragOfTheBrightnessIsOneStep();
 };
 
 void TestDocument::anOpenedVolumeIsSeenFromTheFrontWithTheFirstPreset() {
@@ -185,12 +190,54 @@ void TestDocument::theEstimatorIsAnEditLikeOthers() {
     QVERIFY(empty.scene().estimator == Estimator::kroesMarch);
 }
 
-void TestDocument::brightnessChangesTheDisplayAndNothingElse() {
+void TestDocument::brightnessChangesTheDisplayAndIsAStepOfItsOwn() {
     Told told;
+    told.document.setView(StandardView::left);
+    const Camera left = told.document.scene().camera;
     told.document.setBrightness(2);
-    QCOMPARE(told.scenes.size(), std::size_t(1));
+    QCOMPARE(told.scenes.size(), std::size_t(2));
     QCOMPARE(told.displays.back().exposure, 0.5f);
-    QVERIFY(!told.document.canUndo());
+    told.document.undo();  // the brightness, and not the view
+    QCOMPARE(told.document.brightness(), 0.0);
+    QCOMPARE(told.displays.back().exposure, 2.f);
+    QVERIFY(told.document.scene().camera == left);
+    QCOMPARE(told.scenes.size(), std::size_t(2));  // nothing is computed anew
+    told.document.redo();
+    QCOMPARE(told.document.brightness(), 2.0);
+    QCOMPARE(told.scenes.size(), std::size_t(2));
+    told.document.undo();
+    told.document.undo();  // the view
+    QVERIFY(told.document.scene().camera != left);
+    QCOMPARE(told.scenes.size(), std::size_t(3));
+}
+
+void TestDocument::undoOfAViewLeavesTheBrightness() {
+    Told told;
+    const Camera front = told.document.scene().camera;
+    told.document.setBrightness(1);
+    told.document.setView(StandardView::left);
+    told.document.undo();
+    QVERIFY(told.document.scene().camera == front);
+    QCOMPARE(told.document.brightness(), 1.0);
+}
+
+void TestDocument::theWayBackIsLongButEnds() {
+    Told told;
+    const auto steps = [&](auto&& step) {
+        int taken = 0;
+        for (; step(); ++taken)
+            ;
+        return taken;
+    };
+    for (int i = 0; i < 5000; ++i)
+        told.document.setCamera(orbited(told.document.scene().camera, {0.01, 0}), false);
+    const Camera last = told.document.scene().camera;
+    const auto back = [&] { return told.document.canUndo() && (told.document.undo(), true); };
+    const auto forth = [&] { return told.document.canRedo() && (told.document.redo(), true); };
+    const int backwards = steps(back);
+    QVERIFY2(backwards >= 200 && backwards <= 500, qPrintable(QString::number(backwards)));
+    QCOMPARE(steps(forth), backwards);
+    QVERIFY(told.document.scene().camera == last);
 }
 
 void TestDocument::theLightsFollowTheCamera() {
@@ -247,6 +294,46 @@ void TestDocument::theFilmIsCappedAndKeepsItsShape() {
     QVERIFY(filmFor({4096, 2048}) == ivec2(1024, 512));
     QVERIFY(filmFor({100, 4000}) == ivec2(26, 1024));
     QVERIFY(filmFor({0, 0}) == ivec2(1, 1));
+}
+
+void TestDocument::aSizeWithTheSameFilmChangesNothing() {
+    Told told;
+    told.document.setViewSize({4096, 2048});
+    const std::size_t scenes = told.scenes.size();
+    told.document.setViewSize({2048, 1024});
+    QCOMPARE(told.scenes.size(), scenes);
+}
+
+void TestDocument::aHandThatRestsWhereItIsShowsTheSameScene() {
+    Told told;
+    const Camera turned = orbited(told.document.scene().camera, {0.1, 0});
+    told.document.setCamera(turned, true);
+    const std::uint64_t revision = told.scenes.back().revision;
+    told.document.setCamera(turned, false);
+    QCOMPARE(told.scenes.size(), std::size_t(3));
+    QVERIFY(!told.lastMoves);
+    QCOMPARE(told.scenes.back().revision, revision);
+    told.document.setCamera(orbited(turned, {0.1, 0}), true);  // another gesture
+    QVERIFY(told.scenes.back().revision > revision);
+    told.document.undo();
+    QVERIFY(told.document.scene().camera == turned);
+    told.document.setCamera(turned, false);  // a key's gesture rests when it was undone already
+    QVERIFY(told.document.canRedo());
+}
+
+void TestDocument::aDragOfTheBrightnessIsOneStep() {
+    Told told;
+    for (int i = 1; i <= 10; ++i)
+        told.document.setBrightness(0.1 * i, true);
+    told.document.setBrightness(1, false);  // let go
+    told.document.setBrightness(2, true);
+    told.document.setBrightness(2, false);
+    told.document.setBrightness(2, false);  // pressed and let go: nothing
+    told.document.undo();
+    QCOMPARE(told.document.brightness(), 1.0);
+    told.document.undo();
+    QCOMPARE(told.document.brightness(), 0.0);
+    QVERIFY(!told.document.canUndo());
 }
 
 }  // namespace pdr::app

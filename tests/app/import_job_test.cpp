@@ -3,6 +3,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <new>
+#include <system_error>
 
 #include "app/import_job.h"
 #include "tests/support/phantom_series.h"
@@ -24,6 +26,9 @@ class TestImportJob : public QObject {
     void cancelWithoutAJobSaysNothing();
     void aWrongIndexDoesNothing();
     void theJobMayEndWhileItReads();
+    void whateverIsThrownIsAFailureInWords_data();
+    void whateverIsThrownIsAFailureInWords();
+    void aThreadThatCannotBeStartedIsSaid();
 
   private:
     QTemporaryDir folder_;
@@ -128,6 +133,58 @@ void TestImportJob::theJobMayEndWhileItReads() {
         job.scanFolder(series_);
         QTest::qWait(i);
     }
+}
+
+/// A job whose work throws.
+class Throwing : public ImportJob {
+  public:
+    using ImportJob::thread;
+    void run(int what) {
+        start([what](const Progress&) -> std::function<void()> {
+            if (what == 0)
+                throw std::bad_alloc();
+            if (what == 1)
+                throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again), "a thread");
+            throw 7;
+        });
+    }
+};
+
+void TestImportJob::whateverIsThrownIsAFailureInWords_data() {
+    QTest::addColumn<int>("what");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("no memory") << 0 << "memory";
+    QTest::newRow("no thread") << 1 << "a thread";
+    QTest::newRow("something") << 2 << "unknown";
+}
+
+void TestImportJob::whateverIsThrownIsAFailureInWords() {
+    QFETCH(int, what);
+    QFETCH(QString, words);
+    Throwing job;
+    QSignalSpy finished(&job, &ImportJob::finished), scanned(&job, &ImportJob::scanned);
+    Error error;
+    connect(&job, &ImportJob::failed, this, [&](const Error& failure) { error = failure; });
+    job.run(what);
+    QTRY_COMPARE(finished.count(), 1);
+    QVERIFY2(QString::fromStdString(error.what).contains(words), error.text().c_str());
+    QVERIFY(!error.hint.empty());
+    job.scanFolder(series_);  // and the next one is read
+    QTRY_COMPARE(scanned.count(), 1);
+}
+
+void TestImportJob::aThreadThatCannotBeStartedIsSaid() {
+    Throwing job;
+    QSignalSpy finished(&job, &ImportJob::finished), scanned(&job, &ImportJob::scanned);
+    Error error;
+    connect(&job, &ImportJob::failed, this, [&](const Error& failure) { error = failure; });
+    job.thread().setStackSize(1);  // no system gives a thread so little
+    job.scanFolder(series_);
+    QTRY_COMPARE(finished.count(), 1);
+    QVERIFY(error.what.find("thread") != std::string::npos && !error.hint.empty());
+    job.thread().setStackSize(0);  // as usual
+    job.scanFolder(series_);
+    QTRY_COMPARE(scanned.count(), 1);
 }
 
 }  // namespace pdr::app

@@ -33,7 +33,7 @@ Scene someScene(std::uint64_t revision = 1) {
 Film filmOf(Session& session) {
     auto film = std::make_shared<std::promise<Film>>();
     auto future = film->get_future();
-    session.inspect([film](const FilmView& view) { film->set_value(view.film); });
+    session.inspect(1, [film](const Result<FilmView>& view) { film->set_value(view->film); });
     if (future.wait_for(240s) != std::future_status::ready)
         qFatal("nobody looks at the film");
     return future.get();
@@ -319,7 +319,7 @@ class FaultsTest : public QObject {
             std::this_thread::sleep_for(std::chrono::microseconds(i * 200));
             session.setDevice(kCpu);
             session.setSchedule({});
-            session.inspect([](const FilmView&) {});
+            session.inspect(1, [](const Result<FilmView>&) {});
             std::this_thread::sleep_for(std::chrono::microseconds(i % 6 * 300));
         }
     }

@@ -188,7 +188,7 @@ class PaceTest : public QObject {
         trial.reel.first(60);
         session->setPaused(true);
         std::promise<std::uint64_t> held;
-        session->inspect([&](const FilmView& view) { held.set_value(view.film.samplesPerPixel()); });
+        session->inspect(1, [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
         const std::uint64_t samples = held.get_future().get();
         const auto shots = trial.reel.shots(
             [&](const auto& all) { return all.back().frame->status.samplesPerPixel == samples; });

@@ -6,8 +6,10 @@
 #include <atomic>
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -33,6 +35,10 @@ struct Mishaps {
     std::atomic<bool> gone = false;
     std::atomic<int> filmsRead = 0;  ///< calls of LiveFilm::film()
 
+    /// Called first by each verb, with its name: "upload", "film", "resume", "iterate", "show", "take", "read". It may
+    /// throw. Set before the device is handed over.
+    std::function<void(const std::string&)> before = [](const std::string&) {};
+
     Result<void> call(std::atomic<int>& left) {
         if (gone || left-- <= 0 || now() >= goneAt)
             gone = true;
@@ -54,6 +60,7 @@ class FailingFilm final : public LiveFilm {
         : film_(std::move(film)), mishaps_(std::move(mishaps)) {}
 
     Result<void> iterate(std::uint32_t n, std::stop_token stop) override {
+        mishaps_->before("iterate");
         if (Result<void> well = mishaps_->call(mishaps_->iterates); !well)
             return well;
         Result<void> iterated = film_->iterate(n, stop);
@@ -62,6 +69,7 @@ class FailingFilm final : public LiveFilm {
     }
 
     Result<void> show(const Display& display) override {
+        mishaps_->before("show");
         if (Result<void> well = mishaps_->call(mishaps_->shows); !well)
             return well;
         spend(mishaps_->displaySeconds, {});
@@ -75,6 +83,7 @@ class FailingFilm final : public LiveFilm {
     }
 
     Result<Picture> take() override {
+        mishaps_->before("take");
         if (Result<void> well = mishaps_->call(mishaps_->takes); !well)
             return well.error();
         mishaps_->wait(pictures_.front().first, {});
@@ -86,13 +95,17 @@ class FailingFilm final : public LiveFilm {
     int ahead() const override { return mishaps_->ahead; }
 
     Result<std::shared_ptr<const Film>> film() override {
+        mishaps_->before("read");
         ++mishaps_->filmsRead;
         if (Result<void> well = mishaps_->call(mishaps_->films); !well)
             return well.error();
         return film_->film();
     }
 
-    Result<void> resume(const Film& film) override { return film_->resume(film); }
+    Result<void> resume(const Film& film) override {
+        mishaps_->before("resume");
+        return film_->resume(film);
+    }
 
   private:
     void spend(double seconds, const std::stop_token& stop) {
@@ -114,6 +127,7 @@ class FailingDevice final : public Device {
     DeviceInfo info() const override { return {"failing", "for tests", false}; }
 
     Result<void> upload(std::shared_ptr<const PreparedScene> scene) override {
+        mishaps_->before("upload");
         if (mishaps_->tooSmall)
             return Error{"the volume needs 9.3 GB and 6.0 GB are free", "", "Choose a smaller part of it."};
         if (Result<void> well = mishaps_->call(mishaps_->uploads); !well)
@@ -126,6 +140,7 @@ class FailingDevice final : public Device {
     }
 
     Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) override {
+        mishaps_->before("film");
         Result<std::unique_ptr<LiveFilm>> film = inner_.film(size, revision, schedule);
         if (!film)
             return film;

@@ -157,7 +157,7 @@ void TestViewport::arrowKeysTurnAndMove() {
 void TestViewport::settersAreSilent() {
     Hand hand;
     hand.viewport.setCamera(orbited(hand.camera, {1, 0.3}));
-    hand.viewport.setImage(QImage(8, 8, QImage::Format_RGBX8888));
+    hand.viewport.setPicture({QImage(8, 8, QImage::Format_RGBX8888), hand.camera, {}});
     hand.viewport.setMessage("nothing");
     QTest::qWait(300);
     QCOMPARE(hand.edits + hand.rests, 0);
@@ -178,12 +178,12 @@ void TestViewport::aCoarsePictureIsStretchedToTheHeight() {
     hand.viewport.setCamera({});
     QImage coarse(40, 20, QImage::Format_RGBX8888);
     coarse.fill(Qt::red);
-    hand.viewport.setImage(coarse);
+    hand.viewport.setPicture({coarse, hand.camera, {}});
     const QImage shown = hand.viewport.grab().toImage();
     for (const QPoint corner : {QPoint(1, 1), QPoint(398, 1), QPoint(1, 198), QPoint(398, 198)})
         QCOMPARE(shown.pixelColor(corner), QColor(Qt::red));
     // A picture of another shape keeps the size of what it shows: the height fits, the rest is ground.
-    hand.viewport.setImage(coarse.copy(0, 0, 20, 20));
+    hand.viewport.setPicture({coarse.copy(0, 0, 20, 20), hand.camera, {}});
     const QImage narrow = hand.viewport.grab().toImage();
     QCOMPARE(narrow.pixelColor(200, 1), QColor(Qt::red));
     QCOMPARE(narrow.pixelColor(50, 100), QColor(Qt::black));

@@ -19,7 +19,7 @@ class GpuScene {
     explicit GpuScene(G& gpu) : gpu_(gpu) {}
 
     /// Takes `scene`. What rays are led by is sent where the scene has it (Bounds::onHost), else made. Errors: it does
-    /// not fit (needed, free), or the GPU's; then there is no scene.
+    /// not fit (needed, free), or the GPU's; then there is no scene. Null: there is none, and its memory is given back.
     Result<void> upload(std::shared_ptr<const PreparedScene> scene);
 
     /// As it was uploaded; null: there is none.
@@ -47,6 +47,7 @@ class GpuScene {
     void boundView(const PreparedScene& scene);
     void sendBounds(const PreparedScene& scene);
     void forget();
+    Result<void> close();
 
     G& gpu_;
     std::shared_ptr<const PreparedScene> scene_;
@@ -82,6 +83,8 @@ std::size_t GpuScene<G>::bytesFor(ivec3 voxels) {
 
 template <Gpu G>
 Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
+    if (!scene)
+        return close();
     const bool sameVolume = scene_ && scene_->volume == scene->volume;
     const bool made = scene->flat.majorants.fine == nullptr;
     const bool sameBounds = sameVolume && made && scene_->flat.majorants.fine == nullptr &&
@@ -277,6 +280,26 @@ void GpuScene<G>::forget() {
     lights_.forget();
     planes_.forget();
     environment_ = nullptr;
+}
+
+/// What grows with the volume, the film or a picture of the surroundings is given back; the tables are small and stay.
+template <Gpu G>
+Result<void> GpuScene<G>::close() {
+    gpu_.awaitAll();
+    scene_ = nullptr;
+    flat_ = {};
+    forget();
+    texture_.free();
+    voxels_.free();
+    ranges_.free();
+    fine_.free();
+    coarse_.free();
+    texels_.free();
+    density_.free();
+    rowSums_.free();
+    columnSums_.free();
+    depths_.free();
+    return outcome(gpu_);
 }
 
 }  // namespace pdr

@@ -1,0 +1,35 @@
+#pragma once
+/// The program's event loop.
+
+#include <QApplication>
+#include <iostream>
+
+#include "render/base/thrown.h"
+#include "ui/main_window.h"
+
+namespace pdr::app {
+
+/// What an event's handler throws ends as a sentence, and the window stays.
+class Application : public QApplication {
+  public:
+    using QApplication::QApplication;
+
+    bool notify(QObject* receiver, QEvent* event) override {
+        try {
+            return QApplication::notify(receiver, event);
+        } catch (...) {
+            say(thrownError());
+            return false;
+        }
+    }
+
+  private:
+    static void say(const Error& error) {
+        std::cerr << "pdrender: " << error.text() << '\n';
+        for (QWidget* widget : topLevelWidgets())
+            if (auto* window = qobject_cast<ui::MainWindow*>(widget))
+                window->message().showError(error);
+    }
+};
+
+}  // namespace pdr::app

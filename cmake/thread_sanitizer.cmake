@@ -1,0 +1,19 @@
+# Looks for data races between the window's thread, the render thread and the import thread: what runs on them and what
+# they hand over is instrumented, and the tests that drive it. Kernels are not, nor Qt and TBB, whose own
+# synchronisation could not be seen.
+if(NOT PDR_THREAD_SANITIZER)
+  return()
+endif()
+
+function(pdr_watch_threads directory)
+  foreach(pattern ${ARGN})
+    file(GLOB files CONFIGURE_DEPENDS ${directory}/${pattern})
+    set_source_files_properties(${files} DIRECTORY ${directory} PROPERTIES COMPILE_OPTIONS "-fsanitize=thread;-O1;-g")
+  endforeach()
+endfunction()
+
+pdr_watch_threads(${PROJECT_SOURCE_DIR}/render session/*.cpp)
+pdr_watch_threads(${PROJECT_SOURCE_DIR}/app render_bridge.cpp import_job.cpp document.cpp window_content.cpp wiring.cpp)
+pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/render session_test.cpp first_look_test.cpp faults_test.cpp
+                  exceptions_test.cpp)
+pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/app import_job_test.cpp picture_on_screen_test.cpp)

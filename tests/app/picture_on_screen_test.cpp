@@ -1,0 +1,266 @@
+/// The picture on the screen: its letters are its own, what is saved is what was seen, and what is closed is gone.
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/support/desktop_trial.h"
+#include "tests/support/failing_device.h"
+#include "tests/support/phantom_series.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+/// A device that takes a while for each iteration, so that a test can look between an edit and its picture.
+static std::shared_ptr<test::Mishaps> slow(double secondsPerIteration) {
+    auto mishaps = std::make_shared<test::Mishaps>();
+    mishaps->iterationSeconds = secondsPerIteration;
+    return mishaps;
+}
+
+/// The strip on the left and the corner of the cube, as they stand on the screen.
+static QImage margins(Trial& trial) {
+    QImage shown = trial.desktop.window().viewport().grab().toImage();
+    QImage strips(shown.width(), 100, QImage::Format_RGB32);
+    QPainter painter(&strips);
+    painter.drawImage(0, 0, shown, 0, shown.height() / 2 - 50);
+    painter.drawImage(shown.width() - 100, 0, shown, shown.width() - 100, shown.height() - 100);
+    return strips;
+}
+
+static QString statusOf(Trial& trial) {
+    return trial.desktop.window().status().findChild<QLabel*>()->text();
+}
+
+static QAction* saveAction(Trial& trial) {
+    for (QAction* action : trial.desktop.window().findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(QKeySequence::Save))
+            return action;
+    return nullptr;
+}
+
+class TestPictureOnScreen : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void anEditNamesNothingNewBeforeItsPictureIsThere_data();
+    void anEditNamesNothingNewBeforeItsPictureIsThere();
+    void theLettersAreThoseOfTheFrame();
+    void whatIsSavedIsWhatWasSeen();
+    void afterAFailureNothingStaysUpAndSavingSaysSo();
+    void aFailureAnswersTheSaveThatWaits();
+    void closingAnswersTheSaveThatWaits();
+    void aClosedPatientIsFreedAndNotRenderedOn();
+    void anotherSeriesClosesTheFirstBeforeItIsRead();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+void TestPictureOnScreen::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_), "Head of a phantom");
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere_data() {
+    QTest::addColumn<int>("edit");
+    const char* edits[] = {"view", "reset", "undo", "redo", "preset", "estimator", "turned"};
+    for (int i = 0; i < 7; ++i)
+        QTest::newRow(edits[i]) << i;
+}
+
+void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
+    QFETCH(int, edit);
+    Trial trial(test::failing(slow(0.05)));
+    trial.openAndWait(series_);
+    Document& document = trial.desktop.parts().document;
+    document.setView(StandardView::left);
+    document.setView(StandardView::superior);
+    document.undo();
+    trial.waitForNewest();
+    const QImage before = margins(trial);
+    const QString status = statusOf(trial);
+    switch (edit) {
+        case 0:
+            document.setView(StandardView::posterior);
+            break;
+        case 1:
+            emit trial.desktop.window().resetRequested();
+            break;
+        case 2:
+            document.undo();
+            break;
+        case 3:
+            document.redo();
+            break;
+        case 4:
+            document.setPreset(1);
+            break;
+        case 5:
+            document.setEstimator(Estimator::kroesMarch);
+            break;
+        case 6:
+            QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Right);
+            break;
+    }
+    QVERIFY(margins(trial) == before);
+    emit trial.desktop.parts().bridge.pausedChanged(false);  // the status is written anew
+    QCOMPARE(statusOf(trial), status);
+}
+
+/// For every frame that is shown, while the hand does all it can, faster than the device.
+void TestPictureOnScreen::theLettersAreThoseOfTheFrame() {
+    Trial trial(test::failing(slow(0.02)));
+    trial.openAndWait(series_);
+    Document& document = trial.desktop.parts().document;
+    ui::Viewport& viewport = trial.desktop.window().viewport();
+    std::size_t compared = 0;
+    const auto compare = [&] {
+        const auto& frame = trial.desktop.parts().bridge.lastFrame();
+        const ui::EdgeLetters painted = viewport.letters(), right = ui::edgeLetters(frame->camera);
+        QVERIFY(painted.left == right.left && painted.right == right.right);
+        QVERIFY(painted.top == right.top && painted.bottom == right.bottom);
+        compared += frame->revision == document.scene().revision;
+    };
+    const auto wait = [&](int ms) {
+        QElapsedTimer timer;
+        for (timer.start(); timer.elapsed() < ms; QTest::qWait(5))
+            compare();
+    };
+    int preset = 0;
+    for (const StandardView view : {StandardView::posterior, StandardView::left, StandardView::superior}) {
+        document.setView(view);
+        wait(60);
+        QTest::keyClick(&viewport, Qt::Key_Right);
+        wait(30);
+        document.setPreset(++preset % 2);
+        wait(100);
+        document.undo();
+        trial.waitForNewest();
+        wait(30);
+    }
+    QVERIFY(compared > 3);
+    for (const auto& frame : trial.frames)
+        QCOMPARE(QString::fromStdString(frame->look).isEmpty(), false);
+}
+
+void TestPictureOnScreen::whatIsSavedIsWhatWasSeen() {
+    Trial trial(test::failing(slow(0.2)));
+    trial.openAndWait(series_);
+    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    const QString file = trial.folder.filePath("front.png");
+    emit trial.desktop.window().saveRequested(file);
+    trial.desktop.parts().document.setView(StandardView::posterior);
+    trial.waitForNewest();
+    const auto frames = trial.frames.size();
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames + 1, 20000);
+    const QString text = trial.desktop.window().message().text();
+    QVERIFY2(saved.count() == 0 && !QFile::exists(file), "a back view was saved as front.png");
+    QVERIFY2(text.contains("Not saved, because") && text.contains("front.png"), qPrintable(text));
+}
+
+/// A scene that cannot be rendered.
+static void fail(Trial& trial) {
+    Camera camera = trial.desktop.parts().document.scene().camera;
+    camera.apertureMm = -1;
+    trial.desktop.parts().document.setCamera(camera, false);
+}
+
+void TestPictureOnScreen::afterAFailureNothingStaysUpAndSavingSaysSo() {
+    Trial trial;
+    trial.openAndWait(series_);
+    const auto bright = [&] {
+        const QImage shown = trial.desktop.window().viewport().grab().toImage();
+        return shown.pixelColor(shown.width() / 2, shown.height() / 2).lightness() > 40 ||
+               shown.pixelColor(shown.width() / 2, shown.height() / 3).lightness() > 40;
+    };
+    QVERIFY(bright());
+    QVERIFY(saveAction(trial)->isEnabled());
+    fail(trial);
+    QTRY_VERIFY(trial.desktop.window().message().text().contains("camera.apertureMm"));
+    QVERIFY(!saveAction(trial)->isEnabled());
+    const QImage shown = trial.desktop.window().viewport().grab().toImage();
+    QCOMPARE(shown.pixelColor(shown.width() / 2, shown.height() / 3), QColor(Qt::black));
+    QVERIFY(statusOf(trial).isEmpty());
+
+    QSignalSpy failed(&trial.desktop.parts().bridge, &RenderBridge::saveFailed);
+    emit trial.desktop.window().saveRequested(trial.folder.filePath("none.png"));
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY(trial.desktop.window().message().text().contains("Not saved, because"));
+
+    trial.desktop.parts().document.undo();
+    trial.waitForNewest();
+    QTRY_VERIFY(saveAction(trial)->isEnabled());
+}
+
+void TestPictureOnScreen::aFailureAnswersTheSaveThatWaits() {
+    Trial trial(test::failing(slow(0.2)));
+    trial.openAndWait(series_);
+    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    QSignalSpy failed(&trial.desktop.parts().bridge, &RenderBridge::saveFailed);
+    emit trial.desktop.window().saveRequested(trial.folder.filePath("front.png"));
+    fail(trial);
+    QTRY_COMPARE(failed.count(), 1);
+    trial.desktop.parts().document.undo();
+    trial.waitForNewest();
+    QCOMPARE(saved.count(), 0);
+}
+
+void TestPictureOnScreen::closingAnswersTheSaveThatWaits() {
+    Trial trial(test::failing(slow(0.2)));
+    trial.openAndWait(series_);
+    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    QSignalSpy failed(&trial.desktop.parts().bridge, &RenderBridge::saveFailed);
+    emit trial.desktop.window().saveRequested(trial.folder.filePath("first_patient.png"));
+    showNothing(trial.desktop.parts());
+    QTRY_COMPARE(failed.count(), 1);
+    trial.frames.clear();
+    trial.openAndWait(series_);
+    QTest::qWait(300);
+    QCOMPARE(saved.count(), 0);
+    QVERIFY(!QFile::exists(trial.folder.filePath("first_patient.png")));
+}
+
+void TestPictureOnScreen::aClosedPatientIsFreedAndNotRenderedOn() {
+    auto mishaps = std::make_shared<test::Mishaps>();
+    Trial trial(test::failing(mishaps));
+    trial.openAndWait(series_);
+    trial.desktop.parts().document.setPreset(1);  // it is in the steps to undo, too
+    trial.waitForNewest();
+    const std::weak_ptr<const Volume> volume = trial.desktop.parts().document.scene().volume;
+    QVERIFY(!volume.expired());
+    showNothing(trial.desktop.parts());
+    QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), 5000);
+    const int iterations = mishaps->iterates;
+    QTest::qWait(300);
+    QCOMPARE(mishaps->iterates.load(), iterations);
+    trial.frames.clear();
+    trial.openAndWait(series_);  // and what is opened next is shown
+}
+
+void TestPictureOnScreen::anotherSeriesClosesTheFirstBeforeItIsRead() {
+    Trial trial;
+    trial.openAndWait(series_);
+    const std::weak_ptr<const Volume> volume = trial.desktop.parts().document.scene().volume;
+    bool freed = false;
+    QObject::connect(&trial.desktop.parts().import, &ImportJob::loaded, [&] { freed = volume.expired(); });
+    trial.frames.clear();
+    emit trial.desktop.window().series().seriesChosen(0);
+    QVERIFY(!trial.desktop.parts().document.hasVolume());
+    QCOMPARE(trial.desktop.window().series().patient(), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.empty(), 20000);
+    QVERIFY(freed);
+    QVERIFY(!trial.desktop.window().series().patient().isEmpty());
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestPictureOnScreen)
+#include "picture_on_screen_test.moc"

@@ -1,0 +1,270 @@
+/// What a session shows of a scene, in which order, to whom, and that nothing of it stays when it is closed.
+
+#include <QTest>
+#include <ctime>
+#include <future>
+#include <mutex>
+#include <thread>
+
+#include "render/session/session.h"
+#include "tests/support/failing_device.h"
+#include "tests/support/pictures.h"
+#include "tests/support/scenes.h"
+
+using namespace pdr;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// More pixels than a processor is trusted to make at once.
+Scene largeScene(std::uint64_t revision) {
+    Scene scene = test::plainScene(test::bumpyVolume({20, 20, 20}, dvec3(1), 3), 1);
+    scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 600, .opacity = 1}};
+    scene.film = {400, 300};
+    scene.revision = revision;
+    scene.camera.eyeMm.x += double(revision);
+    scene.look = "look " + std::to_string(revision);
+    return scene;
+}
+
+/// All frames in their order.
+class Reel {
+  public:
+    FrameSink sink() {
+        return [this](std::shared_ptr<const Frame> frame) {
+            const std::lock_guard lock(mutex_);
+            frames_.push_back(std::move(frame));
+        };
+    }
+    std::vector<std::shared_ptr<const Frame>> frames() {
+        const std::lock_guard lock(mutex_);
+        return frames_;
+    }
+    /// Those of one scene.
+    std::vector<std::shared_ptr<const Frame>> of(std::uint64_t revision) {
+        std::vector<std::shared_ptr<const Frame>> chosen;
+        for (const auto& frame : frames())
+            if (frame->revision == revision)
+                chosen.push_back(frame);
+        return chosen;
+    }
+    /// Whether `count` full frames of it have come.
+    bool full(std::uint64_t revision, int count = 1) {
+        for (const auto& frame : of(revision))
+            count -= !frame->coarse && !frame->rgba.empty();
+        return count <= 0;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::vector<std::shared_ptr<const Frame>> frames_;
+};
+
+/// What somebody who looks is told.
+struct Answer {
+    std::promise<Result<Film>> film;
+    FilmLook look() {
+        return [this](const Result<FilmView>& view) {
+            film.set_value(view ? Result<Film>(view->film) : Result<Film>(view.error()));
+        };
+    }
+    /// Null: nobody has looked for 20 s, or there was a film.
+    std::optional<Error> refusal() {
+        auto future = film.get_future();
+        if (future.wait_for(20s) != std::future_status::ready)
+            return std::nullopt;
+        const Result<Film> result = future.get();
+        return result ? std::nullopt : std::optional(result.error());
+    }
+};
+
+std::unique_ptr<Device> makeDevice(const std::string& name) {
+    if (name == "cpu")
+        return makeCpuDevice(1);
+    return test::failing(std::make_shared<test::Mishaps>());
+}
+
+}  // namespace
+
+class FirstLookTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void everySceneIsCoarseFirstAndThenFull() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->iterationSeconds = 0.05;
+        Reel reel;
+        Session session(test::failing(mishaps), reel.sink());
+        for (std::uint64_t revision = 1; revision <= 4; ++revision) {
+            session.submit(largeScene(revision), false);
+            QTRY_VERIFY_WITH_TIMEOUT(reel.full(revision, 2), 20000);
+        }
+        for (std::uint64_t revision = 1; revision <= 4; ++revision) {
+            const auto frames = reel.of(revision);
+            QVERIFY(frames.front()->coarse);
+            QVERIFY(frames.front()->size.x < 400 && frames.front()->size.y < 300);
+            QVERIFY(!frames[1]->coarse && frames[1]->size == ivec2(400, 300));
+            for (std::size_t i = 1; i < frames.size(); ++i)
+                QVERIFY(!frames[i]->coarse);
+        }
+    }
+
+    void aFrameKnowsItsCameraAndItsLook() {
+        Reel reel;
+        Session session(makeCpuDevice(1), reel.sink());
+        for (std::uint64_t revision = 1; revision <= 20; ++revision) {
+            session.submit(largeScene(revision), revision % 4 != 0);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5 * (revision % 3)));
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(20), 20000);
+        for (const auto& frame : reel.frames()) {
+            QVERIFY(frame->camera == largeScene(frame->revision).camera);
+            QCOMPARE(frame->look, largeScene(frame->revision).look);
+        }
+    }
+
+    void theFilmAtRestIsThatOfTheSceneAlone() {
+        Reel reel;
+        Session session(makeCpuDevice(1), reel.sink());
+        session.submit(largeScene(1), true);
+        session.submit(largeScene(2), false);
+        Answer answer;
+        session.inspect(2, answer.look());
+        auto film = answer.film.get_future();
+        QVERIFY(film.wait_for(20s) == std::future_status::ready);
+        const Result<Film> seen = film.get();
+        QVERIFY(seen);
+        QVERIFY(test::sameBits(*seen, test::render(largeScene(2), seen->samplesPerPixel())));
+    }
+
+    /// The picture of the last move was a first look already.
+    void aHandAtRestNeedsNoSecondFirstLook() {
+        Reel reel;
+        Session session(makeCpuDevice(1), reel.sink());
+        session.submit(largeScene(1), true);
+        QTRY_VERIFY_WITH_TIMEOUT(!reel.of(1).empty(), 20000);
+        session.setPaused(true);
+        QTest::qWait(200);  // the launch that was on its way has been shown
+        const std::size_t before = reel.of(1).size();
+        session.submit(largeScene(1), false);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.of(1).size() > before, 20000);
+        QVERIFY(!reel.of(1)[before]->coarse);
+    }
+
+    void aPausedSessionShowsBothAndHolds() {
+        Reel reel;
+        Session session(makeCpuDevice(1), reel.sink());
+        session.setPaused(true);
+        session.submit(largeScene(1), false);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), 20000);
+        QTest::qWait(200);
+        QCOMPARE(reel.frames().size(), std::size_t(2));
+        QCOMPARE(reel.frames().back()->status.samplesPerPixel, std::uint64_t(1));
+    }
+
+    void whoAsksForAnOlderSceneIsTold() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->iterationSeconds = 0.05;
+        Reel reel;
+        Session session(test::failing(mishaps), reel.sink());
+        session.submit(largeScene(1), true);  // it does not rest, so nobody can look
+        Answer pending, late;
+        session.inspect(1, pending.look());
+        QTest::qWait(100);
+        session.submit(largeScene(2), false);
+        const auto refusal = pending.refusal();
+        QVERIFY(refusal && refusal->what.find("another picture") != std::string::npos && !refusal->hint.empty());
+        session.inspect(1, late.look());
+        QVERIFY(late.refusal());
+    }
+
+    void whoAsksForASceneThatFailsIsTold() {
+        Reel reel;
+        Session session(makeCpuDevice(1), reel.sink());
+        Scene wrong = largeScene(1);
+        wrong.phaseG = 1;
+        session.submit(wrong, false);
+        Answer pending, late;
+        session.inspect(1, pending.look());
+        const auto refusal = pending.refusal();
+        QVERIFY(refusal && refusal->what.find("could not be made") != std::string::npos);
+        session.inspect(1, late.look());
+        QVERIFY(late.refusal());
+    }
+
+    void whoAsksOfADeviceThatIsLostIsTold() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->iterationSeconds = 0.2;
+        mishaps->iterates = 0;
+        Reel reel;
+        Session session(test::failing(mishaps), reel.sink());
+        session.submit(largeScene(1), false);
+        Answer pending;
+        session.inspect(1, pending.look());
+        QVERIFY(pending.refusal());
+    }
+
+    void whoAsksForWhatIsClosedIsTold() {
+        Reel reel;
+        Session session(makeCpuDevice(1), reel.sink());
+        Answer before, pending, late;
+        session.inspect(0, before.look());
+        QVERIFY(before.refusal());
+        session.submit(largeScene(1), true);
+        session.inspect(1, pending.look());
+        session.clear();
+        const auto refusal = pending.refusal();
+        QVERIFY(refusal && refusal->what.find("closed") != std::string::npos);
+        session.inspect(1, late.look());
+        QVERIFY(late.refusal());
+    }
+
+    void aClosedSceneIsFreedAndCostsNothing_data() { devices(); }
+    void aClosedSceneIsFreedAndCostsNothing() {
+        QFETCH(QString, device);
+        Reel reel;
+        Session session(makeDevice(device.toStdString()), reel.sink());
+        Scene scene = largeScene(1);
+        const std::weak_ptr<const Volume> volume = scene.volume;
+        session.submit(std::move(scene), false);
+        scene = {};
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 3), 20000);
+        QVERIFY(!volume.expired());
+        session.clear();
+        QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), 20000);
+        const std::size_t frames = reel.frames().size();
+        const std::clock_t start = std::clock();
+        QTest::qWait(500);
+        QVERIFY(double(std::clock() - start) / CLOCKS_PER_SEC < 0.1);  // processor time
+        QCOMPARE(reel.frames().size(), frames);
+        session.setSchedule({.kind = Schedule::Kind::kroes});
+        session.setDevice([] { return makeCpuDevice(1); });
+        session.setDisplay({.exposure = 2});
+        session.submit(largeScene(2), false);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(2), 20000);
+    }
+
+    void clearingAtAnyMomentIsSound() {
+        for (int i = 0; i < 40; ++i) {
+            Reel reel;
+            Session session(makeDevice(i % 2 ? "cpu" : "gpu"), reel.sink());
+            session.submit(largeScene(1), i % 3 == 0);
+            std::this_thread::sleep_for(std::chrono::microseconds(i * 300));
+            session.clear();
+            if (i % 4 == 0)
+                session.submit(largeScene(2), false);
+            std::this_thread::sleep_for(std::chrono::microseconds(i * 100));
+            session.clear();
+        }
+    }
+
+  private:
+    static void devices() {
+        QTest::addColumn<QString>("device");
+        QTest::newRow("cpu") << "cpu";
+        QTest::newRow("gpu") << "gpu";
+    }
+};
+
+QTEST_GUILESS_MAIN(FirstLookTest)
+#include "first_look_test.moc"

@@ -1,0 +1,138 @@
+/// The dialogs for files leave no trace: a folder's name may be a patient's.
+
+#include <QDirIterator>
+#include <QFileDialog>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "ui/main_window.h"
+
+namespace pdr::ui {
+
+/// Everything that Qt keeps for the user goes here.
+static QTemporaryDir& home() {
+    static QTemporaryDir folder;
+    return folder;
+}
+
+class TestFileDialogs : public QObject {
+    Q_OBJECT
+
+  public:
+    static void initMain() {
+        for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "HOME"})
+            qputenv(place, home().path().toUtf8());
+    }
+
+  private slots:
+    void init();
+    void cleanup();
+    void whereTheHandWasIsNotKept_data();
+    void whereTheHandWasIsNotKept();
+    void whatWasKeptByOtherProgramsStays();
+    void theDialogForSavingGoesWithItsPicture();
+
+  private:
+    /// Opens the dialog with `key`, goes to the patient's folder and takes what is there, or gives up.
+    void use(MainWindow& window, const QKeySequence& key, bool accept);
+
+    std::unique_ptr<QTemporaryDir> place_;
+    QString patient_;  ///< a folder
+};
+
+void TestFileDialogs::init() {
+    place_ = std::make_unique<QTemporaryDir>();
+    patient_ = place_->filePath("Mustermann^Erika");
+    QVERIFY(QDir().mkpath(patient_ + "/series"));
+}
+
+void TestFileDialogs::cleanup() {
+    QSettings(QSettings::UserScope, "QtProject").clear();
+}
+
+void TestFileDialogs::use(MainWindow& window, const QKeySequence& key, bool accept) {
+    bool used = false;
+    QTimer::singleShot(0, &window, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        QVERIFY(dialog);
+        dialog->setDirectory(patient_);
+        dialog->selectFile(patient_ + (dialog->acceptMode() == QFileDialog::AcceptSave ? "/picture.png" : "/series"));
+        used = true;
+        accept ? static_cast<QDialog*>(dialog)->accept() : dialog->reject();
+    });
+    for (QAction* action : window.findChildren<QAction*>())
+        if (action->shortcut() == key)
+            action->trigger();
+    QVERIFY(used);
+}
+
+void TestFileDialogs::whereTheHandWasIsNotKept_data() {
+    QTest::addColumn<bool>("accept");
+    QTest::newRow("accepted") << true;
+    QTest::newRow("given up") << false;
+}
+
+void TestFileDialogs::whereTheHandWasIsNotKept() {
+    QFETCH(bool, accept);
+    QString opened, saved;
+    {
+        MainWindow window;
+        window.setPictureAvailable(true);
+        connect(&window, &MainWindow::folderChosen, this, [&](const QString& folder) { opened = folder; });
+        connect(&window, &MainWindow::saveRequested, this, [&](const QString& file) { saved = file; });
+        window.setLastFolder(patient_);
+        window.show();
+        for (int i = 0; i < 2; ++i) {
+            use(window, QKeySequence::Open, accept);
+            use(window, QKeySequence::Save, accept);
+        }
+    }
+    QCOMPARE(opened, accept ? patient_ + "/series" : QString());
+    QCOMPARE(saved, accept ? patient_ + "/picture.png" : QString());
+    QDirIterator files(home().path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        QFile file(files.next());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray content = file.readAll();
+        QVERIFY2(!content.contains("Mustermann") && !content.contains("Erika"),
+                 qPrintable(file.fileName() + ":\n" + content));
+    }
+}
+
+void TestFileDialogs::whatWasKeptByOtherProgramsStays() {
+    const QStringList theirs{"file:///music", "file:///pictures"};
+    {
+        QSettings settings(QSettings::UserScope, "QtProject");
+        settings.setValue("FileDialog/history", theirs);
+    }
+    {
+        MainWindow window;
+        window.show();
+        use(window, QKeySequence::Open, true);
+    }
+    QCOMPARE(QSettings(QSettings::UserScope, "QtProject").value("FileDialog/history").toStringList(), theirs);
+}
+
+void TestFileDialogs::theDialogForSavingGoesWithItsPicture() {
+    MainWindow window;
+    window.setPictureAvailable(true);
+    window.show();
+    int saved = 0, seen = 0;
+    connect(&window, &MainWindow::saveRequested, this, [&] { ++saved; });
+    QTimer::singleShot(0, &window, [&] {
+        seen += qobject_cast<QFileDialog*>(QApplication::activeModalWidget()) != nullptr;
+        window.setPictureAvailable(false);
+    });
+    for (QAction* action : window.findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(QKeySequence::Save))
+            action->trigger();  // comes back
+    QCOMPARE(seen, 1);
+    QCOMPARE(saved, 0);
+}
+
+}  // namespace pdr::ui
+
+QTEST_MAIN(pdr::ui::TestFileDialogs)
+#include "file_dialogs_test.moc"

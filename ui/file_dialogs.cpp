@@ -1,0 +1,79 @@
+#include "ui/file_dialogs.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QSettings>
+#include <QUrl>
+#include <QVariant>
+#include <array>
+
+namespace pdr::ui {
+namespace {
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("fileDialogs", text);
+}
+
+/// What Qt's dialogs have written about places, by this program or another; written again when it dies.
+class KeptPlaces {
+  public:
+    KeptPlaces() {
+        for (std::size_t i = 0; i < kKeys.size(); ++i)
+            values_[i] = settings_.value(kKeys[i]);
+    }
+    ~KeptPlaces() {
+        for (std::size_t i = 0; i < kKeys.size(); ++i)
+            values_[i].isValid() ? settings_.setValue(kKeys[i], values_[i]) : settings_.remove(kKeys[i]);
+    }
+
+  protected:
+    static constexpr std::array kKeys{"FileDialog/history", "FileDialog/lastVisited", "FileDialog/shortcuts"};
+    std::array<QVariant, kKeys.size()> values_;
+    QSettings settings_{QSettings::UserScope, "QtProject"};
+};
+
+/// Qt's own dialog, since what a desktop's keeps is out of our hands. It writes its settings when it dies: by then it has
+/// nothing to tell, and what was there before comes back after it.
+class ForgetfulDialog : KeptPlaces, public QFileDialog {
+  public:
+    ForgetfulDialog(QWidget* parent, const QString& title) : QFileDialog(parent, title) {
+        setOption(QFileDialog::DontUseNativeDialog);
+    }
+    ~ForgetfulDialog() override {
+        setDirectory(QDir::rootPath());
+        setHistory({});
+        setSidebarUrls({});
+    }
+};
+
+}  // namespace
+
+QString askForFolder(QWidget* parent, const QString& start) {
+    ForgetfulDialog dialog(parent, translated("Open a folder with a CT"));
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    if (!start.isEmpty())
+        dialog.setDirectory(start);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+QString askForPictureFile(QWidget* parent, const QAction& save) {
+    const QString png = translated("PNG picture (*.png)");
+    const QString exr = translated("OpenEXR with the error of every pixel (*.exr)");
+    ForgetfulDialog dialog(parent, translated("Save the picture"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({png, exr});
+    // With a suffix from the dialog itself it also asks before it overwrites.
+    dialog.setDefaultSuffix("png");
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                     [&](const QString& filter) { dialog.setDefaultSuffix(filter == exr ? "exr" : "png"); });
+    QObject::connect(&save, &QAction::enabledChanged, &dialog, [&](bool enabled) {
+        if (!enabled)
+            dialog.reject();
+    });
+    dialog.selectFile("picture");
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+}  // namespace pdr::ui

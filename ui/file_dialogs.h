@@ -1,0 +1,18 @@
+#pragma once
+/// The dialogs for folders and files. Qt keeps where its dialogs have been in the user's settings, but a folder's name
+/// may be a patient's: these leave the settings as they were.
+
+#include <QAction>
+#include <QString>
+#include <QWidget>
+
+namespace pdr::ui {
+
+/// Asks for a folder, beginning in `start`; empty: the hand gave up.
+QString askForFolder(QWidget* parent, const QString& start);
+
+/// Asks for a file to save the picture in, ".png" or ".exr"; empty: the hand gave up, or `save` was disabled meanwhile:
+/// a name that was thought of for one patient must not go to the next.
+QString askForPictureFile(QWidget* parent, const QAction& save);
+
+}  // namespace pdr::ui
