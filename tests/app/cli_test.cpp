@@ -215,6 +215,29 @@ class CliTest : public QObject {
         QVERIFY(panel->simplified().split(' ').at(6).toDouble() > 0);  // levels that the picture changes by
     }
 
+    /// Tissue too dense for multiple scattering is told before anybody counts samples, wherever health is told.
+    void overDenseTissueIsToldEverywhere() {
+        QFile file(scene());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
+        QJsonObject curve = document["transferFunction"].toObject();
+        curve["extinctionPerMm"] = 1e5;
+        document["transferFunction"] = curve;
+        document["model"] = "multipleScattering";
+        write(at("dense.json"), QJsonDocument(document).toJson());
+        const QStringList render{"render", at("dense.json"), "-o",        at("dense.png"), "-o", at("dense.exr"),
+                                 "--size", "16x16",          "--samples", "2"};
+        const Run told = run(render);
+        QVERIFY2(told.code == 0 && told.out.contains("free paths between voxels"), told.err + told.out);
+        const QJsonObject facts = QJsonDocument::fromJson(run(render + QStringList{"--json"}).out).object();
+        QCOMPARE(facts["warnings"].toArray(), QJsonArray{"overDense"});
+        QCOMPARE(QImage(at("dense.png")).text("pdrender/warnings"), QString("overDense"));
+        QVERIFY(contents(at("dense.exr")).contains("overDense"));
+        const Run single = run(render + QStringList{"--model", "singleScattering", "--json"});
+        QVERIFY(QJsonDocument::fromJson(single.out).object()["warnings"].toArray().isEmpty());
+        QVERIFY(QImage(at("dense.png")).text("pdrender/warnings").isEmpty());
+    }
+
     void aSampleIsToldEventByEvent() {
         const Run told = run({"replay", scene(), "--preset", "CT bone", "--model", "multipleScattering", "--size", "40x40",
                               "--pixel", "20,20", "--sample", "3"});
@@ -288,7 +311,7 @@ class CliTest : public QObject {
         QVERIFY(write("unlit.json"));
         const Run missing = run({"render", at("unlit.json"), "-o", at("lit.png"), "--samples", "2"});
         QCOMPARE(missing.code, 1);
-        QVERIFY(missing.err.contains("missing.exr"));
+        QVERIFY(missing.err.contains("missing.exr") && missing.err.contains("lights[0].image"));
     }
 
     void theErrorStopsAndDoesNotDependOnTheClock() {
