@@ -1,5 +1,7 @@
 #include "app/provenance.h"
 
+#include "render/scene/warnings.h"
+
 namespace pdr::app {
 
 std::string scheduleText(const Schedule& schedule) {
@@ -19,7 +21,8 @@ Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double sec
             scene.transferFunction.extinctionPerMm,
             "PD-Render " PDR_VERSION,
             scene.estimator == Estimator::unbiased ? "" : "kroesMarch (biased)",
-            scheduleText(schedule)};
+            scheduleText(schedule),
+            warningNames(warnings(scene))};
 }
 
 }  // namespace pdr::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/render_choices.h"
+#include "render/scene/warnings.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
 #include "ui/to_qt.h"
@@ -111,6 +112,8 @@ void showStatus(const DesktopParts& parts) {
     const QString comparison = ui::comparisonText(choiceOf(frame->schedule), frame->estimator);
     if (!comparison.isEmpty())
         text.prepend(comparison);
+    for (const Warning& warning : warnings(parts.document.scene()))
+        text << QString::fromStdString(warning.text);
     parts.window.status().setText(text.join(", "));
 }
 

@@ -6,9 +6,10 @@
 #include <atomic>
 #include <charconv>
 #include <chrono>
-#include <ctime>
 #include <mutex>
 #include <thread>
+
+#include "render/base/processor_time.h"
 
 namespace pdr::bench {
 
@@ -137,12 +138,6 @@ class GpuLoad final : public DeviceLoad {
 };
 
 }  // namespace
-
-double processorSeconds() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
 
 int threadCount(int threads) {
     return threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency()));

@@ -19,8 +19,6 @@ class DeviceLoad {
     virtual std::optional<double> stop() = 0;
 };
 
-/// That all threads of this program have spent on the processor [s].
-double processorSeconds();
 /// `threads`, or one per core for 0.
 int threadCount(int threads);
 

@@ -29,6 +29,7 @@ struct RenderOptions {
 struct EffectsOptions {
     SceneInput scene;
     int threads = 0;  ///< 0 = one per core
+    bool json = false;
     bool help = false;
 };
 

@@ -59,6 +59,9 @@ std::string jsonText(const RenderReport& report) {
     QJsonArray outputs;
     for (const auto& path : report.outputs)
         outputs.append(QString::fromStdString(path.string()));
+    QJsonArray warnings;
+    for (const Warning& warning : report.warnings)
+        warnings.append(QString::fromStdString(warning.name));
     const FilmStatus& film = report.result.film;
     const QJsonObject object{
         {"outputs", outputs},
@@ -66,6 +69,7 @@ std::string jsonText(const RenderReport& report) {
         {"height", report.size.y},
         {"samplesPerPixel", double(film.samplesPerPixel)},
         {"rejectedSamples", double(film.health.rejected())},
+        {"warnings", warnings},
         {"health", healthObject(film.health, report.size.x)},
         {"seconds", report.result.seconds},
         {"samplesPerSecond", samplesPerSecond(report)},
@@ -86,6 +90,8 @@ std::string plainText(const RenderReport& report) {
         << report.result.seconds << " s (" << samplesPerSecond(report) / 1e6 << " million samples per second) on "
         << report.device.name << ", " << report.device.details << "\n"
         << "remaining error: " << errorText(film.relativeError) << " of the mean brightness\n";
+    for (const Warning& warning : report.warnings)
+        out << warning.text << "\n";
     for (int i = 0; i < kFaults; ++i)
         if (const FaultCount& fault = film.health.faults[i]; fault.count > 0)
             out << fault.count << " " << faultText(Fault(i)) << "; the first: pdrender-cli replay ... "

@@ -9,6 +9,7 @@
 #include "app/cli/batch_render.h"
 #include "render/base/portable.h"
 #include "render/device/device.h"
+#include "render/scene/warnings.h"
 
 namespace pdr::app {
 
@@ -18,10 +19,11 @@ struct RenderReport {
     std::uint64_t seed = 0;
     DeviceInfo device;
     BatchResult result;
+    std::vector<Warning> warnings;  ///< of the scene
 };
 
 /// A JSON object: outputs, width, height, samplesPerPixel, rejectedSamples, health, seconds, samplesPerSecond (of all
-/// pixels together), relativeError (null while unknown), meanLuminance, stoppedBy (samples, seconds, error,
+/// pixels together), warnings (names: overDense), relativeError (null while unknown), meanLuminance, stoppedBy (samples, seconds, error,
 /// interrupted), device, seed (as text: 64 bits do not fit a JSON number).
 std::string jsonText(const RenderReport& report);
 /// The same for a person, in a few lines.

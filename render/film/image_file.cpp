@@ -57,6 +57,8 @@ std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
         all.emplace_back("pdrender/estimator", from.estimator);
     if (!from.schedule.empty())
         all.emplace_back("pdrender/schedule", from.schedule);
+    if (!from.warnings.empty())
+        all.emplace_back("pdrender/warnings", from.warnings);
     return all;
 }
 
@@ -147,6 +149,8 @@ Imf::Header exrHeader(ivec2 size, const Provenance& from) {
         header.insert("pdrender/estimator", Imf::StringAttribute(from.estimator));
     if (!from.schedule.empty())
         header.insert("pdrender/schedule", Imf::StringAttribute(from.schedule));
+    if (!from.warnings.empty())
+        header.insert("pdrender/warnings", Imf::StringAttribute(from.warnings));
     return header;
 }
 

@@ -85,6 +85,8 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
     LightPath path = choice.path();
     if (scene.clip.count > 0 && !scene.clip.shadows)
         path.ray.length = cutLength(scene.clip, path.ray.origin, path.ray.direction, path.ray.length);
+    if (scene.unshadowed)
+        path.ray.length = 0;
     return path;
 }
 

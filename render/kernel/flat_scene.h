@@ -156,6 +156,7 @@ struct FlatScene {
     FlatEnvironment environment;
     FlatClip clip;
     bool fastFiltering;  ///< a device that has texture units may read the volume through them
+    bool unshadowed;     ///< light reaches every event as if nothing were in between; see Scene
     bool marched;        ///< by kernel/kroes_path.h instead of kernel/integrator.h: BIASED
     int maxBounces;      ///< scattering events on a path, at most
     float phaseG;

@@ -33,6 +33,11 @@ PDR_HD inline vec3 background(const FlatScene& scene, const Leg& leg) {
     return scene.environment.visible ? environmentRadiance(scene.environment, leg.direction) : vec3(0);
 }
 
+/// What a leg that meets no event brings: the background, or no number where its ray came to no end (kMostSteps).
+PDR_HD inline vec3 missed(const FlatScene& scene, const Leg& leg, float collision) {
+    return collision < 0 ? background(scene, leg) : vec3(collision);
+}
+
 /// The same without looking, where it looks the same everywhere.
 PDR_HD inline vec3 plainBackground(const FlatScene& scene) {
     return scene.environment.visible ? scene.environment.zenith : vec3(0);
@@ -107,9 +112,9 @@ PDR_HD_INLINE bool takeLeg(const FlatScene& scene, Path& path, int bounce, Sampl
     const float collision = track<DeltaTracking>(
         scene, path.leg.ray, path.random.stream(bounce, BounceDimension::flight), result.overMajorant);
     watch.leg(path, bounce, collision);
-    if (collision < 0) {
-        if (bounce == 0)
-            result.radiance = background(scene, path.leg);
+    if (!(collision >= 0)) {
+        if (bounce == 0 || collision != collision)
+            result.radiance = missed(scene, path.leg, collision);
         return false;
     }
     const Arrival met = arrival<F>(scene, path, collision, bounce);

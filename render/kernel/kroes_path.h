@@ -45,7 +45,7 @@ PDR_HD inline LightPath lightOfOne(const FlatScene& scene, const Event& event, c
     const vec3 towards = scene.volume.indexFromLocal * light.towards;
     const bool cutAway = scene.clip.count > 0 && !scene.clip.shadows;
     const float distance = cutAway ? cutLength(scene.clip, event.position, towards, light.distance) : light.distance;
-    return {{event.position, towards, distance},
+    return {{event.position, towards, scene.unshadowed ? 0 : distance},
             scatterEval<kAll>(scene, event, light.towards) * light.radiance * float(lights)};
 }
 
@@ -58,17 +58,19 @@ PDR_HD inline Sampled kroesSample(const FlatScene& scene, ivec2 pixel, std::uint
     const float step = marchStep(scene.volume, kExposureRenderStep);
     const float collision = marchToCollision(scene, path.leg.ray, path.random.stream(0, BounceDimension::flight), step);
     Sampled result;
-    if (collision < 0) {
-        result.radiance = background(scene, path.leg);
+    if (!(collision >= 0)) {
+        result.radiance = collision < 0 ? background(scene, path.leg) : vec3(collision);
         return result;
     }
     const Event event = eventAt<kroes::kAll>(scene, path.leg.ray.origin + path.leg.ray.direction * collision,
                                              path.leg.direction, path.random.stream(0, BounceDimension::event));
     result.radiance = event.material.emission;
     const LightPath light = kroes::lightOfOne(scene, event, path.random);
-    if (!isDark(light) &&
-        marchTransmittance(scene, light.ray, path.random.stream(0, BounceDimension::shadow), step) > 0)
-        result.radiance += light.radiance;
+    if (isDark(light))
+        return result;
+    const float left = marchTransmittance(scene, light.ray, path.random.stream(0, BounceDimension::shadow), step);
+    if (left != 0)  // in full shadow not even infinite light counts
+        result.radiance += light.radiance * left;
     return result;
 }
 

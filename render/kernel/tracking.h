@@ -2,12 +2,19 @@
 /// Unbiased tracking through the medium: delta tracking for the next event, ratio tracking for what light survives.
 /// Each is a rule of what a tentative collision does to a ray; the flight between them is the same.
 
+#include <cmath>
+
 #include "render/kernel/flight.h"
 
 namespace pdr {
 
+/// Tentative collisions and cells that one ray may take. Reached only where tissue of millions of free paths per voxel
+/// lies beside none in the same voxel; what became of the ray is then no number, so that the picture's sample is left
+/// out and counted (Fault::notANumber). Tissue that needs no close look has a few steps per cell.
+inline constexpr int kMostSteps = 1 << 24;
+
 /// Delta tracking: a tentative collision is real with probability extinction / majorant, and then ends the ray.
-/// Result: the distance of the collision [mm], or -1 where the ray leaves the volume.
+/// Result: the distance of the collision [mm], -1 where the ray leaves the volume, or NaN: see kMostSteps.
 template <class Real>
 struct DeltaTracking {
     using Mask = typename Numbers<Real>::Mask;
@@ -46,7 +53,9 @@ PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomSt
     flight.start(scene.majorants, {ray.origin.x, ray.origin.y, ray.origin.z},
                  {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length, random);
     Rule<float> rule;
-    while (flight.flying()) {
+    for (int steps = 0; flight.flying(); ++steps) {
+        if (Dense && steps == kMostSteps)
+            return NAN;
         const TentativeCollision<float> collision = flight.step(scene);
         overMajorant = overMajorant || (collision.happened && collision.extinction > collision.majorant);
         if (rule.endsAt(flight.t, collision))

@@ -38,6 +38,21 @@ std::vector<ClipPlane> Clip::allPlanes() const {
     return all;
 }
 
+std::vector<ClipPlane> Clip::planesThrough(const VolumeGeometry& volume) const {
+    const dvec3 low(-0.5), high = dvec3(volume.size) - 0.5;  // the volume's box, index space
+    std::vector<ClipPlane> through;
+    for (const ClipPlane& plane : allPlanes()) {
+        const dvec3 normal = glm::normalize(plane.normal);
+        const dvec3 inIndex = glm::transpose(glm::dmat3(volume.patientFromIndex)) * normal;
+        const double offset = glm::dot(normal, plane.pointMm - dvec3(volume.patientFromIndex[3]));
+        const dvec3 farthest = glm::mix(low, high, glm::greaterThan(inIndex, dvec3(0)));
+        const double beyond = glm::dot(inIndex, farthest) - offset;  // mm
+        if (beyond > 1e-9 * glm::dot(glm::abs(inIndex), high - low))
+            through.push_back(plane);
+    }
+    return through;
+}
+
 Result<void> Clip::check() const {
     if (box)
         if (auto ok = pdr::check(*box); !ok)

@@ -6,6 +6,7 @@
 
 #include "render/base/portable.h"
 #include "render/base/result.h"
+#include "render/volume/volume.h"
 
 namespace pdr {
 
@@ -30,6 +31,8 @@ struct Clip {
     bool empty() const { return !box && planes.empty(); }
     /// The box's sides and the planes.
     std::vector<ClipPlane> allPlanes() const;
+    /// Those of them that cut something away of a volume; the others leave all of it.
+    std::vector<ClipPlane> planesThrough(const VolumeGeometry& volume) const;
     Result<void> check() const;
     bool operator==(const Clip&) const = default;
 };

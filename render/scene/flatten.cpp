@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/kernel/event.h"
 #include "render/kernel/flight.h"
 #include "render/kernel/view_footprint.h"
 #include "render/scene/flatten_lights.h"
@@ -60,25 +61,17 @@ void flattenCamera(FlatCamera& flat, const Camera& camera, const VolumeGeometry&
     flat.focus = radius > 0 ? camera.focusDistanceMm() : 0;
 }
 
-/// The planes that cut the volume, in index space; those that leave all of it are left out.
+/// The planes that cut the volume, in index space.
 void flattenClip(PreparedScene& prepared, const Scene& scene) {
     const dmat4& patientFromIndex = scene.volume->geometry().patientFromIndex;
-    const dvec3 low(-0.5), high = dvec3(scene.volume->size()) - 0.5;
-    for (const ClipPlane& plane : scene.clip.allPlanes()) {
+    for (const ClipPlane& plane : scene.clip.planesThrough(scene.volume->geometry())) {
         const dvec3 normal = glm::normalize(plane.normal);
         const dvec3 inIndex = glm::transpose(glm::dmat3(patientFromIndex)) * normal;
         const double offset = glm::dot(normal, plane.pointMm - dvec3(patientFromIndex[3]));
-        const dvec3 farthest = glm::mix(low, high, glm::greaterThan(inIndex, dvec3(0)));
-        const double beyond = glm::dot(inIndex, farthest) - offset;  // mm
-        if (beyond > 1e-9 * glm::dot(glm::abs(inIndex), high - low))
-            prepared.clipPlanes.push_back({vec3(inIndex), float(offset)});
+        prepared.clipPlanes.push_back({vec3(inIndex), float(offset)});
     }
     prepared.flat.clip = {prepared.clipPlanes.data(), int(prepared.clipPlanes.size()), scene.clip.shadows};
 }
-
-/// The HU range over which Kroes, Post & Botha measure the gradient: that of 12-bit CT, so that one metal clip does not
-/// change how the rest of the picture looks.
-constexpr float kHuScale = 4096;
 
 }  // namespace
 
@@ -103,7 +96,8 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Boun
     flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.maxBounces = scene.model == Model::multipleScattering ? scene.maxBounces : 1;
     flat.phaseG = scene.phaseG;
-    flat.surfaceFactor = 25 * scene.gradientFactor * scene.gradientFactor * scene.gradientFactor / kHuScale;
+    flat.surfaceFactor = surfaceFactorOf(scene.gradientFactor);
+    flat.unshadowed = scene.unshadowed;
     flat.features = neededFeatures(needs(scene));
     flat.sampleDirections = searchesAlongScatter(scene);
     flat.seed = scene.seed;

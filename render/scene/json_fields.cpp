@@ -34,6 +34,33 @@ class TwinGuard {
     std::vector<std::set<std::string>> open_;
 };
 
+constexpr int kDeepest = 64;                   ///< lists and objects in one another; a scene has six
+constexpr std::size_t kMostValues = 1'000'000;  ///< a curve of 4096 nodes with all their fields has 60,000
+
+/// What would take the parser long or much memory, counted without it: brackets and commas outside texts. Errors in the
+/// grammar are left to the parser.
+Result<void> checkAmount(std::string_view text) {
+    int depth = 0;
+    std::size_t values = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\')
+            ++i;
+        else if (c == '"')
+            quoted = !quoted;
+        if (quoted)
+            continue;
+        depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+        values += c == ',';
+        if (depth > kDeepest)
+            return Error{"lists and objects lie in one another deeper than " + std::to_string(kDeepest), "", ""};
+        if (values > kMostValues)
+            return Error{"holds more than " + std::to_string(kMostValues) + " values", "", ""};
+    }
+    return {};
+}
+
 /// The parser's message without its own name and number in front: "parse error at line 3, column 5: ...".
 std::string parserMessage(const json::exception& failure) {
     const std::string message = failure.what();
@@ -197,6 +224,8 @@ void JsonFields::finish() const {
 
 Result<void> readJson(std::string_view text, std::string_view where, std::string_view format,
                       const std::function<void(JsonFields&)>& read) {
+    if (auto ok = checkAmount(text); !ok)
+        return inFile(where, ok.error());
     try {
         const json document = json::parse(text, TwinGuard());
         JsonFields fields(document, "");

@@ -88,7 +88,8 @@ class JsonFields {
     std::set<std::string, std::less<>> known_;  ///< every field that was asked for
 };
 
-/// Parses `text`, checks "format" and "version" (1), and hands the rest to `read`. What is thrown there, and what is no
+/// Refuses texts of more than 64 lists and objects in one another or a million values before they are parsed. Then
+/// parses `text`, checks "format" and "version" (1), and hands the rest to `read`. What is thrown there, and what is no
 /// JSON, becomes an error with `where` put before the field.
 Result<void> readJson(std::string_view text, std::string_view where, std::string_view format,
                       const std::function<void(JsonFields&)>& read);

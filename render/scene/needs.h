@@ -16,14 +16,17 @@ struct Effect {
     std::string reason;          ///< a phrase: "the gradient factor is 0"
     std::uint32_t features = 0;  ///< bits of kernel/features.h that it compiles in; 0: a number in the kernel decides
     void (*leaveOut)(Scene&) = nullptr;  ///< makes a scene do without it; null where nothing in a scene can
+    bool couldBeLeftOut = false;         ///< needed only to keep the order of random numbers: it shows nowhere
 };
 
-/// Every effect that this version knows, in a fixed order. `scene` must have passed Scene::check(); its volume is not
-/// looked at.
+/// Every effect that this version knows, in a fixed order. An effect is off where what the scene says of it cannot show:
+/// it needs tissue that the volume holds and a light that shines. The picture with it would be the same, bit by bit;
+/// where that is not certain it stays on. `scene` must have passed Scene::check().
 std::vector<Effect> needs(const Scene& scene);
 
 /// Whether events look for light also in a direction that they scatter it to, and not only towards the lights: for
-/// light from all around, and for lights with a size where scattering is sharper than they are large.
+/// light from all around, and for lights with a size where scattering is sharper than they are large. It follows from
+/// what the scene says and not from what the volume holds: other samples would be another picture.
 bool searchesAlongScatter(const Scene& scene);
 
 /// The kernel's features that the needed effects call for.

@@ -39,10 +39,15 @@ Result<void> checkRange(dvec3 value, const Range& range, const std::string& wher
 }
 
 Result<void> checkDirection(dvec3 value, const std::string& where) {
+    for (int i = 0; i < 3; ++i)
+        if (!std::isfinite(value[i]))
+            return Error{"is no direction: it needs three finite numbers", where, ""};
+    if (value == dvec3(0))
+        return Error{"is no direction: it has no length", where, ""};
     const double length = glm::length(value);
     if (length >= 1e-100 && length <= 1e100)  // beyond, its square is no number to divide by
         return {};
-    return Error{"is no direction: it needs three finite numbers that are not all 0", where, ""};
+    return Error{"is no direction: its length must be from 1e-100 to 1e+100", where, ""};
 }
 
 Error below(const std::string& parent, Error error) {

@@ -26,7 +26,7 @@ std::string numberText(double value, int digits = 9);
 Result<void> checkRange(double value, const Range& range, const std::string& where);
 /// The same for each of three channels or coordinates.
 Result<void> checkRange(dvec3 value, const Range& range, const std::string& where);
-/// Three finite numbers that are not all 0.
+/// Three finite numbers, and a length from 1e-100 to 1e100.
 Result<void> checkDirection(dvec3 value, const std::string& where);
 
 /// `error` with its field's name put below `parent`: "lights[1]" and "radiance" become "lights[1].radiance".

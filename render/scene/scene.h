@@ -78,6 +78,7 @@ struct Scene {
     float toleranceLevels = 0.25f;  ///< largest error of a ray of a projection, display levels of 255; [1e-3, 16]
     float phaseG = 0;               ///< Henyey-Greenstein mean cosine; (-1, 1)
     float gradientFactor = 0;       ///< how readily an event is a surface reflection; [0, 1e6]; 0 = never
+    bool unshadowed = false;        ///< light reaches every event unhindered: only to learn what shadows do (needs.h)
     std::vector<Light> lights;
     Environment environment;
     Camera camera;

@@ -34,7 +34,7 @@ void readRaw(JsonFields& fields, const std::filesystem::path& folder, RawFile& r
     if (fields.has("originMm"))
         fields.required("originMm", raw.originMm.emplace());
     orFail(checkRange(dvec3(raw.size), {1, 65536}, "size"), fields);
-    orFail(checkRange(raw.spacingMm, {0, 1e6, false}, "spacingMm"), fields);
+    orFail(checkRange(raw.spacingMm, {kLowestSpacingMm, kHighestSpacingMm}, "spacingMm"), fields);
     orFail(checkRange(raw.originMm.value_or(dvec3(0)), {-1e9, 1e9}, "originMm"), fields);
 }
 
@@ -97,6 +97,7 @@ Environment readEnvironment(JsonFields& fields, const std::filesystem::path& fol
         std::string path;
         fields.required("image", path);
         file.environmentImage = folder / path;
+        file.environmentField = fields.pathOf("image");
         environment.radiance = vec3(1);
         fields.optional("radiance", environment.radiance);
         fields.optional("rotationDegrees", environment.rotationDegrees);
@@ -258,8 +259,11 @@ Result<SceneFile> readSceneFile(const std::filesystem::path& path) {
 
 Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source) {
     Result<Volume> volume = loadRaw(source.raw);
-    if (!volume)
-        return volume.error();
+    if (!volume) {
+        Error error = volume.error();
+        error.where += " (volume.raw)";
+        return error;
+    }
     return std::make_shared<const Volume>(clamped(*std::move(volume), source.clampHu));
 }
 

@@ -26,6 +26,7 @@ struct VolumeSource {
 struct SceneFile {
     VolumeSource source;
     std::filesystem::path environmentImage;  ///< empty: none
+    std::string environmentField;            ///< where the file names it: "lights[1].image"
     Scene scene;
 };
 
@@ -33,7 +34,7 @@ struct SceneFile {
 /// name the field and its range.
 Result<SceneFile> readSceneFile(const std::filesystem::path& path);
 
-/// The voxels of a raw file, clamped as `source` says. Errors: those of loadRaw().
+/// The voxels of a raw file, clamped as `source` says. Errors: those of loadRaw(), with the field named beside the file.
 Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source);
 
 }  // namespace pdr

@@ -52,6 +52,8 @@ template <class T>
 Result<std::vector<T>> readAll(const RawFile& file, std::size_t voxels) {
     std::vector<T> values(voxels);
     std::ifstream stream(file.path, std::ios::binary);
+    if (!stream)
+        return Error{"the file cannot be opened", file.path.string(), "Check that you may read it."};
     stream.read(reinterpret_cast<char*>(values.data()), std::streamsize(voxels * sizeof(T)));
     if (!stream)
         return readError(file);
@@ -93,6 +95,8 @@ Result<std::vector<std::int16_t>> readVoxels(const RawFile& file, std::size_t vo
 }  // namespace
 
 Result<Volume> loadRaw(const RawFile& file) {
+    if (auto ok = checkSpacing(file.spacingMm); !ok)
+        return Error{ok.error().what, file.path.string(), ok.error().hint};
     if (auto ok = checkBytes(file); !ok)
         return ok.error();
     const VolumeGeometry geometry =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <sstream>
 #include <utility>
 
 namespace pdr {
@@ -29,6 +30,17 @@ VolumeGeometry VolumeGeometry::aligned(ivec3 size, dvec3 spacingMm, dvec3 origin
         map[axis][axis] = spacingMm[axis];
     map[3] = dvec4(originMm, 1.0);
     return {size, map};
+}
+
+Result<void> checkSpacing(dvec3 spacingMm) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(spacingMm[axis] >= kLowestSpacingMm && spacingMm[axis] <= kHighestSpacingMm)) {
+            std::ostringstream what;
+            what << "voxels lie " << spacingMm[axis] << " mm apart, must be from " << kLowestSpacingMm << " to "
+                 << kHighestSpacingMm;
+            return Error{what.str(), "", "Check the unit: it is millimetres."};
+        }
+    return {};
 }
 
 Volume::Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding)

@@ -11,8 +11,13 @@
 
 #include "render/base/cells.h"
 #include "render/base/portable.h"
+#include "render/base/result.h"
 
 namespace pdr {
+
+/// No voxels of a scan lie closer; below, places and steps leave the range of single precision.
+inline constexpr double kLowestSpacingMm = 1e-6;
+inline constexpr double kHighestSpacingMm = 1e6;
 
 /// Where a grid lies in the patient.
 struct VolumeGeometry {
@@ -20,7 +25,7 @@ struct VolumeGeometry {
     dmat4 patientFromIndex{
         1.0};  ///< affine, mm; columns 0..2 are one step along i, j, k; column 3 is the centre of voxel (0,0,0)
 
-    /// Distance between voxel centres along i, j, k [mm].
+    /// Distance between voxel centres along i, j, k [mm]; each in [kLowestSpacingMm, kHighestSpacingMm].
     dvec3 spacingMm() const;
     /// i x j x k as a 64-bit count.
     std::size_t voxelCount() const;
@@ -32,6 +37,9 @@ struct VolumeGeometry {
     /// A grid whose axes are the patient's, for phantoms and raw files. `originMm` is the centre of voxel (0,0,0).
     static VolumeGeometry aligned(ivec3 size, dvec3 spacingMm, dvec3 originMm);
 };
+
+/// Whether voxels may lie so far apart along i, j, k [mm].
+Result<void> checkSpacing(dvec3 spacingMm);
 
 class Volume {
   public:

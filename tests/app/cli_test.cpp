@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -205,14 +206,45 @@ class CliTest : public QObject {
         QVERIFY(plain.out.contains("the gradient factor is 0"));
         QVERIFY(plain.out.contains("no light is a panel or a ball"));
         QVERIFY(plain.out.contains("multipleScattering"));
-        const Run lit = run({"effects", scene(), "--preset", "CT bone"});
+        QVERIFY(!QRegularExpression(" -[0-9]").match(plain.out).hasMatch());  // no cost is negative
+        const Run lit = run({"effects", scene(), "--preset", "CT bone", "--json"});
         QCOMPARE(lit.code, 0);
-        const QByteArrayList lines = lit.out.split('\n');
-        const auto panel =
-            std::find_if(lines.begin(), lines.end(), [](const QByteArray& l) { return l.startsWith("lights with a place"); });
-        QVERIFY(panel != lines.end());
-        QCOMPARE(panel->simplified().split(' ').at(4), QByteArray("needed"));
-        QVERIFY(panel->simplified().split(' ').at(6).toDouble() > 0);  // levels that the picture changes by
+        const QJsonObject ledger = QJsonDocument::fromJson(lit.out).object();
+        QCOMPARE(ledger["models"].toArray().size(), 6);
+        QCOMPARE(ledger["model"].toString(), QString("singleScattering"));
+        QStringList tried;
+        for (const QJsonValue& effect : ledger["effects"].toArray())
+            if (const QJsonObject band = effect["milliseconds"].toObject(); !band.isEmpty()) {
+                tried << effect["name"].toString();
+                QCOMPARE(effect["verdict"].toString(), QString("needed"));
+                QVERIFY(effect["levels"].toDouble() > 0);  // that the picture changes by
+                QVERIFY(band["low"].toDouble() <= band["median"].toDouble() &&
+                        band["median"].toDouble() <= band["high"].toDouble());
+            }
+        QVERIFY(tried.contains("shadows") && tried.contains("lights with a place"));
+    }
+
+    /// Tissue too dense for multiple scattering is told before anybody counts samples, wherever health is told.
+    void overDenseTissueIsToldEverywhere() {
+        QFile file(scene());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
+        QJsonObject curve = document["transferFunction"].toObject();
+        curve["extinctionPerMm"] = 1e5;
+        document["transferFunction"] = curve;
+        document["model"] = "multipleScattering";
+        write(at("dense.json"), QJsonDocument(document).toJson());
+        const QStringList render{"render", at("dense.json"), "-o",        at("dense.png"), "-o", at("dense.exr"),
+                                 "--size", "16x16",          "--samples", "2"};
+        const Run told = run(render);
+        QVERIFY2(told.code == 0 && told.out.contains("free paths between voxels"), told.err + told.out);
+        const QJsonObject facts = QJsonDocument::fromJson(run(render + QStringList{"--json"}).out).object();
+        QCOMPARE(facts["warnings"].toArray(), QJsonArray{"overDense"});
+        QCOMPARE(QImage(at("dense.png")).text("pdrender/warnings"), QString("overDense"));
+        QVERIFY(contents(at("dense.exr")).contains("overDense"));
+        const Run single = run(render + QStringList{"--model", "singleScattering", "--json"});
+        QVERIFY(QJsonDocument::fromJson(single.out).object()["warnings"].toArray().isEmpty());
+        QVERIFY(QImage(at("dense.png")).text("pdrender/warnings").isEmpty());
     }
 
     void aSampleIsToldEventByEvent() {
@@ -288,7 +320,7 @@ class CliTest : public QObject {
         QVERIFY(write("unlit.json"));
         const Run missing = run({"render", at("unlit.json"), "-o", at("lit.png"), "--samples", "2"});
         QCOMPARE(missing.code, 1);
-        QVERIFY(missing.err.contains("missing.exr"));
+        QVERIFY(missing.err.contains("missing.exr") && missing.err.contains("lights[0].image"));
     }
 
     void theErrorStopsAndDoesNotDependOnTheClock() {

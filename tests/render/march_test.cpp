@@ -110,6 +110,40 @@ class MarchTest : public QObject {
         QCOMPARE(march(prepared->flat, kThroughSlab, stream(1), 2).samples, 50);
     }
 
+    /// Voxels that lie closer than single precision can tell: no step, no place, and no way into memory.
+    void aWayThatIsNotFiniteIsNoNumber() {
+        for (const double spacing : {1e-300, 1e-45, 1e-25}) {
+            Scene scene = test::plainScene(test::makeVolume({8, 8, 8}, dvec3(spacing), [](int, int, int) { return 5; }), 1);
+            const auto prepared = Flattener().prepare(scene);
+            const FlatVolume& volume = prepared->flat.volume;
+            const Ray ray{{4, 4, 4}, vec3(volume.exactIndexFromLocal * dvec3(0.6, 0.8, 0)), kFar};
+            QVERIFY(std::isnan(marchToCollision(prepared->flat, ray, stream(1), marchStep(volume, 3))));
+            QVERIFY(std::isnan(marchTransmittance(prepared->flat, ray, stream(1), marchStep(volume, 3))));
+        }
+    }
+
+    /// A march that would take for ever ends, and is no number either.
+    void aMarchHasABound() {
+        const auto prepared = slab(0);
+        QVERIFY(std::isnan(marchToCollision(prepared->flat, kThroughSlab, stream(1), 1e-6f)));
+        QVERIFY(std::isnan(marchToCollision(prepared->flat, kThroughSlab, stream(1), 0)));
+        QCOMPARE(marchToCollision(prepared->flat, kThroughSlab, stream(1), 1e-4f), -1.0f);
+    }
+
+    /// What has no end is counted and left out, in the picture too.
+    void samplesWithoutAnEndAreCounted() {
+        Scene scene = test::plainScene(test::makeVolume({8, 8, 8}, dvec3(1e-25), [](int, int, int) { return 5; }), 1);
+        scene.estimator = Estimator::kroesMarch;
+        scene.film = {4, 4};
+        scene.camera.eyeMm = {0, -1, 0};
+        scene.camera.targetMm = {0, 0, 0};
+        auto prepared = std::const_pointer_cast<PreparedScene>(Flattener().prepare(scene));
+        prepared->viewDepths.assign(prepared->viewDepths.size(), vec2(0, 1e30f));
+        prepared->flat.camera.eye = {4, 4, 4};  // in the middle of what no float can tell apart
+        const Film film = test::sampled(*makeCpuDevice(), prepared, 2);
+        QCOMPARE(film.status().health.of(Fault::notANumber).count, 2u * 16);
+    }
+
     void stepFollowsTheLongestSide() {
         const Scene even =
             test::plainScene(test::makeVolume({10, 8, 8}, dvec3(0.5), [](int, int, int) { return 0; }), 1);

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "render/kernel/features.h"
+#include "render/kernel/event.h"
 #include "render/scene/needs.h"
 #include "tests/support/scenes.h"
 
@@ -17,6 +17,11 @@ Effect effect(const Scene& scene, const std::string& name) {
         if (effect.name == name)
             return effect;
     return {};
+}
+
+/// HU from -1000 to 1500 in voxels of 1 mm: a step across x, met straight on by the camera.
+std::shared_ptr<const Volume> step() {
+    return test::makeVolume({30, 30, 30}, dvec3(1), [](int i, int, int) { return i < 15 ? -1000 : 1500; });
 }
 
 /// A scene that has one effect, and what it is called.
@@ -45,6 +50,94 @@ std::vector<Case> onePerEffect() {
     add("clipping", [](Scene& s) { s.clip.planes = {{s.volume->geometry().centreMm(), {1, 0, 0}}}; });
     add("multiple scattering", [](Scene& s) { s.model = Model::multipleScattering; });
     add("emission", [](Scene& s) { s.transferFunction.nodes[0].emission = vec3(1); });
+    return cases;
+}
+
+/// Scenes that speak of an effect which cannot show in them.
+std::vector<Case> withoutInfluence() {
+    std::vector<Case> cases;
+    const auto add = [&](const char* name, auto&& change) {
+        cases.push_back({name, plain()});
+        cases.back().scene.volume = step();
+        change(cases.back().scene);
+    };
+    const auto shineAbove = [](Scene& s, float hu) {
+        s.transferFunction.nodes = {{.hu = 0, .opacity = 1}, {.hu = hu, .opacity = 1}, {.hu = 32000, .opacity = 1}};
+        s.transferFunction.nodes.back().emission = vec3(1);
+        s.transferFunction.nodes.back().specular = vec3(1);
+    };
+    add("lights with a place", [](Scene& s) { s.lights.push_back(RectangleLight{.radiance = vec3(0)}); });
+    add("lights with a place", [](Scene& s) {
+        s.phaseG = 0.8f;  // so sharp that light is also looked for where it is scattered to
+        s.lights.insert(s.lights.begin(), SphereLight{.radiusMm = 2, .radiance = vec3(0), .visible = true});
+    });
+    add("clipping", [](Scene& s) { s.clip.box = ClipBox{dvec3(-1), dvec3(31)}; });
+    add("emission", [&](Scene& s) { shineAbove(s, 1501); });
+    add("highlights", [&](Scene& s) {
+        shineAbove(s, 1501);
+        s.gradientFactor = 1;
+        s.lights.push_back(RectangleLight{.centreMm = {0, -50, 0}});
+    });
+    add("surface reflection", [](Scene& s) { s.gradientFactor = 1e-6f; });
+    for (const char* name : {"shadows", "surface reflection", "emission", "lights with a place", "multiple scattering",
+                             "light from all around", "directed scattering", "search along scattering"})
+        add(name, [](Scene& s) {
+            s.transferFunction.nodes = {{.hu = 20150, .opacity = 0}, {.hu = 20151, .opacity = 1, .emission = vec3(1)}};
+            s.model = Model::multipleScattering;
+            s.gradientFactor = 1;
+            s.phaseG = 0.5f;
+            s.lights.push_back(SphereLight{.radiusMm = 2});
+            s.environment.radiance = vec3(1);
+        });
+    for (const char* name : {"shadows", "surface reflection", "lights with a place", "multiple scattering"})
+        add(name, [](Scene& s) {
+            s.model = Model::multipleScattering;
+            s.gradientFactor = 1;
+            s.lights = {SphereLight{.radiusMm = 2, .radiance = vec3(0)}, DirectionalLight{{0, 0, -1}, vec3(0)}};
+        });
+    for (const char* name : {"shadows", "surface reflection", "lights with a place", "multiple scattering"})
+        add(name, [](Scene& s) {
+            s.transferFunction.nodes[0].albedo = vec3(0);
+            s.model = Model::multipleScattering;
+            s.gradientFactor = 1;
+            s.lights.push_back(SphereLight{.radiusMm = 2});
+        });
+    return cases;
+}
+
+/// The same scenes, but the effect can just show.
+std::vector<Case> withLittleInfluence() {
+    std::vector<Case> cases;
+    const auto add = [&](const char* name, auto&& change) {
+        cases.push_back({name, plain()});
+        cases.back().scene.volume = step();
+        change(cases.back().scene);
+    };
+    add("lights with a place", [](Scene& s) { s.lights.push_back(RectangleLight{.radiance = {0, 0, 1e-30f}}); });
+    add("clipping", [](Scene& s) { s.clip.box = ClipBox{dvec3(-1), dvec3(31, 31, 29.9)}; });
+    add("clipping", [](Scene& s) { s.clip.planes = {{{0.1, 0, 0}, {-1, 0, 0}}}; });
+    const auto shineAbove = [](Scene& s, float hu) {
+        s.transferFunction.nodes = {{.hu = 0, .opacity = 1}, {.hu = hu, .opacity = 1}, {.hu = 32000, .opacity = 1}};
+        s.transferFunction.nodes.back().emission = vec3(1);
+        s.transferFunction.nodes.back().specular = vec3(1);
+    };
+    add("emission", [&](Scene& s) { shineAbove(s, 1499); });
+    add("highlights", [&](Scene& s) {
+        shineAbove(s, 1499);
+        s.gradientFactor = 1;
+    });
+    add("surface reflection", [](Scene& s) { s.gradientFactor = 0.05f; });
+    for (const char* name : {"shadows", "surface reflection", "emission", "multiple scattering"})
+        add(name, [](Scene& s) {  // only voxels of 1500 HU are opaque
+            s.transferFunction.nodes = {{.hu = 1500, .opacity = 0}, {.hu = 1500, .opacity = 1, .emission = vec3(1)}};
+            s.model = Model::multipleScattering;
+            s.gradientFactor = 1;
+        });
+    add("multiple scattering", [](Scene& s) {  // light from within alone
+        s.model = Model::multipleScattering;
+        s.transferFunction.nodes[0].emission = vec3(1e-3f);
+        s.lights.clear();
+    });
     return cases;
 }
 
@@ -95,6 +188,73 @@ class NeedsTest : public QObject {
         QVERIFY(!effect(scene, "highlights").needed);
     }
 
+    void whatCannotShowIsOffAndLeavesEveryBit() {
+        for (const Case& one : withoutInfluence()) {
+            const Effect found = effect(one.scene, one.name);
+            QVERIFY2(!found.needed, (one.name + ": " + found.reason).c_str());
+            const Film lean = renderedWith(one.scene, 0);
+            QVERIFY2(sameBits(lean, renderedWith(one.scene, kFeatureMasks - 1)), one.name.c_str());
+        }
+    }
+
+    void whatCanJustShowIsNeeded() {
+        for (const Case& one : withLittleInfluence())
+            QVERIFY2(effect(one.scene, one.name).needed, one.name.c_str());
+    }
+
+    /// A dark panel beside light from all around: without it the surroundings would draw other random numbers.
+    void whatOnlyKeepsTheOrderOfSamplesSaysSo() {
+        Scene scene = plain();
+        scene.environment.radiance = vec3(1);
+        scene.lights.push_back(SphereLight{.radiusMm = 20, .radiance = vec3(0)});
+        const Effect found = effect(scene, "lights with a place");
+        QVERIFY(found.needed && found.couldBeLeftOut);
+        QVERIFY2(found.reason.find("could be left out") != std::string::npos, found.reason.c_str());
+        for (const Effect& other : needs(plain()))
+            QVERIFY(!other.couldBeLeftOut);
+    }
+
+    /// Highlights that cannot show still decide where light is looked for: other samples would be another picture.
+    void whatTheVolumeHoldsNeverChangesTheOrderOfSamples() {
+        for (const Case& one : withoutInfluence())
+            if (one.name == "highlights") {
+                QVERIFY(test::prepared(one.scene)->flat.sampleDirections);
+                const Effect search = effect(one.scene, "search along scattering");
+                QVERIFY(search.needed && search.couldBeLeftOut);
+            }
+    }
+
+    /// The gradient factor from which on surfaces are needed: below, the smallest random number is above every
+    /// probability; 1.45 (the cube root of 3: the bound counts each axis for itself) times higher, the steepest place
+    /// can be a surface.
+    void surfacesAreOffExactlyWhereNoRandomNumberFindsOne() {
+        Scene scene = plain();
+        scene.volume = step();
+        float off = 1e-6f, on = 1;
+        while (on / off > 1.0001f) {
+            scene.gradientFactor = std::sqrt(off * on);
+            (effect(scene, "surface reflection").needed ? on : off) = scene.gradientFactor;
+        }
+        const auto canReflect = [&](float factor) {
+            scene.gradientFactor = factor;
+            const auto prepared = test::prepared(scene);
+            return surfaceNormal(prepared->flat, {14.5f, 15, 15}, {1, 0, 0}, 250, 0x1p-24f) != vec3(0);
+        };
+        QVERIFY2(off > 1e-3f && off < 1e-1f, qPrintable(QString::number(off)));
+        QVERIFY(!canReflect(off));
+        QVERIFY(canReflect(1.45f * on));
+    }
+
+    /// A surface is never more probable than the tissue is opaque: where the number lies above, no voxel is looked at.
+    void aSurfaceThatOpacityRulesOutCostsNoVoxel() {
+        Scene scene = plain();
+        scene.gradientFactor = 1;
+        scene.transferFunction.nodes[0].opacity = 0.25f;
+        const auto prepared = test::prepared(scene);
+        prepared->flat.volume.voxels = nullptr;
+        QVERIFY(surfaceNormal(prepared->flat, {14.5f, 15, 15}, {1, 0, 0}, 250, 0.25f) == vec3(0));
+    }
+
     /// Sums along straight rays know no light but their own and that behind them.
     void modelsWithoutScatteringSayWhatTheyDoNotHave() {
         for (const Model model :
@@ -121,6 +281,28 @@ class NeedsTest : public QObject {
         const Film lean = renderedWith(plain(), 0);
         for (const Feature feature : {kSurface, kPlacedLights, kEnvironment, kEmission, kBounces})
             QVERIFY2(sameBits(lean, renderedWith(plain(), feature)), qPrintable(QString::number(feature)));
+    }
+
+    /// What shadows do is measured against light that nothing holds up: between there and here, no event changes.
+    void shadowsCanBeLeftOutToSeeWhatTheyDo() {
+        for (const Estimator estimator : kEstimators) {
+            Scene scene = plain();
+            scene.estimator = estimator;
+            const Effect shadows = effect(scene, "shadows");
+            QVERIFY(shadows.needed && shadows.leaveOut != nullptr);
+            Scene without = scene;
+            shadows.leaveOut(without);
+            QVERIFY(!effect(without, "shadows").needed);
+            const Film dark = renderedWith(scene, 0), bright = renderedWith(without, 0);
+            double shadowed = 0, unshadowed = 0, met = 0;
+            for (int y = 0; y < dark.size().y; ++y)
+                for (int x = 0; x < dark.size().x; ++x) {
+                    shadowed += dark.pixel(x, y).mean.x, unshadowed += bright.pixel(x, y).mean.x;
+                    met += unshadowed > 0;
+                    QVERIFY(dark.pixel(x, y).mean.x <= bright.pixel(x, y).mean.x * (1 + 1e-6));
+                }
+            QVERIFY2(shadowed < 0.8 * unshadowed && met > 0, qPrintable(QString::number(shadowed / unshadowed)));
+        }
     }
 
     void effectsWithInfluenceChangeThePicture() {

@@ -2,6 +2,9 @@
 
 #include <QTemporaryDir>
 
+#include <unistd.h>
+
+#include <cmath>
 #include <fstream>
 #include <vector>
 
@@ -71,6 +74,31 @@ class RawFileTest : public QObject {
         const auto volume = loadRaw({"/nowhere/volume.raw", RawFile::Type::int16, {1, 1, 1}, dvec3(1), std::nullopt});
         QVERIFY(!volume);
         QCOMPARE(volume.error().where, std::string("/nowhere/volume.raw"));
+    }
+
+    void aFileThatMayNotBeReadSaysSo() {
+        const RawFile file = written<std::int16_t>({1, 2}, RawFile::Type::int16, {2, 1, 1});
+        QVERIFY(QFile::setPermissions(folder_.path(), QFile::Permissions(0x7755)));
+        QVERIFY(QFile::setPermissions(folder_.filePath("volume.raw"), QFile::Permissions()));
+        const bool root = geteuid() == 0;  // who may read everything
+        QVERIFY(!root || seteuid(65534) == 0);
+        const auto volume = loadRaw(file);
+        QVERIFY(!root || seteuid(0) == 0);
+        QFile::remove(folder_.filePath("volume.raw"));
+        QVERIFY(!volume);
+        QCOMPARE(QString::fromStdString(volume.error().hint), QString("Check that you may read it."));
+    }
+
+    void voxelsAreNoCloserThanAnyScansAre() {
+        RawFile file = written<std::int16_t>({1, 2}, RawFile::Type::int16, {2, 1, 1});
+        for (const dvec3 spacing : {dvec3(1, 1, 1e-300), dvec3(1, 0.9e-6, 1), dvec3(2e6, 1, 1), dvec3(1, 1, NAN)}) {
+            file.spacingMm = spacing;
+            const auto volume = loadRaw(file);
+            QVERIFY(!volume);
+            QVERIFY2(volume.error().what.find("from 1e-06 to 1e+06") != std::string::npos, volume.error().what.c_str());
+        }
+        file.spacingMm = {1e-6, 1e6, 1};
+        QVERIFY(bool(loadRaw(file)));
     }
 
     void clampingKeepsThePadding() {

@@ -138,6 +138,8 @@ class SceneFileTest : public QObject {
         row("volume.size", QJsonArray{4, 0, 3}, "volume.size");
         row("volume.size", QJsonArray{4, 1.5, 3}, "volume.size");
         row("volume.spacingMm", QJsonArray{1, 1, -1}, "volume.spacingMm");
+        row("volume.spacingMm", QJsonArray{1, 1, 1e-7}, "volume.spacingMm");
+        row("volume.spacingMm", QJsonArray{1, 2e6, 1}, "volume.spacingMm");
         row("volume.spacingMm", removed, "volume.spacingMm");
         row("volume.type", "int12", "volume.type");
         row("volume.clampHu", QJsonArray{20, 10}, "volume.clampHu");
@@ -209,6 +211,55 @@ class SceneFileTest : public QObject {
     void anErrorTellsTheRange() {
         const auto file = read(QByteArray(kFull).replace("\"irradiance\": 3", "\"irradiance\": -3"));
         QCOMPARE(QString::fromStdString(file.error().what), QString("holds -3, each number must be from 0 to 1e+30"));
+    }
+
+    void theLowestSpacingIsTold() {
+        const auto file = read(QByteArray(kFull).replace("[1, 2, 3], \"originMm\"", "[1e-300, 2, 3], \"originMm\""));
+        QVERIFY(!file);
+        QCOMPARE(QString::fromStdString(file.error().what), QString("holds 1e-300, each number must be from 1e-06 to 1e+06"));
+        QVERIFY(bool(read(QByteArray(kFull).replace("[1, 2, 3], \"originMm\"", "[1e-6, 2, 3], \"originMm\""))));
+    }
+
+    /// What counts is the length, and the sentence says so.
+    void aDirectionThatIsTooLongIsToldItsLength() {
+        const auto with = [this](const char* direction) {
+            return read(QByteArray(kFull).replace("[1, 2, -1.5]", direction));
+        };
+        for (const char* direction : {"[1e100, 1e100, 1e100]", "[1e200, 0, 0]", "[0, 1e-101, 0]", "[1e-200, 0, 0]"}) {
+            const auto file = with(direction);
+            QVERIFY(!file);
+            QCOMPARE(QString::fromStdString(file.error().what),
+                     QString("is no direction: its length must be from 1e-100 to 1e+100"));
+        }
+        QCOMPARE(QString::fromStdString(with("[0, 0, 0]").error().what), QString("is no direction: it has no length"));
+        QVERIFY(bool(with("[1e100, 0, 0]")) && bool(with("[0, 1e-100, 0]")));
+    }
+
+    /// A text is counted before it is parsed: what could take the parser long is never given to it.
+    void textsThatWouldTakeLongAreRefusedBeforeTheyAreParsed() {
+        const auto refused = [this](const QByteArray& text, const char* why) {
+            const auto file = read(text);
+            return !file && file.error().what.find(why) != std::string::npos;
+        };
+        QVERIFY(refused(QByteArray(5'000'000, '['), "deeper than 64"));
+        QVERIFY(refused(QByteArray("{\"a\":").repeated(65), "deeper than 64"));
+        QVERIFY(refused("[" + QByteArray("1,").repeated(1'000'001) + "1]", "more than 1000000 values"));
+        QVERIFY(!refused(QByteArray(64, '[') + QByteArray(64, ']'), "deeper than"));
+        QVERIFY(!refused("{\"" + QByteArray(100, '[') + "\\\"" + QByteArray(100, '{') + "\": 1}", "deeper than"));
+        QVERIFY(!refused(QByteArray("[]").repeated(100), "deeper than"));
+    }
+
+    void aPictureOfTheSurroundingsKnowsItsField() {
+        const auto file = read(QByteArray(kFull).replace("\"radiance\": [0.1, 0.2, 0.3], \"nadir\": 7", "\"image\": \"sky.exr\""));
+        QVERIFY2(bool(file), file ? "" : file.error().text().c_str());
+        QCOMPARE(file->environmentField, std::string("lights[1].image"));
+    }
+
+    void aRawFileThatIsMissingKnowsItsField() {
+        const auto file = read(kFull);
+        const auto volume = fetchRawVolume(file->source);
+        QVERIFY(!volume);
+        QCOMPARE(QString::fromStdString(volume.error().where), folder_.filePath("volume.raw") + " (volume.raw)");
     }
 
     void aFieldWrittenTwiceIsRefused() {

@@ -154,6 +154,23 @@ class TrackingTest : public QObject {
         }
     }
 
+    /// A voxel in which 10^12 free paths of one side's bound lie beside nothing at all: its rays end, as no number, and
+    /// the picture counts them.
+    void aRayThatWouldNeverEndIsCounted() {
+        Scene scene = test::plainScene(
+            test::makeVolume({2, 2, 2}, dvec3(1e6), [](int i, int, int) { return i == 0 ? 0 : 1000; }), 1e6f);
+        scene.transferFunction.nodes = {{.hu = 1000, .opacity = 0}, {.hu = 1000, .opacity = 1}};
+        scene.film = {1, 1};
+        scene.camera = {Camera::Type::orthographic, {1e6, -1e7, 1e6}, {1e6, 0, 1e6}, {0, 0, 1}, 35, 1e3};
+        const auto prepared = Flattener().prepare(scene);
+        QVERIFY(prepared->flat.majorants.dense);
+        const Ray ray{{0.5f, 0.1f, 0.5f}, prepared->flat.volume.indexFromLocal * vec3(0, 1, 0), 1e5f};
+        QVERIFY(std::isnan(track<RatioTracking>(prepared->flat, ray, stream(1))));
+        const Film film = test::sampled(*makeCpuDevice(), prepared, 1);
+        QCOMPARE(film.status().health.of(Fault::notANumber).count, 1u);
+        QCOMPARE(film.pixel(0, 0).count, 0u);
+    }
+
     /// Where voxels are walked, collisions lie where a tracker behind one bound finds them, and no bound is broken.
     void denseTissueIsMetWhereAPlainTrackerMeetsIt() {
         Scene scene = test::plainScene(test::bumpyVolume({61, 45, 38}, {0.7, 1.1, 2.3}, 1), 31);

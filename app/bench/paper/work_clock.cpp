@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "app/bench/device_load.h"
+#include "render/base/processor_time.h"
 
 namespace pdr::bench::paper {
 

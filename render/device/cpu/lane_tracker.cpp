@@ -1,5 +1,7 @@
 #include "render/device/cpu/lane_tracker.h"
 
+#include <cmath>
+
 namespace pdr {
 
 namespace {
@@ -10,16 +12,27 @@ struct TrackingWalk {
     Flight<FloatLanes, Dense> flight{};
     Rule<FloatLanes> rule;
     IntLanes overMajorant{};  ///< has met an extinction above its bound
+    IntLanes steps{};         ///< of its ray so far; see kMostSteps
 
     IntLanes going() const { return flight.flying(); }
     PDR_HD_INLINE void step(const FlatScene& scene) {
         const TentativeCollision<FloatLanes> collision = flight.step(scene);
         overMajorant = overMajorant | (collision.happened & (collision.extinction > collision.majorant));
         flight.stop(rule.endsAt(flight.t, collision));
+        if constexpr (Dense)
+            endWhatNeverEnds();
+    }
+    PDR_HD_INLINE void endWhatNeverEnds() {
+        steps = steps + 1;
+        const IntLanes endless = (steps >= kMostSteps) & flight.flying();
+        rule.result = endless ? FloatLanes{} + NAN : rule.result;
+        flight.stop(endless);
     }
     void take(IntLanes fresh, const TrackingWalk& other, IntLanes from) {
         flight.take(fresh, other.flight, from);
         overMajorant = overMajorant & ~fresh;
+        if constexpr (Dense)
+            steps = steps & ~fresh;
         rule.result = fresh ? Rule<FloatLanes>().result : rule.result;
     }
 };

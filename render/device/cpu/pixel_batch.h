@@ -89,12 +89,13 @@ class PixelBatch {
         const int path = pathOf_[row];
         lightRow_[row] = kDark;
         goesOn_[row] = false;
-        if (rays_.result(row) < 0) {
-            if (bounce == 0)
-                radiance_[path] = background(scene, paths_[path].leg);
+        const float collision = rays_.result(row);
+        if (!(collision >= 0)) {
+            if (bounce == 0 || collision != collision)
+                radiance_[path] = missed(scene, paths_[path].leg, collision);
             return;
         }
-        const Arrival met = arrival<F>(scene, paths_[path], rays_.result(row), bounce);
+        const Arrival met = arrival<F>(scene, paths_[path], collision, bounce);
         radiance_[path] += met.emitted;
         goesOn_[row] = met.goesOn;
         if (met.cut)

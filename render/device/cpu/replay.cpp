@@ -23,7 +23,7 @@ class Witness {
         leg.direction = path.leg.direction;
         leg.length = ray.length;
         leg.collision = collision;
-        if (collision < 0)
+        if (!(collision >= 0))
             return;
         const vec3 place = ray.origin + ray.direction * collision;
         leg.eventMm = patientPlace(place);

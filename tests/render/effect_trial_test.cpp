@@ -1,0 +1,132 @@
+/// What effects cost: the statistics by made-up clocks, the pictures by a small scene.
+
+#include <QTest>
+
+#include <random>
+
+#include "render/session/effect_trial.h"
+#include "tests/support/scenes.h"
+
+using namespace pdr;
+
+namespace {
+
+/// A machine that says how long work took: `seconds` per iteration, more with every measurement by `drift`, each off by
+/// up to `noise` of itself.
+struct Machine {
+    double drift = 0, noise = 0;
+    double spent = 0;
+    int measurements = 0;
+    std::mt19937 random{7};
+
+    Iterate picture(double seconds) {
+        return [this, seconds](std::uint32_t n) -> Result<double> {
+            const double off = noise * std::uniform_real_distribution<double>(-1, 1)(random);
+            const double took = n * seconds * (1 + drift * measurements++ + off);
+            spent += took;
+            return took;
+        };
+    }
+};
+
+}  // namespace
+
+class EffectTrialTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aBandHoldsItsMedian() {
+        const CostBand band = bandOf({3, -1, 2, 7, 0, 1});
+        QCOMPARE(band.low, -1.0);
+        QCOMPARE(band.middle, 1.5);
+        QCOMPARE(band.high, 7.0);
+        QCOMPARE(bandOf({4, 1, 9}).middle, 4.0);
+    }
+
+    void noCostIsEverNegative() {
+        QCOMPARE(costText({2.02, 2.19, 2.304}), std::string("2.19 (2.02 to 2.30)"));
+        QCOMPARE(costText({-1.33, -1.2, -1.01}), std::string("saves 1.20 (1.01 to 1.33)"));
+        QCOMPARE(costText({-2.66, -0.2, 0.31}), std::string("< 0.31"));
+        QCOMPARE(costText({-2, -1, 0}), std::string("< 0.01"));
+        QCOMPARE(costText({0, 0, 0}), std::string("< 0.01"));
+        QVERIFY(verdictOf({0.1, 0.2, 0.3}) == CostVerdict::costs);
+        QVERIFY(verdictOf({-0.1, 0.2, 0.3}) == CostVerdict::withinNoise);
+    }
+
+    void whatCostsMoreThanTheNoiseIsTold() {
+        Machine machine{.noise = 0.05};
+        const auto cost = addedCost(machine.picture(0.012), machine.picture(0.010), 1);
+        QVERIFY(bool(cost));
+        QVERIFY(verdictOf(*cost) == CostVerdict::costs);
+        QVERIFY(cost->low < 2 && cost->high > 2 && cost->low > 1 && cost->high < 3);
+    }
+
+    /// A machine that gets slower all the while, or noise, must not look like a cost of what costs nothing.
+    void nothingCostsNothing() {
+        int told = 0;
+        for (unsigned seed = 0; seed < 400; ++seed) {
+            Machine machine{.drift = 0.01, .noise = 0.1, .random = std::mt19937(seed)};
+            const auto cost = addedCost(machine.picture(0.01), machine.picture(0.01), 1);
+            told += verdictOf(*cost) != CostVerdict::withinNoise;
+        }
+        QVERIFY2(told < 400 * 0.06, qPrintable(QString::number(told)));  // 3 of 100 are to be expected
+        Machine drifting{.drift = 0.05};
+        QVERIFY(verdictOf(*addedCost(drifting.picture(0.01), drifting.picture(0.01), 1)) == CostVerdict::withinNoise);
+    }
+
+    void theBudgetIsKept() {
+        for (const double seconds : {1e-7, 1e-4, 1e-3, 0.03}) {
+            Machine machine;
+            QVERIFY(bool(addedCost(machine.picture(2 * seconds), machine.picture(seconds), 1)));
+            QVERIFY2(machine.spent <= 1.001, qPrintable(QString::number(machine.spent)));
+            QCOMPARE(machine.measurements, 2 + 2 * kBandMeasurements);
+        }
+        Machine slow;  // one iteration each, however slow
+        QVERIFY(bool(addedCost(slow.picture(1), slow.picture(1), 1)));
+        QVERIFY(slow.spent < 2 + 2 * kBandMeasurements + 0.001);
+        Machine many;
+        const auto costs = costsInTurn({many.picture(0.001), many.picture(0.02), many.picture(0.005)}, 2);
+        QVERIFY(many.spent <= 2.001);
+        QVERIFY(std::fabs((*costs)[1].middle - 20) < 1e-9 && std::fabs((*costs)[2].low - 5) < 1e-9);
+    }
+
+    void aFailureIsPassedOn() {
+        const Iterate broken = [](std::uint32_t) -> Result<double> { return Error{"gone", "device", ""}; };
+        Machine machine;
+        QCOMPARE(addedCost(machine.picture(0.1), broken, 1).error().what, std::string("gone"));
+        QCOMPARE(costsInTurn({broken}, 1).error().what, std::string("gone"));
+    }
+
+    /// Shadows change the picture of a lit ball; a panel that shines on nothing does not.
+    void levelsSayWhetherAPictureNeedsAnEffect() {
+        Scene scene = test::plainScene(test::bumpyVolume({30, 30, 30}, dvec3(1), 1), 0.3f);
+        scene.lights.push_back(SphereLight{.radiusMm = 1, .radiance = vec3(1e-6f)});
+        const auto device = makeCpuDevice(1);
+        Flattener flattener;
+        int tried = 0;
+        for (const Effect& effect : needs(scene)) {
+            if (!effect.needed || effect.leaveOut == nullptr)
+                continue;
+            const auto trial = tryEffect(effect, scene, {}, *device, flattener, 0.2);
+            QVERIFY(bool(trial));
+            QVERIFY2((trial->levels < kNoLevels) == (effect.name == "lights with a place"), effect.name.c_str());
+            ++tried;
+        }
+        QCOMPARE(tried, 2);
+    }
+
+    void aTrialsFilmIsAsSmallAsTheBudgetAsks() {
+        Scene scene = test::plainScene(test::bumpyVolume({30, 30, 30}, dvec3(1), 1), 0.3f);
+        scene.film = {1000, 500};
+        const auto device = makeCpuDevice(1);
+        Flattener flattener;
+        const auto film = [&](double seconds) { return *trialFilm(scene, *device, flattener, 200, seconds); };
+        QVERIFY(film(1e3) == ivec2(200, 100));
+        QVERIFY(film(1e-9) == ivec2(16, 8));
+        scene.film = {20, 40};
+        QVERIFY(film(1e3) == ivec2(20, 40));
+    }
+};
+
+QTEST_APPLESS_MAIN(EffectTrialTest)
+#include "effect_trial_test.moc"
