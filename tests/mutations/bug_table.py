@@ -1,0 +1,137 @@
+"""The table of bugs in bugs/*.toml: read, checked against the source, and planted in a copy of it."""
+
+import re
+import tomllib
+import zlib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+INCLUDE = '#include "tests/mutations/planted.h"\n'
+
+
+@dataclass
+class Place:
+    """A piece of a source file that occurs once there, and what a bug makes of it."""
+
+    file: str
+    was: str
+    becomes: str
+    within: str = ""  # the piece is looked for inside this text, which occurs once in the file
+
+
+@dataclass
+class Bug:
+    name: str
+    breaks: str  # one sentence: what a user would get
+    seen_by: list[str]  # test programs, each with the functions to run: every one must turn red
+    places: list[Place] = field(default_factory=list)
+
+    @property
+    def number(self) -> int:
+        """Stays the same when other bugs come and go, so that what is compiled stays so too."""
+        return zlib.crc32(self.name.encode())
+
+
+class TableError(Exception):
+    pass
+
+
+def read_bugs(folder: Path) -> list[Bug]:
+    """All bugs, file by file. Raises TableError for what is not understood."""
+    bugs = []
+    for path in sorted(folder.glob("*.toml")):
+        try:
+            entries = tomllib.loads(path.read_text())["bug"]
+            bugs += [_bug(dict(entry)) for entry in entries]
+        except (tomllib.TOMLDecodeError, KeyError, TypeError) as error:
+            raise TableError(f"{path}: {error}") from error
+    for what, values in {"name": [b.name for b in bugs], "number": [b.number for b in bugs]}.items():
+        doubled = {value for value in values if values.count(value) > 1}
+        if doubled:
+            raise TableError(f"two bugs have the same {what}: {doubled}")
+    return bugs
+
+
+def _bug(entry: dict) -> Bug:
+    further = entry.pop("also", [])
+    bug = Bug(entry.pop("name"), entry.pop("breaks"), entry.pop("seen_by"))
+    bug.places = [Place(**entry)] + [Place(**{"file": entry["file"], **more}) for more in further]
+    return bug
+
+
+def _span(text: str, place: Place) -> tuple[int, int]:
+    """Where the piece lies in the text of its file."""
+    begin, end = 0, len(text)
+    for wanted in filter(None, [place.within, place.was]):
+        count = text.count(wanted, begin, end)
+        if count != 1:
+            raise TableError(f"{place.file}: occurs {count} times, must occur once: {wanted!r}")
+        begin = text.index(wanted, begin, end)
+        end = begin + len(wanted)
+    return begin, end
+
+
+def _planted(was: str, bugs: list[tuple[Bug, Place]]) -> str:
+    """What ends in a semicolon is a statement, all else an expression."""
+    text = was
+    statement = bugs[0][1].was.rstrip().endswith(";")
+    for bug, place in bugs:
+        if statement:
+            text = f"if (pdr::planted({bug.number}ul)) {{ {place.becomes} }} else {{ {text} }}"
+        else:
+            text = f"(pdr::planted({bug.number}ul) ? ({place.becomes}) : ({text}))"
+    return text
+
+
+def plant(source: Path, bugs: list[Bug]) -> dict[str, str]:
+    """The new text of every file that bugs lie in. Raises TableError with all pieces that are not there, or that overlap."""
+    texts: dict[str, str] = {}
+    pieces: dict[str, dict[tuple[int, int], list[tuple[Bug, Place]]]] = {}
+    complaints = []
+    for bug in bugs:
+        for place in bug.places:
+            try:
+                if place.file not in texts:
+                    texts[place.file] = (source / place.file).read_text()
+                span = _span(texts[place.file], place)
+                pieces.setdefault(place.file, {}).setdefault(span, []).append((bug, place))
+            except (TableError, OSError) as error:
+                complaints.append(f"{bug.name}: {error}")
+    if complaints:
+        raise TableError("\n  ".join(["these bugs have no place:", *complaints]))
+    return {file: INCLUDE + _replaced(file, texts[file], 0, len(texts[file]), spans) for file, spans in pieces.items()}
+
+
+def _replaced(file: str, text: str, begin: int, end: int, spans: dict[tuple[int, int], list[tuple[Bug, Place]]]) -> str:
+    """text[begin:end] with the bugs in it; a piece may lie within another one."""
+    result, at = "", begin
+    for low, high in sorted(spans, key=lambda span: (span[0], -span[1])):
+        if low < at or high > end or (low, high) == (begin, end):
+            continue
+        inner = {span: found for span, found in spans.items() if low <= span[0] and span[1] <= high and span != (low, high)}
+        if any(span[0] < high < span[1] for span in spans):
+            raise TableError(f"{file}: two bugs overlap: {text[low:high]!r}")
+        result += text[at:low] + _planted(_replaced(file, text, low, high, inner), spans[low, high])
+        at = high
+    return result + text[at:end]
+
+
+def missing_tests(source: Path, bugs: list[Bug]) -> list[str]:
+    """Sentences about test programs and functions that are named but not there."""
+    programs = {"pdrender-bench": None, "pdrender-cli": None}
+    for lists in (source / "tests").rglob("CMakeLists.txt"):
+        for name, file in re.findall(r"^\s*pdr_test\((\w+)\s+([\w./]+)", lists.read_text(), re.MULTILINE):
+            programs[name] = lists.parent / file
+    complaints = []
+    for bug in bugs:
+        if not bug.seen_by:
+            complaints.append(f"{bug.name}: no test is named that is to see it")
+        for command in bug.seen_by:
+            program, *functions = command.split()
+            if program not in programs:
+                complaints.append(f"{bug.name}: there is no test program {program}")
+            elif (file := programs[program]) is not None:
+                text = file.read_text()
+                complaints += [f"{bug.name}: {program} has no function {name}" for name in functions
+                               if not re.search(rf"\bvoid {name.split(':')[0]}\(\)", text)]
+    return complaints
