@@ -6,3 +6,4 @@ add_library(pdr_cli_dicom STATIC
   ${CMAKE_CURRENT_LIST_DIR}/series_report.cpp
 )
 target_link_libraries(pdr_cli_dicom PUBLIC Qt6::Core PRIVATE pdr_cli pdr_dicom nlohmann_json::nlohmann_json)
+pdr_harden(pdr_cli_dicom)

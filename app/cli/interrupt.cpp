@@ -3,6 +3,8 @@
 #include <signal.h>
 #include <time.h>
 
+#include <csignal>
+
 namespace pdr::app {
 namespace {
 
@@ -11,6 +13,9 @@ sigset_t endingSignals() {
     sigemptyset(&set);
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
+    struct sigaction hangUp {};
+    if (sigaction(SIGHUP, nullptr, &hangUp) == 0 && hangUp.sa_handler != SIG_IGN)  // nohup wants it ignored
+        sigaddset(&set, SIGHUP);
     return set;
 }
 
@@ -30,6 +35,7 @@ void watch(std::stop_token over, std::stop_source requested) {
 }  // namespace
 
 Interrupt::Interrupt() {
+    std::signal(SIGPIPE, SIG_IGN);  // a reader of messages that is gone must not end the program before it has written
     const sigset_t signals = endingSignals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     watcher_ = std::jthread(watch, requested_);

@@ -32,7 +32,7 @@ void ProgressLine::show(double fraction, std::string_view step) {
 }
 
 void ProgressLine::show(const BatchState& state) {
-    std::string text = "rendering: " + std::to_string(state.film.samplesPerPixel) + " samples per pixel, error " +
+    std::string text = "rendering: " + samplesText(state.film.samplesPerPixel) + ", error " +
                        errorText(state.film.relativeError);
     if (state.secondsLeft)
         text += ", " + clockText(*state.secondsLeft) + " left";
@@ -70,6 +70,10 @@ std::string clockText(double seconds) {
     if (whole >= 3600)
         return formatted("%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
     return formatted("%ld:%02ld", whole / 60, whole % 60);
+}
+
+std::string samplesText(std::uint64_t perPixel) {
+    return std::to_string(perPixel) + (perPixel == 1 ? " sample per pixel" : " samples per pixel");
 }
 
 std::string errorText(double relativeError) {

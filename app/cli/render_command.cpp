@@ -5,42 +5,26 @@
 
 #include "app/cli/batch_render.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/picture_files.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
 #include "app/cli/render_report.h"
 #include "app/cli/run_command.h"
 #include "app/provenance.h"
-#include "render/base/replacing_file.h"
 #include "render/device/device_list.h"
-#include "render/film/image_file.h"
 #include "render/scene/flatten.h"
 
 namespace pdr::app {
 namespace {
 
-/// Nobody should wait for a picture that cannot be written.
-Result<void> checkOutputs(const RenderOptions& options) {
-    for (const auto& path : options.outputs)
-        if (auto file = ReplacingFile::open(path); !file)
-            return file.error();
-    return {};
-}
-
-Result<void> writeAll(const RenderOptions& options, const LoadedScene& work, const Film& film,
-                      const BatchResult& result) {
-    const Provenance facts = provenanceOf(work.scene, result.film, result.seconds);
-    for (const auto& path : options.outputs) {
-        const auto ok =
-            path.extension() == ".png" ? writePng(film, work.display, facts, path) : writeExr(film, facts, path);
-        if (!ok)
-            return ok;
-    }
-    return {};
-}
+struct Finished {
+    StopReason reason;
+    bool allInPlace;  ///< every picture is where it was asked for
+};
 
 /// Everything between the options and the exit code.
-Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& interrupt) {
-    if (auto ok = checkOutputs(options); !ok)
+Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interrupt) {
+    if (auto ok = checkWritable(options.outputs); !ok)
         return ok.error();
     const auto opened = openDevice(options.device, options.threads);
     if (!opened)
@@ -54,6 +38,8 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
     });
     if (!work)
         return work.error();
+    if (auto ok = checkSpared(work->files, options.outputs); !ok)
+        return ok.error();
 
     if (auto ok = device.upload(Flattener().prepare(work->scene, boundsFor(device.info()))); !ok)
         return ok.error();
@@ -69,12 +55,14 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
     const auto picture = (*film)->film();
     if (!picture)
         return picture.error();
-    if (auto ok = writeAll(options, *work, **picture, *result); !ok)
-        return ok.error();
-    const RenderReport report{options.outputs, work->scene.film, work->scene.seed, device.info(), *result,
+    const Provenance facts = provenanceOf(work->scene, result->film, result->seconds);
+    const WrittenFiles written = writePictures(**picture, work->display, facts, options.outputs);
+    for (const Error& trouble : written.troubles)
+        failed(trouble);
+    const RenderReport report{written.files, work->scene.film, work->scene.seed, device.info(), *result,
                               warnings(work->scene)};
     std::fputs((options.json ? jsonText(report) : plainText(report)).c_str(), stdout);
-    return result->reason;
+    return Finished{result->reason, written.troubles.empty()};
 }
 
 }  // namespace
@@ -83,13 +71,12 @@ int runRender(const QStringList& arguments) {
     const Interrupt interrupt;
     return runCommand("render", renderOptions(arguments), renderHelp, [&](const RenderOptions& options) {
         try {
-            const auto reason = renderAll(options, interrupt);
-            if (!reason)
-                return failed(reason.error());
-            if (*reason != StopReason::interrupted)
-                return 0;
-            std::fprintf(stderr, "pdrender-cli: interrupted; the picture holds the samples taken until then.\n");
-            return 1;
+            const auto finished = renderAll(options, interrupt);
+            if (!finished)
+                return failed(finished.error());
+            if (finished->reason == StopReason::interrupted)
+                std::fprintf(stderr, "pdrender-cli: interrupted; the picture holds the samples taken until then.\n");
+            return finished->reason != StopReason::interrupted && finished->allInPlace ? 0 : 1;
         } catch (const std::bad_alloc&) {
             return failed(
                 {"there is not enough memory", options.scene.path.string(), "Take a smaller --size or volume."});

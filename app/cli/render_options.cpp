@@ -1,22 +1,22 @@
 #include "app/cli/render_options.h"
 
-#include <QCommandLineParser>
 #include <QRegularExpression>
 
-#include <array>
-
+#include "app/cli/option_reader.h"
 #include "app/presets.h"
-#include "render/scene/range.h"
 
 namespace pdr::app {
 namespace {
 
-constexpr std::array<std::pair<const char*, StandardView>, 6> kViews{{{"anterior", StandardView::anterior},
-                                                                      {"posterior", StandardView::posterior},
-                                                                      {"left", StandardView::left},
-                                                                      {"right", StandardView::right},
-                                                                      {"superior", StandardView::superior},
-                                                                      {"inferior", StandardView::inferior}}};
+/// Each view by its name, and as the window calls it.
+struct ViewName {
+    const char *name, *letter, *plain;
+    StandardView view;
+};
+constexpr ViewName kViews[] = {
+    {"anterior", "A", "front", StandardView::anterior}, {"posterior", "P", "back", StandardView::posterior},
+    {"left", "L", "left", StandardView::left},          {"right", "R", "right", StandardView::right},
+    {"superior", "H", "head", StandardView::superior},  {"inferior", "F", "feet", StandardView::inferior}};
 
 /// The options of all commands that render.
 void describeScene(QCommandLineParser& parser) {
@@ -28,7 +28,9 @@ void describeScene(QCommandLineParser& parser) {
         {"preset",
          "Look: \"CT bone\" (default), \"CT soft tissue\", \"CT angio\", \"CT lung\", or a preset file (.json).",
          "NAME"},
-        {"view", "Look from anterior (default), posterior, left, right, superior or inferior.", "SIDE"},
+        {"view",
+         "Look from anterior (default), posterior, left, right, superior or inferior; A, P, L, R, H, F for short.",
+         "SIDE"},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
         {"exposure", "Radiance that PNG shows as 63 % of white; default: the preset's, or 1.", "L"},
         {"model",
@@ -52,7 +54,7 @@ void describeRender(QCommandLineParser& parser) {
         {{"o", "output"}, "Write the picture here; may be given several times.", "FILE.png|FILE.exr"},
         {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
         {"seconds", "Stop after T seconds of rendering.", "T"},
-        {"error", "Stop when the relative standard error of the picture is E, such as 0.01.", "E"},
+        {"error", "Stop when the relative standard error of the picture is E, such as 0.01 or 1%.", "E"},
         {"device", "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ...",
          "NAME", "auto"},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
@@ -71,44 +73,6 @@ void describeReplay(QCommandLineParser& parser) {
         {"sample", "Which of its samples, from 0.", "N", "0"},
     });
 }
-
-[[noreturn]] void usageError(const QString& option, const std::string& what, const std::string& hint = "") {
-    throw Error{what, option.toStdString(), hint};
-}
-
-/// Reads options and throws an Error that names the first wrong one.
-class Reader {
-  public:
-    explicit Reader(const QCommandLineParser& parser) : parser_(parser) {}
-
-    std::optional<QString> text(const QString& name) const {
-        return parser_.isSet(name) ? std::optional(parser_.value(name)) : std::nullopt;
-    }
-
-    std::optional<double> number(const QString& name, const Range& range) const {
-        if (!parser_.isSet(name))
-            return std::nullopt;
-        bool ok = false;
-        const double value = parser_.value(name).toDouble(&ok);
-        if (!ok || !range.holds(value))
-            usageError("--" + name, "must be a number " + range.text() + ", not \"" + text(name)->toStdString() + "\"");
-        return value;
-    }
-
-    std::optional<std::uint64_t> whole(const QString& name, std::uint64_t lowest, std::uint64_t highest) const {
-        if (!parser_.isSet(name))
-            return std::nullopt;
-        bool ok = false;
-        const std::uint64_t value = parser_.value(name).toULongLong(&ok);
-        if (!ok || value < lowest || value > highest)
-            usageError("--" + name, "must be a whole number from " + std::to_string(lowest) + " to " +
-                                        std::to_string(highest) + ", not \"" + text(name)->toStdString() + "\"");
-        return value;
-    }
-
-  private:
-    const QCommandLineParser& parser_;
-};
 
 std::optional<ivec2> readSize(const Reader& reader) {
     const auto text = reader.text("size");
@@ -160,10 +124,11 @@ std::optional<StandardView> readView(const Reader& reader) {
     if (!text)
         return std::nullopt;
     std::string known;
-    for (const auto& [name, view] : kViews) {
-        if (*text == QLatin1String(name))
-            return view;
-        known += (known.empty() ? "" : ", ") + std::string(name);
+    for (const ViewName& one : kViews) {
+        for (const char* name : {one.name, one.letter, one.plain})
+            if (text->compare(QLatin1String(name), Qt::CaseInsensitive) == 0)
+                return one.view;
+        known += (known.empty() ? "" : ", ") + std::string(one.name) + " (" + one.letter + ")";
     }
     usageError("--view", "must be one of: " + known);
 }
@@ -208,7 +173,7 @@ Stops readStops(const Reader& reader) {
     Stops stops;
     stops.samples = reader.whole("samples", 1, 1'000'000'000);
     stops.seconds = reader.number("seconds", {0, 1e9, false});
-    stops.relativeError = reader.number("error", {0, 1, false});
+    stops.relativeError = reader.fraction("error", {0, 1, false});
     if (!stops.samples && !stops.seconds && !stops.relativeError)
         stops.samples = 256;
     return stops;
@@ -320,8 +285,9 @@ std::string replayHelp() {
 
 std::string renderHelp() {
     return "Usage: pdrender-cli render FOLDER|SCENE.json -o FILE [options]\n"
-           "Renders a picture. It ends at the first stop that is reached. Ctrl-C ends it early: what is there is then\n"
-           "written and the exit code is 1; a second Ctrl-C ends at once and writes nothing.\n" +
+           "Renders a picture. It ends at the first stop that is reached. Ctrl-C ends it early, and so does the end of the\n"
+           "terminal's session: what is there is then written and the exit code is 1; a second Ctrl-C ends at once and\n"
+           "writes nothing. A new picture can be read by its owner only; one that is replaced keeps its permissions.\n" +
            optionsText(describeRender);
 }
 

@@ -86,7 +86,7 @@ std::string plainText(const RenderReport& report) {
     const FilmStatus& film = report.result.film;
     std::ostringstream out;
     out.precision(3);
-    out << report.size.x << " x " << report.size.y << " pixels, " << film.samplesPerPixel << " samples per pixel in "
+    out << report.size.x << " x " << report.size.y << " pixels, " << samplesText(film.samplesPerPixel) << " in "
         << report.result.seconds << " s (" << samplesPerSecond(report) / 1e6 << " million samples per second) on "
         << report.device.name << ", " << report.device.details << "\n"
         << "remaining error: " << errorText(film.relativeError) << " of the mean brightness\n";

@@ -61,6 +61,10 @@ Result<std::optional<Preset>> chosenPreset(const SceneInput& input) {
 }
 
 Result<void> focus(Scene& scene, ivec2 pixel) {
+    if (pixel.x >= scene.film.x || pixel.y >= scene.film.y)
+        return Error{"lies outside the picture of " + std::to_string(scene.film.x) + " x " +
+                         std::to_string(scene.film.y) + " pixels",
+                     "--focus", ""};
     const auto depth = depthUnder(*Flattener().prepare(scene), pixel);
     if (!depth)
         return Error{
@@ -87,7 +91,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     if (!environment)
         return environment.error();
 
-    LoadedScene work{std::move(file->scene), {}};
+    LoadedScene work{std::move(file->scene), {}, {input.path, file->source.raw.path, file->environmentImage}};
     work.scene.volume = *std::move(volume);
     work.scene.environment.image = *std::move(environment);
     if (input.view || !isFile(input))

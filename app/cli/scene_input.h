@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/base/progress.h"
 #include "render/base/result.h"
@@ -33,6 +34,7 @@ struct SceneInput {
 struct LoadedScene {
     Scene scene;
     Display display;
+    std::vector<std::filesystem::path> files;  ///< that it was read from, but those of a DICOM folder
 };
 
 /// Errors: those of scene files, presets and the import, and nothing under the pixel to focus on.

@@ -301,6 +301,9 @@ class CliTest : public QObject {
                                  "--aperture", "10", "--focus", "0,0"});
         QCOMPARE(nothing.code, 1);
         QVERIFY(nothing.err.contains("nothing to focus on under pixel 0,0"));
+        const Run outside = run({"render", scene(), "-o", at("l.png"), "--aperture", "10", "--focus", "5000,1"});
+        QCOMPARE(outside.code, 1);
+        QVERIFY2(outside.err.contains("outside the picture of 48 x 40"), outside.err.constData());
     }
 
     void surroundingsAreReadFromOpenExr() {

@@ -40,11 +40,11 @@ class YardstickTest : public QObject {
     void agreesWithTheReferencePicture() {
         const std::filesystem::path path = test::sharedFolder() / "yardstick" / "reference.pfm";
         if (!std::filesystem::exists(path))
-            QSKIP("the reference picture is not here");
+            PDR_SKIP_FOR_WANT_OF_DATA("the reference picture is not here");
         QString reason;
         const std::optional<Scene> scene = yardstick(reason);
         if (!scene)
-            QSKIP(qPrintable("the cranium is not here: " + reason));
+            PDR_SKIP_FOR_WANT_OF_DATA(qPrintable("the cranium is not here: " + reason));
         const Result<bench::GreyImage> reference = bench::readPfm(path);
         QVERIFY(bool(reference));
 
@@ -69,7 +69,7 @@ class YardstickTest : public QObject {
         QString reason;
         std::optional<Scene> scene = yardstick(reason);
         if (!scene)
-            QSKIP(qPrintable("the cranium is not here: " + reason));
+            PDR_SKIP_FOR_WANT_OF_DATA(qPrintable("the cranium is not here: " + reason));
         scene->film = {96, 96};
         const auto device = makeCpuDevice();
         const Film cells = test::render(*scene, 128, *device);

@@ -1,0 +1,75 @@
+#include "app/cli/picture_files.h"
+
+#include <optional>
+
+#include "render/base/replacing_file.h"
+
+namespace pdr::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "head-2.png" in `folder`, or the first number after it that is free; nothing where none is.
+std::optional<fs::path> freeName(const fs::path& folder, const fs::path& name) {
+    std::error_code ignored;
+    for (int number = 2; number < 100; ++number) {
+        const fs::path place =
+            folder / (name.stem().string() + "-" + std::to_string(number) + name.extension().string());
+        if (!fs::exists(fs::symlink_status(place, ignored)))
+            return place;
+    }
+    return std::nullopt;
+}
+
+/// Where `output` could be written instead: beside its place, and here.
+Paths substitutesFor(const fs::path& output) {
+    Paths places;
+    for (const fs::path& folder : {output.parent_path(), fs::path()})
+        if (const auto place = freeName(folder, output.filename()); place && (places.empty() || places[0] != *place))
+            places.push_back(*place);
+    return places;
+}
+
+}  // namespace
+
+Result<void> checkWritable(const Paths& outputs) {
+    for (const auto& path : outputs)
+        if (auto file = ReplacingFile::open(path, FileAccess::owner); !file)
+            return file.error();
+    return {};
+}
+
+Result<void> checkSpared(const Paths& inputs, const Paths& outputs) {
+    std::error_code ignored;  // a file that is not there is no input
+    for (const auto& input : inputs)
+        for (const auto& output : outputs)
+            if (fs::equivalent(input, output, ignored))
+                return Error{"this file is read by the scene that is to be rendered", output.string(),
+                             "Write to another one."};
+    return {};
+}
+
+WrittenFiles writePictures(const Film& film, const Display& display, const Provenance& facts, const Paths& outputs) {
+    const auto write = [&](const fs::path& path) {
+        return path.extension() == ".png" ? writePng(film, display, facts, path) : writeExr(film, facts, path);
+    };
+    WrittenFiles written;
+    for (const auto& output : outputs) {
+        const auto wanted = write(output);
+        if (wanted) {
+            written.files.push_back(output);
+            continue;
+        }
+        Error trouble = wanted.error();
+        for (const auto& place : substitutesFor(output))
+            if (write(place)) {
+                written.files.push_back(place);
+                trouble.hint = "The picture is in " + place.string() + " instead.";
+                break;
+            }
+        written.troubles.push_back(trouble);
+    }
+    return written;
+}
+
+}  // namespace pdr::app
