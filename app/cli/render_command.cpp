@@ -60,7 +60,9 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
     const auto film = device.film(work->scene.film, work->scene.revision, {});
     if (!film)
         return film.error();
-    const auto result = BatchRender(**film, options.stops).run(stop, [&](const BatchState& state) { line.show(state); });
+    const auto result = BatchRender(**film, options.stops, work->display).run(stop, [&](const BatchState& state) {
+        line.show(state);
+    });
     line.finish();
     if (!result)
         return result.error();

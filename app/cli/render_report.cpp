@@ -8,6 +8,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/cli/error_text.h"
 #include "app/cli/progress_line.h"
 #include "render/film/health_text.h"
 
@@ -22,6 +23,8 @@ const char* reasonWord(StopReason reason) {
             return "seconds";
         case StopReason::error:
             return "error";
+        case StopReason::levels:
+            return "levels";
         case StopReason::interrupted:
             break;
     }
@@ -48,6 +51,11 @@ std::string replayArguments(const FaultCount& fault, const RenderReport& report)
            std::to_string(fault.pixel / report.size.x) + " --sample " + std::to_string(fault.sample);
 }
 
+/// JSON has no infinity: null.
+QJsonValue known(double value) {
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
+}
+
 double samplesPerSecond(const RenderReport& report) {
     const double samples = double(report.result.film.samplesPerPixel) * report.size.x * report.size.y;
     return samples / std::max(report.result.seconds, 1e-9);
@@ -69,7 +77,10 @@ std::string jsonText(const RenderReport& report) {
         {"health", healthObject(film.health, report.size.x)},
         {"seconds", report.result.seconds},
         {"samplesPerSecond", samplesPerSecond(report)},
-        {"relativeError", std::isfinite(film.relativeError) ? QJsonValue(film.relativeError) : QJsonValue()},
+        {"relativeError", known(film.relativeError)},
+        {"displayError", known(film.displayError)},
+        {"tissuePixels", double(film.tissuePixels)},
+        {"unseenShare", film.unseenShare},
         {"meanLuminance", film.meanLuminance},
         {"stoppedBy", reasonWord(report.result.reason)},
         {"device", QString::fromStdString(report.device.name)},
@@ -82,10 +93,10 @@ std::string plainText(const RenderReport& report) {
     const FilmStatus& film = report.result.film;
     std::ostringstream out;
     out.precision(3);
-    out << report.size.x << " x " << report.size.y << " pixels, " << film.samplesPerPixel << " samples per pixel in "
+    out << report.size.x << " x " << report.size.y << " pixels, " << samplesText(film.samplesPerPixel) << " in "
         << report.result.seconds << " s (" << samplesPerSecond(report) / 1e6 << " million samples per second) on "
         << report.device.name << ", " << report.device.details << "\n"
-        << "remaining error: " << errorText(film.relativeError) << " of the mean brightness\n";
+        << errorSentence(film) << "\n";
     for (int i = 0; i < kFaults; ++i)
         if (const FaultCount& fault = film.health.faults[i]; fault.count > 0)
             out << fault.count << " " << faultText(Fault(i)) << "; the first: pdrender-cli replay ... "

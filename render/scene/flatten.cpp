@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/kernel/features.h"
 #include "render/kernel/flight.h"
 #include "render/kernel/view_footprint.h"
 #include "render/scene/flatten_lights.h"
@@ -76,6 +77,10 @@ void flattenClip(PreparedScene& prepared, const Scene& scene) {
     prepared.flat.clip = {prepared.clipPlanes.data(), int(prepared.clipPlanes.size()), scene.clip.shadows};
 }
 
+bool shines(const std::vector<FlatLight>& lights) {
+    return std::ranges::any_of(lights, [](const FlatLight& light) { return light.radiance != vec3(0); });
+}
+
 /// The HU range over which Kroes, Post & Botha measure the gradient: that of 12-bit CT, so that one metal clip does not
 /// change how the rest of the picture looks.
 constexpr float kHuScale = 4096;
@@ -106,6 +111,8 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Boun
     flat.surfaceFactor = 25 * scene.gradientFactor * scene.gradientFactor * scene.gradientFactor / kHuScale;
     flat.features = neededFeatures(needs(scene));
     flat.sampleDirections = searchesAlongScatter(scene);
+    flat.lit = !isProjection(scene.model) && (shines(prepared->lights) || !scene.environment.isBlack() ||
+                                              (flat.features & kEmission) != 0);
     flat.seed = scene.seed;
     if (bounds == Bounds::onHost)
         bound(*prepared);
