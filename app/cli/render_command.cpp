@@ -4,6 +4,7 @@
 #include <new>
 
 #include "app/cli/batch_render.h"
+#include "app/cli/film_room.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
@@ -57,6 +58,8 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
 
     if (auto ok = device.upload(Flattener().prepare(work->scene, boundsFor(device.info()))); !ok)
         return ok.error();
+    if (auto room = roomForFilm(work->scene.film, device.info()); !room)
+        return room.error();
     const auto film = device.film(work->scene.film, work->scene.revision, {});
     if (!film)
         return film.error();

@@ -359,6 +359,19 @@ class CliTest : public QObject {
         QVERIFY(QJsonDocument::fromJson(early.out).object()["displayError"].isNull());
     }
 
+    /// Before hours are spent, not after: the address space is what a picture of 16384 x 16384 may not have.
+    void aPictureThatDoesNotFitIsRefused() {
+        QProcess process;
+        process.start("/bin/sh", {"-c", QString("ulimit -v 8000000; exec \"$0\" render \"$1\" -o \"$2\" --size "
+                                                "16384x16384 --threads 2 --samples 1"),
+                                  program(), scene(), at("huge.png")});
+        QVERIFY(process.waitForFinished(60'000));
+        const QByteArray said = process.readAllStandardError();
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY2(said.contains("16384 x 16384 pixels needs 61.2 GB of memory") && said.contains("are free"), said);
+        QVERIFY(!QFile::exists(at("huge.png")));
+    }
+
     void theClockStops() {
         const Run result = run({"render", scene(), "-o", at("t.png"), "--seconds", "0.3", "--json"});
         const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
