@@ -8,8 +8,8 @@ namespace pdr::ui {
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel")) {
     text_.setAccessibleName(tr("How good the picture is"));
     text_.setToolTip(
-        tr("The error is the picture's standard error in relation to its brightness: it halves when the samples "
-           "are four times as many."));
+        tr("How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the "
+           "pixels that show tissue. Four times the samples halve it."));
     // A long line is cut off at its end; it must not make the window wider.
     text_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     bar_.setAccessibleName(tr("Progress"));

@@ -8,6 +8,7 @@
 
 #include "render/accuracy/prediction.h"
 #include "render/film/health_text.h"
+#include "render/film/levels_text.h"
 
 namespace pdr::ui {
 namespace {
@@ -32,10 +33,15 @@ QString counted(std::uint64_t count, const char* one, const char* many) {
     return number + ' ' + translated(count == 1 ? one : many);
 }
 
-QString errorText(double relativeError) {
-    if (!std::isfinite(relativeError))
-        return translated("error not known yet");
-    return translated("error %1 %").arg(shortNumber(100 * relativeError));
+QString errorText(const FilmStatus& status) {
+    if (status.samplesPerPixel < kSamplesToEstimate)
+        return translated("estimating");
+    if (status.tissuePixels == 0)
+        return translated("no tissue in view");
+    if (std::isfinite(status.displayError))
+        return translated("95 % of the tissue within ±%1 of 255 grey levels")
+            .arg(QString::fromStdString(levelsText(status.displayError)));
+    return status.unseenShare > 0 ? translated("no light seen yet") : translated("error not known");
 }
 
 /// "8 s", "1.5 min", "2.0 h"
@@ -55,12 +61,12 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
     QStringList parts;
     if (paused)
         parts << translated("paused");
-    parts << errorText(status.relativeError) << counted(status.samplesPerPixel, "sample", "samples");
+    parts << errorText(status) << counted(status.samplesPerPixel, "sample", "samples");
     if (!paused)
         parts << translated("%1 iterations/s").arg(shortNumber(iterationsPerSecond));
     if (const auto next = nextQualityStep(status, iterationsPerSecond); next && !paused)
-        parts << translated("%1 % in about %2")
-                     .arg(QLocale::c().toString(100 * next->relativeError, 'g', 2), durationText(next->seconds));
+        parts << translated(next->atLeast ? "±%1 in at least %2" : "±%1 in about %2")
+                     .arg(QString::fromStdString(levelsText(next->levels)), durationText(next->seconds));
     for (const std::string& line : healthLines(status.health))
         parts << QString::fromStdString(line);
     return parts.join(", ");

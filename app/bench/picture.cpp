@@ -21,6 +21,13 @@ GreyImage greyImage(const Film& film) {
     return image;
 }
 
+/// JSON has no infinity.
+std::string errorInJson(double relativeError) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.5g", relativeError);
+    return std::isfinite(relativeError) ? text : "null";
+}
+
 }  // namespace
 
 int picture(const Arguments& arguments) {
@@ -45,10 +52,10 @@ int picture(const Arguments& arguments) {
         return fail(shown.error());
     const FilmStatus& status = shown->status;
     std::printf(
-        "{\"samples\": %d, \"seconds\": %.4f, \"samplesPerSecond\": %.4g, \"mean\": %.7g, \"relativeError\": %.5g, "
+        "{\"samples\": %d, \"seconds\": %.4f, \"samplesPerSecond\": %.4g, \"mean\": %.7g, \"relativeError\": %s, "
         "\"rejected\": %llu}\n",
         *samples, seconds, double(*samples) * scene->film.x * scene->film.y / seconds, status.meanLuminance,
-        status.relativeError, static_cast<unsigned long long>(status.health.rejected()));
+        errorInJson(status.relativeError).c_str(), static_cast<unsigned long long>(status.health.rejected()));
     if (const auto pfm = options->named.find("--pfm"); pfm != options->named.end()) {
         const auto all = film->live->film();
         if (!all)

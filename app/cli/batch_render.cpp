@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kLaunchSeconds = 0.25;  ///< so that Ctrl-C and --seconds are obeyed soon
 constexpr double kReportSeconds = 0.5;
-constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two looks at the error; fewer tell too little about it
+constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two looks at the error; it costs time
+constexpr std::uint64_t kSamplesToStop = 64;  ///< before which no error counts as reached: too little is known of it
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -45,7 +46,7 @@ Result<BatchResult> BatchRender::run(std::stop_token stop, const Report& report)
 }
 
 bool BatchRender::errorIsDue() const {
-    return stops_.relativeError && done_ > 0 && done_ % kErrorEvery == 0;
+    return stopsByError() && done_ > 0 && done_ % kErrorEvery == 0;
 }
 
 Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
@@ -63,7 +64,7 @@ Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
 Result<void> BatchRender::look() {
     if (done_ == 0)
         return {};
-    if (auto ok = film_.show({}); !ok)
+    if (auto ok = film_.show(display_); !ok)
         return ok;
     const auto picture = film_.take();
     if (!picture)
@@ -81,7 +82,7 @@ std::uint32_t BatchRender::wantedSamples(double elapsed) const {
     double wanted = std::floor(time * double(done_) / std::max(elapsed, 1e-9));
     if (stops_.samples)
         wanted = std::min(wanted, double(*stops_.samples - done_));
-    if (stops_.relativeError)
+    if (stopsByError())
         wanted = std::min(wanted, double(kErrorEvery - done_ % kErrorEvery));
     return std::uint32_t(std::clamp(wanted, 1.0, double(kSamplesPerBlock)));
 }
@@ -89,8 +90,12 @@ std::uint32_t BatchRender::wantedSamples(double elapsed) const {
 std::optional<StopReason> BatchRender::reached(double elapsed) const {
     if (stops_.samples && done_ >= *stops_.samples)
         return StopReason::samples;
-    if (errorIsDue() && status_.relativeError <= *stops_.relativeError)
-        return StopReason::error;
+    if (errorIsDue() && done_ >= kSamplesToStop) {
+        if (stops_.relativeError && status_.relativeError <= *stops_.relativeError)
+            return StopReason::error;
+        if (stops_.levels && status_.displayError <= *stops_.levels)
+            return StopReason::levels;
+    }
     if (stops_.seconds && elapsed >= *stops_.seconds)
         return StopReason::seconds;
     return std::nullopt;
@@ -105,6 +110,8 @@ BatchState BatchRender::state(double elapsed) const {
     if (stops_.relativeError)
         state.fraction = std::max(state.fraction,
                                   double(done_) / samplesToReach(*stops_.relativeError, state.film));
+    if (stops_.levels)
+        state.fraction = std::max(state.fraction, double(done_) / samplesToReachLevels(*stops_.levels, state.film));
     state.fraction = std::min(state.fraction, 1.0);
     if (state.fraction > 0)
         state.secondsLeft = elapsed * (1 - state.fraction) / state.fraction;

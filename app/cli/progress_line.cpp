@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/cli/error_text.h"
+
 namespace pdr::app {
 namespace {
 
@@ -32,8 +34,7 @@ void ProgressLine::show(double fraction, std::string_view step) {
 }
 
 void ProgressLine::show(const BatchState& state) {
-    std::string text = "rendering: " + samplesText(state.film.samplesPerPixel) + ", error " +
-                       errorText(state.film.relativeError);
+    std::string text = "rendering: " + samplesText(state.film.samplesPerPixel) + ", " + errorText(state.film);
     if (state.secondsLeft)
         text += ", " + clockText(*state.secondsLeft) + " left";
     draw(state.fraction, text);
@@ -72,15 +73,8 @@ std::string clockText(double seconds) {
     return formatted("%ld:%02ld", whole / 60, whole % 60);
 }
 
-std::string samplesText(std::uint64_t perPixel) {
-    return std::to_string(perPixel) + (perPixel == 1 ? " sample per pixel" : " samples per pixel");
-}
-
-std::string errorText(double relativeError) {
-    if (!std::isfinite(relativeError))
-        return "unknown";
-    const double percent = 100 * relativeError;
-    return percent < 10 ? formatted("%.2g %%", percent) : formatted("%.0f %%", percent);
+std::string samplesText(std::uint64_t samplesPerPixel) {
+    return std::to_string(samplesPerPixel) + (samplesPerPixel == 1 ? " sample per pixel" : " samples per pixel");
 }
 
 }  // namespace pdr::app

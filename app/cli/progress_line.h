@@ -32,9 +32,7 @@ class ProgressLine {
 
 /// "0:07", "12:30", "2:05:00"
 std::string clockText(double seconds);
-/// "1 sample per pixel", "2 samples per pixel"
-std::string samplesText(std::uint64_t perPixel);
-/// The relative error for people: "2.4 %"; "unknown" while it is infinite.
-std::string errorText(double relativeError);
+/// "1 sample per pixel", "64 samples per pixel"
+std::string samplesText(std::uint64_t samplesPerPixel);
 
 }  // namespace pdr::app

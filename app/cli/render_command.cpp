@@ -4,6 +4,7 @@
 #include <new>
 
 #include "app/cli/batch_render.h"
+#include "app/cli/film_room.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/picture_files.h"
 #include "app/cli/progress_line.h"
@@ -43,10 +44,14 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
 
     if (auto ok = device.upload(Flattener().prepare(work->scene, boundsFor(device.info()))); !ok)
         return ok.error();
+    if (auto room = roomForFilm(work->scene.film, device.info()); !room)
+        return room.error();
     const auto film = device.film(work->scene.film, work->scene.revision, {});
     if (!film)
         return film.error();
-    const auto result = BatchRender(**film, options.stops).run(stop, [&](const BatchState& state) { line.show(state); });
+    const auto result = BatchRender(**film, options.stops, work->display).run(stop, [&](const BatchState& state) {
+        line.show(state);
+    });
     line.finish();
     if (!result)
         return result.error();

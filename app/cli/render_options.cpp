@@ -54,7 +54,12 @@ void describeRender(QCommandLineParser& parser) {
         {{"o", "output"}, "Write the picture here; may be given several times.", "FILE.png|FILE.exr"},
         {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
         {"seconds", "Stop after T seconds of rendering.", "T"},
-        {"error", "Stop when the relative standard error of the picture is E, such as 0.01 or 1%.", "E"},
+        {"levels", "Stop when 95 % of the tissue is within L of 255 grey levels of the finished picture, such as 8.",
+          "L"},
+        {"error",
+          "Stop when the standard error of the tissue is E of its mean brightness, such as 0.05 or 5%; half of it takes four "
+          "times as long.",
+          "E"},
         {"device", "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ...",
          "NAME", "auto"},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
@@ -174,7 +179,8 @@ Stops readStops(const Reader& reader) {
     stops.samples = reader.whole("samples", 1, 1'000'000'000);
     stops.seconds = reader.number("seconds", {0, 1e9, false});
     stops.relativeError = reader.fraction("error", {0, 1, false});
-    if (!stops.samples && !stops.seconds && !stops.relativeError)
+    stops.levels = reader.number("levels", {0, 255, false});
+    if (!stops.samples && !stops.seconds && !stops.relativeError && !stops.levels)
         stops.samples = 256;
     return stops;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/cli/error_text.h"
 #include "app/cli/progress_line.h"
 #include "render/film/health_text.h"
 
@@ -22,6 +23,8 @@ const char* reasonWord(StopReason reason) {
             return "seconds";
         case StopReason::error:
             return "error";
+        case StopReason::levels:
+            return "levels";
         case StopReason::interrupted:
             break;
     }
@@ -46,6 +49,11 @@ std::string replayArguments(const FaultCount& fault, const RenderReport& report)
     return "--size " + std::to_string(report.size.x) + "x" + std::to_string(report.size.y) + " --seed " +
            std::to_string(report.seed) + " --pixel " + std::to_string(fault.pixel % report.size.x) + "," +
            std::to_string(fault.pixel / report.size.x) + " --sample " + std::to_string(fault.sample);
+}
+
+/// JSON has no infinity: null.
+QJsonValue known(double value) {
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
 }
 
 double samplesPerSecond(const RenderReport& report) {
@@ -73,7 +81,10 @@ std::string jsonText(const RenderReport& report) {
         {"health", healthObject(film.health, report.size.x)},
         {"seconds", report.result.seconds},
         {"samplesPerSecond", samplesPerSecond(report)},
-        {"relativeError", std::isfinite(film.relativeError) ? QJsonValue(film.relativeError) : QJsonValue()},
+        {"relativeError", known(film.relativeError)},
+        {"displayError", known(film.displayError)},
+        {"tissuePixels", double(film.tissuePixels)},
+        {"unseenShare", film.unseenShare},
         {"meanLuminance", film.meanLuminance},
         {"stoppedBy", reasonWord(report.result.reason)},
         {"device", QString::fromStdString(report.device.name)},
@@ -89,7 +100,7 @@ std::string plainText(const RenderReport& report) {
     out << report.size.x << " x " << report.size.y << " pixels, " << samplesText(film.samplesPerPixel) << " in "
         << report.result.seconds << " s (" << samplesPerSecond(report) / 1e6 << " million samples per second) on "
         << report.device.name << ", " << report.device.details << "\n"
-        << "remaining error: " << errorText(film.relativeError) << " of the mean brightness\n";
+        << errorSentence(film) << "\n";
     for (const Warning& warning : report.warnings)
         out << warning.text << "\n";
     for (int i = 0; i < kFaults; ++i)

@@ -4,19 +4,30 @@
 #include <cmath>
 
 namespace pdr {
+namespace {
+
+double samplesFor(double target, double error, std::uint64_t samples) {
+    const double share = error / target;
+    return double(samples) * std::max(share * share, 1.0);
+}
+
+}  // namespace
 
 double samplesToReach(double target, const FilmStatus& status) {
-    const double share = status.relativeError / target;
-    return double(status.samplesPerPixel) * std::max(share * share, 1.0);
+    return samplesFor(target, status.relativeError, status.samplesPerPixel);
+}
+
+double samplesToReachLevels(double target, const FilmStatus& status) {
+    return samplesFor(target, status.displayError, status.samplesPerPixel);
 }
 
 std::optional<QualityStep> nextQualityStep(const FilmStatus& status, double samplesPerSecond) {
-    if (status.samplesPerPixel < kSamplesToPredict || !(samplesPerSecond > 0) || !std::isfinite(status.relativeError))
+    if (!(samplesPerSecond > 0) || !std::isfinite(status.displayError))
         return std::nullopt;
-    for (const double step : {0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001})
-        if (step < status.relativeError) {
-            const double more = samplesToReach(step, status) - double(status.samplesPerPixel);
-            return QualityStep{step, more / samplesPerSecond};
+    for (const double step : {32, 16, 8, 4, 2, 1})
+        if (step < status.displayError) {
+            const double more = samplesToReachLevels(step, status) - double(status.samplesPerPixel);
+            return QualityStep{step, more / samplesPerSecond, status.fewBrightSamples};
         }
     return std::nullopt;
 }

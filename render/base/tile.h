@@ -25,11 +25,16 @@ struct SampleRange {
 /// cut.
 inline constexpr std::uint32_t kSamplesPerBlock = 64;
 
+/// What the samples of a pixel have met so far, bit by bit.
+inline constexpr std::uint32_t kSeenTissue = 1;  ///< one of them met tissue
+inline constexpr std::uint32_t kSeenChance = 2;  ///< they may meet light by chance: one without may only be unlucky
+
 /// Sums of the samples of one pixel in the running block; linear Rec. 709. Samples are added in order.
 struct PixelSums {
     dvec3 sum{0.0};
     dvec3 sumOfSquares{0.0};
     std::uint32_t count = 0;  ///< samples added; those that were no radiance are left out
+    std::uint32_t seen = 0;   ///< kSeen... of all blocks
 };
 
 /// A view of the sums of a tile: pixel (x, y) of the image is at (y - tile.y) * stride + (x - tile.x). `health` is

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace pdr {
@@ -23,7 +22,7 @@ bool sameBits(const Moments& a, const Moments& b) {
 }
 
 bool sameBits(const PixelSums& a, const PixelSums& b) {
-    return a.count == b.count && sameBits(a.sum, b.sum) && sameBits(a.sumOfSquares, b.sumOfSquares);
+    return a.count == b.count && a.seen == b.seen && sameBits(a.sum, b.sum) && sameBits(a.sumOfSquares, b.sumOfSquares);
 }
 
 template <class T>
@@ -64,48 +63,53 @@ void Film::commit(SampleRange range) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, block_.size(), 4096), [&](const auto& pixels) {
         for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
             moments_[i] = merged(moments_[i], block_[i]);
-            block_[i] = {};
+            block_[i] = nextBlock(block_[i]);
         }
     });
 }
 
 PixelEstimate Film::pixel(int x, int y) const {
     const Moments moments = at(std::size_t(y) * size_.x + x);
-    return {moments.mean, standardErrorOf(moments), moments.count};
+    return {moments.mean, standardErrorOf(moments), moments.count,
+            (block_[std::size_t(y) * size_.x + x].seen & kSeenTissue) != 0};
 }
 
-FilmStatus Film::status() const {
-    return status([](std::size_t, const Moments&) {});
-}
-
-FilmStatus Film::status(const PixelLook& look) const {
+template <class Look>
+std::pair<StatusSums, ErrorCounts> Film::survey(const Look& look) const {
     using Pixels = tbb::blocked_range<std::size_t>;
-    const auto add = [&](const Pixels& pixels, StatusSums sums) {
+    using Sums = std::pair<StatusSums, ErrorCounts>;
+    const auto add = [&](const Pixels& pixels, Sums sums) {
         for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
             const Moments known = at(i);
-            sums.add(known);
-            look(i, known);
+            const dvec3 standardError = standardErrorOf(known);
+            sums.first.add(known, standardError, block_[i].seen);
+            look(i, known, standardError, sums.second);
         }
         return sums;
     };
-    const auto join = [](StatusSums a, const StatusSums& b) {
-        a.add(b);
+    const auto join = [](Sums a, const Sums& b) {
+        a.first.add(b.first);
+        a.second.add(b.second);
         return a;
     };
     // Deterministic: the sums must not depend on how many threads there are.
-    return statusOf(tbb::parallel_deterministic_reduce(Pixels(0, moments_.size(), 16384), StatusSums{}, add, join),
-                    moments_.size(), samples_, health_);
+    return tbb::parallel_deterministic_reduce(Pixels(0, moments_.size(), 16384), Sums{}, add, join);
 }
 
-FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health) {
-    FilmStatus status{.samplesPerPixel = samplesPerPixel, .health = health};
-    status.meanLuminance = sums.luminance / double(pixels);
-    const double error = std::sqrt(sums.squaredErrors / double(pixels));
-    if (samplesPerPixel < 2)
-        status.relativeError = std::numeric_limits<double>::infinity();
-    else if (error > 0)
-        status.relativeError = error / status.meanLuminance;
-    return status;
+FilmStatus Film::status() const {
+    const StatusSums sums = survey([](auto&&...) {}).first;
+    return statusOf(sums, moments_.size(), samples_, health_);
+}
+
+FilmStatus Film::status(double exposure, const PixelLook& look) const {
+    const float* curve = displayCurve();
+    const auto [sums, errors] =
+        survey([&](std::size_t pixel, const Moments& known, dvec3 standardError, ErrorCounts& counts) {
+            if (knowsItsError(known, block_[pixel].seen))
+                ++counts.pixels[errorBinOf(levelsOff(curve, known.mean, standardError, exposure))];
+            look(pixel, known);
+        });
+    return statusOf(sums, moments_.size(), samples_, health_, {errors, exposure});
 }
 
 }  // namespace pdr

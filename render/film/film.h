@@ -6,11 +6,12 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "render/base/portable.h"
 #include "render/base/tile.h"
-#include "render/film/moments.h"
+#include "render/film/status_sums.h"
 
 namespace pdr {
 
@@ -19,16 +20,7 @@ struct PixelEstimate {
     dvec3 mean{0.0};
     dvec3 standardError{0.0};  ///< of the mean; 0 below 2 samples
     std::uint64_t count = 0;
-};
-
-/// The state of a whole image in a few numbers.
-struct FilmStatus {
-    std::uint64_t samplesPerPixel = 0;
-    Health health;
-    double meanLuminance = 0;
-    /// Root mean square over pixels of the standard error (its luminance), divided by the mean luminance. Infinite
-    /// below 2 samples; 0 for an image without noise.
-    double relativeError = 0;
+    bool tissue = false;  ///< a sample met some
 };
 
 /// All that a film knows, pixel by pixel: what another film, on another device, goes on from.
@@ -63,13 +55,18 @@ class Film {
     void commit(SampleRange range);
 
     PixelEstimate pixel(int x, int y) const;
+    /// Without a display: its displayError is not known.
     FilmStatus status() const;
-    /// The same, with a look at each pixel on the way: `look` gets its index and what is known of it, on many threads.
-    FilmStatus status(const PixelLook& look) const;
+    /// On a display of that exposure, with a look at each pixel on the way: `look` gets its index and what is known of
+    /// it, on many threads.
+    FilmStatus status(double exposure, const PixelLook& look) const;
 
     FilmContent content() const { return {samples_, moments_, block_, health_}; }
 
   private:
+    /// Sums over all pixels; look(index, what is known, its standard error, counts) adds to the counts.
+    template <class Look>
+    std::pair<StatusSums, ErrorCounts> survey(const Look& look) const;
     Moments at(std::size_t index) const { return merged(moments_[index], block_[index]); }
 
     ivec2 size_;
@@ -79,8 +76,5 @@ class Film {
     std::vector<Moments> moments_;
     Health health_;
 };
-
-/// The status of an image of that many `pixels` from the sums over them.
-FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health);
 
 }  // namespace pdr

@@ -10,6 +10,7 @@
 #include <ImfStandardAttributes.h>
 #include <png.h>
 
+#include <cmath>
 #include <csetjmp>
 #include <sstream>
 #include <utility>
@@ -21,7 +22,10 @@
 namespace pdr {
 namespace {
 
+/// "unknown" for what is infinite.
 std::string text(double value) {
+    if (!std::isfinite(value))
+        return "unknown";
     std::ostringstream out;
     out.precision(9);
     out << value;

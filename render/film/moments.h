@@ -36,6 +36,11 @@ PDR_HD inline Moments merged(const Moments& moments, const PixelSums& block) {
     return result;
 }
 
+/// The block after a full one: empty, but what was seen stays seen.
+PDR_HD inline PixelSums nextBlock(const PixelSums& full) {
+    return {.seen = full.seen};
+}
+
 /// Of the mean; 0 below 2 samples.
 PDR_HD inline dvec3 standardErrorOf(const Moments& moments) {
     if (moments.count < 2)
@@ -47,21 +52,5 @@ PDR_HD inline dvec3 standardErrorOf(const Moments& moments) {
 PDR_HD inline double luminance(dvec3 rgb) {
     return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722));
 }
-
-/// What the status of an image is made from, over some of its pixels.
-struct StatusSums {
-    double luminance = 0;
-    double squaredErrors = 0;  ///< of the standard errors' luminance
-
-    PDR_HD void add(const Moments& pixel) {
-        const double error = pdr::luminance(standardErrorOf(pixel));
-        luminance += pdr::luminance(pixel.mean);
-        squaredErrors += error * error;
-    }
-    PDR_HD void add(const StatusSums& other) {
-        luminance += other.luminance;
-        squaredErrors += other.squaredErrors;
-    }
-};
 
 }  // namespace pdr

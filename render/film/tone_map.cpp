@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render/film/levels.h"
+#include "render/film/tone_curve.h"
 
 namespace pdr {
 namespace {
@@ -21,7 +22,39 @@ Thresholds makeThresholds() {
     return thresholds;
 }
 
+double srgbFromLinear(double light) {
+    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+std::array<float, kCurveEntries> makeCurve() {
+    std::array<float, kCurveEntries> curve{};
+    for (int i = 0; i < kCurveEntries; ++i) {
+        const double octave = std::exp2(kCurveFrom + i / kCurvePerOctave);
+        const double share = octave * (1 + double(i % kCurvePerOctave) / kCurvePerOctave);
+        curve[i] = float(255 * srgbFromLinear(-std::expm1(-share)));
+    }
+    return curve;
+}
+
+/// levelOf() without its search: the curve tells the level or its neighbour.
+std::uint8_t levelNear(const double* thresholds, const float* curve, double radiance, double exposure) {
+    if (!(radiance > 0))
+        return 0;
+    const double share = radiance / exposure;
+    int level = int(exactLevelOf(curve, float(share)) + 0.5f);
+    while (level < kThresholds && thresholds[level] <= share)
+        ++level;
+    while (level > 0 && thresholds[level - 1] > share)
+        --level;
+    return std::uint8_t(level);
+}
+
 }  // namespace
+
+const float* displayCurve() {
+    static const std::array<float, kCurveEntries> curve = makeCurve();
+    return curve.data();
+}
 
 const Thresholds& displayThresholds() {
     static const Thresholds thresholds = makeThresholds();
@@ -34,12 +67,13 @@ std::uint8_t displayLevel(double radiance, const Display& display) {
 
 Picture pictureOf(const Film& film, const Display& display) {
     const double* thresholds = displayThresholds().data();
+    const float* curve = displayCurve();
     Picture picture{std::vector<std::uint8_t>(std::size_t(film.size().x) * std::size_t(film.size().y) * 4), {}};
     // In one pass with the status: both wait for the film's memory.
-    picture.status = film.status([&](std::size_t pixel, const Moments& known) {
+    picture.status = film.status(display.exposure, [&](std::size_t pixel, const Moments& known) {
         std::uint8_t* out = &picture.rgba[pixel * 4];
         for (int channel = 0; channel < 3; ++channel)
-            out[channel] = levelOf(thresholds, known.mean[channel], display.exposure);
+            out[channel] = levelNear(thresholds, curve, known.mean[channel], display.exposure);
         out[3] = 255;
     });
     return picture;

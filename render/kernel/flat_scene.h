@@ -153,6 +153,7 @@ struct FlatScene {
     bool lightsInView;      ///< the camera sees one of them
     bool sampleDirections;  ///< events look for light also where they scatter it to; see directLight()
     bool plainBackground;   ///< behind the volume it looks the same everywhere
+    bool lit;               ///< scattered light may come from somewhere: a light shines, or tissue does
     FlatEnvironment environment;
     FlatClip clip;
     bool fastFiltering;  ///< a device that has texture units may read the volume through them

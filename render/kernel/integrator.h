@@ -98,6 +98,7 @@ struct Sampled {
     vec3 radiance{0.0f};        ///< linear Rec. 709
     bool overMajorant = false;  ///< see Fault
     bool cut = false;           ///< see Fault::cutPath
+    bool tissue = false;        ///< it met some
 };
 
 /// For tracePath(): nobody watches.
@@ -117,6 +118,7 @@ PDR_HD_INLINE bool takeLeg(const FlatScene& scene, Path& path, int bounce, Sampl
             result.radiance = missed(scene, path.leg, collision);
         return false;
     }
+    result.tissue = true;
     const Arrival met = arrival<F>(scene, path, collision, bounce);
     result.radiance += met.emitted;
     float transmittance = 0;

@@ -62,6 +62,7 @@ PDR_HD inline Sampled kroesSample(const FlatScene& scene, ivec2 pixel, std::uint
         result.radiance = collision < 0 ? background(scene, path.leg) : vec3(collision);
         return result;
     }
+    result.tissue = true;
     const Event event = eventAt<kroes::kAll>(scene, path.leg.ray.origin + path.leg.ray.direction * collision,
                                              path.leg.direction, path.random.stream(0, BounceDimension::event));
     result.radiance = event.material.emission;

@@ -40,4 +40,9 @@ PDR_HD inline bool showsNothing(const FlatScene& scene, vec2 depths) {
     return depths.x > depths.y && scene.plainBackground;
 }
 
+/// What a sample has seen of its pixel before it met anything.
+PDR_HD inline std::uint32_t seenAtFirst(const FlatScene& scene, vec2 depths) {
+    return scene.lit && depths.x <= depths.y ? kSeenChance : 0;
+}
+
 }  // namespace pdr

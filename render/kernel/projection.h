@@ -22,6 +22,7 @@ using RayWalk = typename RayWalkOf<Real, Model>::Type;
 struct Projected {
     vec3 radiance;         ///< linear Rec. 709
     bool withinTolerance;  ///< the bound on its error keeps FlatOptics::quadrature and cutOff
+    bool tissue;           ///< the ray met some that shows
 };
 
 /// What lies behind the volume. Absorption needs a light to take from: white, where the camera sees no environment.
@@ -47,10 +48,12 @@ PDR_HD inline float windowed(const FlatOptics& optics, float hu) {
 template <FlatModel Model>
 PDR_HD inline Projected projected(const FlatScene& scene, const RayResult<float>& found, vec3 behind) {
     const bool kept = found.exceeded == 0;
-    if constexpr (Model == FlatModel::maximumIntensity)
-        return {vec3(windowed(scene.optics, found.value[0])), kept};
+    if constexpr (Model == FlatModel::maximumIntensity) {
+        const float light = windowed(scene.optics, found.value[0]);
+        return {vec3(light), kept, light > 0};
+    }
     const vec3 gathered(found.value[0], found.value[1], found.value[2]);
-    return {gathered + found.left * behind, kept};
+    return {gathered + found.left * behind, kept, found.left < 1 || gathered != vec3(0)};
 }
 
 /// What is seen where a ray meets nothing.

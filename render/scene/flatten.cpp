@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/kernel/event.h"
+#include "render/kernel/features.h"
 #include "render/kernel/flight.h"
 #include "render/kernel/view_footprint.h"
 #include "render/scene/flatten_lights.h"
@@ -73,6 +74,10 @@ void flattenClip(PreparedScene& prepared, const Scene& scene) {
     prepared.flat.clip = {prepared.clipPlanes.data(), int(prepared.clipPlanes.size()), scene.clip.shadows};
 }
 
+bool shines(const std::vector<FlatLight>& lights) {
+    return std::ranges::any_of(lights, [](const FlatLight& light) { return light.radiance != vec3(0); });
+}
+
 }  // namespace
 
 std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Bounds bounds) {
@@ -100,6 +105,8 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Boun
     flat.unshadowed = scene.unshadowed;
     flat.features = neededFeatures(needs(scene));
     flat.sampleDirections = searchesAlongScatter(scene);
+    flat.lit = !isProjection(scene.model) && (shines(prepared->lights) || !scene.environment.isBlack() ||
+                                              (flat.features & kEmission) != 0);
     flat.seed = scene.seed;
     if (bounds == Bounds::onHost)
         bound(*prepared);

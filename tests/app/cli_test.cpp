@@ -117,6 +117,7 @@ class CliTest : public QObject {
         row("samples", {"render", "a", "-o", "a.png", "--samples", "0"}, "--samples");
         row("samples as text", {"render", "a", "-o", "a.png", "--samples", "many"}, "--samples");
         row("seconds", {"render", "a", "-o", "a.png", "--seconds", "-1"}, "--seconds");
+        row("levels", {"render", "a", "-o", "a.png", "--levels", "0"}, "--levels");
         row("error", {"render", "a", "-o", "a.png", "--error", "nan"}, "--error");
         row("exposure", {"render", "a", "-o", "a.png", "--exposure", "0"}, "--exposure");
         row("threads", {"render", "a", "-o", "a.png", "--threads", "0"}, "--threads");
@@ -336,6 +337,74 @@ class CliTest : public QObject {
             samples << QString::number(facts["samplesPerPixel"].toInt());
         }
         QCOMPARE(samples[0], samples[1]);
+    }
+
+    /// Thick fog before a panel: of the first samples none brings light. That is no picture without noise.
+    void aPictureThatHasSeenNoLightYetIsNotDone() {
+        write(at("fog.raw"), QByteArray(2 * 48 * 16 * 48, 1));
+        write(at("backlit.json"), R"({ "format": "pdrender-scene", "version": 1, "model": "multipleScattering",
+            "volume": { "raw": "fog.raw", "size": [48, 16, 48], "spacingMm": [1, 1, 1] },
+            "transferFunction": { "extinctionPerMm": 6, "nodes": [ { "hu": 0, "opacity": 1, "albedo": 0.95 } ] },
+            "lights": [ { "type": "rectangle", "centreMm": [24, 60, 24], "normal": [0, -1, 0], "up": [0, 0, 1],
+                          "widthMm": 40, "heightMm": 40, "radiance": 1000 } ],
+            "camera": { "eyeMm": [24, -80, 24], "targetMm": [24, 8, 24], "fovDegrees": 5 },
+            "film": { "width": 8, "height": 8 } })");
+        for (const char* seed : {"1", "2", "3", "4", "5", "6"}) {
+            const Run result = run({"render", at("backlit.json"), "-o", at("fog.png"), "--error", "0.05", "--samples",
+                                    "80", "--seed", seed, "--json"});
+            const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
+            QCOMPARE(facts["stoppedBy"].toString(), QString("samples"));
+            QVERIFY(facts["relativeError"].isNull() || facts["relativeError"].toDouble() > 1);
+            if (facts["relativeError"].isNull()) {
+                QCOMPARE(facts["unseenShare"].toDouble(), 3 / (80.0 * 64));
+                QCOMPARE(QImage(at("fog.png")).text("pdrender/relativeError"), QString("unknown"));
+            }
+        }
+        const Run told = run({"render", at("backlit.json"), "-o", at("fog.png"), "--samples", "16"});
+        QVERIFY2(told.out.contains("no light was seen so far. At most 1 in 341 samples brings some."), told.out);
+        // Without a light there is nothing to wait for, and no part for chance.
+        QByteArray dark = contents(at("backlit.json"));
+        dark.replace("1000 }", "0 }");
+        write(at("dark.json"), dark);
+        const Run black = run({"render", at("dark.json"), "-o", at("fog.png"), "--error", "0.05", "--json"});
+        const QJsonObject facts = QJsonDocument::fromJson(black.out).object();
+        QCOMPARE(facts["stoppedBy"].toString(), QString("error"));
+        QCOMPARE(facts["samplesPerPixel"].toInt(), 64);
+        QCOMPARE(facts["relativeError"].toDouble(-1), 0.0);
+    }
+
+    /// Empty ground beside the tissue says nothing about the tissue.
+    void theErrorIsThatOfTheTissue() {
+        const auto facts = [&](const char* size) {
+            const Run result = run({"render", scene(), "-o", at("w.png"), "--samples", "64", "--size", size, "--json"});
+            return QJsonDocument::fromJson(result.out).object();
+        };
+        const QJsonObject square = facts("40x40"), wide = facts("400x40");
+        QVERIFY(std::fabs(wide["relativeError"].toDouble() / square["relativeError"].toDouble() - 1) < 0.05);
+        QVERIFY(std::fabs(wide["displayError"].toDouble() / square["displayError"].toDouble() - 1) < 0.05);
+        QVERIFY(std::abs(wide["tissuePixels"].toInt() - square["tissuePixels"].toInt()) < 20);
+    }
+
+    void grayLevelsStop() {
+        const Run result = run({"render", scene(), "-o", at("e.png"), "--levels", "16", "--json"});
+        const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
+        QCOMPARE(facts["stoppedBy"].toString(), QString("levels"));
+        QVERIFY(facts["displayError"].toDouble(-1) > 8 && facts["displayError"].toDouble() <= 16);
+        const Run early = run({"render", scene(), "-o", at("e.png"), "--samples", "31", "--json"});
+        QVERIFY(QJsonDocument::fromJson(early.out).object()["displayError"].isNull());
+    }
+
+    /// Before hours are spent, not after: the address space is what a picture of 16384 x 16384 may not have.
+    void aPictureThatDoesNotFitIsRefused() {
+        QProcess process;
+        process.start("/bin/sh", {"-c", QString("ulimit -v 8000000; exec \"$0\" render \"$1\" -o \"$2\" --size "
+                                                "16384x16384 --threads 2 --samples 1"),
+                                  program(), scene(), at("huge.png")});
+        QVERIFY(process.waitForFinished(60'000));
+        const QByteArray said = process.readAllStandardError();
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY2(said.contains("16384 x 16384 pixels needs 61.2 GB of memory") && said.contains("are free"), said);
+        QVERIFY(!QFile::exists(at("huge.png")));
     }
 
     void theClockStops() {

@@ -247,13 +247,14 @@ class EstimatorsTest : public QObject {
     /// Case 60. No time, no speed, no iterations, one pixel.
     void noTimeGivesNoSpeed() {
         QVERIFY(std::isnan(0.0 / 0.0) && std::isinf(1 / 0.0));  // efficiency and frames per second of no time
-        const FilmStatus noisy{.samplesPerPixel = 1000, .meanLuminance = 1, .relativeError = 0.3};
+        const FilmStatus noisy{.samplesPerPixel = 1000, .meanLuminance = 1, .relativeError = 0.3, .displayError = 12};
         for (const double speed : {0.0, -1.0, double(NAN)})
             QVERIFY(!nextQualityStep(noisy, speed));
         const auto step = nextQualityStep(noisy, 10);
-        QVERIFY(step && step->relativeError == 0.2 && std::fabs(step->seconds - 125) < 1e-9);
+        QVERIFY(step && step->levels == 8 && std::fabs(step->seconds - 125) < 1e-9);
         QVERIFY(nextQualityStep(noisy, INFINITY)->seconds == 0);
         QVERIFY(std::isinf(samplesToReach(0.01, {.samplesPerPixel = 1, .relativeError = INFINITY})));
+        QVERIFY(std::isinf(samplesToReachLevels(8, {.samplesPerPixel = 1})));
         QVERIFY(!nextQualityStep({.samplesPerPixel = 0, .relativeError = INFINITY}, 10));
 
         test::Screen screen;

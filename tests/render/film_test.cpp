@@ -29,6 +29,7 @@ class FilmTest : public QObject {
             for (PixelSums& pixel : content.block) {
                 pixel.sum = pixel.sumOfSquares = dvec3(0.5);
                 pixel.count = 2;
+                pixel.seen = kSeenTissue;
             }
             content.block[2].sum.z = lastSum;
             content.moments[2].mean.x = lastMean;
@@ -40,6 +41,9 @@ class FilmTest : public QObject {
         QVERIFY(!sameBits(contentOver(0, 1, 0.0), contentOver(0, 1, -0.0)));
         FilmContent more = contentOver(0, 1, 1);
         more.samplesPerPixel = 3;
+        QVERIFY(!sameBits(contentOver(0, 1, 1), more));
+        more = contentOver(0, 1, 1);
+        more.block[1].seen = 0;
         QVERIFY(!sameBits(contentOver(0, 1, 1), more));
     }
 

@@ -121,6 +121,12 @@ class GpuDeviceTest : public QObject {
             QVERIFY(picture->rgba == toneMap(shown, {.exposure = 0.7f}));
             QCOMPARE(picture->status.samplesPerPixel, shown.samplesPerPixel());
             QVERIFY(std::fabs(picture->status.relativeError / shown.status().relativeError - 1) < 1e-12);
+            const FilmStatus here = pictureOf(shown, {.exposure = 0.7f}).status;
+            QCOMPARE(picture->status.displayError, here.displayError);
+            QCOMPARE(std::isfinite(here.displayError), shown.samplesPerPixel() >= kSamplesToEstimate);
+            QVERIFY(here.tissuePixels > 100 && here.tissuePixels < 61 * 45);
+            QCOMPARE(picture->status.tissuePixels, here.tissuePixels);
+            QCOMPARE(picture->status.fewBrightSamples, here.fewBrightSamples);
             QVERIFY(std::fabs(picture->status.meanLuminance / shown.status().meanLuminance - 1) < 1e-12);
         }
     }

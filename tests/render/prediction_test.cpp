@@ -17,17 +17,22 @@ class PredictionTest : public QObject {
     }
 
     void nextStepIsRounderAndSmaller() {
-        const auto step = nextQualityStep({.samplesPerPixel = 100, .relativeError = 0.26}, 10);
+        const auto step = nextQualityStep({.samplesPerPixel = 100, .displayError = 10.4}, 10);
         QVERIFY(step.has_value());
-        QCOMPARE(step->relativeError, 0.2);
+        QCOMPARE(step->levels, 8.0);
         QCOMPARE(step->seconds, 100 * (1.3 * 1.3 - 1) / 10);
+        QVERIFY(!step->atLeast);
+        QVERIFY(nextQualityStep({.samplesPerPixel = 100, .displayError = 10.4, .fewBrightSamples = true}, 10)->atLeast);
+        QCOMPARE(nextQualityStep({.samplesPerPixel = 100, .displayError = 8}, 10)->levels, 4.0);
+        QCOMPARE(nextQualityStep({.samplesPerPixel = 100, .displayError = 200}, 10)->levels, 32.0);
     }
 
-    void nothingIsForetoldTooEarlyOrWithoutSpeed() {
-        QVERIFY(!nextQualityStep({.samplesPerPixel = 15, .relativeError = 0.3}, 10));
-        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .relativeError = INFINITY}, 10));
-        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .relativeError = 0.3}, 0));
-        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .relativeError = 0}, 10));
+    void nothingIsForetoldWithoutAnErrorOrWithoutSpeed() {
+        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .relativeError = 0.3}, 10));
+        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .displayError = INFINITY}, 10));
+        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .displayError = 10}, 0));
+        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .displayError = 1}, 10));
+        QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .displayError = 0}, 10));
     }
 
     /// A forecast from 64 samples holds when the samples are taken.

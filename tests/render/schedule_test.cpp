@@ -117,6 +117,9 @@ class ScheduleTest : public QObject {
             QVERIFY(left.rgba.size() == 4 * 37 * 26 && left.rgba == right.rgba);
             QCOMPARE(right.status.meanLuminance, left.status.meanLuminance);
             QVERIFY(right.status.relativeError == left.status.relativeError);
+            QVERIFY(right.status.displayError == left.status.displayError);
+            QVERIFY(right.status.tissuePixels == left.status.tissuePixels && left.status.tissuePixels > 0);
+            QVERIFY(sameBits(a->content(), b->content()));
             QVERIFY(left.status.meanLuminance > 0);
         }
     }

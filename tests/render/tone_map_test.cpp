@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/film/levels.h"
 #include "render/film/tone_map.h"
 
 using namespace pdr;
@@ -56,6 +57,23 @@ class ToneMapTest : public QObject {
             QCOMPARE(int(rgba[4 * i + 1]), expected(2 * i, 2));
             QCOMPARE(int(rgba[4 * i + 2]), expected(0.1, 2));
             QCOMPARE(int(rgba[4 * i + 3]), 255);
+        }
+    }
+    /// A whole film is shown faster than by a search for each level; at every border it must come to the same.
+    void aFilmHasTheLevelsOfTheSearch() {
+        std::vector<double> radiances{0, 1e-300, 1e-9, 15.99999, 16, 17, 1e300, HUGE_VAL};
+        for (const double threshold : displayThresholds())
+            for (const double scale : {1 - 1e-15, 1.0, 1 + 1e-15, 0.999, 1.001})
+                radiances.push_back(threshold * scale);
+        Film film({int(radiances.size()), 1}, 0);
+        TileSums sums = film.sums({0, 0, film.size().x, 1});
+        for (std::size_t i = 0; i < radiances.size(); ++i)
+            sums.pixels[i] = {dvec3(radiances[i]), dvec3(0), 1};
+        film.commit({0, 1});
+        for (const float exposure : {1.0f, 0.37f, 1e30f, 0.0f}) {
+            const auto rgba = toneMap(film, {exposure});
+            for (std::size_t i = 0; i < radiances.size(); ++i)
+                QCOMPARE(int(rgba[4 * i]), int(displayLevel(film.pixel(int(i), 0).mean.x, {exposure})));
         }
     }
 };

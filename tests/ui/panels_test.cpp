@@ -55,6 +55,7 @@ class TestPanels : public QObject {
     void brightnessBeyondTheSliderIsKeptAtItsEnd();
     void theStatusSaysErrorSamplesAndSpeed_data();
     void theStatusSaysErrorSamplesAndSpeed();
+    void theStatusSaysWhatItDoesNotKnow();
     void theStatusNamesTheDeviceAndItsIterations();
     void theStatusSaysWhatIsForComparison();
     void aLongStatusDoesNotWidenTheWindow();
@@ -192,16 +193,21 @@ void TestPanels::theStatusSaysErrorSamplesAndSpeed_data() {
     QTest::addColumn<double>("speed");
     QTest::addColumn<bool>("paused");
     QTest::addColumn<QString>("expected");
-    QTest::newRow("usual") << 256ull << 0.0183 << 31.4 << false
-                           << "error 1.8 %, 256 samples, 31 iterations/s, 1 % in about 19 s";
-    QTest::newRow("long") << 64ull << 0.26 << 0.5 << false
-                          << "error 26 %, 64 samples, 0.50 iterations/s, 20 % in about 1.5 min";
-    QTest::newRow("coarse") << 2ull << 0.42 << 0.73 << false << "error 42 %, 2 samples, 0.73 iterations/s";
-    QTest::newRow("fine") << 123456ull << 0.000123 << 180.0 << false
-                          << QString::fromUtf8("error 0.012 %, 123\u2009456 samples, 180 iterations/s");
-    QTest::newRow("first") << 1ull << std::numeric_limits<double>::infinity() << 5.0 << false
-                           << "error not known yet, 1 sample, 5.0 iterations/s";
-    QTest::newRow("paused") << 256ull << 0.0183 << 31.4 << true << "paused, error 1.8 %, 256 samples";
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    QTest::newRow("usual") << 256ull << 8.93 << 31.4 << false
+                           << QString::fromUtf8("95 % of the tissue within ±9 of 255 grey levels, 256 samples, "
+                                                "31 iterations/s, ±8 in about 2 s");
+    QTest::newRow("long") << 64ull << 26.0 << 0.5 << false
+                          << QString::fromUtf8("95 % of the tissue within ±26 of 255 grey levels, 64 samples, "
+                                               "0.50 iterations/s, ±16 in about 3.5 min");
+    QTest::newRow("coarse") << 31ull << kUnknown << 0.73 << false << "estimating, 31 samples, 0.73 iterations/s";
+    QTest::newRow("fine") << 123456ull << 0.51 << 180.0 << false
+                          << QString::fromUtf8("95 % of the tissue within ±0.6 of 255 grey levels, "
+                                               "123\u2009456 samples, 180 iterations/s");
+    QTest::newRow("first") << 1ull << kUnknown << 5.0 << false << "estimating, 1 sample, 5.0 iterations/s";
+    QTest::newRow("paused") << 256ull << 1.8 << 31.4 << true
+                            << QString::fromUtf8("paused, 95 % of the tissue within ±1.8 of 255 grey levels, "
+                                                 "256 samples");
     QTest::newRow("nothing") << 0ull << 0.0 << 0.0 << false << "";
 }
 
@@ -213,8 +219,21 @@ void TestPanels::theStatusSaysErrorSamplesAndSpeed() {
     QFETCH(QString, expected);
     FilmStatus status;
     status.samplesPerPixel = samples;
-    status.relativeError = error;
+    status.displayError = error;
+    status.tissuePixels = 100;
     QCOMPARE(statusText(status, speed, paused), expected);
+}
+
+void TestPanels::theStatusSaysWhatItDoesNotKnow() {
+    FilmStatus status{.samplesPerPixel = 40};
+    QCOMPARE(statusText(status, 0, true), "paused, no tissue in view, 40 samples");
+    status.tissuePixels = 7;
+    QCOMPARE(statusText(status, 0, true), "paused, error not known, 40 samples");
+    status.unseenShare = 1e-3;
+    QCOMPARE(statusText(status, 0, true), "paused, no light seen yet, 40 samples");
+    status.displayError = 10.4;
+    status.fewBrightSamples = true;
+    QVERIFY(statusText(status, 1, false).endsWith(QString::fromUtf8("±8 in at least 28 s")));
 }
 
 void TestPanels::theStatusNamesTheDeviceAndItsIterations() {

@@ -10,7 +10,7 @@ struct TakeSample {
     SampledPixel* frame;
 
     void operator()(std::int64_t i) const {
-        frame[i] = {vec3(sums[i].sum), float(sums[i].count)};
+        frame[i] = {vec3(sums[i].sum), std::uint16_t(sums[i].count), std::uint16_t(sums[i].seen)};
         sums[i] = {};
     }
 };

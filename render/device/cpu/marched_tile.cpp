@@ -12,9 +12,13 @@ void renderMarched(const FlatScene& scene, const Tile& tile, SampleRange samples
             const vec2 depths = matterDepths(scene, pixel);
             const bool nothing = showsNothing(scene, depths);
             SampleOrigin origin(sums.pixels[std::ptrdiff_t(y) * sums.stride + x], scene, pixel, samples.first);
-            for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample)
-                origin.add(nothing ? plainBackground(scene) : kroesSample(scene, pixel, origin.sample, depths).radiance,
-                           *sums.health);
+            origin.see(seenAtFirst(scene, depths));
+            for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
+                const Sampled found = nothing ? Sampled{.radiance = plainBackground(scene)}
+                                              : kroesSample(scene, pixel, origin.sample, depths);
+                origin.add(found.radiance, *sums.health);
+                origin.see(found.tissue ? kSeenTissue : 0);
+            }
         }
 }
 

@@ -27,6 +27,7 @@ class PixelBatch {
         const vec2 depths = matterDepths(scene, pixel);
         const bool nothing = showsNothing(scene, depths);
         const vec3 background = plainBackground(scene);
+        target.seen |= seenAtFirst(scene, depths);
         SampleOrigin origin(target, scene, pixel, samples.first);
         for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
             if (nothing) {
@@ -95,6 +96,8 @@ class PixelBatch {
                 radiance_[path] = missed(scene, paths_[path].leg, collision);
             return;
         }
+        if (bounce == 0)
+            origins_[path].see(kSeenTissue);
         const Arrival met = arrival<F>(scene, paths_[path], collision, bounce);
         radiance_[path] += met.emitted;
         goesOn_[row] = met.goesOn;

@@ -49,6 +49,7 @@ void ProjectionBatch::add(const Ray& ray, vec3 behind) {
 
 void ProjectionBatch::add(const SampleOrigin& origin, const Projected& found, Health& health) {
     origin.add(found.radiance, health);
+    origin.see(found.tissue ? kSeenTissue : 0);
     if (!found.withinTolerance)
         origin.note(Fault::overTolerance, health);
 }

@@ -21,6 +21,8 @@ struct SampleOrigin {
         if (!addSample(*target, radiance)) [[unlikely]]
             note(faultOf(radiance), health);
     }
+    /// Tells its pixel what it has seen: kSeen...
+    void see(std::uint32_t what) const { target->seen |= what; }
     void note(Fault fault, Health& health) const { health.add(fault, sample, pixel); }
 };
 

@@ -16,6 +16,26 @@ PDR_HD inline void atomicAddTo(std::uint64_t& target, std::uint64_t value) {
 #endif
 }
 
+PDR_HD inline void atomicAddTo(std::uint32_t& target, std::uint32_t value) {
+#if defined(__CUDA_ARCH__)
+    atomicAdd(&target, value);
+#else
+    std::atomic_ref(target).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
+/// Sets bits that are mostly there already: then nobody waits for anybody.
+PDR_HD inline void atomicMark(std::uint32_t& target, std::uint32_t bits) {
+#if defined(__CUDA_ARCH__)
+    if ((*const_cast<volatile std::uint32_t*>(&target) & bits) != bits)
+        atomicOr(&target, bits);
+#else
+    std::atomic_ref shared(target);
+    if ((shared.load(std::memory_order_relaxed) & bits) != bits)
+        shared.fetch_or(bits, std::memory_order_relaxed);
+#endif
+}
+
 PDR_HD inline void atomicLower(std::uint64_t& target, std::uint64_t value) {
 #if defined(__CUDA_ARCH__)
     atomicMin(reinterpret_cast<unsigned long long*>(&target), static_cast<unsigned long long>(value));

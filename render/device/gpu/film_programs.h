@@ -3,19 +3,25 @@
 
 #include "render/device/gpu/trace_programs.h"
 #include "render/film/levels.h"
+#include "render/film/status_sums.h"
 
 namespace pdr {
 
 /// Sums of so many numbers by one thread, then of so many of those by another.
 inline constexpr int kPixelsPerSum = 16, kSumsPerTotal = 256;
 
-/// A picture on its way, one piece of memory: the head, totals of the status, RGBA8 pixels, and the tail.
+/// Errors are counted in so many places side by side, so that few threads wait for the same number.
+inline constexpr int kCountPlaces = 16;
+
+/// A picture on its way, one piece of memory: the head, the pixels' errors counted, totals of the status, RGBA8 pixels,
+/// and the tail.
 struct FrameLayout {
     std::int64_t pixels;
 
     struct Head {
         std::uint64_t id;  ///< of the picture; the same at the other end, or it is torn
         GpuHealth health;
+        ErrorCounts errors;
     };
 
     PDR_HD std::int64_t sums() const { return (pixels + kPixelsPerSum - 1) / kPixelsPerSum; }
@@ -32,22 +38,44 @@ struct DevelopProgram {
     const PixelSums* block;
     const Moments* moments;
     const double* thresholds;
+    const float* curve;
     double exposure;
     std::byte* frame;
     StatusSums* sums;
+    ErrorCounts* errors;  ///< kCountPlaces
 
     PDR_HD void operator()(std::int64_t index) const {
         StatusSums mine;
+        ErrorCounts& counts = errors[index % kCountPlaces];
         const std::int64_t begin = index * kPixelsPerSum, end = glm::min(begin + kPixelsPerSum, layout.pixels);
         for (std::int64_t pixel = begin; pixel < end; ++pixel) {
             const Moments known = merged(moments[pixel], block[pixel]);
-            mine.add(known);
+            const std::uint32_t seen = block[pixel].seen;
+            const dvec3 standardError = standardErrorOf(known);
+            mine.add(known, standardError, seen);
+            if (knowsItsError(known, seen))
+                atomicAddTo(counts.pixels[errorBinOf(levelsOff(curve, known.mean, standardError, exposure))], 1u);
             auto* rgba = reinterpret_cast<std::uint8_t*>(frame) + layout.pixelsAt() + pixel * 4;
             for (int channel = 0; channel < 3; ++channel)
                 rgba[channel] = levelOf(thresholds, known.mean[channel], exposure);
             rgba[3] = 255;
         }
         sums[index] = mine;
+    }
+};
+
+/// For each bin of the errors: its count from all places, which are then empty again.
+struct CountErrorsProgram {
+    ErrorCounts* errors;
+    std::byte* frame;
+
+    PDR_HD void operator()(std::int64_t bin) const {
+        std::uint32_t all = 0;
+        for (int place = 0; place < kCountPlaces; ++place) {
+            all += errors[place].pixels[bin];
+            errors[place].pixels[bin] = 0;
+        }
+        reinterpret_cast<FrameLayout::Head*>(frame)->errors.pixels[bin] = all;
     }
 };
 
@@ -67,7 +95,9 @@ struct SealProgram {
         reinterpret_cast<StatusSums*>(frame + layout.totalsAt())[index] = total;
         if (index != 0)
             return;
-        *reinterpret_cast<FrameLayout::Head*>(frame) = {id, *health};
+        auto* head = reinterpret_cast<FrameLayout::Head*>(frame);
+        head->id = id;
+        head->health = *health;
         *reinterpret_cast<std::uint64_t*>(frame + layout.tailAt()) = id;
     }
 };

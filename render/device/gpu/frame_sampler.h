@@ -13,8 +13,9 @@ namespace pdr {
 
 /// One sample of one pixel.
 struct alignas(16) SampledPixel {
-    vec3 radiance;  ///< linear Rec. 709; 0 where it does not count
-    float counts;   ///< 1, or 0: it was no radiance
+    vec3 radiance;             ///< linear Rec. 709; 0 where it does not count
+    std::uint16_t counts = 0;  ///< 1, or 0: it was no radiance
+    std::uint16_t seen = 0;    ///< kSeen...
 };
 
 class FrameSampler {

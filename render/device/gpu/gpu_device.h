@@ -46,6 +46,8 @@ Result<void> GpuDevice<G>::render(const Tile& tile, SampleRange samples, TileSum
     GpuArray<G, PixelSums> pixels(gpu_, std::size_t(grid.pixels()));
     GpuArray<G, GpuHealth> health(gpu_, 1);
     GpuArray<G, vec3> radiance(gpu_);
+    GpuArray<G, std::uint32_t> seen(gpu_, std::size_t(grid.pixels()));
+    seen.clear();
     std::vector<PixelSums> rows(std::size_t(grid.pixels()));
     const auto eachRow = [&](auto&& visit) {
         for (int y = 0; y < tile.height; ++y)
@@ -59,7 +61,8 @@ Result<void> GpuDevice<G>::render(const Tile& tile, SampleRange samples, TileSum
     for (std::uint32_t done = 0; done < samples.count && !stop.stop_requested();) {
         const std::uint32_t count = std::min(most, samples.count - done);
         radiance.resize(std::size_t(grid.pixels()) * count);
-        const TraceTarget target{{tile, {samples.first + done, count}}, radiance.data(), health.data()};
+        const TraceTarget target{{tile, {samples.first + done, count}}, radiance.data(), health.data(),
+                                 seen.data()};
         traceAndAdd<G>(gpu_, scene_.flat(), target, pixels.data(), nullptr);
         gpu_.awaitAll();
         done += count;

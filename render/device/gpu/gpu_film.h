@@ -45,6 +45,7 @@ class GpuFilm final : public LiveFilm {
         typename G::Event developed{}, arrived{};
         std::uint64_t id = 0;
         std::uint64_t samples = 0;
+        double exposure = 1;
     };
 
     Tile whole() const { return {0, 0, size_.x, size_.y}; }
@@ -63,9 +64,12 @@ class GpuFilm final : public LiveFilm {
     GpuArray<G, PixelSums> block_;
     GpuArray<G, Moments> moments_;
     GpuArray<G, vec3> radiance_;
+    GpuArray<G, std::uint32_t> seen_;  ///< what was seen here and is not yet in block_
     GpuArray<G, StatusSums> sums_;
+    GpuArray<G, ErrorCounts> errors_;
     GpuArray<G, GpuHealth> health_;
     GpuArray<G, double> thresholds_;
+    GpuArray<G, float> curve_;
     std::array<Slot, kAhead> slots_;
     std::uint64_t shown_ = 0, taken_ = 0;
     std::array<typename G::Event, 2> launched_{};  ///< the ends of the last two launches
@@ -83,21 +87,27 @@ GpuFilm<G>::GpuFilm(G& gpu, const GpuScene<G>& scene, ivec2 size, std::uint64_t 
       block_(gpu, pixels()),
       moments_(gpu, pixels()),
       radiance_(gpu),
+      seen_(gpu, pixels()),
       sums_(gpu, layout_.sums()),
+      errors_(gpu, kCountPlaces),
       health_(gpu, 1),
       thresholds_(gpu, kThresholds),
+      curve_(gpu, kCurveEntries),
       slots_{Slot(gpu, layout_.bytes()), Slot(gpu, layout_.bytes())} {
     block_.clear();
     moments_.clear();
+    seen_.clear();
+    errors_.clear();
     const GpuHealth perfect;
     health_.copyFrom(&perfect);
     thresholds_.copyFrom(displayThresholds().data());
+    curve_.copyFrom(displayCurve());
 }
 
 template <Gpu G>
 void GpuFilm<G>::launch(std::uint32_t samples) {
     radiance_.resize(std::size_t(pixels()) * samples);
-    const TraceTarget target{{whole(), {samples_, samples}}, radiance_.data(), health_.data()};
+    const TraceTarget target{{whole(), {samples_, samples}}, radiance_.data(), health_.data(), seen_.data()};
     traceAndAdd(gpu_, scene_.flat(), target, block_.data(), moments_.data());
     samples_ += samples;
 }
@@ -125,10 +135,12 @@ Result<void> GpuFilm<G>::show(const Display& display) {
     Slot& slot = slots_[shown_ % kAhead];
     slot.id = ++shown_;
     slot.samples = samples_;
+    slot.exposure = double(display.exposure);
     std::byte* frame = slot.onDevice.data();
-    gpu_.launch(DevelopProgram{layout_, block_.data(), moments_.data(), thresholds_.data(), double(display.exposure),
-                               frame, sums_.data()},
+    gpu_.launch(DevelopProgram{layout_, block_.data(), moments_.data(), thresholds_.data(), curve_.data(),
+                               slot.exposure, frame, sums_.data(), errors_.data()},
                 layout_.sums(), GpuStream::compute);
+    gpu_.launch(CountErrorsProgram{errors_.data(), frame}, kErrorBins, GpuStream::compute);
     gpu_.launch(SealProgram{layout_, sums_.data(), health_.data(), slot.id, frame}, layout_.totals(),
                 GpuStream::compute);
     std::memset(slot.onHost.data(), 0,
@@ -169,7 +181,9 @@ Picture GpuFilm<G>::pictureIn(const Slot& slot) const {
         all.add(one);
     }
     const auto* rgba = reinterpret_cast<const std::uint8_t*>(bytes + layout_.pixelsAt());
-    return {{rgba, rgba + pixels() * 4}, statusOf(all, std::size_t(pixels()), slot.samples, toHealth(head.health))};
+    return {{rgba, rgba + pixels() * 4},
+            statusOf(all, std::size_t(pixels()), slot.samples, toHealth(head.health),
+                     {head.errors, slot.exposure})};
 }
 
 template <Gpu G>
@@ -194,6 +208,7 @@ Result<void> GpuFilm<G>::resume(const Film& film) {
     const GpuHealth health = toGpuHealth(content.health);
     moments_.copyFrom(content.moments.data());
     block_.copyFrom(content.block.data());
+    seen_.clear();
     health_.copyFrom(&health);
     gpu_.awaitAll();
     samples_ = content.samplesPerPixel;

@@ -20,7 +20,7 @@ struct KeepSampleProgram {
         const bool counts = addSample(sums, radiance);
         if (!counts)
             from.health->note(faultOf(radiance), from.grid.samples.first, std::uint32_t(index));
-        frame[index] = {counts ? radiance : vec3(0), counts ? 1.0f : 0.0f};
+        frame[index] = {counts ? radiance : vec3(0), std::uint16_t(counts), std::uint16_t(from.seen[index])};
     }
 };
 
@@ -29,7 +29,8 @@ class GpuFrameSampler final : public FrameSampler {
   public:
     /// All must outlive it.
     GpuFrameSampler(G& gpu, const GpuScene<G>& scene, ivec2 size)
-        : gpu_(gpu), scene_(scene), size_(size), radiance_(gpu, std::size_t(size.x) * size.y), health_(gpu, 1) {
+        : gpu_(gpu), scene_(scene), size_(size), radiance_(gpu, std::size_t(size.x) * size.y), seen_(gpu, std::size_t(size.x) * size.y), health_(gpu, 1) {
+        seen_.clear();
         const GpuHealth perfect;
         health_.copyFrom(&perfect);
     }
@@ -37,7 +38,7 @@ class GpuFrameSampler final : public FrameSampler {
     Result<void> sample(std::uint64_t number, SampledPixel* frame, std::stop_token) override {
         if (Result<void> scene = scene_.isThere(); !scene)
             return scene;
-        const TraceTarget target{{{0, 0, size_.x, size_.y}, {number, 1}}, radiance_.data(), health_.data()};
+        const TraceTarget target{{{0, 0, size_.x, size_.y}, {number, 1}}, radiance_.data(), health_.data(), seen_.data()};
         traceLaunchFor<G>(scene_.flat())(gpu_, scene_.flat(), target);
         gpu_.launch(KeepSampleProgram{target, frame}, target.grid.pixels(), GpuStream::compute);
         return outcome(gpu_);
@@ -62,6 +63,7 @@ class GpuFrameSampler final : public FrameSampler {
     const GpuScene<G>& scene_;
     ivec2 size_;
     GpuArray<G, vec3> radiance_;
+    GpuArray<G, std::uint32_t> seen_;
     GpuArray<G, GpuHealth> health_;
 };
 

@@ -76,8 +76,10 @@ class KroesFilm final : public LiveFilm {
         if (schedule_.runningMean) {
             std::vector<SampledPixel> mean(pixels());
             mean_.copyTo(mean.data());
-            for (std::size_t i = 0; i < pixels(); ++i)
+            for (std::size_t i = 0; i < pixels(); ++i) {
                 content.moments[i] = momentsOf(mean[i]);
+                content.block[i].seen = mean[i].seen;
+            }
         } else {
             moments_.copyTo(content.moments.data());
             block_.copyTo(content.block.data());
@@ -94,7 +96,7 @@ class KroesFilm final : public LiveFilm {
             std::vector<SampledPixel> mean(pixels());
             for (std::size_t i = 0; i < pixels(); ++i) {
                 const Moments known = merged(content.moments[i], content.block[i]);
-                mean[i] = {vec3(known.mean), known.count > 0 ? 1.0f : 0.0f};
+                mean[i] = {vec3(known.mean), std::uint16_t(known.count > 0), std::uint16_t(content.block[i].seen)};
             }
             mean_.copyFrom(mean.data());
         } else {
@@ -207,7 +209,7 @@ class KroesFilm final : public LiveFilm {
             const Result<std::shared_ptr<const Film>> known = film();
             if (!known)
                 return known.error();
-            return (*known)->status();
+            return pictureOf(**known, display_).status;
         }
         const Result<Health> health = allHealth();
         if (!health)
@@ -218,7 +220,7 @@ class KroesFilm final : public LiveFilm {
 
     /// Of the iterations done the first is not in the mean, unless it is alone.
     Moments momentsOf(const SampledPixel& mean) const {
-        if (!(mean.counts > 0))
+        if (mean.counts == 0)
             return {};
         return {dvec3(mean.radiance), dvec3(std::numeric_limits<double>::infinity()), done_ > 1 ? done_ - 1 : done_};
     }

@@ -35,11 +35,11 @@ struct Blur {
             if (other[axis] < 0 || other[axis] >= size[axis])
                 continue;
             const SampledPixel& beside = from[std::int64_t(other.y) * size.x + other.x];
-            const float weight = (offset == 0 ? kCentreWeight : kBesideWeight) * beside.counts;
+            const float weight = (offset == 0 ? kCentreWeight : kBesideWeight) * float(beside.counts);
             sum += beside.radiance * weight;
             weights += weight;
         }
-        to[i] = weights > 0 ? SampledPixel{sum / weights, 1} : SampledPixel{vec3(0), 0};
+        to[i] = weights > 0 ? SampledPixel{sum / weights, 1, from[i].seen} : SampledPixel{vec3(0), 0, from[i].seen};
     }
 };
 
@@ -50,7 +50,8 @@ struct RunningMean {
     std::uint64_t done;
 
     PDR_HD void operator()(std::int64_t i) const {
-        if (!(frame[i].counts > 0))
+        mean[i].seen |= frame[i].seen;
+        if (frame[i].counts == 0)
             return;
         const float divisor = glm::max(float(done), 1.0f);
         mean[i].radiance += (frame[i].radiance - mean[i].radiance) / divisor;
@@ -64,6 +65,7 @@ struct AddToBlock {
     PixelSums* block;
 
     PDR_HD void operator()(std::int64_t i) const {
+        block[i].seen |= frame[i].seen;
         if (frame[i].counts > 0)
             addSample(block[i], frame[i].radiance);
     }
@@ -75,7 +77,7 @@ struct MergeBlock {
 
     PDR_HD void operator()(std::int64_t i) const {
         moments[i] = merged(moments[i], block[i]);
-        block[i] = {};
+        block[i] = nextBlock(block[i]);
     }
 };
 

@@ -73,6 +73,7 @@ struct TraceTarget {
     SampleGrid grid;
     vec3* radiance;  ///< linear Rec. 709
     GpuHealth* health;
+    std::uint32_t* seen;  ///< kSeen... of each pixel of the tile, row by row
 };
 
 /// For the numbers of a launch's samples. How one is taken is told by
@@ -80,6 +81,7 @@ struct TraceTarget {
 ///   Take::start(scene, Origin, Walk&)      before its first step; false: nothing is to be done, walk.radiance is known
 ///   Take::step(scene, Walk&)               false: it has ended
 ///   Take::end(Walk, note)                  its radiance; note(fault) counts what happened to it
+///   Take::metTissue(Walk)                  at its end: whether it met some
 struct SampleAddress {
     ivec2 pixel;
     std::uint64_t sample;
@@ -123,6 +125,11 @@ struct TraceProgram {
             target.health->note(fault, walk.from.sample, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x));
         };
         target.radiance[walk.place] = Take::end(walk.taken, note);
+        const std::uint32_t seen = seenAtFirst(scene, matterDepths(scene, walk.from.pixel));
+        const Tile& tile = target.grid.tile;
+        const ivec2 place = walk.from.pixel - ivec2(tile.x, tile.y);
+        if (const std::uint32_t all = seen | (Take::metTissue(walk.taken) ? kSeenTissue : 0); all != 0)
+            atomicMark(target.seen[std::int64_t(place.y) * tile.width + place.x], all);
     }
 };
 
@@ -146,6 +153,7 @@ struct TakePath {
         walk.path = cameraStart(scene, from.pixel, from.sample, depths);
         return true;
     }
+    PDR_HD static bool metTissue(const Walk& walk) { return walk.result.tissue; }
     PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
         return takeLeg<F>(scene, walk.path, walk.bounce++, walk.result, Unwatched());
     }
@@ -164,17 +172,21 @@ struct TakeMarch {
     struct Walk {
         SampleAddress from;
         vec3 radiance;
+        bool tissue;
     };
 
     PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
-        walk = {from, plainBackground(scene)};
+        walk = {from, plainBackground(scene), false};
         return !showsNothing(scene, matterDepths(scene, from.pixel));
     }
     PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
         const ivec2 pixel = walk.from.pixel;
-        walk.radiance = kroesSample(scene, pixel, walk.from.sample, matterDepths(scene, pixel)).radiance;
+        const Sampled found = kroesSample(scene, pixel, walk.from.sample, matterDepths(scene, pixel));
+        walk.radiance = found.radiance;
+        walk.tissue = found.tissue;
         return false;
     }
+    PDR_HD static bool metTissue(const Walk& walk) { return walk.tissue; }
     template <class Note>
     PDR_HD static vec3 end(const Walk& walk, Note&&) {
         return walk.radiance;
@@ -202,6 +214,7 @@ struct TakeProjection {
         walk.found = project<Model>(scene, leg.ray, backdrop<Model>(scene, leg));
         return false;
     }
+    PDR_HD static bool metTissue(const Walk& walk) { return walk.found.tissue; }
     template <class Note>
     PDR_HD static vec3 end(const Walk& walk, Note&& note) {
         if (!walk.found.withinTolerance)
@@ -221,6 +234,7 @@ struct AccumulateProgram {
         const Tile& tile = from.grid.tile;
         const ivec2 pixel(tile.x + int(index % tile.width), tile.y + int(index / tile.width));
         PixelSums pixelSums = sums[index];
+        pixelSums.seen |= from.seen[index];
         for (std::uint32_t i = 0; i < from.grid.samples.count; ++i) {
             const vec3 radiance = from.radiance[i * from.grid.pixels() + index];
             const std::uint64_t sample = from.grid.samples.first + i;
@@ -228,7 +242,7 @@ struct AccumulateProgram {
                 from.health->note(faultOf(radiance), sample, std::uint32_t(pixel.y * filmWidth + pixel.x));
             if (moments != nullptr && (sample + 1) % kSamplesPerBlock == 0) {
                 moments[index] = merged(moments[index], pixelSums);
-                pixelSums = {};
+                pixelSums = nextBlock(pixelSums);
             }
         }
         sums[index] = pixelSums;

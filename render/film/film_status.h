@@ -1,0 +1,36 @@
+#pragma once
+/// How good a whole picture is by now, in a few numbers.
+///   tissue    the pixels in which a sample met some; what is said of the error is said of them, so that empty ground
+///             around the anatomy changes nothing. Of a picture without any it is said of all pixels.
+///   unknown   infinite: too few samples, or all that were taken are alike although chance has a part in them
+
+#include <cstdint>
+#include <limits>
+
+#include "render/base/health.h"
+
+namespace pdr {
+
+/// Samples per pixel below which nothing is said about display levels.
+inline constexpr std::uint64_t kSamplesToEstimate = 32;
+
+struct FilmStatus {
+    std::uint64_t samplesPerPixel = 0;
+    Health health;
+    double meanLuminance = 0;  ///< of all pixels
+    /// Root mean square over the tissue of the standard error (its luminance), divided by the tissue's mean luminance.
+    /// Unknown below 2 samples and while nothing that chance decides was seen; 0 for an image without noise.
+    double relativeError = 0;
+    /// 95 % of the tissue is shown within so many display levels of what it would be without noise, [0, 255]; see
+    /// display_error.h. Unknown below kSamplesToEstimate samples, without tissue, and without a display.
+    double displayError = std::numeric_limits<double>::infinity();
+    std::uint64_t tissuePixels = 0;
+    /// The errors of more than a twentieth of the tissue rest on so few bright samples that brighter ones may still
+    /// come: what is foretold from them is a lower bound.
+    bool fewBrightSamples = false;
+    /// While relativeError is unknown because all samples were alike: the share of samples that may bring other light
+    /// than was seen, at most, to 95 %. 0 otherwise.
+    double unseenShare = 0;
+};
+
+}  // namespace pdr

@@ -1,0 +1,57 @@
+#include "render/film/status_sums.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pdr {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kSureEnough = 3;  ///< -ln(1 - 0.95): what did not come in n draws has a chance of at most 3 / n
+constexpr double kDisplayShare = 0.95;
+
+/// Of the tissue, or of all pixels where there is none.
+double relativeErrorOf(const StatusSums& sums, std::size_t pixels) {
+    const bool tissue = sums.tissue > 0;
+    const double count = tissue ? double(sums.tissue) : double(pixels);
+    const double mean = (tissue ? sums.tissueLuminance : sums.luminance) / count;
+    const double error = std::sqrt((tissue ? sums.tissueSquaredErrors : sums.squaredErrors) / count);
+    return error > 0 ? error / mean : 0;
+}
+
+/// How far a pixel that has seen tissue but no light may be off: a share 3 / n of its samples may be such as brought
+/// light elsewhere.
+float unlitLevelsOff(const StatusSums& sums, std::uint64_t samplesPerPixel, const Shown& shown) {
+    const double bright = sums.tissuePower / sums.tissueLuminance;
+    const double most = kSureEnough / double(samplesPerPixel) * bright;
+    return exactLevelOf(displayCurve(), float(most / shown.exposure));
+}
+
+}  // namespace
+
+FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health) {
+    FilmStatus status{.samplesPerPixel = samplesPerPixel, .health = health, .tissuePixels = sums.tissue};
+    status.meanLuminance = sums.luminance / double(pixels);
+    status.relativeError = samplesPerPixel < 2 ? kUnknown : relativeErrorOf(sums, pixels);
+    status.fewBrightSamples = 20 * sums.fewBright > sums.tissue;
+    if (status.relativeError == 0 && sums.chance > 0) {
+        status.relativeError = kUnknown;
+        status.unseenShare = std::min(kSureEnough / (double(samplesPerPixel) * double(sums.chance)), 1.0);
+    }
+    return status;
+}
+
+FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health,
+                    const Shown& shown) {
+    FilmStatus status = statusOf(sums, pixels, samplesPerPixel, health);
+    if (samplesPerPixel < kSamplesToEstimate || sums.tissue == 0 || !std::isfinite(status.relativeError))
+        return status;
+    ErrorCounts errors = shown.errors;
+    if (sums.unlit > 0)
+        errors.pixels[errorBinOf(unlitLevelsOff(sums, samplesPerPixel, shown))] += std::uint32_t(sums.unlit);
+    status.displayError = errorQuantile(errors, kDisplayShare);
+    return status;
+}
+
+}  // namespace pdr

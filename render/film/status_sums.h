@@ -1,0 +1,69 @@
+#pragma once
+/// What the status of an image is made from. The same arithmetic on every device.
+
+#include "render/film/display_error.h"
+#include "render/film/film_status.h"
+
+namespace pdr {
+
+/// Whether a pixel has seen no light although it may: its samples may only have been unlucky. `seen`: kSeen...
+PDR_HD inline bool isUnlit(const Moments& pixel, std::uint32_t seen) {
+    return (seen & kSeenChance) != 0 && pixel.mean == dvec3(0);
+}
+
+/// Whether it is a pixel of tissue whose own samples tell its error.
+PDR_HD inline bool knowsItsError(const Moments& pixel, std::uint32_t seen) {
+    return (seen & kSeenTissue) != 0 && !isUnlit(pixel, seen);
+}
+
+/// Sums over some of an image's pixels.
+struct StatusSums {
+    double luminance = 0, squaredErrors = 0;              ///< errors: standard errors' luminance
+    double tissueLuminance = 0, tissueSquaredErrors = 0;  ///< of pixels that have seen tissue
+    double tissuePower = 0;                               ///< their samples' mean squared luminance
+    std::uint64_t tissue = 0;                             ///< pixels that have seen some
+    std::uint64_t unlit = 0;                              ///< of these, pixels without light that may only be unlucky
+    std::uint64_t fewBright = 0;   ///< of these, pixels whose mean is not twice its standard error, unlit ones among them
+    std::uint64_t chance = 0;      ///< pixels that chance has a part in
+
+    /// `seen`: kSeen...
+    PDR_HD void add(const Moments& pixel, dvec3 standardError, std::uint32_t seen) {
+        const double error = pdr::luminance(standardError), light = pdr::luminance(pixel.mean);
+        luminance += light;
+        squaredErrors += error * error;
+        chance += (seen & kSeenChance) != 0;
+        if ((seen & kSeenTissue) == 0)
+            return;
+        ++tissue;
+        tissueLuminance += light;
+        tissueSquaredErrors += error * error;
+        tissuePower += light * light + double(pixel.count) * error * error;
+        unlit += isUnlit(pixel, seen);
+        fewBright += isUnlit(pixel, seen) || 2 * error > light;
+    }
+    PDR_HD void add(const StatusSums& other) {
+        luminance += other.luminance;
+        squaredErrors += other.squaredErrors;
+        tissueLuminance += other.tissueLuminance;
+        tissueSquaredErrors += other.tissueSquaredErrors;
+        tissuePower += other.tissuePower;
+        tissue += other.tissue;
+        unlit += other.unlit;
+        fewBright += other.fewBright;
+        chance += other.chance;
+    }
+};
+
+/// What a picture is shown with.
+struct Shown {
+    const ErrorCounts& errors;  ///< of the pixels that know theirs
+    double exposure;
+};
+
+/// The status of an image of that many `pixels` from the sums over them.
+FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health);
+/// The same, with its displayError.
+FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health,
+                    const Shown& shown);
+
+}  // namespace pdr

@@ -1,0 +1,36 @@
+#pragma once
+/// The curve of tone_map.h before it is rounded, read from a table: the same bits on every device, as no call of exp or
+/// pow would give, and for the price of a multiplication.
+
+#include <cstdint>
+
+#include "render/base/lanes.h"
+
+namespace pdr {
+
+/// Entries stand kCurvePerOctave to an octave of radiance, in units of the exposure, from 2^kCurveFrom to 2^kCurveTo:
+/// where a float's upper bits say.
+inline constexpr int kCurveFrom = -20, kCurveTo = 4, kCurveBits = 6, kCurvePerOctave = 1 << kCurveBits;
+inline constexpr int kCurveEntries = (kCurveTo - kCurveFrom) * kCurvePerOctave + 1;
+
+/// kCurveEntries levels.
+const float* displayCurve();
+
+/// The level of `share`, a radiance in units of the exposure: [0, 255], off by less than 0.005. 0 for what is not above
+/// 0.
+PDR_HD inline float exactLevelOf(const float* curve, float share) {
+    constexpr int kShift = 23 - kCurveBits;
+    constexpr std::uint32_t kFirst = std::uint32_t(127 + kCurveFrom) << kCurveBits;
+    if (!(share > 0))
+        return 0;
+    if (share < 0x1p-20f)  // straight from there to black
+        return share * 0x1p20f * curve[0];
+    if (!(share < 16))
+        return 255;
+    const std::uint32_t bits = std::uint32_t(bitsOf(share));
+    const float* entry = curve + ((bits >> kShift) - kFirst);
+    const float place = float(bits & ((1u << kShift) - 1)) * (1.0f / (1u << kShift));
+    return entry[0] + (entry[1] - entry[0]) * place;
+}
+
+}  // namespace pdr
