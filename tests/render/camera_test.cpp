@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "render/kernel/integrator.h"
+#include "render/scene/focus.h"
 #include "tests/support/scenes.h"
 #include "tests/support/statistics.h"
 
@@ -70,6 +71,17 @@ class CameraTest : public QObject {
             const dvec3 entry(geometry.patientFromIndex * dvec4(dvec3(leg.ray.origin), 1));
             QVERIFY(std::fabs(entry.y) < 1e-3);
             QVERIFY(glm::length(dvec2(entry.x, entry.z) - dvec2(50) - dvec2(lens) * 3.0) < 1e-3);
+        }
+    }
+
+    /// The depth of what lies under a pixel counts along the view, as the sharp plane does: at the film's rim too.
+    void depthUnderAPixelIsAlongTheView() {
+        Scene scene = view(Camera::Type::perspective);
+        scene.transferFunction.extinctionPerMm = 1e4f;
+        scene.camera.fovDegrees = 10;  // all of the film shows the volume's face
+        for (const ivec2 pixel : {ivec2(100, 40), ivec2(70, 2), ivec2(130, 78)}) {
+            const auto depth = depthUnder(*test::prepared(scene), pixel);
+            QVERIFY(depth && std::fabs(*depth - 400) < 0.01);
         }
     }
 

@@ -51,6 +51,19 @@ class ClipTest : public QObject {
         QCOMPARE(film.pixel(1, 2).mean.x, 0.25);
     }
 
+    void everySideOfABoxCuts() {
+        const Clip clip{ClipBox{{1, 2, 3}, {4, 6, 8}}, {}, false};
+        const auto kept = [&](dvec3 place) {
+            return std::ranges::all_of(clip.allPlanes(), [&](const ClipPlane& plane) {
+                return glm::dot(place - plane.pointMm, plane.normal) <= 0;
+            });
+        };
+        QVERIFY(kept({1.1, 2.1, 3.1}) && kept({3.9, 5.9, 7.9}));
+        for (const dvec3 outside : {dvec3(0.9, 4, 5), dvec3(4.1, 4, 5), dvec3(2, 1.9, 5), dvec3(2, 6.1, 5), dvec3(2, 4, 2.9),
+                                    dvec3(2, 4, 8.1)})
+            QVERIFY(!kept(outside));
+    }
+
     void boxOfTheWholeVolumeChangesNoBit() {
         Scene scene = bumpy();
         const Film without = test::render(scene, 64);

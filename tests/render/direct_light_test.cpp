@@ -106,6 +106,20 @@ class DirectLightTest : public QObject {
         QCOMPARE(environmentRadiance(sky, {0, 0, -1}).x, 1.0f);
     }
 
+    /// It lights the tissue all the same.
+    void hiddenSurroundingsAreNotSeen() {
+        Scene scene = cube();
+        scene.lights.clear();
+        scene.camera.type = Camera::Type::orthographic;
+        scene.camera.heightMm = 100;  // the volume lies in the middle of the film
+        for (const bool visible : {false, true}) {
+            scene.environment = {vec3(3), visible};
+            const Film film = test::render(scene, 64);
+            QCOMPARE(film.pixel(0, 0).mean.x, visible ? 3.0 : 0.0);
+            QVERIFY(film.pixel(16, 16).mean.x > 0.1);
+        }
+    }
+
     /// A ray along a sampled direction meets the same light, where it was sampled and with the density it had.
     void whatIsSampledIsMetAlike() {
         std::mt19937 random(1);
