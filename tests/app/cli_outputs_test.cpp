@@ -53,13 +53,18 @@ class CliOutputsTest : public QObject {
         return ended();
     }
 
+    /// Until the first samples were taken.
+    void waitForRendering() {
+        QByteArray said;
+        while (!said.contains("rendering") && process_.waitForReadyRead(60'000))  // of standard error, see init()
+            said += process_.readAllStandardError();
+    }
+
     /// Renders until `signal` after `change` was made, which happens while samples are taken.
     int renderWhile(const QStringList& arguments, int signal, const std::function<void()>& change) {
         start(QStringList{"render", scene(), "--samples", "1000000000", "--json"} + arguments,
               [] { std::signal(SIGHUP, SIG_DFL); });
-        QByteArray said;
-        while (!said.contains("rendering") && process_.waitForReadyRead(60'000))
-            said += process_.readAllStandardError();  // waits for standard error as well
+        waitForRendering();
         change();
         ::kill(pid_t(process_.processId()), signal);
         return ended();
@@ -123,9 +128,7 @@ class CliOutputsTest : public QObject {
     /// nohup lets a program go on.
     void aHangUpThatIsToBeIgnoredIsIgnored() {
         start({"render", scene(), "--samples", "1000000000", "-o", "a.png"}, [] { std::signal(SIGHUP, SIG_IGN); });
-        QByteArray said;
-        while (!said.contains("rendering") && process_.waitForReadyRead(60'000))
-            said += process_.readAllStandardError();
+        waitForRendering();
         ::kill(pid_t(process_.processId()), SIGHUP);
         QVERIFY(!process_.waitForFinished(500));
         ::kill(pid_t(process_.processId()), SIGINT);
@@ -133,9 +136,8 @@ class CliOutputsTest : public QObject {
     }
 
     void aReaderOfMessagesThatIsGoneLosesNoPicture() {
-        process_.setReadChannel(QProcess::StandardError);
         start({"render", scene(), "--samples", "1000000000", "-o", "a.png"});
-        QVERIFY(process_.waitForReadyRead(60'000));
+        waitForRendering();
         process_.closeReadChannel(QProcess::StandardError);
         ::kill(pid_t(process_.processId()), SIGINT);
         QCOMPARE(ended(), 1);

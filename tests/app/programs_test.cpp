@@ -224,7 +224,7 @@ class ProgramsTest : public QObject {
                         return line.simplified();
             return QByteArray();
         };
-        QTRY_COMPARE_WITH_TIMEOUT(limit(), QByteArray("Max core file size 0 0 bytes"), 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(limit(), QByteArray("Max core file size 0 0 bytes"), 60'000);
         process.kill();
         QVERIFY(process.waitForFinished());
     }
