@@ -13,6 +13,8 @@
 
 #include <mutex>
 
+#include "dicom/decoder_warnings.h"
+
 namespace pdr::dicom {
 
 void prepareToolkit() {
@@ -20,6 +22,7 @@ void prepareToolkit() {
     std::call_once(once, [] {
         // Its log lines can carry names and birth dates.
         OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+        DecoderWarnings::listen();
         // Some archives write standard elements as "unknown"; the dictionary knows better.
         dcmEnableUnknownVRConversion.set(OFTrue);
         // The group length of the meta header is often wrong, and our own check of the file does not use it either.

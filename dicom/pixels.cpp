@@ -2,15 +2,13 @@
 
 #include <dcmtk/config/osconfig.h>
 
-#include <dcmtk/dcmdata/dcpxitem.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <span>
 
-#include "dicom/jpeg_size.h"
+#include "dicom/compressed_picture.h"
 #include "dicom/refusal.h"
 #include "dicom/slice_header.h"
 
@@ -100,30 +98,6 @@ DecodedSlice toHu(const Raw* raw, const SliceHeader& header, Padding padding) {
     return slice;
 }
 
-/// The first fragment of a compressed picture; empty where there is none.
-std::span<const std::uint8_t> firstFragment(DcmDataset& data) {
-    DcmElement* element = nullptr;
-    if (data.findAndGetElement(DCM_PixelData, element).bad())
-        return {};
-    auto* pixels = dynamic_cast<DcmPixelData*>(element);
-    DcmPixelSequence* fragments = nullptr;
-    DcmPixelItem* fragment = nullptr;
-    Uint8* bytes = nullptr;
-    // Item 0 is the offset table.
-    if (!pixels || pixels->getEncapsulatedRepresentation(data.getOriginalXfer(), nullptr, fragments).bad() ||
-        fragments->getItem(fragment, 1).bad() || fragment->getUint8Array(bytes).bad() || !bytes)
-        return {};
-    return {bytes, fragment->getLength()};
-}
-
-/// Whether the decoder may be let loose: only on a JPEG picture of the size that the header promises.
-bool sizeIsAsPromised(DcmDataset& data, const SliceHeader& header) {
-    const DcmXfer coding(data.getOriginalXfer());
-    if (!coding.isEncapsulated() || coding.getXfer() == EXS_RLELossless)
-        return true;
-    return jpegSize(firstFragment(data)) == ivec2(header.columns, header.rows);
-}
-
 Result<DecodedSlice> decodePixels(const SliceRef& slice, const SliceHeader& header, Padding padding) {
     DcmFileFormat content;
     const E_TransferSyntax coding =
@@ -132,10 +106,8 @@ Result<DecodedSlice> decodePixels(const SliceRef& slice, const SliceHeader& head
     if (content.loadFile(slice.file.c_str(), coding, EGL_noChange, DCM_MaxReadLength, mode).bad())
         return damaged(slice, "the file is damaged: it cannot be parsed to its end");
     DcmDataset& data = *content.getDataset();
-    if (!sizeIsAsPromised(data, header))
-        return damaged(slice, "the compressed picture is not of the size that its header says");
-    if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad())
-        return damaged(slice, "the compressed picture cannot be decoded");
+    if (std::string damage = decompress(data, header); !damage.empty())
+        return damaged(slice, "the compressed picture " + damage);
 
     const unsigned long expected = static_cast<unsigned long>(header.columns) * static_cast<unsigned long>(header.rows);
     unsigned long count = 0;

@@ -10,7 +10,9 @@
 #include "app/cli/info_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/replay_command.h"
+#include "app/program/program.h"
 
+namespace pdr::app {
 namespace {
 
 constexpr const char* kHelp =
@@ -21,9 +23,9 @@ constexpr const char* kHelp =
     "  pdrender-cli effects FOLDER|SCENE.json ...             list what the picture needs, why, and at what cost\n"
     "  pdrender-cli replay FOLDER|SCENE.json --pixel X,Y ...  tell how one sample came about, event by event\n"
     "  pdrender-cli example FOLDER ...                        write an example CT series\n"
+    "  pdrender-cli help COMMAND                              explain a command; the same as COMMAND --help\n"
     "  pdrender-cli --version                                 say which version this is\n"
     "\n"
-    "Each command explains itself: pdrender-cli render --help.\n"
     "Exit codes: 0 done, 1 error, 2 wrong usage.\n";
 
 int usageError(const QString& what) {
@@ -31,24 +33,24 @@ int usageError(const QString& what) {
     return 2;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const QCoreApplication application(argc, argv);
-    QStringList arguments = application.arguments().mid(1);
+int run(QStringList arguments) {
     if (arguments.isEmpty())
         return usageError("say what to do");
-    const QString command = arguments.takeFirst();
+    QString command = arguments.takeFirst();
+    if (command == "help" && !arguments.isEmpty()) {
+        command = arguments.takeFirst();
+        arguments = {"--help"};
+    }
     if (command == "info")
-        return pdr::app::runInfo(arguments);
+        return runInfo(arguments);
     if (command == "render")
-        return pdr::app::runRender(arguments);
+        return runRender(arguments);
     if (command == "effects")
-        return pdr::app::runEffects(arguments);
+        return runEffects(arguments);
     if (command == "replay")
-        return pdr::app::runReplay(arguments);
+        return runReplay(arguments);
     if (command == "example")
-        return pdr::app::runExample(arguments);
+        return runExample(arguments);
     if (command == "--version" || command == "-v") {
         std::puts("PD-Render " PDR_VERSION);
         return 0;
@@ -58,4 +60,14 @@ int main(int argc, char** argv) {
         return 0;
     }
     return usageError("there is no command \"" + command + "\"");
+}
+
+}  // namespace
+}  // namespace pdr::app
+
+int main(int argc, char** argv) {
+    return pdr::app::runProgram("pdrender-cli", [&] {
+        const QCoreApplication application(argc, argv);
+        return pdr::app::run(QCoreApplication::arguments().mid(1));
+    });
 }

@@ -1,60 +1,41 @@
-/// pdrender: the desktop.
+/// pdrender: the desktop. Exit codes: 0, 1 for an error, 2 for wrong usage.
 
-#include <QCommandLineParser>
+#include <QFile>
+#include <QPixmap>
 #include <QTimer>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <iostream>
+#include <string_view>
 
 #include "app/desktop.h"
 #include "app/desktop/application.h"
+#include "app/desktop/options.h"
 #include "app/presets.h"
+#include "app/program/program.h"
 #include "render/device/device_list.h"
 #include "ui/dark_theme.h"
 
 namespace pdr::app {
 namespace {
 
-constexpr int kUsageError = 2;
+constexpr const char* kNoDisplay =
+    "pdrender: there is no display to open a window on. Start it on a desktop, or render to files with pdrender-cli, "
+    "which needs none.\n";
 
-struct Options {
-    QString folder;      ///< empty: nothing is opened
-    QString device;      ///< empty: as the last time
-    int threads = 0;     ///< 0 = one per core
-    QString screenshot;  ///< file for a picture of the window; empty: none
-    double afterSeconds = 5;
-};
-
-/// What the command line says; a sentence and the end of the program when it says something else.
-Options readOptions(const QApplication& application) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription("Photorealistic pictures of CT volumes. Not for diagnostic use.");
-    parser.addHelpOption();
-    parser.addVersionOption();
-    parser.addPositionalArgument("FOLDER", "A folder with DICOM files to open.", "[FOLDER]");
-    parser.addOption(
-        {"device", "Render with NAME: auto, cpu, cuda or cuda:1 (default: as chosen last, else auto).", "NAME"});
-    parser.addOption({"threads", "Render with N threads, 1 to 1024 (default: one per core).", "N", "0"});
-    parser.addOption({"screenshot", "Save a picture of the window as PNG and quit.", "FILE"});
-    parser.addOption({"after", "Seconds to wait before the screenshot, 0 to 86400 (default 5).", "SECONDS", "5"});
-    parser.process(application);
-
-    bool threadsRight = false, secondsRight = false;
-    const Options options{parser.positionalArguments().value(0), parser.value("device"),
-                          parser.value("threads").toInt(&threadsRight), parser.value("screenshot"),
-                          parser.value("after").toDouble(&secondsRight)};
-    threadsRight = threadsRight && options.threads >= 0 && options.threads <= 1024;
-    secondsRight = secondsRight && options.afterSeconds >= 0 && options.afterSeconds <= 86400;
-    if (threadsRight && secondsRight && parser.positionalArguments().size() <= 1)
-        return options;
-    std::cerr << "pdrender: "
-              << (!threadsRight   ? "--threads takes a number from 1 to 1024"
-                  : !secondsRight ? "--after takes seconds from 0 to 86400"
-                                  : "only one folder can be opened")
-              << "\nTry 'pdrender --help'.\n";
-    std::exit(kUsageError);
+/// Shows a patient, so a new file is for its owner alone.
+bool saveForOwner(const QPixmap& picture, const QString& path) {
+    QFile file(path);
+    const bool isNew = !file.exists();
+    return file.open(QFile::WriteOnly) &&
+           (!isNew || file.setPermissions(QFile::ReadOwner | QFile::WriteOwner)) && picture.save(&file, "PNG") &&
+           file.flush();
 }
 
 void takeScreenshot(ui::MainWindow& window, const QString& file) {
-    const bool saved = window.grab().save(file, "PNG");
+    const bool saved = saveForOwner(window.grab(), file);
     if (!saved)
         std::cerr << "pdrender: " << file.toStdString()
                   << ": the screenshot cannot be written there. Choose another file.\n";
@@ -62,7 +43,7 @@ void takeScreenshot(ui::MainWindow& window, const QString& file) {
 }
 
 /// The one asked for; else the one chosen last, and where that is there no longer, the best.
-Result<std::unique_ptr<Device>> deviceFor(const Options& options) {
+Result<std::unique_ptr<Device>> deviceFor(const DesktopOptions& options) {
     if (!options.device.isEmpty())
         return openDevice(options.device.toStdString(), options.threads);
     if (auto last = openDevice(Settings().device().toStdString(), options.threads))
@@ -70,7 +51,7 @@ Result<std::unique_ptr<Device>> deviceFor(const Options& options) {
     return openDevice("auto", options.threads);
 }
 
-int run(const Options& options) {
+int run(const DesktopOptions& options) {
     auto presets = bundledPresets();
     if (!presets) {
         std::cerr << "pdrender: " << presets.error().text() << '\n';
@@ -84,20 +65,65 @@ int run(const Options& options) {
     Desktop desktop(*std::move(presets), *std::move(device), {}, options.threads);
     desktop.window().show();
     if (!options.folder.isEmpty())
-        desktop.open(options.folder);
+        QTimer::singleShot(0, &desktop.window(), [&] { desktop.open(options.folder); });  // where exceptions end
     if (!options.screenshot.isEmpty())
         QTimer::singleShot(int(options.afterSeconds * 1000), &desktop.window(),
                            [&] { takeScreenshot(desktop.window(), options.screenshot); });
     return QApplication::exec();
 }
 
+// ---- with a display, and without
+
+bool anyOf(int argc, char** argv, std::initializer_list<std::string_view> words) {
+    return std::any_of(argv + 1, argv + argc,
+                       [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); });
+}
+
+bool hasDisplay(int argc, char** argv) {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (const char* value = std::getenv(name); value && *value)
+            return true;
+    return anyOf(argc, argv, {"-platform", "--platform", "-display", "--display"});
+}
+
+/// Answers questions, and complains about wrong usage before it complains about the display.
+int runWithoutWindow(int argc, char** argv) {
+    const QCoreApplication application(argc, argv);
+    if (const auto options = desktopOptions(QCoreApplication::arguments()); options.answered)
+        return *options.answered;
+    std::fputs(kNoDisplay, stderr);
+    return 1;
+}
+
+/// Qt ends the program with a signal where it cannot reach the display that is named.
+void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type != QtFatalMsg)
+        return;
+    std::fprintf(stderr, "%s%s\n", kNoDisplay, message.section('\n', 0, 0).toUtf8().constData());
+    std::_Exit(1);
+}
+
+int runWithWindow(int argc, char** argv) {
+    const QtMessageHandler usual = qInstallMessageHandler(endWhereQtGivesUp);
+    qputenv("QT_NO_GLIB", "1");  // which ends the program where memory is short
+    Application application(argc, argv);
+    qInstallMessageHandler(usual);
+    QApplication::setApplicationName("pdrender");
+    QApplication::setApplicationVersion(PDR_VERSION);
+    const DesktopOptions options = desktopOptions(QApplication::arguments());
+    if (options.answered)
+        return *options.answered;
+    ui::applyDarkTheme(application);
+    return run(options);
+}
+
 }  // namespace
 }  // namespace pdr::app
 
 int main(int argc, char** argv) {
-    pdr::app::Application application(argc, argv);
-    QApplication::setApplicationName("pdrender");
-    QApplication::setApplicationVersion(PDR_VERSION);
-    pdr::ui::applyDarkTheme(application);
-    return pdr::app::run(pdr::app::readOptions(application));
+    using namespace pdr::app;
+    return runProgram("pdrender", [&] {
+        const bool asks = anyOf(argc, argv, {"-h", "--help", "--help-all", "-v", "--version"});
+        return asks || !hasDisplay(argc, argv) ? runWithoutWindow(argc, argv) : runWithWindow(argc, argv);
+    });
 }

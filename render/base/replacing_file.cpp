@@ -1,16 +1,20 @@
 #include "render/base/replacing_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <random>
 #include <string>
 
 namespace pdr {
 namespace {
 
-Error writeError(const std::filesystem::path& path, int code) {
+namespace fs = std::filesystem;
+
+Error writeError(const fs::path& path, int code) {
     const std::string what = "the file could not be written (" + std::string(std::strerror(code)) + ")";
     if (code == ENOSPC || code == EDQUOT || code == EFBIG)
         return {what, path.string(), "Make room there, or choose another place."};
@@ -19,34 +23,89 @@ Error writeError(const std::filesystem::path& path, int code) {
     return {what, path.string(), "Choose a folder that you may write to."};
 }
 
-/// A name in the same folder, since a rename cannot leave the file system.
-std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
-    static std::atomic<unsigned> counter = 0;
-    const std::string name = ".pdr-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
-    return path.parent_path() / name;
+fs::path folderOf(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// `path`, or what it leads to where it is a symbolic link: a rename would replace the link itself.
+Result<fs::path> behindLinks(const fs::path& path) {
+    constexpr int kLinks = 40;  // as many as the kernel follows
+    fs::path place = path;
+    std::error_code failed;
+    for (int i = 0; i < kLinks; ++i) {
+        const fs::path target = fs::read_symlink(place, failed);
+        if (failed)
+            return place;  // no link, or nothing there
+        place = folderOf(place) / target;
+    }
+    return Error{"the symbolic links here lead in a circle", path.string(), "Choose another name."};
+}
+
+/// What rename() would refuse only in the end, and what it would do without asking.
+Result<void> checkReplaceable(const fs::path& path, const fs::path& place) {
+    struct stat file {}, folder {};
+    if (::lstat(place.c_str(), &file) != 0)
+        return {};
+    if (S_ISDIR(file.st_mode))
+        return Error{"this is a folder, a file name is needed", path.string(), "Add a name such as picture.png."};
+    if (!S_ISREG(file.st_mode))
+        return Error{"this is no plain file", path.string(), "Choose another name."};
+    if (::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0)
+        return Error{"this file may not be written", path.string(), "Change its permissions, or choose another name."};
+    const uid_t user = ::geteuid();
+    const bool sticky = ::stat(folderOf(place).c_str(), &folder) == 0 && (folder.st_mode & S_ISVTX) != 0;
+    if (sticky && user != 0 && user != file.st_uid && user != folder.st_uid)
+        return Error{"this file belongs to another user, and in this folder only they may replace it", path.string(),
+                     "Choose another name."};
+    return {};
+}
+
+/// A name in the same folder, since a rename cannot leave the file system. Random: the number of a process says nothing in a
+/// container, and a name that can be foreseen can be taken by others.
+fs::path temporaryBeside(const fs::path& place) {
+    constexpr char kLetters[] = "0123456789abcdefghijklmnopqrstuv";
+    std::random_device random;
+    std::string name = ".pdr-";
+    for (int i = 0; i < 16; ++i)
+        name += kLetters[random() % 32];
+    return place.parent_path() / (name + ".part");
+}
+
+/// The mode that an older file at `place` had, for `descriptor`; where its group cannot be kept, the group gets no rights.
+std::optional<mode_t> keptMode(int descriptor, const fs::path& place) {
+    struct stat old {};
+    if (::stat(place.c_str(), &old) != 0)
+        return std::nullopt;
+    const bool groupKept = ::fchown(descriptor, uid_t(-1), old.st_gid) == 0;
+    return old.st_mode & (groupKept ? 0777 : 0707);
 }
 
 }  // namespace
 
-Result<ReplacingFile> ReplacingFile::open(const std::filesystem::path& path) {
+Result<ReplacingFile> ReplacingFile::open(const fs::path& path, FileAccess access) {
+    const auto place = behindLinks(path);
+    if (!place)
+        return place.error();
+    if (auto ok = checkReplaceable(path, *place); !ok)
+        return ok.error();
+    fs::path temporary = temporaryBeside(*place);
     std::error_code ignored;
-    const auto status = std::filesystem::status(path, ignored);
-    if (std::filesystem::is_directory(status))
-        return Error{"this is a folder, a file name is needed", path.string(), "Add a name such as picture.png."};
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-        return Error{"this is no plain file", path.string(), "Choose another name."};
-    std::filesystem::path temporary = temporaryBeside(path);
-    std::FILE* stream = std::fopen(temporary.c_str(), "wbx");
-    if (!stream)
+    const bool open = access == FileAccess::everybody && !fs::exists(*place, ignored);
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, open ? 0666 : 0600);
+    if (descriptor < 0)
         return writeError(path, errno);
-    return ReplacingFile(path, std::move(temporary), stream);
+    ReplacingFile file(path, *place, std::move(temporary), ::fdopen(descriptor, "wb"));
+    if (!file.stream_)
+        return writeError(path, errno);
+    file.mode_ = keptMode(descriptor, *place);
+    return file;
 }
 
 ReplacingFile::~ReplacingFile() {
     stream_.reset();
     std::error_code ignored;
     if (!temporary_.empty())
-        std::filesystem::remove(temporary_, ignored);
+        fs::remove(temporary_, ignored);
 }
 
 bool ReplacingFile::remember(bool ok) {
@@ -76,10 +135,12 @@ Result<void> ReplacingFile::state() const {
 Result<void> ReplacingFile::commit() {
     if (failure_ == 0)
         remember(std::fflush(stream_.get()) == 0) && remember(::fsync(::fileno(stream_.get())) == 0);
+    if (failure_ == 0 && mode_)
+        ::fchmod(::fileno(stream_.get()), *mode_);  // not everywhere: some disks know no modes
     if (failure_ == 0)
         remember(std::fclose(stream_.release()) == 0);
     if (failure_ == 0)
-        remember(std::rename(temporary_.c_str(), path_.c_str()) == 0);
+        remember(std::rename(temporary_.c_str(), place_.c_str()) == 0);
     if (failure_ == 0)
         temporary_.clear();
     return state();

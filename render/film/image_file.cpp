@@ -179,7 +179,7 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
 
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
                       const std::filesystem::path& path) {
-    Result<ReplacingFile> file = ReplacingFile::open(path);
+    Result<ReplacingFile> file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
         return file.error();
 
@@ -206,7 +206,7 @@ Result<void> writePng(const Film& film, const Display& display, const Provenance
 }
 
 Result<void> writeExr(const Film& film, const Provenance& provenance, const std::filesystem::path& path) {
-    Result<ReplacingFile> file = ReplacingFile::open(path);
+    Result<ReplacingFile> file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
         return file.error();
     try {

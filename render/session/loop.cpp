@@ -30,8 +30,8 @@ std::string ended(std::string text) {
 
 }  // namespace
 
-Session::Loop::Loop(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback)
-    : sink_(std::move(sink)), fallback_(std::move(fallback)), place_(std::move(device)) {
+Session::Loop::Loop(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback, SessionClock clock)
+    : sink_(std::move(sink)), fallback_(std::move(fallback)), clock_(std::move(clock)), place_(std::move(device)) {
     thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
 }
 
@@ -173,7 +173,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     frameSeconds_ = 0;
     meter_.clear();
     checkpoint_ = std::move(film);
-    checkpointAt_ = Clock::now();
+    checkpointAt_ = clock_();
     checkpointSeconds_ = 0;
 }
 

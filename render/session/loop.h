@@ -1,7 +1,6 @@
 #pragma once
 /// The render thread.
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,13 +14,12 @@ namespace pdr {
 
 class Session::Loop {
   public:
-    Loop(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback);
+    Loop(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback, SessionClock clock);
     ~Loop();
 
     Orders orders;
 
   private:
-    using Clock = std::chrono::steady_clock;
     /// Of a coarse frame: fewer, calmer pixels are easier to follow.
     static constexpr std::uint32_t kCoarseSamples = 4;
 
@@ -64,8 +62,11 @@ class Session::Loop {
     std::uint32_t wanted(const Pace& pace) const;
     std::uint32_t launch(std::uint32_t wanted) const;
 
+    double secondsSince(double moment) const { return clock_() - moment; }
+
     FrameSink sink_;
     DeviceOpener fallback_;
+    SessionClock clock_;
     FilmOnDevice place_;
     bool onFallback_ = false;
     Scene scene_;                 ///< as it was submitted
@@ -85,10 +86,10 @@ class Session::Loop {
 
     PaceMeter meter_;
     bool measuring_ = false;  ///< the frame in the making, with nothing behind it
-    Clock::time_point measuredAt_;
+    double measuredAt_ = 0;   ///< when one was last
 
     std::shared_ptr<const Film> checkpoint_;  ///< what is left when the device is lost; null: nothing
-    Clock::time_point checkpointAt_;
+    double checkpointAt_ = 0;
     double checkpointSeconds_ = 0;  ///< what the last one cost
 
     double pixelsPerSecond_ = 5e6;  ///< a guess until the first frame was timed

@@ -15,10 +15,6 @@ constexpr double kCheckpointSeconds = 2;   ///< between two of them, at least, .
 constexpr double kCheckpointShare = 0.01;  ///< ... and the part of the time that they may take, at most
 constexpr double kMeasureSeconds = 2;      ///< between two frames whose display is measured alone
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 void Session::Loop::work(const Orders::Step& step) {
@@ -55,7 +51,7 @@ std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
 }
 
 Result<void> Session::Loop::iterate(const Orders::Step& step) {
-    const Clock::time_point start = Clock::now();
+    const double start = clock_();
     LiveFilm& film = *place_.film();
     if (done_ == 0) {  // a frame begins
         const bool due = fresh_ || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
@@ -67,7 +63,7 @@ Result<void> Session::Loop::iterate(const Orders::Step& step) {
             send(*std::move(before), wanted(step.pace));
         }
     }
-    const Clock::time_point begin = measuring_ ? Clock::now() : start;
+    const double begin = measuring_ ? clock_() : start;
     const std::uint32_t n = launch(wanted(step.pace));
     if (Result<void> iterated = film.iterate(n, step.stop); !iterated)
         return iterated;
@@ -82,7 +78,7 @@ Result<void> Session::Loop::iterate(const Orders::Step& step) {
 Result<void> Session::Loop::show(const Orders::Step& step) {
     LiveFilm& film = *place_.film();
     const bool atOnce = fresh_ || coarse_ || measuring_ || !step.render;
-    const Clock::time_point start = Clock::now();
+    const double start = clock_();
     if (Result<void> ordered = film.show(step.display); !ordered)
         return ordered;
     ++waiting_;
@@ -120,7 +116,7 @@ Result<std::vector<Picture>> Session::Loop::takeAllBut(int left) {
 /// Where work goes on behind, what a call takes says nothing. So a frame was made with nothing beside it, in
 /// `frameSeconds`; now its display alone once more, and what is left are its n iterations.
 Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t n, double frameSeconds) {
-    const Clock::time_point start = Clock::now();
+    const double start = clock_();
     if (Result<void> ordered = place_.film()->show(display); !ordered)
         return ordered;
     if (const Result<Picture> again = place_.film()->take(); !again)
@@ -129,7 +125,7 @@ Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t
     meter_.addFrame(n, std::max(frameSeconds - displaySeconds, 0.0), displaySeconds);
     seconds_ += displaySeconds;
     measuring_ = false;
-    measuredAt_ = Clock::now();
+    measuredAt_ = clock_();
     return {};
 }
 
@@ -147,12 +143,12 @@ Result<void> Session::Loop::letOthersLook() {
 Result<void> Session::Loop::keepCheckpoint() {
     if (secondsSince(checkpointAt_) < std::max(kCheckpointSeconds, checkpointSeconds_ / kCheckpointShare))
         return {};
-    const Clock::time_point start = Clock::now();
+    const double start = clock_();
     Result<std::shared_ptr<const Film>> film = place_.film()->film();
     if (!film)
         return film.error();
     checkpoint_ = *std::move(film);
-    checkpointAt_ = Clock::now();
+    checkpointAt_ = clock_();
     checkpointSeconds_ = secondsSince(start);
     return {};
 }

@@ -1,13 +1,18 @@
 #include "render/session/session.h"
 
+#include <chrono>
 #include <utility>
 
 #include "render/session/loop.h"
 
 namespace pdr {
 
-Session::Session(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback)
-    : loop_(std::make_unique<Loop>(std::move(device), std::move(sink), std::move(fallback))) {}
+double steadySeconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Session::Session(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback, SessionClock clock)
+    : loop_(std::make_unique<Loop>(std::move(device), std::move(sink), std::move(fallback), std::move(clock))) {}
 
 Session::~Session() = default;
 

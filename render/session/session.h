@@ -54,10 +54,17 @@ using FilmLook = std::function<void(const Result<FilmView>&)>;
 /// Opens a device; called on the render thread, so it may take its time.
 using DeviceOpener = std::function<Result<std::unique_ptr<Device>>()>;
 
+/// Seconds since some moment; called on the render thread.
+using SessionClock = std::function<double()>;
+/// That of the wall, which never goes back.
+double steadySeconds();
+
 class Session {
   public:
-    /// `fallback` is opened when the device in use fails or refuses a scene; none: that is then an error.
-    Session(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback = {});
+    /// `fallback` is opened when the device in use fails or refuses a scene; none: that is then an error. `clock` tells
+    /// what things take.
+    Session(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback = {},
+            SessionClock clock = steadySeconds);
     ~Session();  ///< stops within one launch
 
     /// Renders `scene` from now on; a running launch for an older one is cancelled. The first frame comes soon and

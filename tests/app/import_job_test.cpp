@@ -47,10 +47,10 @@ void TestImportJob::aSeriesIsScannedAndLoaded() {
     std::shared_ptr<const Volume> volume;
     connect(&job, &ImportJob::loaded, this, [&](std::shared_ptr<const Volume> loaded, int) { volume = loaded; });
     job.scanFolder(series_);
-    QTRY_COMPARE(scanned.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, 60'000);
     QCOMPARE(job.scan().series.size(), std::size_t(1));
     job.loadSeries(0);
-    QTRY_VERIFY(volume);
+    QTRY_VERIFY_WITH_TIMEOUT(volume, 60'000);
     QVERIFY(volume->size() == ivec3(64, 57, 64));
     QCOMPARE(finished.count(), 2);
 }
@@ -60,7 +60,7 @@ static Error errorOf(const QString& folder) {
     Error error;
     QObject::connect(&job, &ImportJob::failed, [&](const Error& failure) { error = failure; });
     job.scanFolder(folder);
-    [&] { QTRY_VERIFY(!error.what.empty()); }();
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(!error.what.empty(), 60'000); }();
     return error;
 }
 
@@ -79,7 +79,7 @@ void TestImportJob::progressIsTold() {
     ImportJob job;
     QSignalSpy progressed(&job, &ImportJob::progressed), scanned(&job, &ImportJob::scanned);
     job.scanFolder(series_);
-    QTRY_COMPARE(scanned.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, 60'000);
     QVERIFY(progressed.count() > 0);
     for (const QList<QVariant>& call : progressed) {
         QVERIFY(call[0].toDouble() >= 0 && call[0].toDouble() <= 1);
@@ -105,7 +105,7 @@ void TestImportJob::aNewJobCancelsTheOld() {
     QSignalSpy scanned(&job, &ImportJob::scanned), failed(&job, &ImportJob::failed);
     job.scanFolder(empty.path());
     job.scanFolder(series_);
-    QTRY_COMPARE(scanned.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, 60'000);
     QTest::qWait(100);
     QCOMPARE(failed.count(), 0);
     QCOMPARE(scanned[0][1].toString(), series_);

@@ -1,11 +1,13 @@
-/// Stands in for the driver's library libnvidia-ml.so.1, on machines without a GPU: one device, as busy as it is told.
-/// Signatures: nvml.h.
+/// Stands in for the driver's library libnvidia-ml.so.1, on machines without a GPU: one device, which was 10 % busy
+/// until `fakeNvmlBusySince`, and says so for another 200 ms; from then on it is 60 % busy. Signatures: nvml.h.
 
 #include <atomic>
+#include <chrono>
 
 extern "C" {
 
-std::atomic<unsigned> fakeNvmlBusyPercent = 0;
+std::atomic<std::chrono::steady_clock::time_point> fakeNvmlBusySince{};
+std::atomic<int> fakeNvmlSettledAnswers = 0;  ///< how often it said 60 %
 
 struct FakeUtilization {
     unsigned gpu, memory;
@@ -18,11 +20,13 @@ int nvmlShutdown() {
     return 0;
 }
 int nvmlDeviceGetHandleByIndex_v2(unsigned index, void** device) {
-    *device = &fakeNvmlBusyPercent;
+    *device = &fakeNvmlBusySince;
     return index == 0 ? 0 : 2;  // 2: NVML_ERROR_INVALID_ARGUMENT
 }
-int nvmlDeviceGetUtilizationRates(void* device, FakeUtilization* rates) {
-    *rates = {static_cast<std::atomic<unsigned>*>(device)->load(), 1};
+int nvmlDeviceGetUtilizationRates(void*, FakeUtilization* rates) {
+    const bool settled = std::chrono::steady_clock::now() - fakeNvmlBusySince.load() > std::chrono::milliseconds(200);
+    *rates = {settled ? 60u : 10u, 1};
+    fakeNvmlSettledAnswers += settled;
     return 0;
 }
 }

@@ -192,15 +192,13 @@ class EstimatorsTest : public QObject {
         Scene scene = test::plainScene(test::makeVolume({1, 1, 1}, dvec3(1), [](int, int, int) { return 0; }), 0);
         scene.film = {64, 48};
         Session session(test::testedDevice(), look);
-        const auto start = std::chrono::steady_clock::now();
-        while (frames < 2000 && std::chrono::steady_clock::now() - start < std::chrono::seconds(4)) {
+        while (frames < 600) {
             ++scene.revision;
             scene.environment = {vec3(scene.revision % 2 ? 100.0f : 0.0f), true};
             session.submit(scene, scene.revision % 3 == 0);
             std::this_thread::sleep_for(std::chrono::microseconds(scene.revision % 7 * 100));
         }
         qInfo("%d frames of %llu scenes", frames.load(), static_cast<unsigned long long>(scene.revision));
-        QVERIFY(frames > 200);
         QCOMPARE(torn.load(), 0);
     }
 

@@ -8,6 +8,7 @@
 
 #include "app/desktop.h"
 #include "app/presets.h"
+#include "tests/support/processor_time.h"
 
 namespace pdr::app {
 
@@ -22,22 +23,22 @@ struct Trial {
 
     void openAndWait(const QString& series) {
         desktop.open(series);
-        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty() && !frames.back()->coarse, 240000);
     }
 
     /// Waits for a full picture of the document's newest scene.
     void waitForNewest() {
         const Document& document = desktop.parts().document;
-        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse, 240000);
     }
 
-    /// After a pause: until the launch that was on its way has been shown.
+    /// After a pause: until the launch that was on its way has been shown, and nobody computes any more.
     void waitUntilStill() {
-        std::size_t seen;
-        do {
-            seen = frames.size();
-            QTest::qWait(1500);
-        } while (frames.size() > seen);
+        for (double spent = 1; spent > 0.02;) {
+            const test::ProcessorTime time;
+            QTest::qWait(500);
+            spent = time.seconds();
+        }
     }
 
     QTemporaryDir folder;

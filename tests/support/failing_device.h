@@ -2,6 +2,7 @@
 /// The CPU in the role of a GPU: lost when a test says so, too small for a volume, slow, or with work that goes on
 /// behind the caller's back.
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <deque>
@@ -14,6 +15,7 @@
 
 #include "render/device/cpu/host_gpu.h"
 #include "render/device/gpu/gpu_device.h"
+#include "tests/support/fake_clock.h"
 
 namespace pdr::test {
 
@@ -27,6 +29,8 @@ struct Mishaps {
     std::atomic<double> iterationSeconds = 0;  ///< what an iteration takes, at least
     std::atomic<double> displaySeconds = 0;    ///< what a picture takes from show() to take(), at least
     int ahead = 1;                             ///< > 1: iterate() and show() return at once, and take() waits
+    std::shared_ptr<FakeClock> clock;          ///< that all this passes on; null: the wall's
+    std::atomic<double> goneAt = 1e300;        ///< on that clock
 
     std::atomic<bool> gone = false;
     std::atomic<int> filmsRead = 0;  ///< calls of LiveFilm::film()
@@ -36,9 +40,17 @@ struct Mishaps {
     std::function<void(const std::string&)> before = [](const std::string&) {};
 
     Result<void> call(std::atomic<int>& left) {
-        if (gone || left-- <= 0)
+        if (gone || left-- <= 0 || now() >= goneAt)
             gone = true;
         return gone ? Error{"the device is lost", "", "Look after its cables."} : Result<void>();
+    }
+    double now() const { return clock ? clock->seconds() : steadySeconds(); }
+    /// Until `moment`; on the wall's clock no longer than a stop is asked for.
+    void wait(double moment, const std::stop_token& stop) {
+        if (clock)
+            return clock->advanceTo(moment);
+        for (double left = moment - now(); left > 0 && !stop.stop_requested(); left = moment - now())
+            std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left, 0.01)));
     }
 };
 
@@ -74,7 +86,7 @@ class FailingFilm final : public LiveFilm {
         mishaps_->before("take");
         if (Result<void> well = mishaps_->call(mishaps_->takes); !well)
             return well.error();
-        std::this_thread::sleep_until(pictures_.front().first);
+        mishaps_->wait(pictures_.front().first, {});
         Picture oldest = std::move(pictures_.front().second);
         pictures_.pop_front();
         return oldest;
@@ -96,19 +108,16 @@ class FailingFilm final : public LiveFilm {
     }
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     void spend(double seconds, const std::stop_token& stop) {
-        const auto time = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-        busyUntil_ = std::max(Clock::now(), busyUntil_) + time;
-        while (mishaps_->ahead == 1 && Clock::now() < busyUntil_ && !stop.stop_requested())
-            std::this_thread::sleep_until(std::min(busyUntil_, Clock::now() + std::chrono::milliseconds(10)));
+        busyUntil_ = std::max(mishaps_->now(), busyUntil_) + seconds;
+        if (mishaps_->ahead == 1)
+            mishaps_->wait(busyUntil_, stop);
     }
 
     std::unique_ptr<LiveFilm> film_;
     std::shared_ptr<Mishaps> mishaps_;
-    Clock::time_point busyUntil_;                                 ///< when all that was ordered is done
-    std::deque<std::pair<Clock::time_point, Picture>> pictures_;  ///< and when they arrive
+    double busyUntil_ = 0;                             ///< when all that was ordered is done
+    std::deque<std::pair<double, Picture>> pictures_;  ///< and when they arrive
 };
 
 class FailingDevice final : public Device {

@@ -27,7 +27,8 @@ class WallsTest : public QObject {
         {"render/session/", "^render/(base|kernel|film|scene|device|tiles|accuracy|session)/"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
         {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy)/|^dicom/series.h"},
-        {"app/bench/", "^app/bench/|^render/"},
+        {"app/program/", "^app/program/"},
+        {"app/bench/", "^app/(bench|program)/|^render/"},
         {"app/", "^(app|ui|dicom|render)/"},
     };
 

@@ -1,0 +1,92 @@
+#include "app/bench/command_table.h"
+
+namespace pdr::bench {
+
+namespace {
+
+constexpr Command kCommands[] = {
+    {"picture", picture, "SCENE.json [--samples N] [--device D] [--threads N] [--pfm FILE]",
+     "Renders a picture and says how fast and how noisy it is, as one line of JSON.\n",
+     "  --samples N   samples per pixel, from 1; default 64\n"
+     "  --device D    cpu (default), cuda, cuda:1, auto, or emulated: a GPU's programs, played by the CPU\n"
+     "  --threads N   threads of the CPU; default 0: one per core\n"
+     "  --pfm FILE    write the picture's luminance, linear, as a PFM\n"},
+    {"frames", frames, "SCENE.json [--frames N] [--threads N] [--colours FILE]",
+     "Renders one sample per pixel N times on the CPU and says how long a frame takes, by the clock and on all cores\n"
+     "together, as one line of JSON.\n",
+     "  --frames N      from 1; default 15\n"
+     "  --threads N     default 0: one per core\n"
+     "  --colours FILE  write the mean of all frames, linear, as a colour PFM\n"},
+    {"compare", compare, "PICTURE.pfm REFERENCE.pfm",
+     "Prints the ratio of the means, and the root mean square difference over the reference's mean, as JSON.\n", ""},
+    {"rebound", rebound, "[--size N] [--edits N] [--device D]",
+     "Times how long N x N x N voxels take to be bounded anew after an edit of the transfer function: on one core, or on\n"
+     "a device with a memory of its own.\n",
+     "  --size N      voxels an edge, from 2; default 256\n"
+     "  --edits N     from 1; default 21\n"
+     "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"},
+    {"trackers", trackers, "[SCENE.json ...] [--rays N] [--rounds N]",
+     "Compares what ways to the first collision cost, for the primary rays of each scene; without scenes, of a head.\n",
+     "  --rays N      N x N primary rays, from 1; default 96\n"
+     "  --rounds N    of which the median counts, from 1; default 9\n"},
+    {"filtering", filtering, "SCENE.json [--device D] [--samples N] [--points N] [--rounds N] [--json]",
+     "Says what fast filtering of the volume costs, in HU and in display levels, and what time it saves.\n",
+     "  --device D    cuda, cuda:1 or auto; default cpu: a GPU is played by the CPU, and times say little\n"
+     "  --samples N   samples per pixel, from 2; default 64\n"
+     "  --points N    places at which HU are compared; default 1000000\n"
+     "  --rounds N    of which the median counts, from 1; default 3\n"
+     "  --json        print one line of JSON instead of a table\n"},
+    {"paper", paperExperiment,
+     "[SCENE.json] [--device D] [--threads N] [--estimator E] [--clock C] [--largest WxH]\n"
+     "                            [--seconds S] [--rounds N] [--out DIR]",
+     "Repeats the experiment that this program began with: frames per second, the time of an iteration, the time beside\n"
+     "it, and efficiency, for six resolutions, Exposure Render's order of work and ours with n = 1, 10 and 100.\n",
+     "  --device D       cpu (default), cuda, cuda:1, auto or emulated\n"
+     "  --threads N      threads of the CPU; default 0: one per core\n"
+     "  --estimator E    unbiased or kroesMarch; default: the scene's own\n"
+     "  --clock C        wall (default), or processor: for a shared machine, on the CPU\n"
+     "  --largest WxH    leave out what is larger; default 1920x1080\n"
+     "  --seconds S      for which each cell is measured, in all rounds; default 3\n"
+     "  --rounds N       in which it is measured, from 1; default 5\n"
+     "  --out DIR        write paper.md, paper.csv and paper.json there\n"},
+    {"parity", parity, "[--device D] [--quick] [NAMES]",
+     "Says whether a device renders as the CPU does, sample by sample, and as itself however the work is cut. NAMES: of\n"
+     "these scenes only. Exit code 1: something fails.\n",
+     "  --device D    cuda (default), cuda:1, auto or emulated\n"
+     "  --quick       leave out that pictures arrive whole and that memory returns\n"},
+    {"selftest", selftest, "[--device D] [--quick] [--seed N] [WORDS]",
+     "Renders scenes that physics knows the answer to and says which agree, how sure that is, and which bias it would\n"
+     "have found. WORDS: only cases whose name or family holds them. Exit code 1: the device deviates, or Ctrl-C.\n",
+     "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"
+     "  --quick       20 s instead of about 5 minutes on two cores; finds larger biases only\n"
+     "  --seed N      of the random numbers; default 1\n"},
+};
+
+std::string usageOf(const Command& command) {
+    return std::string("pdrender-bench ") + command.name + " " + command.usage + "\n";
+}
+
+}  // namespace
+
+std::span<const Command> commandTable() {
+    return kCommands;
+}
+
+std::string helpOf(const Command& command) {
+    const std::string options = command.options;
+    return "Usage: " + usageOf(command) + command.explanation + (options.empty() ? "" : "\nOptions:\n" + options);
+}
+
+std::string helpOfAll() {
+    std::string text =
+        "pdrender-bench: measures the renderer alone, on scene files with raw volumes. Not for diagnostic use.\n\n";
+    for (const Command& command : kCommands)
+        text += "  " + usageOf(command);
+    return text +
+           "  pdrender-bench help COMMAND    explain a command and its options; the same as COMMAND --help\n"
+           "  pdrender-bench --version       say which version this is\n"
+           "\n"
+           "Exit codes: 0 done, 1 error, 2 wrong usage.\n";
+}
+
+}  // namespace pdr::bench

@@ -1,0 +1,104 @@
+#include "dicom/compressed_picture.h"
+
+#include <dcmtk/config/osconfig.h>
+
+#include <dcmtk/dcmdata/dcpxitem.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "dicom/decoder_warnings.h"
+#include "dicom/jpeg_scan.h"
+#include "dicom/rle_stream.h"
+
+namespace pdr::dicom {
+
+namespace {
+
+/// All fragments of a compressed picture, joined; empty where there are none.
+std::vector<std::uint8_t> joinedFragments(DcmDataset& data) {
+    std::vector<std::uint8_t> joined;
+    DcmElement* element = nullptr;
+    DcmPixelSequence* fragments = nullptr;
+    if (data.findAndGetElement(DCM_PixelData, element).bad())
+        return joined;
+    auto* pixels = dynamic_cast<DcmPixelData*>(element);
+    if (!pixels || pixels->getEncapsulatedRepresentation(data.getOriginalXfer(), nullptr, fragments).bad())
+        return joined;
+    // Item 0 is the offset table.
+    for (unsigned long i = 1; i < fragments->card(); ++i) {
+        DcmPixelItem* fragment = nullptr;
+        Uint8* bytes = nullptr;
+        if (fragments->getItem(fragment, i).good() && fragment->getUint8Array(bytes).good() && bytes)
+            joined.insert(joined.end(), bytes, bytes + fragment->getLength());
+    }
+    return joined;
+}
+
+/// What the stream itself says, before the decoder may be let loose on it.
+std::string streamDamage(DcmDataset& data, const SliceHeader& header) {
+    const std::vector<std::uint8_t> stream = joinedFragments(data);
+    if (DcmXfer(data.getOriginalXfer()).getXfer() == EXS_RLELossless)
+        return rleDamage(stream, std::size_t(header.columns) * std::size_t(header.rows),
+                         header.format.bitsAllocated / 8);
+    const JpegStream jpeg = readJpeg(stream);
+    if (jpeg.kind == JpegStream::Kind::none || jpeg.size != ivec2(header.columns, header.rows))
+        return "it is not of the size that the file's header says";
+    return jpegDamage(jpeg);
+}
+
+/// How many decoded pixels hold a number that `format` has no room for. Bits above the stored ones may be copies of the
+/// sign, or an overlay of old files (group 6000) that says so.
+template <class Raw>
+std::size_t impossiblePixels(const Raw* raw, std::size_t count, const PixelFormat& format) {
+    const unsigned stored = (1u << format.bitsStored) - 1, sign = 1u << (format.bitsStored - 1);
+    const unsigned above = ((1u << format.bitsAllocated) - 1) & ~stored;
+    return std::size_t(std::count_if(raw, raw + count, [&](Raw pixel) {
+        const unsigned upper = pixel & above;
+        return upper != 0 && !(format.isSigned && upper == above && (pixel & sign) != 0);
+    }));
+}
+
+bool hasOverlayInPixels(DcmDataset& data) {
+    Uint16 bit = 0;
+    return data.findAndGetUint16(DcmTagKey(0x6000, 0x0102), bit).good() && bit > 0;
+}
+
+std::size_t impossiblePixels(DcmDataset& data, const SliceHeader& header) {
+    const PixelFormat& format = header.format;
+    if (format.highBit != format.bitsStored - 1 || format.bitsStored == format.bitsAllocated ||
+        hasOverlayInPixels(data))
+        return 0;
+    unsigned long count = 0;
+    const Uint16* words = nullptr;
+    const Uint8* bytes = nullptr;
+    if (format.bitsAllocated == 16 && data.findAndGetUint16Array(DCM_PixelData, words, &count).good() && words)
+        return impossiblePixels(words, count, format);
+    if (format.bitsAllocated == 8 && data.findAndGetUint8Array(DCM_PixelData, bytes, &count).good() && bytes)
+        return impossiblePixels(bytes, count, format);
+    return 0;
+}
+
+}  // namespace
+
+std::string decompress(DcmDataset& data, const SliceHeader& header) {
+    const bool isCompressed = DcmXfer(data.getOriginalXfer()).isEncapsulated();
+    if (isCompressed) {
+        if (const std::string damage = streamDamage(data, header); !damage.empty())
+            return "is damaged: " + damage;
+    }
+    const DecoderWarnings warnings;
+    if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad())
+        return "cannot be decoded";
+    if (!isCompressed)
+        return {};
+    if (warnings.count() > 0)
+        return "is damaged: its decoder says \"" + warnings.first() + "\"";
+    if (const std::size_t count = impossiblePixels(data, header); count > 0)
+        return "is damaged: " + std::to_string(count) + " of its pixels hold numbers that " +
+               std::to_string(header.format.bitsStored) + " bits cannot";
+    return {};
+}
+
+}  // namespace pdr::dicom

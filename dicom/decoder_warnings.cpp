@@ -1,0 +1,50 @@
+#include "dicom/decoder_warnings.h"
+
+#include <dcmtk/config/osconfig.h>
+
+#include <dcmtk/oflog/appender.h>
+#include <dcmtk/oflog/oflog.h>
+#include <dcmtk/oflog/spi/logevent.h>
+
+namespace pdr::dicom {
+
+namespace {
+
+/// The decoders run on the thread that calls them, so a complaint finds its slice without a lock.
+thread_local DecoderWarnings* listening = nullptr;
+
+}  // namespace
+
+class WarningListener : public dcmtk::log4cplus::Appender {
+  public:
+    ~WarningListener() override { destructorImpl(); }
+    void close() override { closed = true; }
+
+  protected:
+    void append(const dcmtk::log4cplus::spi::InternalLoggingEvent& event) override {
+        if (!listening)
+            return;
+        if (listening->count_++ == 0)
+            listening->first_ = event.getMessage().c_str();
+    }
+};
+
+DecoderWarnings::DecoderWarnings() {
+    listening = this;
+}
+
+DecoderWarnings::~DecoderWarnings() {
+    listening = nullptr;
+}
+
+void DecoderWarnings::listen() {
+    const dcmtk::log4cplus::SharedAppenderPtr listener(new WarningListener);
+    for (const char* decoder : {"dcmtk.dcmjpeg", "dcmtk.dcmjpls"}) {
+        OFLogger logger = OFLog::getLogger(decoder);
+        logger.setAdditivity(false);
+        logger.addAppender(listener);
+        logger.setLogLevel(OFLogger::WARN_LOG_LEVEL);
+    }
+}
+
+}  // namespace pdr::dicom

@@ -1,0 +1,211 @@
+#include "dicom/jpeg_scan.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "dicom/coded_bits.h"
+
+namespace pdr::dicom {
+
+namespace {
+
+constexpr const char* kNoCode = "it holds bits that are no code";
+constexpr const char* kBeyondBlock = "a run of it goes beyond its block";
+constexpr const char* kZeros = "a run of zeros stands where tissue changes";
+constexpr const char* kMean = "it holds a value that its samples cannot have";
+
+/// One part of a scan, from a restart marker to the next. Each walk reads `units` pixels or blocks.
+class Walk {
+  public:
+    Walk(const JpegStream& stream, const JpegScan& scan, const HuffmanDecoder* dc, const HuffmanDecoder* ac,
+         std::span<const std::uint8_t> part)
+        : stream_(stream), scan_(scan), dc_(dc), ac_(ac), bits_(part) {}
+
+    /// The phrase of what is wrong, or null.
+    const char* over(std::int64_t units) {
+        for (std::int64_t i = 0; i < units && !damage_ && !bits_.overrun(); i += step(units - i)) {
+        }
+        if (damage_)
+            return damage_;
+        if (bits_.overrun())
+            return "it ends before its last pixel";
+        return bits_.bytesLeft() > 0 ? "bytes are left over behind its last pixel" : nullptr;
+    }
+
+  private:
+    /// Reads what comes next and returns for how many units it stood.
+    std::int64_t step(std::int64_t unitsLeft) {
+        if (stream_.kind == JpegStream::Kind::lossless)
+            return pixel();
+        if (stream_.kind == JpegStream::Kind::sequential)
+            return block();
+        if (scan_.first > 0)
+            return band(unitsLeft);
+        return scan_.high > 0 ? meanBit() : mean();
+    }
+
+    void damaged(const char* phrase) {
+        if (!damage_)
+            damage_ = phrase;
+    }
+
+    /// A difference of `category` bits (ISO 10918-1, F.1.2.1).
+    int difference(int category) {
+        if (category == 0)
+            return 0;
+        if (category == 16)
+            return 32768;
+        const int written = int(bits_.take(category));
+        return written < 1 << (category - 1) ? written - (1 << category) + 1 : written;
+    }
+
+    int codedDifference(int mostBits) {
+        const std::size_t from = bits_.at();
+        const int category = dc_->take(bits_);
+        if (category < 0 || category > mostBits)
+            return damaged(kNoCode), 0;
+        const int value = difference(category);
+        if (value != 0 && bits_.withinZeroRun(from))
+            damaged(kZeros);
+        return value;
+    }
+
+    std::int64_t pixel() {
+        codedDifference(16);
+        return 1;
+    }
+
+    std::int64_t mean() {
+        // Eight times the sample's range; the sum of a block's samples is what the coefficient holds.
+        const int range = 1 << (stream_.precision + 2);
+        mean_ += codedDifference(15);
+        if (std::abs(std::int64_t(mean_) << scan_.low) * scan_.dcStep > range + (scan_.dcStep << scan_.low))
+            damaged(kMean);
+        return 1;
+    }
+
+    std::int64_t meanBit() {
+        bits_.take(1);
+        return 1;
+    }
+
+    std::int64_t block() {
+        mean();
+        coefficients(1, 63);
+        return 1;
+    }
+
+    /// The first bits of a band of a progressive picture, or that it is empty in several blocks.
+    std::int64_t band(std::int64_t unitsLeft) {
+        const std::int64_t blocks = coefficients(scan_.first, scan_.last);
+        if (blocks > unitsLeft)
+            damaged(kBeyondBlock);
+        return blocks;
+    }
+
+    /// Returns the number of blocks that end here.
+    std::int64_t coefficients(int first, int last) {
+        for (int k = first; k <= last && !damage_ && !bits_.overrun(); ++k) {
+            const std::size_t from = bits_.at();
+            const int symbol = ac_->take(bits_);
+            if (symbol < 0)
+                return damaged(kNoCode), 1;
+            const int run = symbol >> 4, category = symbol & 0x0F;
+            if (category == 0 && run < 15)
+                return endOfBlocks(run);
+            k += run;
+            if (k > last)
+                return damaged(kBeyondBlock), 1;
+            if (category > stream_.precision + 2)
+                return damaged(kMean), 1;
+            if (category > 0) {
+                difference(category);
+                if (bits_.withinZeroRun(from))
+                    return damaged(kZeros), 1;
+            }
+        }
+        return 1;
+    }
+
+    std::int64_t endOfBlocks(int run) {
+        if (run == 0)
+            return 1;
+        if (stream_.kind == JpegStream::Kind::sequential)
+            return damaged(kNoCode), 1;
+        return (std::int64_t(1) << run) + std::int64_t(bits_.take(run));
+    }
+
+    const JpegStream& stream_;
+    const JpegScan& scan_;
+    const HuffmanDecoder *dc_, *ac_;
+    CodedBits bits_;
+    int mean_ = 0;
+    const char* damage_ = nullptr;
+};
+
+std::int64_t unitsOf(const JpegStream& stream) {
+    const std::int64_t x = stream.size.x, y = stream.size.y;
+    return stream.kind == JpegStream::Kind::lossless ? x * y : ((x + 7) / 8) * ((y + 7) / 8);
+}
+
+/// The bits that refine a band depend on those before; constant tissue takes none of them, so long zeros are damage.
+bool refinesBand(const JpegStream& stream, const JpegScan& scan) {
+    return stream.kind == JpegStream::Kind::progressive && scan.first > 0 && scan.high > 0;
+}
+
+const char* refinementDamage(const JpegScan& scan) {
+    for (const auto& part : scan.parts) {
+        CodedBits bits(part);
+        while (bits.bytesLeft() > 0) {
+            const std::size_t from = bits.at();
+            bits.take(8);
+            if (bits.withinZeroRun(from))
+                return kZeros;
+        }
+    }
+    return nullptr;
+}
+
+const char* scanDamage(const JpegStream& stream, const JpegScan& scan) {
+    if (refinesBand(stream, scan))
+        return refinementDamage(scan);
+    const bool needsDc = scan.first == 0 || stream.kind != JpegStream::Kind::progressive;
+    const bool refinesMean = stream.kind == JpegStream::Kind::progressive && scan.first == 0 && scan.high > 0;
+    const bool needsAc = stream.kind == JpegStream::Kind::sequential || !needsDc;
+    if ((needsDc && !refinesMean && !scan.dc) || (needsAc && !scan.ac))
+        return "a code table is missing";
+    if (scan.last > 63)
+        return "a scan of it does not fit its frame";
+    const std::optional<HuffmanDecoder> dc = scan.dc ? std::optional<HuffmanDecoder>(*scan.dc) : std::nullopt;
+    const std::optional<HuffmanDecoder> ac = scan.ac ? std::optional<HuffmanDecoder>(*scan.ac) : std::nullopt;
+    std::int64_t left = unitsOf(stream);
+    for (const auto& part : scan.parts) {
+        const std::int64_t units = scan.restartInterval > 0 ? std::min<std::int64_t>(scan.restartInterval, left) : left;
+        if (units == 0)
+            return "it holds more restart markers than pixels";
+        Walk walk(stream, scan, dc ? &*dc : nullptr, ac ? &*ac : nullptr, part);
+        if (const char* damage = walk.over(units))
+            return damage;
+        left -= units;
+    }
+    return left > 0 ? "it ends before its last pixel" : nullptr;
+}
+
+}  // namespace
+
+std::string jpegDamage(const JpegStream& stream) {
+    using Kind = JpegStream::Kind;
+    if (!stream.damage.empty())
+        return stream.damage;
+    if (stream.kind == Kind::jpegLs || stream.kind == Kind::other || stream.components != 1)
+        return {};
+    if (stream.precision < 2 || stream.precision > 16)
+        return "it states an impossible precision";
+    for (const JpegScan& scan : stream.scans) {
+        if (const char* damage = scanDamage(stream, scan))
+            return damage;
+    }
+    return {};
+}
+
+}  // namespace pdr::dicom
