@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -24,7 +25,8 @@ bool onAllCores(std::size_t count, const std::function<void(std::size_t)>& work,
     std::atomic<bool> stop = false;
     std::mutex mutex;
     std::condition_variable finished;
-    const auto worker = [&] {
+    std::exception_ptr thrown;  // the first one; guarded by mutex
+    const auto each = [&] {
         for (std::size_t i = next++; i < count && !stop; i = next++) {
             work(i);
             if (++done == count) {
@@ -33,18 +35,36 @@ bool onAllCores(std::size_t count, const std::function<void(std::size_t)>& work,
             }
         }
     };
+    const auto worker = [&] {
+        try {
+            each();
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!thrown)
+                thrown = std::current_exception();
+            stop = true;
+            finished.notify_one();
+        }
+    };
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(cores, count); ++i)
-        threads.emplace_back(worker);
+    try {
+        for (std::size_t i = 0; i < std::min(cores, count); ++i)
+            threads.emplace_back(worker);
+    } catch (const std::exception&) {  // no thread left, or no memory for it
+        if (threads.empty())
+            throw;
+    }
 
     std::unique_lock lock(mutex);
-    while (!finished.wait_for(lock, kReportEvery, [&] { return done == count; })) {
+    while (!finished.wait_for(lock, kReportEvery, [&] { return thrown || done == count; })) {
         if (!progress(double(done) / double(count), step)) {
             stop = true;
             return false;
         }
     }
+    if (thrown)
+        std::rethrow_exception(thrown);
     return progress(1.0, step);
 }
 

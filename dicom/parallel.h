@@ -10,7 +10,8 @@
 namespace pdr::dicom {
 
 /// Calls `work(i)` once for every i in [0, count), in no order, on all cores; `progress` is called on the calling
-/// thread only. `work` must not throw. Returns false when progress said stop: then some i were left out.
+/// thread only. Returns false when progress said stop: then some i were left out; likewise when `work` throws, which is
+/// thrown here again.
 bool onAllCores(std::size_t count, const std::function<void(std::size_t)>& work, const Progress& progress,
                 std::string_view step);
 

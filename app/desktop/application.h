@@ -2,6 +2,7 @@
 /// The program's event loop.
 
 #include <QApplication>
+#include <QThreadPool>
 #include <iostream>
 
 #include "render/base/thrown.h"
@@ -12,7 +13,13 @@ namespace pdr::app {
 /// What an event's handler throws ends as a sentence, and the window stays.
 class Application : public QApplication {
   public:
-    using QApplication::QApplication;
+    Application(int& argc, char** argv) : QApplication(argc, argv) {
+        // Qt paints on this pool's threads and would wait for ever for one that the system refuses later.
+        QThreadPool& pool = *QThreadPool::globalInstance();
+        pool.setMaxThreadCount(1);
+        pool.setExpiryTimeout(-1);
+        pool.start([] {});
+    }
 
     bool notify(QObject* receiver, QEvent* event) override {
         try {

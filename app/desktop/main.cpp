@@ -65,7 +65,7 @@ int run(const DesktopOptions& options) {
     Desktop desktop(*std::move(presets), *std::move(device), {}, options.threads);
     desktop.window().show();
     if (!options.folder.isEmpty())
-        desktop.open(options.folder);
+        QTimer::singleShot(0, &desktop.window(), [&] { desktop.open(options.folder); });  // where exceptions end
     if (!options.screenshot.isEmpty())
         QTimer::singleShot(int(options.afterSeconds * 1000), &desktop.window(),
                            [&] { takeScreenshot(desktop.window(), options.screenshot); });
@@ -105,6 +105,7 @@ void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString&
 
 int runWithWindow(int argc, char** argv) {
     const QtMessageHandler usual = qInstallMessageHandler(endWhereQtGivesUp);
+    qputenv("QT_NO_GLIB", "1");  // which ends the program where memory is short
     Application application(argc, argv);
     qInstallMessageHandler(usual);
     QApplication::setApplicationName("pdrender");

@@ -23,13 +23,13 @@ struct Trial {
 
     void openAndWait(const QString& series) {
         desktop.open(series);
-        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty(), 120000);
+        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty() && !frames.back()->coarse, 240000);
     }
 
     /// Waits for a full picture of the document's newest scene.
     void waitForNewest() {
         const Document& document = desktop.parts().document;
-        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse, 120000);
+        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse, 240000);
     }
 
     /// After a pause: until the launch that was on its way has been shown, and nobody computes any more.

@@ -298,6 +298,9 @@ Result<void> GpuScene<G>::close() {
     density_.free();
     rowSums_.free();
     columnSums_.free();
+    orderedDepths_.free();
+    wide_.free();
+    wideCells_.free();
     depths_.free();
     return outcome(gpu_);
 }
