@@ -19,7 +19,8 @@ Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double sec
             scene.transferFunction.extinctionPerMm,
             "PD-Render " PDR_VERSION,
             scene.estimator == Estimator::unbiased ? "" : "kroesMarch (biased)",
-            scheduleText(schedule)};
+            scheduleText(schedule),
+            scene.volume ? scene.volume->remarks() : std::string()};
 }
 
 }  // namespace pdr::app

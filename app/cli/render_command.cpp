@@ -54,13 +54,16 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
     });
     if (!work)
         return work.error();
+    line.finish();
+    tellNotes(*work);
 
     if (auto ok = device.upload(Flattener().prepare(work->scene, boundsFor(device.info()))); !ok)
         return ok.error();
     const auto film = device.film(work->scene.film, work->scene.revision, {});
     if (!film)
         return film.error();
-    const auto result = BatchRender(**film, options.stops).run(stop, [&](const BatchState& state) { line.show(state); });
+    const auto result =
+        BatchRender(**film, options.stops).run(stop, [&](const BatchState& state) { line.show(state); });
     line.finish();
     if (!result)
         return result.error();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/base/progress.h"
 #include "render/base/result.h"
@@ -33,11 +34,14 @@ struct SceneInput {
 struct LoadedScene {
     Scene scene;
     Display display;
+    std::vector<std::string> notes;  ///< on the import of the voxels, a sentence each
 };
 
 /// Errors: those of scene files, presets and the import, and nothing under the pixel to focus on.
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress);
-/// The same with a progress line on standard error.
+/// The same with a progress line and the notes on standard error.
 Result<LoadedScene> loadSceneShown(const SceneInput& input);
+/// Says the notes on standard error.
+void tellNotes(const LoadedScene& loaded);
 
 }  // namespace pdr::app

@@ -57,6 +57,8 @@ std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
         all.emplace_back("pdrender/estimator", from.estimator);
     if (!from.schedule.empty())
         all.emplace_back("pdrender/schedule", from.schedule);
+    if (!from.remarks.empty())
+        all.emplace_back("pdrender/remarks", from.remarks);
     return all;
 }
 

@@ -25,6 +25,7 @@ struct Provenance {
     std::string program;    ///< "PD-Render 0.1.0"
     std::string estimator;  ///< "kroesMarch (biased)"; empty: the unbiased one
     std::string schedule;   ///< "Exposure Render's K1, blurred"; empty: ours
+    std::string remarks;    ///< on the import of the voxels, in words: "lossy clipped"; empty: none
 };
 
 /// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks.

@@ -31,8 +31,9 @@ VolumeGeometry VolumeGeometry::aligned(ivec3 size, dvec3 spacingMm, dvec3 origin
     return {size, map};
 }
 
-Volume::Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding)
-    : geometry_(geometry), voxels_(std::move(voxels)), padding_(std::move(padding)) {
+Volume::Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding,
+               std::string remarks)
+    : geometry_(geometry), voxels_(std::move(voxels)), padding_(std::move(padding)), remarks_(std::move(remarks)) {
     assert(voxels_.size() == geometry_.voxelCount());
     assert(padding_.empty() || padding_.size() == voxels_.size());
     const auto [low, high] = std::minmax_element(voxels_.begin(), voxels_.end());

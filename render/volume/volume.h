@@ -7,12 +7,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "render/base/cells.h"
 #include "render/base/portable.h"
 
 namespace pdr {
+
+/// The least distance between voxel centres that is taken from a file [mm]. No scanner comes near it; much less, and
+/// steps through the grid are lost in the last place of a float.
+inline constexpr double kLowestSpacingMm = 1e-6;
 
 /// Where a grid lies in the patient.
 struct VolumeGeometry {
@@ -40,7 +45,9 @@ class Volume {
 
     /// `voxels` holds geometry.voxelCount() values. `padding` is empty or has one flag per voxel: true = the scanner
     /// measured nothing there. Such voxels should hold kAirHu; statistics leave them out.
-    Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding = {});
+    /// `remarks`: see remarks().
+    Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding = {},
+           std::string remarks = {});
 
     const VolumeGeometry& geometry() const { return geometry_; }
     ivec3 size() const { return geometry_.size; }
@@ -53,6 +60,9 @@ class Volume {
     std::int16_t highestHu() const { return highestHu_; }
     /// The same of all voxels, padding included: what interpolation can meet.
     HuRange storedRange() const { return storedRange_; }
+    /// What was remarked when the voxels were read, in words that pictures made of them carry ("lossy clipped").
+    /// Empty: nothing. Never anything of a patient.
+    const std::string& remarks() const { return remarks_; }
 
   private:
     VolumeGeometry geometry_;
@@ -62,6 +72,7 @@ class Volume {
     std::int16_t lowestHu_ = kAirHu;
     std::int16_t highestHu_ = kAirHu;
     HuRange storedRange_{};
+    std::string remarks_;
 };
 
 }  // namespace pdr
