@@ -35,11 +35,15 @@ void ImportJob::loadSeries(int index) {
     if (index < 0 || index >= int(scan_.series.size()))
         return;
     start([this, index, series = scan_.series[std::size_t(index)]](const Progress& progress) -> std::function<void()> {
-        auto result = dicom::loadSeries(series, dicom::Padding::maskAsAir, progress);
+        std::vector<dicom::Note> notes;
+        auto result = dicom::loadSeries(series, dicom::Padding::maskAsAir, progress, &notes);
         if (!result)
             return failure(result.error());
         auto volume = std::make_shared<const Volume>(std::move(*result));
-        return [this, index, volume] { emit loaded(volume, index); };
+        return [this, index, volume, notes] {
+            loadNotes_ = notes;
+            emit loaded(volume, index);
+        };
     });
 }
 

@@ -25,6 +25,8 @@ class ImportJob : public QObject {
 
     /// The scan that the signals' indices refer to.
     const dicom::ScanResult& scan() const { return scan_; }
+    /// What only the pixels of the series that was loaded last could tell.
+    const std::vector<dicom::Note>& loadNotes() const { return loadNotes_; }
 
   public slots:
     /// Reads the headers in `folder`; ends with scanned() or failed().
@@ -59,6 +61,7 @@ class ImportJob : public QObject {
     void deliver(std::uint64_t job, const std::function<void()>& result);
 
     dicom::ScanResult scan_;
+    std::vector<dicom::Note> loadNotes_;
     std::atomic<std::uint64_t> job_ = 0;  ///< the one that may go on; older ones are cancelled
     bool running_ = false;
     QThread thread_;  ///< begins with the first job

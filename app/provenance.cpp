@@ -22,7 +22,8 @@ Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double sec
             "PD-Render " PDR_VERSION,
             scene.estimator == Estimator::unbiased ? "" : "kroesMarch (biased)",
             scheduleText(schedule),
-            warningNames(warnings(scene))};
+            warningNames(warnings(scene)),
+            scene.volume ? scene.volume->remarks() : std::string()};
 }
 
 }  // namespace pdr::app

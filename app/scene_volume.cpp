@@ -29,30 +29,35 @@ Progress part(const Progress& progress, double from, double to) {
 
 }  // namespace
 
-Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& uid) {
+Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& id) {
     const auto found = std::find_if(scan.series.begin(), scan.series.end(), [&](const dicom::Series& series) {
-        return uid.empty() ? series.verdict.loadable() : series.series.uid == uid;
+        return id.empty() ? series.verdict.loadable() : series.series.id() == id;
     });
     if (found != scan.series.end())
         return *found;
-    if (uid.empty())
+    if (id.empty())
         return nothingLoadable(scan);
-    return Error{"there is no series " + uid + " here", "", "\"pdrender-cli info FOLDER\" lists those that there are."};
+    return Error{"there is no series " + id + " here", "", "\"pdrender-cli info FOLDER\" lists those that there are."};
 }
 
-Result<std::shared_ptr<const Volume>> fetchVolume(const VolumeSource& source, const Progress& progress) {
-    if (!source.raw.path.empty())
-        return fetchRawVolume(source);
+Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& progress) {
+    if (!source.raw.path.empty()) {
+        auto raw = fetchRawVolume(source);
+        if (!raw)
+            return raw.error();
+        return FetchedVolume{*std::move(raw), {}};
+    }
     const auto scan = dicom::scanFolder(source.dicomFolder, part(progress, 0, 0.1));
     if (!scan)
         return scan.error();
     const auto series = chosenSeries(*scan, source.seriesUid);
     if (!series)
         return Error{series.error().what, source.dicomFolder.string(), series.error().hint};
-    auto volume = dicom::loadSeries(*series, dicom::Padding::maskAsAir, part(progress, 0.1, 1));
+    std::vector<dicom::Note> notes = series->verdict.notes;
+    auto volume = dicom::loadSeries(*series, dicom::Padding::maskAsAir, part(progress, 0.1, 1), &notes);
     if (!volume)
         return volume.error();
-    return std::make_shared<const Volume>(clamped(*std::move(volume), source.clampHu));
+    return FetchedVolume{std::make_shared<const Volume>(clamped(*std::move(volume), source.clampHu)), std::move(notes)};
 }
 
 }  // namespace pdr::app

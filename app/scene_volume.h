@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "dicom/series.h"
 #include "render/base/progress.h"
@@ -11,10 +12,16 @@
 
 namespace pdr::app {
 
-/// The series with `uid`, or the first loadable one for an empty `uid`. Errors: none is there, with the reasons why.
-Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& uid);
+/// The entry with this `id` (SeriesFacts::id), or the first loadable one for an empty `id`. Errors: none is there, with
+/// the reasons why.
+Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& id);
+
+struct FetchedVolume {
+    std::shared_ptr<const Volume> volume;
+    std::vector<dicom::Note> notes;  ///< what a user should know about them
+};
 
 /// Errors: those of the DICOM import and of raw files.
-Result<std::shared_ptr<const Volume>> fetchVolume(const VolumeSource& source, const Progress& progress);
+Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& progress);
 
 }  // namespace pdr::app

@@ -38,6 +38,15 @@ Error nothingLoadable(const dicom::ScanResult& scan, const QString& folder) {
     return error;
 }
 
+/// What the import remarked on the series and its voxels, one sentence a line.
+QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofPixels) {
+    QStringList lines;
+    for (const auto* notes : {&series.verdict.notes, &ofPixels})
+        for (const dicom::Note& note : *notes)
+            lines << ui::sentence(note.text);
+    return lines.join('\n');
+}
+
 }  // namespace
 
 void showNothing(const DesktopParts& parts) {
@@ -68,8 +77,11 @@ void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QS
 }
 
 void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index) {
+    const dicom::Series& series = parts.import.scan().series[std::size_t(index)];
     parts.window.message().clear();
-    parts.window.setSubject(ui::seriesTitle(parts.import.scan().series[std::size_t(index)]));
+    if (const QString notes = notesOn(series, parts.import.loadNotes()); !notes.isEmpty())
+        showNotice(parts, notes);
+    parts.window.setSubject(ui::windowSubject(series));
     parts.window.series().setCurrent(index);
     showNoPicture(parts, {});
     parts.document.open(std::move(volume));

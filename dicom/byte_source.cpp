@@ -11,6 +11,7 @@ namespace pdr::dicom {
 namespace {
 
 constexpr std::size_t kWindowBytes = 16 << 10;
+constexpr std::size_t kAskEvery = 1 << 20;
 
 }  // namespace
 
@@ -51,14 +52,19 @@ bool ByteSource::read(std::uint64_t offset, std::span<std::uint8_t> out) {
     return true;
 }
 
-std::vector<std::uint8_t> inflateFrom(ByteSource& source, std::uint64_t offset, std::size_t limit) {
-    std::vector<std::uint8_t> inflated;
+namespace {
+
+/// Inflates everything from `offset` on and hands it out piece by piece. False if the stream is damaged or longer than
+/// `limit`, or `goOn` said no.
+template <class Take>
+bool inflateEach(ByteSource& source, std::uint64_t offset, std::size_t limit, const GoOn& goOn, Take take) {
     z_stream stream{};
     if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
-        return {};
+        return false;
     std::array<std::uint8_t, kWindowBytes> packed, unpacked;
     int state = Z_OK;
-    while (state == Z_OK && inflated.size() <= limit) {
+    std::size_t total = 0, asked = 0;
+    while (state == Z_OK && total <= limit) {
         if (stream.avail_in == 0) {
             const auto left = offset < source.size() ? source.size() - offset : 0;
             const auto count = std::size_t(std::min<std::uint64_t>(packed.size(), left));
@@ -71,11 +77,29 @@ std::vector<std::uint8_t> inflateFrom(ByteSource& source, std::uint64_t offset, 
         stream.next_out = unpacked.data();
         stream.avail_out = uInt(unpacked.size());
         state = inflate(&stream, Z_NO_FLUSH);
-        inflated.insert(inflated.end(), unpacked.begin(), unpacked.begin() + (unpacked.size() - stream.avail_out));
+        const std::size_t made = unpacked.size() - stream.avail_out;
+        take(std::span<const std::uint8_t>(unpacked).first(made));
+        total += made;
+        if (total - asked >= kAskEvery && !goOn())
+            break;
+        asked = total - asked >= kAskEvery ? total : asked;
     }
     inflateEnd(&stream);
-    if (state != Z_STREAM_END || inflated.size() > limit)
-        inflated.clear();
+    return state == Z_STREAM_END && total <= limit;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> inflateFrom(ByteSource& source, std::uint64_t offset, std::size_t limit, const GoOn& goOn) {
+    using Piece = std::span<const std::uint8_t>;
+    std::vector<std::uint8_t> inflated;
+    std::size_t total = 0;
+    if (!inflateEach(source, offset, limit, goOn, [&](Piece piece) { total += piece.size(); }))
+        return inflated;
+    inflated.reserve(total);
+    const auto keep = [&](Piece piece) { inflated.insert(inflated.end(), piece.begin(), piece.end()); };
+    if (!inflateEach(source, offset, limit, goOn, keep))
+        inflated = {};
     return inflated;
 }
 

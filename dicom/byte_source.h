@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "dicom/go_on.h"
+
 namespace pdr::dicom {
 
 class ByteSource {
@@ -32,8 +34,9 @@ class ByteSource {
     bool open_ = false;
 };
 
-/// The data set of a deflated file: everything from `offset` on, inflated. Empty if the stream is damaged or inflates
-/// to more than `limit` bytes (a bomb).
-std::vector<std::uint8_t> inflateFrom(ByteSource& source, std::uint64_t offset, std::size_t limit);
+/// The data set of a deflated file: everything from `offset` on, inflated. Empty if the stream is damaged, inflates to
+/// more than `limit` bytes (a bomb, which costs no memory) or `goOn`, asked in each megabyte, says no.
+std::vector<std::uint8_t> inflateFrom(ByteSource& source, std::uint64_t offset, std::size_t limit,
+                                      const GoOn& goOn = always);
 
 }  // namespace pdr::dicom

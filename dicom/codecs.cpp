@@ -62,6 +62,19 @@ bool canDecode(const std::string& transferSyntaxUid) {
     }
 }
 
+bool codingIsLossy(const std::string& transferSyntaxUid) {
+    switch (DcmXfer(transferSyntaxUid.c_str()).getXfer()) {
+        case EXS_JPEGProcess1:
+        case EXS_JPEGProcess2_4:
+        case EXS_JPEGProcess6_8:
+        case EXS_JPEGProcess10_12:
+        case EXS_JPEGLSLossy:
+            return true;
+        default:
+            return false;
+    }
+}
+
 std::string transferSyntaxName(const std::string& transferSyntaxUid) {
     const DcmXfer syntax(transferSyntaxUid.c_str());
     return syntax.getXfer() == EXS_Unknown ? transferSyntaxUid : std::string(syntax.getXferName());

@@ -17,6 +17,9 @@ bool canDecode(const std::string& transferSyntaxUid);
 /// Whether pixels in this transfer syntax take less room than their size says.
 bool isCompressed(const std::string& transferSyntaxUid);
 
+/// Whether pixels in this transfer syntax may differ from what was measured.
+bool codingIsLossy(const std::string& transferSyntaxUid);
+
 /// "JPEG 2000 (Lossless only)", or the UID itself where it is not a known one.
 std::string transferSyntaxName(const std::string& transferSyntaxUid);
 

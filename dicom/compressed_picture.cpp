@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "dicom/codecs.h"
 #include "dicom/decoder_warnings.h"
 #include "dicom/jpeg_scan.h"
 #include "dicom/rle_stream.h"
@@ -67,8 +68,9 @@ bool hasOverlayInPixels(DcmDataset& data) {
 
 std::size_t impossiblePixels(DcmDataset& data, const SliceHeader& header) {
     const PixelFormat& format = header.format;
-    if (format.highBit != format.bitsStored - 1 || format.bitsStored == format.bitsAllocated ||
-        hasOverlayInPixels(data))
+    // Beside sharp edges, what went through a lossy coding may honestly overshoot.
+    if (codingIsLossy(header.transferSyntaxUid) || format.highBit != format.bitsStored - 1 ||
+        format.bitsStored == format.bitsAllocated || hasOverlayInPixels(data))
         return 0;
     unsigned long count = 0;
     const Uint16* words = nullptr;

@@ -93,7 +93,6 @@ void putWho(DcmItem& item, const ExportFacts& facts, const SeriesIdentity& ident
     put(item, DCM_Modality, "CT");
     put(item, DCM_SeriesInstanceUID, identity.seriesUid);
     put(item, DCM_SeriesNumber, "1");
-    put(item, DCM_Laterality, "");
     put(item, DCM_SeriesDescription, facts.seriesDescription);
     put(item, DCM_Manufacturer, "PD-Render");
     put(item, DCM_SoftwareVersions, PDR_VERSION);
@@ -189,6 +188,26 @@ std::optional<Error> refuse(const Volume& volume, const fs::path& folder) {
     return {};
 }
 
+/// A new folder beside `place`, with a name that nobody else has. What was not made here is never taken away.
+std::optional<fs::path> makePartial(const fs::path& place, std::error_code& failure) {
+    std::random_device random;
+    if (!fs::exists(place.parent_path(), failure))
+        fs::create_directories(place.parent_path(), failure);
+    for (int trial = 0; trial < 100 && !failure; ++trial) {
+        char suffix[24];
+        std::snprintf(suffix, sizeof suffix, ".%08x.partial", unsigned(random()));
+        fs::path partial = place;
+        partial += suffix;
+        if (fs::create_directory(partial, failure))
+            return partial;
+    }
+    return {};
+}
+
+Error cannotBeMade(const fs::path& place, const std::error_code& failure) {
+    return {"the folder cannot be made (" + failure.message() + ")", place.string(), "Choose another place."};
+}
+
 }  // namespace
 
 Result<void> writeSeries(const Volume& volume, const ExportFacts& facts, const fs::path& folder,
@@ -198,22 +217,18 @@ Result<void> writeSeries(const Volume& volume, const ExportFacts& facts, const f
     const fs::path place = target.filename().empty() ? target.parent_path() : target;
     if (std::optional<Error> error = refuse(volume, place))
         return *error;
-    fs::path partial = place;
-    partial += ".partial";
     std::error_code failure, ignored;
-    fs::remove_all(partial, ignored);
-    fs::create_directories(partial, failure);
-    if (failure)
-        return Error{"the folder cannot be made (" + failure.message() + ")", place.string(), "Choose another place."};
-    std::optional<Error> error = writeAll(volume, facts, partial, progress);
+    const std::optional<fs::path> partial = makePartial(place, failure);
+    if (!partial)
+        return cannotBeMade(place, failure);
+    std::optional<Error> error = writeAll(volume, facts, *partial, progress);
     if (!error) {
-        fs::rename(partial, place, failure);
+        fs::rename(*partial, place, failure);
         if (failure)
-            error =
-                Error{"the folder cannot be made (" + failure.message() + ")", place.string(), "Choose another place."};
+            error = cannotBeMade(place, failure);
     }
     if (error) {
-        fs::remove_all(partial, ignored);
+        fs::remove_all(*partial, ignored);
         return *error;
     }
     progress(1.0, "writing slices");

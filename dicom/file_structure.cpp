@@ -2,91 +2,54 @@
 
 #include <dcmtk/config/osconfig.h>
 
-#include <dcmtk/dcmdata/dctag.h>
-#include <dcmtk/dcmdata/dcvr.h>
 #include <dcmtk/dcmdata/dcxfer.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "dicom/byte_source.h"
+#include "dicom/element.h"
 
 namespace pdr::dicom {
 
 namespace {
 
-constexpr std::uint32_t kUndefined = 0xFFFFFFFF;
-constexpr std::uint32_t kItem = 0xFFFEE000, kItemEnd = 0xFFFEE00D, kSequenceEnd = 0xFFFEE0DD;
-constexpr std::uint32_t kTransferSyntax = 0x00020010, kPixelData = 0x7FE00010;
 constexpr std::uint64_t kPreambleBytes = 128;
+/// The toolkit reads values up to this size into memory, and longer ones only when they are asked for.
+constexpr std::uint32_t kReadAtOnce = 4096;
 
-struct Encoding {
-    bool explicitVr = true;
-    bool bigEndian = false;
-};
+/// What the toolkit would have to hold of a file, and whether anybody still waits for it.
+class Allowance {
+  public:
+    Allowance(const GoOn& goOn, FileStructure& found) : goOn_(goOn), found_(found) {}
 
-/// The head of one element, as it lies in the file.
-struct Element {
-    std::uint32_t tag = 0;  ///< group in the upper half
-    DcmEVR vr = EVR_UNKNOWN;
-    std::uint32_t length = 0;
-    std::uint64_t value = 0;  ///< where its value starts
-};
-
-std::string hexTag(std::uint32_t tag) {
-    char text[16];
-    std::snprintf(text, sizeof text, "(%04x,%04x)", unsigned(tag >> 16), unsigned(tag & 0xFFFF));
-    return text;
-}
-
-std::uint32_t number(const std::uint8_t* bytes, int count, bool bigEndian) {
-    std::uint32_t value = 0;
-    for (int i = 0; i < count; ++i)
-        value |= std::uint32_t(bytes[i]) << 8 * (bigEndian ? count - 1 - i : i);
-    return value;
-}
-
-DcmEVR dictionaryVr(std::uint32_t tag) {
-    return DcmTag(Uint16(tag >> 16), Uint16(tag & 0xFFFF)).getEVR();
-}
-
-bool isStandardVr(const std::uint8_t* letters) {
-    const char name[3] = {char(letters[0]), char(letters[1]), 0};
-    return DcmVR(name).isStandard();
-}
-
-/// The head of the element at `at`, or nothing where the file ends inside it.
-std::optional<Element> readElement(ByteSource& source, std::uint64_t at, Encoding encoding) {
-    std::array<std::uint8_t, 12> head{};
-    if (!source.read(at, std::span(head).first(8)))
-        return {};
-    Element element;
-    element.tag = number(&head[0], 2, encoding.bigEndian) << 16 | number(&head[2], 2, encoding.bigEndian);
-    element.value = at + 8;
-    if (!encoding.explicitVr || element.tag >> 16 == 0xFFFE) {
-        element.length = number(&head[4], 4, encoding.bigEndian);
-        element.vr = dictionaryVr(element.tag);
-        return element;
+    /// Counts one element, item or fragment; false with the damage said.
+    bool take(const Element& element) {
+        // Most elements are small: asking after each thousandth is asking within a millisecond.
+        if (++elements_ % 1000 == 0 && !goOn_())
+            found_.damage = "cancelled";
+        bytes_ += element.length <= kReadAtOnce ? element.length : 0;
+        if (elements_ > kMaxElements)
+            found_.damage = "it holds more than " + std::to_string(kMaxElements) + " elements, items and fragments";
+        else if (bytes_ > kMaxHeaderBytes)
+            found_.damage = "its header takes more than " + std::to_string(kMaxHeaderBytes >> 20) + " MB";
+        return found_.damage.empty();
     }
-    const char letters[3] = {char(head[4]), char(head[5]), 0};
-    const DcmVR vr(letters);
-    element.vr = vr.getEVR();
-    element.length = number(&head[6], 2, encoding.bigEndian);
-    if (vr.usesExtendedLengthEncoding()) {
-        if (!source.read(at + 8, std::span(head).subspan(8, 4)))
-            return {};
-        element.length = number(&head[8], 4, encoding.bigEndian);
-        element.value = at + 12;
-    }
-    return element;
-}
+
+  private:
+    const GoOn& goOn_;
+    FileStructure& found_;
+    int elements_ = 0;
+    std::size_t bytes_ = 0;
+};
 
 /// Walks one data set with a stack of its own instead of the machine's.
 class Walk {
   public:
-    Walk(ByteSource& source, std::uint64_t start, Encoding encoding, FileStructure& found)
-        : source_(source), at_(start), found_(found) {
+    Walk(ByteSource& source, std::uint64_t start, Encoding encoding, Allowance& allowance, FileStructure& found)
+        : source_(source), at_(start), allowance_(allowance), found_(found) {
         levels_.push_back({source.size(), false, false, encoding});
     }
 
@@ -111,6 +74,8 @@ class Walk {
         const std::optional<Element> element = readElement(source_, at_, levels_.back().encoding);
         if (!element)
             return damaged("it ends in the middle of an element");
+        if (!allowance_.take(*element))
+            return false;
         at_ = element->value;
         return levels_.back().isSequence ? inSequence(*element) : inItem(*element);
     }
@@ -138,10 +103,11 @@ class Walk {
             found_.reachesPixels = true;
         if (element.tag == kPixelData && element.length == kUndefined)
             return skipFragments();
-        const bool unknown = element.vr == EVR_UN || element.vr == EVR_UNKNOWN || element.vr == EVR_UNKNOWN2B;
-        const bool knownAsSequence = element.vr == EVR_UN && dictionaryVr(element.tag) == EVR_SQ;
-        if (element.vr == EVR_SQ || knownAsSequence || (unknown && element.length == kUndefined))
-            return open(element, true, unknown ? Encoding{false, false} : level.encoding);
+        using Kind = Element::Kind;
+        const bool written = element.kind == Kind::sequence;
+        if (written || element.kind == Kind::unknownSequence ||
+            (element.kind == Kind::unknown && element.length == kUndefined))
+            return open(element, true, written ? level.encoding : Encoding{false, false});
         return skip(element);
     }
 
@@ -177,7 +143,7 @@ class Walk {
                 break;
             if (fragment->tag != kItem || fragment->length == kUndefined)
                 return damaged("its compressed picture is not made of fragments");
-            if (!fits(*fragment))
+            if (!fits(*fragment) || !allowance_.take({fragment->tag, fragment->kind, kUndefined, fragment->value}))
                 return false;
             at_ += fragment->length;
         }
@@ -201,18 +167,10 @@ class Walk {
 
     ByteSource& source_;
     std::uint64_t at_;
+    Allowance& allowance_;
     FileStructure& found_;
     std::vector<Level> levels_;
 };
-
-/// The coding of a data set that does not say it: by the look of its first element, as the toolkit does.
-Encoding detectEncoding(ByteSource& source, std::uint64_t at) {
-    std::array<std::uint8_t, 6> head{};
-    if (!source.read(at, head))
-        return {};
-    const bool bigEndian = head[0] == 0 && head[1] != 0;
-    return {isStandardVr(&head[4]), bigEndian};
-}
 
 std::string uidOf(Encoding encoding) {
     const E_TransferSyntax syntax = !encoding.explicitVr ? EXS_LittleEndianImplicit
@@ -221,24 +179,16 @@ std::string uidOf(Encoding encoding) {
     return DcmXfer(syntax).getXferID();
 }
 
-/// Whether the bytes at `at` can be the first element of a DICOM file: group 0002 or 0008, known, of sensible length.
-bool looksLikeElement(ByteSource& source, std::uint64_t at) {
-    const Encoding encoding = detectEncoding(source, at);
-    const std::optional<Element> element = readElement(source, at, encoding);
-    if (!element)
-        return false;
-    const std::uint32_t group = element->tag >> 16;
-    return (group == 0x0002 || group == 0x0008) && dictionaryVr(element->tag) != EVR_UN && element->length <= 1024;
-}
-
 /// Reads group 0002 from `at` on; returns where the data set starts.
-std::uint64_t readMeta(ByteSource& source, std::uint64_t at, FileStructure& found) {
+std::uint64_t readMeta(ByteSource& source, std::uint64_t at, Allowance& allowance, FileStructure& found) {
     const Encoding encoding{detectEncoding(source, at).explicitVr, false};
     for (;;) {
         const std::optional<Element> element = readElement(source, at, encoding);
         if (!element || element->tag >> 16 != 0x0002)
             return at;
         found.hasMetaHeader = true;
+        if (!allowance.take(*element))
+            return at;
         if (element->length > source.size() - element->value) {
             found.damage = "element " + hexTag(element->tag) + " is longer than the file";
             return at;
@@ -254,30 +204,33 @@ std::uint64_t readMeta(ByteSource& source, std::uint64_t at, FileStructure& foun
     }
 }
 
-void walkDataSet(ByteSource& source, std::uint64_t start, FileStructure& found) {
+void walkDataSet(ByteSource& source, std::uint64_t start, const GoOn& goOn, Allowance& allowance,
+                 FileStructure& found) {
     const DcmXfer stated(found.transferSyntaxUid.c_str());
     if (found.transferSyntaxUid.empty() || stated.getXfer() == EXS_Unknown) {
         const Encoding encoding = detectEncoding(source, start);
         found.transferSyntaxUid = found.transferSyntaxUid.empty() ? uidOf(encoding) : found.transferSyntaxUid;
-        Walk(source, start, encoding, found).run();
+        Walk(source, start, encoding, allowance, found).run();
         return;
     }
     const Encoding encoding{bool(stated.isExplicitVR()), bool(stated.isBigEndian())};
     if (stated.getStreamCompression() != ESC_zlib) {
-        Walk(source, start, encoding, found).run();
+        Walk(source, start, encoding, allowance, found).run();
         return;
     }
-    ByteSource inflated(inflateFrom(source, start, kMaxInflatedBytes));
+    ByteSource inflated(inflateFrom(source, start, kMaxInflatedBytes, goOn));
     if (inflated.size() == 0)
-        found.damage = "its deflated content is damaged, or larger than 256 MB";
+        found.damage =
+            "its deflated content is damaged, or larger than " + std::to_string(kMaxInflatedBytes >> 20) + " MB";
     else
-        Walk(inflated, 0, encoding, found).run();
+        Walk(inflated, 0, encoding, allowance, found).run();
 }
 
 }  // namespace
 
-FileStructure checkStructure(const std::filesystem::path& file) {
+FileStructure checkStructure(const std::filesystem::path& file, const GoOn& goOn) {
     FileStructure found;
+    Allowance allowance(goOn, found);
     ByteSource source(file);
     if (!source.isOpen()) {
         found.isDicom = true;
@@ -290,13 +243,13 @@ FileStructure checkStructure(const std::filesystem::path& file) {
     found.isDicom = hasPreamble || looksLikeElement(source, start);
     if (!found.isDicom)
         return found;
-    const std::uint64_t dataSet = readMeta(source, start, found);
+    const std::uint64_t dataSet = readMeta(source, start, allowance, found);
     if (!found.damage.empty())
         return found;
     if (dataSet >= source.size())
         found.damage = "it ends after its header";
     else
-        walkDataSet(source, dataSet, found);
+        walkDataSet(source, dataSet, goOn, allowance, found);
     return found;
 }
 

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "dicom/go_on.h"
+
 namespace pdr::dicom {
 
 struct FileStructure {
@@ -20,10 +22,15 @@ struct FileStructure {
 
 /// Sequences nested deeper than this are refused. Real files stay below ten.
 inline constexpr int kMaxNesting = 64;
-/// A deflated data set may not grow beyond this many bytes.
-inline constexpr std::size_t kMaxInflatedBytes = std::size_t(256) << 20;
+/// A deflated data set may not grow beyond this many bytes: the largest slice taken, and its header.
+inline constexpr std::size_t kMaxInflatedBytes = std::size_t(160) << 20;
+/// Elements, items and fragments in one file. A CT slice has some hundred; the toolkit spends 250 bytes on each.
+inline constexpr int kMaxElements = 50'000;
+/// Bytes of the values that the toolkit reads into memory with the header.
+inline constexpr std::size_t kMaxHeaderBytes = std::size_t(64) << 20;
 
-/// Reads `file`; never throws for what is in it. `damage` also tells when it cannot be opened.
-FileStructure checkStructure(const std::filesystem::path& file);
+/// Reads `file`; never throws for what is in it. `damage` also tells when it cannot be opened. Asks `goOn` at least
+/// once in a thousand elements and in a megabyte inflated, and ends with the damage "cancelled" when told to.
+FileStructure checkStructure(const std::filesystem::path& file, const GoOn& goOn = always);
 
 }  // namespace pdr::dicom

@@ -9,6 +9,7 @@
 #include "dicom/pixels.h"
 #include "dicom/refusal.h"
 #include "dicom/stack_geometry.h"
+#include "dicom/stack_notes.h"
 
 namespace pdr::dicom {
 
@@ -18,11 +19,6 @@ using Headers = std::vector<const SliceHeader*>;
 
 std::string shortName(const SliceHeader& header, const std::filesystem::path& root) {
     return header.file.lexically_relative(root).string();
-}
-
-/// "1 slice", "3 slices"
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
 std::vector<SlicePlane> planesOf(const Headers& headers, const std::filesystem::path& root) {
@@ -99,33 +95,9 @@ StackAnalysis analyseWithoutCopies(Headers& headers, const std::filesystem::path
     }
     headers = kept;
     analysis = analyseStack(planesOf(headers, root));
-    analysis.verdict.notes.push_back(counted(copies.size(), "copy of a slice", "copies of slices") + " left out (" +
-                                     listed(names) + ")");
+    analysis.verdict.notes.push_back({"copies", counted(copies.size(), "copy of a slice", "copies of slices") +
+                                                    " left out (" + listed(names) + ")"});
     return analysis;
-}
-
-/// What a user should know about slices that load all the same.
-void addNotes(GeometryVerdict& verdict, const Headers& headers) {
-    if (!verdict.loadable())
-        return;
-    std::size_t withoutRescale = 0;
-    std::set<std::string> frames, units;
-    for (const SliceHeader* header : headers) {
-        withoutRescale += !header->meaning.slope || !header->meaning.intercept;
-        frames.insert(header->frameOfReferenceUid);
-        units.insert(header->meaning.unit);
-    }
-    if (withoutRescale > 0)
-        verdict.notes.push_back(counted(withoutRescale, "slice states", "slices state") +
-                                " no rescale; stored values are taken as HU");
-    for (const std::string& unit : units) {
-        if (!unit.empty() && unit != "HU")
-            verdict.notes.push_back("the files say that their values are in \"" + unit + "\"; they are taken as HU");
-    }
-    // Some de-identifiers give every file a frame of its own; a true second frame would show as a broken stack.
-    if (frames.size() > 1)
-        verdict.notes.push_back("the files name " + std::to_string(frames.size()) +
-                                " frames of reference; their positions are taken as one");
 }
 
 Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
@@ -147,21 +119,75 @@ Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::
     return seriesOf(headers, analysis);
 }
 
-/// The entries of CT slices that share a series.
-void addStacks(const Headers& headers, const std::filesystem::path& root, const Progress& progress,
-               std::vector<Series>& out) {
-    const std::vector<std::vector<int>> parts = splitByGrid(planesOf(headers, root));
-    for (const std::vector<int>& part : parts) {
-        Headers slices;
-        for (const int index : part)
-            slices.push_back(headers[index]);
-        StackAnalysis analysis = analyseWithoutCopies(slices, root, progress);
-        addNotes(analysis.verdict, slices);
-        if (parts.size() > 1)
-            analysis.verdict.notes.push_back(counted(headers.size() - part.size(), "slice", "slices") +
-                                             " of this series on another grid listed apart");
-        out.push_back(seriesOf(slices, analysis));
+/// Slices of one series that share a grid.
+struct Part {
+    Headers slices;
+    std::size_t elsewhere = 0;  ///< slices of the series that are not in it
+    StackAnalysis analysis;
+};
+
+std::string pieceReason(const SlicePlane& here, const SlicePlane& there) {
+    const std::string how = here.size == there.size ? inMm(gridDeviationMm(here, there)) + " apart at a corner"
+                                                    : sizeText(here) + " here, " + sizeText(there) + " there";
+    return "this is one piece of a stack whose other piece lies on another grid (" + how + "): " + here.name +
+           " and so on here, " + there.name + " and so on there";
+}
+
+/// Half a patient must not pass for a whole one.
+void refusePieces(std::vector<Part>& parts, const std::filesystem::path& root) {
+    const std::vector<Part> before = parts;
+    for (Part& part : parts) {
+        const auto self = std::size_t(&part - parts.data());
+        for (std::size_t other = 0; other < parts.size(); ++other) {
+            if (other == self || !part.analysis.verdict.loadable() || !before[other].analysis.verdict.loadable() ||
+                !continues(part.analysis.geometry, before[other].analysis.geometry))
+                continue;
+            const auto planes = planesOf({part.slices.front(), before[other].slices.front()}, root);
+            part.analysis.verdict.stack =
+                planes[0].size == planes[1].size && *planes[0].spacingMm == *planes[1].spacingMm
+                    ? Stack::mixedOrientation
+                    : Stack::mixedSize;
+            part.analysis.verdict.reason = pieceReason(planes[0], planes[1]);
+            part.analysis.geometry = {part.analysis.geometry.size, dmat4(1.0)};
+        }
     }
+}
+
+/// The entries of CT slices that share a series.
+void addStacks(const Headers& headers, const std::filesystem::path& root, const std::set<int>& numbers,
+               const Progress& progress, std::vector<Series>& out) {
+    std::vector<Part> parts;
+    for (const std::vector<int>& indices : splitByGrid(planesOf(headers, root))) {
+        Part part;
+        for (const int index : indices)
+            part.slices.push_back(headers[index]);
+        part.elsewhere = headers.size() - indices.size();
+        part.analysis = analyseWithoutCopies(part.slices, root, progress);
+        parts.push_back(std::move(part));
+    }
+    if (parts.size() > 1)
+        refusePieces(parts, root);
+    for (Part& part : parts) {
+        GeometryVerdict& verdict = part.analysis.verdict;
+        if (verdict.loadable()) {
+            Headers sorted;
+            for (const int index : part.analysis.order)
+                sorted.push_back(part.slices[index]);
+            const std::vector<Note> notes = notesOn(sorted, numbers);
+            verdict.notes.insert(verdict.notes.end(), notes.begin(), notes.end());
+        }
+        if (parts.size() > 1)
+            verdict.notes.push_back(
+                {"parts", counted(part.elsewhere, "slice", "slices") + " of this series on another grid listed apart"});
+        out.push_back(seriesOf(part.slices, part.analysis));
+    }
+}
+
+/// Several entries of one series are told apart by their numbers.
+void numberParts(std::vector<Series>& all) {
+    std::map<std::string, int> seen;
+    for (Series& series : all)
+        series.series.part = ++seen[series.series.uid];
 }
 
 std::string seriesKey(const SliceHeader& header) {
@@ -178,8 +204,8 @@ void noteDamaged(const std::vector<SliceHeader>& damaged, const std::filesystem:
         const auto found = namesOf.find(series.series.uid);
         if (found == namesOf.end() || series.verdict.stack == Stack::notCt)
             continue;
-        series.verdict.notes.push_back(counted(found->second.size(), "damaged file", "damaged files") +
-                                       " of this series left out (" + listed(found->second) + ")");
+        series.verdict.notes.push_back({"damaged", counted(found->second.size(), "damaged file", "damaged files") +
+                                                       " of this series left out (" + listed(found->second) + ")"});
     }
 }
 
@@ -198,12 +224,19 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
         kind.headers.push_back(&header);
         kind.refusal = std::move(refusal);
     }
+    std::map<std::string, std::set<int>> numbersOf;
+    for (const std::vector<SliceHeader>* some : {&headers, &damaged}) {
+        for (const SliceHeader& header : *some) {
+            if (header.instanceNumber)
+                numbersOf[header.series.uid].insert(*header.instanceNumber);
+        }
+    }
     std::vector<Series> all;
     for (auto& [key, kind] : kinds) {
         if (kind.refusal)
             all.push_back(refusedSeries(kind.headers, *kind.refusal, root));
         else
-            addStacks(kind.headers, root, progress, all);
+            addStacks(kind.headers, root, numbersOf[kind.headers.front()->series.uid], progress, all);
     }
     noteDamaged(damaged, root, all);
     const auto rank = [](const Series& series) {
@@ -212,6 +245,7 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
                           series.series.number);
     };
     std::stable_sort(all.begin(), all.end(), [&](const Series& a, const Series& b) { return rank(a) < rank(b); });
+    numberParts(all);
     return all;
 }
 

@@ -9,7 +9,8 @@
 
 namespace pdr::dicom {
 
-/// Reads the headers of every file below `folder` (any name, any depth, links not followed) and sorts them into series.
+/// Reads the headers of every file below `folder` (any name, any depth) and sorts them into series. Links are followed,
+/// but nothing is read twice, and no link leads back up.
 /// A stray, damaged or foreign file never spoils the rest. Errors: no such folder, a file given for a folder, no
 /// permission, nothing DICOM in it, cancelled.
 Result<ScanResult> scanFolder(const std::filesystem::path& folder, const Progress& progress);
@@ -24,7 +25,10 @@ enum class Padding {
 /// Decodes the pixels of `series` into HU = stored * slope + intercept, rounded and held within int16, slices in the
 /// order given, on all cores.
 /// Needs verdict.loadable(); `Padding::keep` also takes any stack whose slices agree in size.
-/// Errors: the verdict's reason, a file that went away or is damaged (named), not enough memory (figures), cancelled.
-Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress);
+/// `notes` receives what only the pixels tell, behind what it holds; the volume's remarks are the codes of the
+/// verdict's notes and of these. Errors: the verdict's reason, a file that went away or is damaged (named), not enough
+/// memory (figures), cancelled.
+Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress,
+                          std::vector<Note>* notes = nullptr);
 
 }  // namespace pdr::dicom

@@ -76,7 +76,8 @@ class Reader {
         }
         if (marker < 0xC0 || marker == kStart || isRestart(marker))
             return damaged("it holds a marker where none belongs");
-        if (at_ + 2 > stream_.size() || word(stream_, at_) < 2 || at_ + std::size_t(word(stream_, at_)) > stream_.size())
+        if (at_ + 2 > stream_.size() || word(stream_, at_) < 2 ||
+            at_ + std::size_t(word(stream_, at_)) > stream_.size())
             return damaged("one of its segments is longer than the picture");
         const Bytes content = stream_.subspan(at_ + 2, std::size_t(word(stream_, at_)) - 2);
         at_ += 2 + content.size();

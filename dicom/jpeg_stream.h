@@ -23,10 +23,10 @@ struct HuffmanCode {
 /// One scan with what holds when it begins.
 struct JpegScan {
     std::optional<HuffmanCode> dc, ac;
-    int first = 0, last = 0;                          ///< Ss, Se: the band of coefficients; lossless: Ss is the predictor
-    int high = 0, low = 0;                            ///< Ah, Al: the bits of the coefficients that this scan brings
-    int dcStep = 1;                                   ///< what one step of a block's mean stands for
-    int restartInterval = 0;                          ///< units between restart markers; 0 = no such markers
+    int first = 0, last = 0;  ///< Ss, Se: the band of coefficients; lossless: Ss is the predictor
+    int high = 0, low = 0;    ///< Ah, Al: the bits of the coefficients that this scan brings
+    int dcStep = 1;           ///< what one step of a block's mean stands for
+    int restartInterval = 0;  ///< units between restart markers; 0 = no such markers
     std::vector<std::span<const std::uint8_t>> parts;  ///< entropy-coded data, split at the restart markers
 };
 

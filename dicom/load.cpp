@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <fstream>
 #include <mutex>
 #include <new>
 #include <optional>
+#include <set>
 
 #include "dicom/import.h"
 #include "dicom/parallel.h"
@@ -57,6 +59,7 @@ class Filling {
                          "Scan the folder again."});
         std::copy(slice->hu.begin(), slice->hu.end(), hu_.begin() + std::ptrdiff_t(k * sliceVoxels_));
         masks_[k] = std::move(slice->padding);
+        clipped_ += slice->clipped;
     }
 
     bool failed() {
@@ -64,6 +67,14 @@ class Filling {
         return error_.has_value();
     }
     const Error& error() const { return *error_; }
+
+    /// What only the pixels tell.
+    std::vector<Note> notes() const {
+        if (clipped_ == 0)
+            return {};
+        const std::string count = clipped_ == 1 ? "1 voxel lies" : std::to_string(clipped_) + " voxels lie";
+        return {{"clipped", count + " beyond what 16 bits hold and were put at their end (-32768 or 32767 HU)"}};
+    }
 
     Volume finish() {
         std::vector<bool> flags;
@@ -74,10 +85,23 @@ class Filling {
             std::copy(masks_[k].begin(), masks_[k].end(), flags.begin() + std::ptrdiff_t(k * sliceVoxels_));
             masks_[k] = {};
         }
-        return Volume(series_.geometry, std::move(hu_), std::move(flags));
+        return Volume(series_.geometry, std::move(hu_), std::move(flags), codes());
     }
 
   private:
+    /// One word for each kind of note.
+    std::string codes() const {
+        std::set<std::string> all;
+        for (const Note& note : series_.verdict.notes)
+            all.insert(note.code);
+        for (const Note& note : notes())
+            all.insert(note.code);
+        std::string joined;
+        for (const std::string& code : all)
+            joined += (joined.empty() ? "" : " ") + code;
+        return joined;
+    }
+
     void fail(Error error) {
         const std::lock_guard lock(mutex_);
         if (!error_)
@@ -89,27 +113,32 @@ class Filling {
     const std::size_t sliceVoxels_;
     std::vector<std::int16_t> hu_;
     std::vector<std::vector<std::uint8_t>> masks_;
+    std::atomic<std::size_t> clipped_ = 0;
     std::mutex mutex_;
     std::optional<Error> error_;
 };
 
-Result<Volume> fill(const Series& series, Padding padding, const Progress& progress) {
+Result<Volume> fill(const Series& series, Padding padding, const Progress& progress, std::vector<Note>* notes) {
     Filling filling(series, padding);
     const Progress untilFailure = [&](double fraction, std::string_view step) {
         return progress(fraction, step) && !filling.failed();
     };
-    const auto loadOne = [&](std::size_t k) { filling.loadSlice(k); };
+    const auto loadOne = [&](std::size_t k, const GoOn&) { filling.loadSlice(k); };
     const bool complete = onAllCores(series.slices.size(), loadOne, untilFailure, "reading slices");
     if (filling.failed())
         return filling.error();
     if (!complete)
         return Error{"cancelled", "", ""};
+    if (notes) {
+        for (Note& note : filling.notes())
+            notes->push_back(std::move(note));
+    }
     return filling.finish();
 }
 
 }  // namespace
 
-Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress) {
+Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress, std::vector<Note>* notes) {
     const ivec3 size = series.geometry.size;
     if (padding == Padding::maskAsAir && !series.verdict.loadable())
         return Error{series.verdict.reason, series.series.description, "Choose another series."};
@@ -120,7 +149,7 @@ Result<Volume> loadSeries(const Series& series, Padding padding, const Progress&
     if (const auto free = availableMemory(); free && needed > *free)
         return outOfMemory(series, needed);
     try {
-        return fill(series, padding, progress);
+        return fill(series, padding, progress, notes);
     } catch (const std::bad_alloc&) {
         return outOfMemory(series, needed);
     }

@@ -17,7 +17,7 @@ constexpr auto kReportEvery = std::chrono::milliseconds(20);
 
 }  // namespace
 
-bool onAllCores(std::size_t count, const std::function<void(std::size_t)>& work, const Progress& progress,
+bool onAllCores(std::size_t count, const std::function<void(std::size_t, const GoOn&)>& work, const Progress& progress,
                 std::string_view step) {
     if (!progress(0.0, step))
         return false;
@@ -26,9 +26,10 @@ bool onAllCores(std::size_t count, const std::function<void(std::size_t)>& work,
     std::mutex mutex;
     std::condition_variable finished;
     std::exception_ptr thrown;  // the first one; guarded by mutex
+    const GoOn goOn = [&stop] { return !stop; };
     const auto each = [&] {
         for (std::size_t i = next++; i < count && !stop; i = next++) {
-            work(i);
+            work(i, goOn);
             if (++done == count) {
                 const std::lock_guard lock(mutex);
                 finished.notify_one();

@@ -81,14 +81,17 @@ DecodedSlice toHu(const Raw* raw, const SliceHeader& header, Padding padding) {
     const StoredValue storedValue(header.format);
     const PaddingRule rule(header.meaning, storedValue, padding);
     const double slope = header.meaning.slope.value_or(1.0), intercept = header.meaning.intercept.value_or(0.0);
-    DecodedSlice slice{{header.columns, header.rows}, {}, {}};
+    DecodedSlice slice;
+    slice.size = {header.columns, header.rows};
     slice.hu.resize(std::size_t(header.columns) * std::size_t(header.rows));
     for (std::size_t i = 0; i < slice.hu.size(); ++i) {
         const int stored = storedValue.of(raw[i]);
-        const double hu = std::clamp(std::round(stored * slope + intercept), -32768.0, 32767.0);
-        slice.hu[i] = std::int16_t(hu);
-        if (!rule.matches(stored))
+        const double hu = std::round(stored * slope + intercept);
+        slice.hu[i] = std::int16_t(std::clamp(hu, -32768.0, 32767.0));
+        if (!rule.matches(stored)) {
+            slice.clipped += slice.hu[i] != hu;
             continue;
+        }
         if (slice.padding.empty())
             slice.padding.resize(slice.hu.size(), 0);
         slice.padding[i] = 1;

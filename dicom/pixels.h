@@ -11,6 +11,7 @@ namespace pdr::dicom {
 struct DecodedSlice {
     ivec2 size{0};                      ///< columns, rows
     std::vector<std::int16_t> hu;       ///< x fastest; rounded, and held within int16
+    std::size_t clipped = 0;            ///< pixels whose HU lie beyond int16
     std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty where there is no such pixel
 };
 

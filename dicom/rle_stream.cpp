@@ -54,7 +54,8 @@ Segment walk(Bytes coded, std::size_t pixels) {
 
 /// Segments are of even length; a byte more is what an encoder of whole words leaves.
 bool isPadding(Bytes rest) {
-    return rest.size() <= 2 && std::all_of(rest.begin(), rest.end(), [](auto byte) { return byte == 0 || byte == 128; });
+    return rest.size() <= 2 &&
+           std::all_of(rest.begin(), rest.end(), [](auto byte) { return byte == 0 || byte == 128; });
 }
 
 }  // namespace

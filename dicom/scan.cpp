@@ -1,7 +1,11 @@
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <new>
 #include <optional>
+#include <set>
 #include <system_error>
+#include <utility>
 
 #include "dicom/codecs.h"
 #include "dicom/grouping.h"
@@ -34,33 +38,83 @@ std::optional<Error> refuseFolder(const fs::path& folder) {
     return {};
 }
 
-/// Every regular file below `folder`, sorted by path; folders that cannot be entered become problems.
-std::optional<std::vector<fs::path>> listFiles(const fs::path& folder, const Progress& progress, ScanResult& result) {
-    std::vector<fs::path> files, open{folder};
-    while (!open.empty()) {
-        const fs::path current = std::move(open.back());
-        open.pop_back();
+/// Every regular file below `folder`, each once, whatever links lead to it. What is no link comes first, so that a file
+/// is known by its own name where it has one below `folder`.
+class FileList {
+  public:
+    FileList(const fs::path& folder, const Progress& progress, ScanResult& result)
+        : progress_(progress), result_(result) {
         std::error_code failure;
-        for (fs::directory_iterator entry(current, failure), end; !failure && entry != end; entry.increment(failure)) {
-            std::error_code gone;
-            const fs::file_status status = entry->symlink_status(gone);
-            if (status.type() == fs::file_type::directory)
-                open.push_back(entry->path());
-            else if (status.type() == fs::file_type::regular)
-                files.push_back(entry->path());
+        // A link to the folder itself or to what holds it would read the whole disk.
+        for (fs::path up = fs::canonical(folder, failure); !failure && up != up.root_path(); up = up.parent_path())
+            isNew(up.parent_path());
+        isNew(folder);
+        complete_ = walk({folder});
+        while (complete_ && !links_.empty()) {
+            const std::vector<fs::path> links = std::exchange(links_, {});
+            for (const fs::path& link : links)
+                complete_ = complete_ && follow(link);
         }
-        if (failure)
-            result.problems.push_back({current, "the folder cannot be read (" + failure.message() + ")"});
-        if (!progress(0.0, "looking for files"))
-            return {};
+        std::sort(files_.begin(), files_.end());
     }
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
-HeaderRead readWithinMemory(const fs::path& file) {
+    /// False when progress said stop.
+    bool isComplete() const { return complete_; }
+    std::vector<fs::path> take() { return std::move(files_); }
+
+  private:
+    /// Whether nothing that was seen so far is the same file or folder.
+    bool isNew(const fs::path& path) {
+        struct stat facts {};
+        return stat(path.c_str(), &facts) != 0 || seen_.emplace(facts.st_dev, facts.st_ino).second;
+    }
+
+    bool follow(const fs::path& link) {
+        std::error_code failure;
+        const fs::file_status target = fs::status(link, failure);
+        if (target.type() == fs::file_type::not_found)
+            result_.problems.push_back({link, "the link leads nowhere"});
+        else if (target.type() == fs::file_type::regular && isNew(link))
+            files_.push_back(link);
+        else if (target.type() == fs::file_type::directory && isNew(link))
+            return walk({link});
+        return true;
+    }
+
+    bool walk(std::vector<fs::path> open) {
+        while (!open.empty()) {
+            const fs::path current = std::move(open.back());
+            open.pop_back();
+            std::error_code failure;
+            for (fs::directory_iterator entry(current, failure), end; !failure && entry != end;
+                 entry.increment(failure)) {
+                std::error_code gone;
+                const fs::file_type type = entry->symlink_status(gone).type();
+                if (type == fs::file_type::symlink)
+                    links_.push_back(entry->path());
+                else if (type == fs::file_type::directory && isNew(entry->path()))
+                    open.push_back(entry->path());
+                else if (type == fs::file_type::regular && isNew(entry->path()))
+                    files_.push_back(entry->path());
+            }
+            if (failure)
+                result_.problems.push_back({current, "the folder cannot be read (" + failure.message() + ")"});
+            if (!progress_(0.0, "looking for files"))
+                return false;
+        }
+        return true;
+    }
+
+    const Progress& progress_;
+    ScanResult& result_;
+    bool complete_ = false;
+    std::vector<fs::path> files_, links_;
+    std::set<std::pair<dev_t, ino_t>> seen_;
+};
+
+HeaderRead readWithinMemory(const fs::path& file, const GoOn& goOn) {
     try {
-        return readSliceHeader(file);
+        return readSliceHeader(file, goOn);
     } catch (const std::bad_alloc&) {
         HeaderRead read;
         read.kind = HeaderRead::Kind::damaged;
@@ -99,13 +153,14 @@ Result<ScanResult> scanFolder(const fs::path& folder, const Progress& progress) 
     if (!dictionaryIsThere())
         return Error{"the DICOM dictionary is not there, so no file can be read", "", "Install libdcmtk17 again."};
     ScanResult result;
-    const auto files = listFiles(folder, progress, result);
-    if (!files)
+    FileList list(folder, progress, result);
+    if (!list.isComplete())
         return kCancelled;
-    result.filesSeen = int(files->size());
-    std::vector<HeaderRead> reads(files->size());
-    const auto readOne = [&](std::size_t i) { reads[i] = readWithinMemory((*files)[i]); };
-    if (!onAllCores(files->size(), readOne, progress, "reading headers"))
+    const std::vector<fs::path> files = list.take();
+    result.filesSeen = int(files.size());
+    std::vector<HeaderRead> reads(files.size());
+    const auto readOne = [&](std::size_t i, const GoOn& goOn) { reads[i] = readWithinMemory(files[i], goOn); };
+    if (!onAllCores(files.size(), readOne, progress, "reading headers"))
         return kCancelled;
     std::vector<SliceHeader> headers, damaged;
     sortOut(reads, headers, damaged, result);

@@ -22,6 +22,11 @@ struct StudyFacts {
 struct SeriesFacts {
     std::string uid, modality, description, date;
     int number = 0;
+    /// Which entry of this series it is, from 1, where its images make several entries.
+    int part = 1;
+
+    /// What tells this entry from all others of a scan: the UID, with "#2" behind it for the second part.
+    std::string id() const { return part > 1 ? uid + "#" + std::to_string(part) : uid; }
 };
 
 /// What the slices are as a stack.
@@ -38,13 +43,18 @@ enum class Stack {
     unreadable,        ///< damaged, truncated or in a coding that cannot be read
 };
 
+/// A harmless remark about a series that loads.
+struct Note {
+    std::string code;  ///< one word that pictures may carry: "lossy", "copies"
+    std::string text;  ///< a sentence for the screen; may name files
+};
+
 struct GeometryVerdict {
     Stack stack = Stack::noGeometry;
     /// A sentence that names files and millimetres ("a.dcm and b.dcm are 10 mm apart, the others 5 mm"); empty for
     /// `even`.
     std::string reason;
-    /// Harmless remarks ("1 copy of a slice left out"), one sentence each.
-    std::vector<std::string> notes;
+    std::vector<Note> notes;  ///< "1 copy of a slice left out"
 
     bool loadable() const { return stack == Stack::even; }
 };

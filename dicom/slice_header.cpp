@@ -156,6 +156,11 @@ bool parseHeader(SliceHeader& header, bool& isDirectory) {
     isDirectory = text(*content.getMetaInfo(), DCM_MediaStorageSOPClassUID) == UID_MediaStorageDirectoryStorage;
     header.imageType = text(item, DCM_ImageType);
     header.frameOfReferenceUid = text(item, DCM_FrameOfReferenceUID);
+    if (const auto instance = numbers<1>(item, DCM_InstanceNumber))
+        header.instanceNumber = int(std::clamp((*instance)[0], -1e9, 1e9));
+    header.isLossy = codingIsLossy(header.transferSyntaxUid) || text(item, DCM_LossyImageCompression) == "01";
+    if (const auto ratio = numbers<1>(item, DCM_LossyImageCompressionRatio))
+        header.lossyRatio = (*ratio)[0];
     readFacts(item, header);
     readPixelFormat(item, header);
     readMeaning(item, header.meaning);
@@ -165,12 +170,12 @@ bool parseHeader(SliceHeader& header, bool& isDirectory) {
 
 }  // namespace
 
-HeaderRead readSliceHeader(const std::filesystem::path& file) {
+HeaderRead readSliceHeader(const std::filesystem::path& file, const GoOn& goOn) {
     prepareToolkit();
     HeaderRead read;
     SliceHeader& header = read.header;
     header.file = file;
-    const FileStructure structure = checkStructure(file);
+    const FileStructure structure = checkStructure(file, goOn);
     if (!structure.isDicom)
         return read;
     header.hasMetaHeader = structure.hasMetaHeader;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "dicom/go_on.h"
 #include "dicom/series.h"
 
 namespace pdr::dicom {
@@ -34,6 +35,9 @@ struct SliceHeader {
 
     std::string frameOfReferenceUid;
     std::string imageType;  ///< values joined by a backslash: "ORIGINAL\PRIMARY\AXIAL"
+    std::optional<int> instanceNumber;
+    bool isLossy = false;              ///< the pixels went through a lossy coding, now or earlier
+    std::optional<double> lossyRatio;  ///< by how much that made them smaller, where it is said
 
     bool hasMetaHeader = false;
     std::string transferSyntaxUid;  ///< as stated, or as found where nothing is stated
@@ -60,7 +64,7 @@ struct HeaderRead {
     std::string damage;  ///< a phrase ("it ends inside the compressed picture")
 };
 
-/// Never throws for what is in the file, and never prints it.
-HeaderRead readSliceHeader(const std::filesystem::path& file);
+/// Never throws for what is in the file, and never prints it. `goOn`: see checkStructure.
+HeaderRead readSliceHeader(const std::filesystem::path& file, const GoOn& goOn = always);
 
 }  // namespace pdr::dicom

@@ -7,30 +7,16 @@
 ///               0.01 mm at the most (both ends of a distance rounded), and no surgeon sees a fiftieth of a millimetre.
 ///   drift       the same, plus 1e-4 of the distance travelled along the normal: direction cosines that were rounded to
 ///               four decimals turn the normal by that much.
-///   direction   2e-4 in any component between slices of one stack (again four decimals).
-///   unit        1e-3: how far the direction cosines may be from length one and from a right angle.
+///   grid        0.2 mm at the far corner of a slice (slice_plane.h); a note names the largest from 0.01 mm on.
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "dicom/series.h"
+#include "dicom/slice_plane.h"
 
 namespace pdr::dicom {
-
-inline constexpr double kPositionToleranceMm = 0.02;
-inline constexpr double kDriftTolerance = 1e-4;
-inline constexpr double kDirectionTolerance = 2e-4;
-inline constexpr double kUnitTolerance = 1e-3;
-
-/// Where one slice lies. `name` is what messages call it.
-struct SlicePlane {
-    std::string name;
-    ivec2 size{0};  ///< columns, rows
-    std::optional<dvec3> position, rowDirection, columnDirection;
-    std::optional<dvec2> spacingMm;  ///< x: between columns, y: between rows
-};
 
 struct StackAnalysis {
     GeometryVerdict verdict;
@@ -45,7 +31,11 @@ struct StackAnalysis {
 /// `slices` holds at least one.
 StackAnalysis analyseStack(const std::vector<SlicePlane>& slices);
 
-/// Parts slices of one series into those that can share a grid (same size, spacing and directions).
+/// Whether two even stacks of one series are pieces of one: parallel, and the one goes on where the other ends or fills
+/// its gaps. Two pictures of the same place are not.
+bool continues(const VolumeGeometry& a, const VolumeGeometry& b);
+
+/// Parts slices of one series into those that can share a grid (sameGrid).
 /// Parts with one slice only are gathered in one last part. Indices, in the order given.
 std::vector<std::vector<int>> splitByGrid(const std::vector<SlicePlane>& slices);
 

@@ -16,8 +16,8 @@ QString detailOf(const dicom::GeometryVerdict& verdict) {
     QStringList lines;
     if (!verdict.reason.empty())
         lines << sentence(verdict.reason);
-    for (const std::string& note : verdict.notes)
-        lines << sentence(note);
+    for (const dicom::Note& note : verdict.notes)
+        lines << sentence(note.text);
     return lines.join('\n');
 }
 

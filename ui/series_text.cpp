@@ -55,6 +55,10 @@ QString seriesTitle(const dicom::Series& series) {
     return study.isEmpty() ? translated("Series %1").arg(series.series.number) : study;
 }
 
+QString windowSubject(const dicom::Series& series) {
+    return translated("CT series %1").arg(series.series.number);
+}
+
 QString seriesFacts(const dicom::Series& series) {
     const QChar times(0x00D7);
     const ivec3 size = series.geometry.size;

@@ -15,18 +15,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kHelp =
-    "pdrender-cli info FOLDER [--json]\n"
+    "pdrender-cli info FOLDER [--json] [--descriptions]\n"
     "\n"
     "Lists every series below FOLDER: its grid in the patient, its HU with and without padding, a checksum (SHA-256 "
     "of\n"
     "the HU as int16, x fastest, before padding is masked), whether it can be loaded and if not, why. Never a name.\n"
-    "  --json   the same for other programs\n";
+    "  --json           the same for other programs\n"
+    "  --descriptions   also what was written about each series; people write names there\n";
 
-Json scanReport(const dicom::ScanResult& scan, const std::string& folder, const Progress& progress) {
+Json scanReport(const dicom::ScanResult& scan, const std::string& folder, bool withDescriptions,
+                const Progress& progress) {
     Json report = {{"folder", folder}, {"filesSeen", scan.filesSeen}, {"notDicom", scan.notDicom}};
     report["series"] = Json::array();
     for (const dicom::Series& series : scan.series)
-        report["series"].push_back(reportOf(series, progress));
+        report["series"].push_back(reportOf(series, withDescriptions, progress));
     report["problems"] = Json::array();
     for (const dicom::Problem& problem : scan.problems)
         report["problems"].push_back({{"file", problem.file.string()}, {"reason", problem.reason}});
@@ -34,8 +36,9 @@ Json scanReport(const dicom::ScanResult& scan, const std::string& folder, const 
 }
 
 void printText(const Json& report) {
-    std::printf("%s: %d files, %d of them no DICOM\n", report["folder"].get<std::string>().c_str(),
-                report["filesSeen"].get<int>(), report["notDicom"].get<int>());
+    const int files = report["filesSeen"].get<int>();
+    std::printf("%s: %d %s, %d of them not DICOM\n", report["folder"].get<std::string>().c_str(), files,
+                files == 1 ? "file" : "files", report["notDicom"].get<int>());
     for (const Json& series : report["series"])
         std::printf("\n%s", textOf(series).c_str());
     for (const Json& problem : report["problems"])
@@ -48,6 +51,7 @@ void printText(const Json& report) {
 int runInfo(const QStringList& arguments) {
     QStringList folders = arguments;
     const bool asJson = folders.removeAll(QStringLiteral("--json")) > 0;
+    const bool withDescriptions = folders.removeAll(QStringLiteral("--descriptions")) > 0;
     if (folders.contains("--help") || folders.contains("-h")) {
         std::fputs(kHelp, stdout);
         return 0;
@@ -67,7 +71,7 @@ int runInfo(const QStringList& arguments) {
         line.finish();
         return failed(scan.error());
     }
-    const Json report = scanReport(*scan, folder, progress);
+    const Json report = scanReport(*scan, folder, withDescriptions, progress);
     line.finish();
     if (asJson)
         std::printf("%s\n", report.dump(2, ' ', false, Json::error_handler_t::replace).c_str());

@@ -39,6 +39,8 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     });
     if (!work)
         return work.error();
+    line.finish();
+    tellNotes(*work);
     if (auto ok = checkSpared(work->files, options.outputs); !ok)
         return ok.error();
 

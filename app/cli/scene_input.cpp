@@ -1,5 +1,6 @@
 #include "app/cli/scene_input.h"
 
+#include <cstdio>
 #include <utility>
 
 #include "app/cli/progress_line.h"
@@ -91,8 +92,10 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     if (!environment)
         return environment.error();
 
-    LoadedScene work{std::move(file->scene), {}, {input.path, file->source.raw.path, file->environmentImage}};
-    work.scene.volume = *std::move(volume);
+    LoadedScene work{std::move(file->scene), {}, {}, {input.path, file->source.raw.path, file->environmentImage}};
+    work.scene.volume = std::move(volume->volume);
+    for (const dicom::Note& note : volume->notes)
+        work.notes.push_back(note.text);
     work.scene.environment.image = *std::move(environment);
     if (input.view || !isFile(input))
         work.scene.camera = cameraFrom(input.view.value_or(StandardView::anterior), work.scene);
@@ -120,7 +123,14 @@ Result<LoadedScene> loadSceneShown(const SceneInput& input) {
         return true;
     });
     line.finish();
+    if (loaded)
+        tellNotes(*loaded);
     return loaded;
+}
+
+void tellNotes(const LoadedScene& loaded) {
+    for (const std::string& note : loaded.notes)
+        std::fprintf(stderr, "note: %s\n", note.c_str());
 }
 
 }  // namespace pdr::app

@@ -34,12 +34,15 @@ struct SceneInput {
 struct LoadedScene {
     Scene scene;
     Display display;
+    std::vector<std::string> notes;            ///< on the import of the voxels, a sentence each
     std::vector<std::filesystem::path> files;  ///< that it was read from, but those of a DICOM folder
 };
 
 /// Errors: those of scene files, presets and the import, and nothing under the pixel to focus on.
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress);
-/// The same with a progress line on standard error.
+/// The same with a progress line and the notes on standard error.
 Result<LoadedScene> loadSceneShown(const SceneInput& input);
+/// Says the notes on standard error.
+void tellNotes(const LoadedScene& loaded);
 
 }  // namespace pdr::app

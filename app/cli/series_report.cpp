@@ -14,30 +14,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A verdict for other programs, and in words.
+struct Verdict {
+    dicom::Stack stack;
+    const char *name, *words;
+};
+
+constexpr Verdict kVerdicts[] = {
+    {dicom::Stack::even, "even", "can be loaded"},
+    {dicom::Stack::singleSlice, "singleSlice", "a single slice, no volume"},
+    {dicom::Stack::gap, "gap", "cannot be loaded, the slices are unevenly spaced"},
+    {dicom::Stack::doubled, "doubled", "cannot be loaded, two slices lie at one place"},
+    {dicom::Stack::tilted, "tilted", "cannot be loaded, the stack is tilted"},
+    {dicom::Stack::mixedOrientation, "mixedOrientation", "cannot be loaded, slices look in different directions"},
+    {dicom::Stack::mixedSize, "mixedSize", "cannot be loaded, slices differ in size"},
+    {dicom::Stack::noGeometry, "noGeometry", "cannot be loaded, the geometry is not stated"},
+    {dicom::Stack::notCt, "notCt", "not a CT volume"},
+    {dicom::Stack::unreadable, "unreadable", "cannot be read"},
+};
+
 const char* nameOf(dicom::Stack stack) {
-    switch (stack) {
-        case dicom::Stack::even:
-            return "even";
-        case dicom::Stack::singleSlice:
-            return "singleSlice";
-        case dicom::Stack::gap:
-            return "gap";
-        case dicom::Stack::doubled:
-            return "doubled";
-        case dicom::Stack::tilted:
-            return "tilted";
-        case dicom::Stack::mixedOrientation:
-            return "mixedOrientation";
-        case dicom::Stack::mixedSize:
-            return "mixedSize";
-        case dicom::Stack::noGeometry:
-            return "noGeometry";
-        case dicom::Stack::notCt:
-            return "notCt";
-        case dicom::Stack::unreadable:
-            return "unreadable";
-    }
-    return "";
+    return std::ranges::find(kVerdicts, stack, &Verdict::stack)->name;
+}
+
+std::string wordsFor(const std::string& name) {
+    return std::ranges::find_if(kVerdicts, [&](const Verdict& verdict) { return verdict.name == name; })->words;
 }
 
 Json vectorOf(const dvec3& v) {
@@ -79,12 +80,17 @@ std::string checksumOf(const Volume& volume) {
 }
 
 void addPixels(Json& report, const dicom::Series& series, const Progress& progress) {
-    const Result<Volume> volume = dicom::loadSeries(series, dicom::Padding::keep, progress);
+    std::vector<dicom::Note> notes;
+    const Result<Volume> volume = dicom::loadSeries(series, dicom::Padding::keep, progress, &notes);
     if (!volume) {
-        if (series.verdict.loadable())
+        if (series.verdict.loadable()) {
+            report["loadable"] = false;
             report["error"] = volume.error().text();
+        }
         return;
     }
+    for (const dicom::Note& note : notes)
+        report["notes"].push_back(note.text);
     report["hu"] = statisticsOf(*volume, [](std::size_t) { return true; });
     report["huWithoutPadding"] = statisticsOf(*volume, [&](std::size_t i) { return !volume->isPadding(i); });
     report["paddingVoxels"] = volume->paddingCount();
@@ -101,6 +107,15 @@ std::string joined(const Json& numbers, const char* separator) {
     return line;
 }
 
+/// "CT series 3", and the description where it was asked for and there is one.
+std::string headline(const Json& report) {
+    const auto modality = report["modality"].get<std::string>();
+    std::string line =
+        (modality.empty() ? "modality unknown," : modality) + " series " + std::to_string(report["number"].get<int>());
+    const std::string description = report.value("description", "");
+    return description.empty() ? line : line + " \"" + description + "\"";
+}
+
 std::string statisticsLine(const char* label, const Json& statistics) {
     if (!statistics.is_object())
         return {};
@@ -112,17 +127,21 @@ std::string statisticsLine(const char* label, const Json& statistics) {
 
 }  // namespace
 
-Json reportOf(const dicom::Series& series, const Progress& progress) {
-    Json report = {{"uid", series.series.uid},
+Json reportOf(const dicom::Series& series, bool withDescription, const Progress& progress) {
+    Json report = {{"id", series.series.id()},
+                   {"uid", series.series.uid},
                    {"modality", series.series.modality},
-                   {"description", series.series.description},
                    {"number", series.series.number},
                    {"date", series.series.date},
                    {"slices", series.slices.size()},
                    {"verdict", nameOf(series.verdict.stack)},
                    {"loadable", series.verdict.loadable()},
                    {"reason", series.verdict.reason},
-                   {"notes", series.verdict.notes}};
+                   {"notes", Json::array()}};
+    for (const dicom::Note& note : series.verdict.notes)
+        report["notes"].push_back(note.text);
+    if (withDescription)
+        report["description"] = series.series.description;
     const ivec3 size = series.geometry.size;
     if (size.x > 0)
         report["size"] = {size.x, size.y, size.z};
@@ -134,10 +153,11 @@ Json reportOf(const dicom::Series& series, const Progress& progress) {
 }
 
 std::string textOf(const Json& report) {
-    std::string text =
-        report["modality"].get<std::string>() + " series " + std::to_string(report["number"].get<int>()) + " \"" +
-        report["description"].get<std::string>() + "\", " + std::to_string(report["slices"].get<int>()) +
-        " slices: " + (report["loadable"].get<bool>() ? "can be loaded" : report["verdict"].get<std::string>()) + "\n";
+    const int images = report["slices"].get<int>();
+    std::string text = headline(report) + ", " + std::to_string(images) + (images == 1 ? " image: " : " images: ") +
+                       (report.contains("error") ? "cannot be loaded, see the error"
+                                                 : wordsFor(report["verdict"].get<std::string>())) +
+                       "\n";
     if (const auto reason = report["reason"].get<std::string>(); !reason.empty())
         text += "  reason           " + reason + "\n";
     for (const Json& note : report["notes"])
@@ -158,7 +178,7 @@ std::string textOf(const Json& report) {
     }
     if (report.contains("error"))
         text += "  error            " + report["error"].get<std::string>() + "\n";
-    return text + "  uid              " + report["uid"].get<std::string>() + "\n";
+    return text + "  id               " + report["id"].get<std::string>() + "\n";
 }
 
 }  // namespace pdr::app

@@ -14,7 +14,8 @@ namespace pdr::app {
 ///   hu: lowest, highest, mean over all voxels, and the same without padding
 ///   sha256 of the HU volume as int16 little-endian, x fastest, before padding is masked
 /// Decodes the pixels, so it takes as long as loading.
-nlohmann::ordered_json reportOf(const dicom::Series& series, const Progress& progress);
+/// `withDescription`: also what somebody wrote about the series, which may be a name.
+nlohmann::ordered_json reportOf(const dicom::Series& series, bool withDescription, const Progress& progress);
 
 /// The same for a person: a few lines, indented.
 std::string textOf(const nlohmann::ordered_json& report);

@@ -63,6 +63,8 @@ std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
         all.emplace_back("pdrender/schedule", from.schedule);
     if (!from.warnings.empty())
         all.emplace_back("pdrender/warnings", from.warnings);
+    if (!from.remarks.empty())
+        all.emplace_back("pdrender/remarks", from.remarks);
     return all;
 }
 

@@ -14,7 +14,7 @@ Volume clamped(Volume volume, const std::optional<std::pair<int, int>>& interval
     std::vector<bool> padding(volume.paddingCount() > 0 ? voxels.size() : 0);
     for (std::size_t i = 0; i < padding.size(); ++i)
         padding[i] = volume.isPadding(i);
-    return Volume(volume.geometry(), std::move(voxels), std::move(padding));
+    return Volume(volume.geometry(), std::move(voxels), std::move(padding), volume.remarks());
 }
 
 }  // namespace pdr

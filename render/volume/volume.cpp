@@ -43,8 +43,9 @@ Result<void> checkSpacing(dvec3 spacingMm) {
     return {};
 }
 
-Volume::Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding)
-    : geometry_(geometry), voxels_(std::move(voxels)), padding_(std::move(padding)) {
+Volume::Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding,
+               std::string remarks)
+    : geometry_(geometry), voxels_(std::move(voxels)), padding_(std::move(padding)), remarks_(std::move(remarks)) {
     assert(voxels_.size() == geometry_.voxelCount());
     assert(padding_.empty() || padding_.size() == voxels_.size());
     const auto [low, high] = std::minmax_element(voxels_.begin(), voxels_.end());

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "render/base/cells.h"
@@ -15,7 +16,8 @@
 
 namespace pdr {
 
-/// No voxels of a scan lie closer; below, places and steps leave the range of single precision.
+/// The least and the largest distance between voxel centres that is taken from a file [mm]. No scanner comes near the
+/// least; below it, steps through the grid are lost in the last place of a float.
 inline constexpr double kLowestSpacingMm = 1e-6;
 inline constexpr double kHighestSpacingMm = 1e6;
 
@@ -48,7 +50,9 @@ class Volume {
 
     /// `voxels` holds geometry.voxelCount() values. `padding` is empty or has one flag per voxel: true = the scanner
     /// measured nothing there. Such voxels should hold kAirHu; statistics leave them out.
-    Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding = {});
+    /// `remarks`: see remarks().
+    Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding = {},
+           std::string remarks = {});
 
     const VolumeGeometry& geometry() const { return geometry_; }
     ivec3 size() const { return geometry_.size; }
@@ -61,6 +65,9 @@ class Volume {
     std::int16_t highestHu() const { return highestHu_; }
     /// The same of all voxels, padding included: what interpolation can meet.
     HuRange storedRange() const { return storedRange_; }
+    /// What was remarked when the voxels were read, in words that pictures made of them carry ("lossy clipped").
+    /// Empty: nothing. Never anything of a patient.
+    const std::string& remarks() const { return remarks_; }
 
   private:
     VolumeGeometry geometry_;
@@ -70,6 +77,7 @@ class Volume {
     std::int16_t lowestHu_ = kAirHu;
     std::int16_t highestHu_ = kAirHu;
     HuRange storedRange_{};
+    std::string remarks_;
 };
 
 }  // namespace pdr

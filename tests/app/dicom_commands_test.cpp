@@ -1,3 +1,4 @@
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -13,6 +14,7 @@
 #include "dicom/import.h"
 #include "tests/support/places.h"
 #include "tests/support/shared_data.h"
+#include "tests/support/slice_file.h"
 
 using namespace pdr;
 
@@ -55,6 +57,26 @@ class DicomCommandsTest : public QObject {
         return at("matrix.dat");
     }
 
+    /// Three axial and three coronal slices of one series, once compressed with loss; somebody wrote a name.
+    void makeTwoParts() const {
+        const std::filesystem::path folder = at("parts").toStdString();
+        std::filesystem::create_directories(folder);
+        for (int k = 0; k < 6; ++k) {
+            test::SliceFile slice{.size = {16, 16}, .position = {0, 0, 2.0 * k}};
+            slice.change = [k](DcmDataset& data) {
+                data.putAndInsertString(DCM_SeriesDescription, "Mrs Secret");
+                data.putAndInsertString(DCM_SeriesNumber, "7");
+                data.putAndInsertString(DCM_LossyImageCompression, "01");
+                data.putAndInsertString(DCM_LossyImageCompressionRatio, "10");
+                if (k < 3)
+                    return;
+                data.putAndInsertString(DCM_ImageOrientationPatient, "1\\0\\0\\0\\0\\-1");
+                data.putAndInsertString(DCM_ImagePositionPatient, ("0\\" + std::to_string(k) + "\\0").c_str());
+            };
+            test::writeSliceFile(folder / std::to_string(k), slice);
+        }
+    }
+
   private slots:
     void infoGivesTheChestInFigures() {
         PDR_NEEDS_SHARED_CT();
@@ -91,6 +113,44 @@ class DicomCommandsTest : public QObject {
             QCOMPARE(info.code, 0);
             QVERIFY(!info.out.contains("Yamada") && !info.out.contains("Hong") && !info.err.contains("Yamada"));
         }
+    }
+
+    void infoTellsDescriptionsOnlyWhereAsked() {
+        makeTwoParts();
+        for (const QStringList& how : {QStringList{}, QStringList{"--json"}}) {
+            QVERIFY(!run(QStringList{"info", at("parts")} + how).out.contains("Mrs Secret"));
+            QVERIFY(run(QStringList{"info", at("parts"), "--descriptions"} + how).out.contains("Mrs Secret"));
+        }
+    }
+
+    void infoSpeaksInWords() {
+        makeTwoParts();
+        const Run info = run({"info", at("parts")});
+        QVERIFY2(info.out.contains("CT series 7, 3 images: can be loaded\n"), info.out.constData());
+        QVERIFY2(info.out.contains("note             3 slices were compressed with loss"), info.out.constData());
+        QVERIFY2(info.out.contains("id               1.2.3.1#2\n"), info.out.constData());
+    }
+
+    void renderReachesEachPartAndSaysWhatTheImportRemarked() {
+        makeTwoParts();
+        for (const char* id : {"1.2.3.1", "1.2.3.1#2"}) {
+            const Run render =
+                run({"render", at("parts"), "--series", id, "-o", at("part.png"), "--samples", "1", "--size", "8x8"});
+            QVERIFY2(render.code == 0, render.err.constData());
+            QVERIFY2(render.err.contains("note: 3 slices were compressed with loss (an earlier coding, 10:1)"),
+                     render.err.constData());
+            QCOMPARE(QImage(at("part.png")).text("pdrender/remarks"), QString("lossy parts"));
+        }
+        const Run none = run({"render", at("parts"), "--series", "1.2.3.1#3", "-o", at("part.png"), "--samples", "1"});
+        QCOMPARE(none.code, 1);
+    }
+
+    void effectsAndReplaySayWhatTheImportRemarked() {
+        makeTwoParts();
+        const Run effects = run({"effects", at("parts"), "--size", "4x4"});
+        QVERIFY2(effects.code == 0 && effects.err.contains("note: 3 slices were"), effects.err.constData());
+        const Run replay = run({"replay", at("parts"), "--size", "4x4", "--pixel", "1,1"});
+        QVERIFY2(replay.code == 0 && replay.err.contains("note: 3 slices were"), replay.err.constData());
     }
 
     void wrongUseIsTwoAndErrorsAreOne() {

@@ -36,9 +36,9 @@ std::vector<Source> sources(const fs::path& scratch) {
         return found;
     }
     std::puts("The real CT slices are not there: slices that the toolkit encodes stand in.");
-    for (const E_TransferSyntax coding : {EXS_RLELossless, EXS_JPEGProcess2_4, EXS_JPEGProcess6_8,
-                                          EXS_JPEGProcess10_12, EXS_JPEGProcess14, EXS_JPEGProcess14SV1,
-                                          EXS_JPEGLSLossless, EXS_JPEGLSLossy}) {
+    for (const E_TransferSyntax coding :
+         {EXS_RLELossless, EXS_JPEGProcess2_4, EXS_JPEGProcess6_8, EXS_JPEGProcess10_12, EXS_JPEGProcess14,
+          EXS_JPEGProcess14SV1, EXS_JPEGLSLossless, EXS_JPEGLSLossy}) {
         const std::string name = std::to_string(int(coding));
         if (test::writeCompressedSlice(scratch / name, test::tissueSlice({512, 512}, 1), coding))
             found.push_back({name, scratch / name});

@@ -14,14 +14,14 @@ class ParallelTest : public QObject {
   private slots:
     void everyFileIsTakenOnce() {
         std::vector<std::atomic<int>> taken(1000);
-        QVERIFY(onAllCores(1000, [&](std::size_t i) { ++taken[i]; }, pdr::noProgress, "reading"));
+        QVERIFY(onAllCores(1000, [&](std::size_t i, const GoOn&) { ++taken[i]; }, pdr::noProgress, "reading"));
         for (const auto& count : taken)
             QCOMPARE(count.load(), 1);
     }
 
     void whatOneThrowsReachesTheCaller() {
         std::atomic<int> taken = 0;
-        const auto work = [&](std::size_t i) {
+        const auto work = [&](std::size_t i, const GoOn&) {
             if (i == 10)
                 throw std::bad_alloc();
             ++taken;

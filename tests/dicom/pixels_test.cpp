@@ -186,7 +186,7 @@ class PixelsTest : public QObject {
         SliceFile slice;
         slice.change = [](DcmDataset& data) { data.putAndInsertString(DCM_RescaleType, "Z_EFF"); };
         const auto scan = scanFolder(Folder(slice).path(), noProgress);
-        QVERIFY(scan->series.front().verdict.notes.front().find("Z_EFF") != std::string::npos);
+        QVERIFY(scan->series.front().verdict.notes.front().text.find("Z_EFF") != std::string::npos);
     }
 
     void unusableRescaleIsRefused_data() {

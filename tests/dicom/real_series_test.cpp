@@ -55,7 +55,7 @@ int loadable(const ScanResult& scan) {
 
 bool noteSays(const Series& series, const std::string& word) {
     return std::any_of(series.verdict.notes.begin(), series.verdict.notes.end(),
-                       [&](const std::string& note) { return note.find(word) != std::string::npos; });
+                       [&](const Note& note) { return note.text.find(word) != std::string::npos; });
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ class ScanTest : public QObject {
         QCOMPARE(scan.series.size(), std::size_t(1));
         QVERIFY(scan.series[0].verdict.loadable());
         QCOMPARE(scan.series[0].slices.size(), std::size_t(5));
-        QVERIFY(scan.series[0].verdict.notes[0].find("5 copies of slices left out") != std::string::npos);
+        QVERIFY(scan.series[0].verdict.notes[0].text.find("5 copies of slices left out") != std::string::npos);
     }
 
     void localizerWithinTheSeriesDoesNotSpoilIt() {
@@ -162,11 +162,37 @@ class ScanTest : public QObject {
         QCOMPARE(folder.scan().series[0].patient.name, std::string("M?ller"));
     }
 
-    void linksAreNotFollowed() {
+    void linksAreFollowed() {
+        Folder files, folder;
+        files.addStack(4);
+        fs::create_directory(folder.path() / "there");
+        fs::create_symlink(files.path() / "s0", folder.path() / "a file");
+        fs::create_directory_symlink(files.path(), folder.path() / "there" / "a folder");
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.filesSeen, 4);
+        QVERIFY(!scan.series.empty() && scan.series.front().verdict.loadable());
+        QVERIFY(scan.series.front().verdict.notes.empty());
+    }
+
+    void linksInCirclesAndUpwardsReadNothingTwice() {
         Folder folder;
         folder.addStack(2);
+        fs::create_directories(folder.path() / "a" / "b");
         fs::create_directory_symlink(folder.path(), folder.path() / "round");
+        fs::create_directory_symlink(folder.path() / "a", folder.path() / "a" / "b" / "up");
+        fs::create_directory_symlink(folder.path().parent_path(), folder.path() / "out");
+        fs::create_directory_symlink("/", folder.path() / "everything");
+        fs::create_symlink(folder.path() / "s0", folder.path() / "again");
         QCOMPARE(folder.scan().filesSeen, 2);
+    }
+
+    void linkToNowhereIsAProblem() {
+        Folder folder;
+        folder.addStack(2);
+        fs::create_symlink("gone", folder.path() / "link");
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.problems.size(), std::size_t(1));
+        QCOMPARE(scan.problems[0].reason, std::string("the link leads nowhere"));
     }
 
     void wrongPlacesGetASentence_data() {

@@ -144,6 +144,39 @@ class StackGeometryTest : public QObject {
         QVERIFY(analysis.geometry.size == ivec3(512, 512, 8));
     }
 
+    void tiltWithUnevenGapsNamesBoth() {
+        std::vector<SlicePlane> slices;
+        const double tilt = 15.5 * 3.14159265358979 / 180;
+        for (const double z : {0.0, 4.0, 5.08, 12.08, 16.08, 20.08, 24.08}) {
+            slices.push_back(planeAt(letter(int(slices.size())), {0, 0, z}));
+            slices.back().columnDirection = dvec3(0, std::cos(tilt), -std::sin(tilt));
+        }
+        const auto analysis = analyseStack(slices);
+        QCOMPARE(analysis.verdict.stack, Stack::tilted);
+        QVERIFY2(says(analysis, {"15.5 degrees", "from a to g", "apart", "c and d", "6.745 mm", "3.855 mm"}),
+                 analysis.verdict.reason.c_str());
+    }
+
+    void doubledSliceDoesNotHideAHole() {
+        const auto analysis = analyseStack(axial({0, 1, 1, 2, 5, 6, 7}));
+        QCOMPARE(analysis.verdict.stack, Stack::doubled);
+        QVERIFY2(says(analysis, {"b and c", "d and e", "3 mm apart"}), analysis.verdict.reason.c_str());
+    }
+
+    void worstPlaceIsNamedNotTheFirst() {
+        const auto analysis = analyseStack(axial({0, 1.009, 2.018, 3.027, 4.036, 5.027, 6.018, 7.009, 8}));
+        QCOMPARE(analysis.verdict.stack, Stack::gap);
+        QVERIFY2(says(analysis, {"e lies 0.036 mm"}), analysis.verdict.reason.c_str());
+    }
+
+    void spacingTooSmallToBeTrueIsNoGeometry() {
+        auto slices = axial({0, 1});
+        slices[0].spacingMm = slices[1].spacingMm = dvec2(1e-300, 1);
+        const auto analysis = analyseStack(slices);
+        QCOMPARE(analysis.verdict.stack, Stack::noGeometry);
+        QVERIFY2(says(analysis, {"a", "1e-300 mm"}), analysis.verdict.reason.c_str());
+    }
+
     void oneSliceShiftedSidewaysIsRefused() {
         auto slices = axial({0, 1, 2, 3});
         slices[2].position->x += 3;

@@ -96,7 +96,8 @@ inline StreamRange streamRange(const std::string& file) {
     // PixelData, its VR, an undefined length, and the first item.
     const std::size_t start = file.rfind(std::string("\xFF\xFF\xFF\xFF\xFE\xFF\x00\xE0", 8));
     const std::size_t close = file.rfind(std::string("\xFE\xFF\xDD\xE0", 4));
-    if (start == std::string::npos || close == std::string::npos || file.substr(start - 8, 4) != "\xE0\x7F\x10" + std::string(1, '\0'))
+    if (start == std::string::npos || close == std::string::npos ||
+        file.substr(start - 8, 4) != "\xE0\x7F\x10" + std::string(1, '\0'))
         return {};
     const std::size_t table = start + 8;
     const auto length = std::uint8_t(file[table]) | std::size_t(std::uint8_t(file[table + 1])) << 8;

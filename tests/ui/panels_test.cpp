@@ -34,7 +34,7 @@ static dicom::ScanResult threeSeries() {
     scan.series = {seriesOf("Thorax", dicom::Stack::even, ""),
                    seriesOf("Head", dicom::Stack::gap, "a.dcm and b.dcm are 10 mm apart, the others 5 mm"),
                    seriesOf("Abdomen", dicom::Stack::even, "")};
-    scan.series[0].verdict.notes = {"1 copy of a slice left out"};
+    scan.series[0].verdict.notes = {{"copies", "1 copy of a slice left out"}};
     scan.problems = {{"/somewhere/broken.dcm", "it ends early"}};
     return scan;
 }

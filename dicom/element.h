@@ -1,0 +1,47 @@
+#pragma once
+/// The heads of the elements of a DICOM file, as they lie in it (PS3.5, chapter 7).
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "dicom/byte_source.h"
+
+namespace pdr::dicom {
+
+inline constexpr std::uint32_t kUndefined = 0xFFFFFFFF;
+inline constexpr std::uint32_t kItem = 0xFFFEE000, kItemEnd = 0xFFFEE00D, kSequenceEnd = 0xFFFEE0DD;
+inline constexpr std::uint32_t kTransferSyntax = 0x00020010, kPixelData = 0x7FE00010;
+
+struct Encoding {
+    bool explicitVr = true;
+    bool bigEndian = false;
+};
+
+/// The head of one element, as it lies in the file.
+struct Element {
+    std::uint32_t tag = 0;  ///< group in the upper half
+    enum class Kind {
+        plain,
+        sequence,
+        unknown,          ///< written as "unknown"; a sequence if it has no length
+        unknownSequence,  ///< written as "unknown", but the dictionary knows it for a sequence
+    };
+    Kind kind = Kind::plain;
+    std::uint32_t length = 0;
+    std::uint64_t value = 0;  ///< where its value starts
+};
+
+/// "(7fe0,0010)"
+std::string hexTag(std::uint32_t tag);
+
+/// The head of the element at `at`, or nothing where the file ends inside it.
+std::optional<Element> readElement(ByteSource& source, std::uint64_t at, Encoding encoding);
+
+/// The coding of a data set that does not say it: by the look of its first element, as the toolkit does.
+Encoding detectEncoding(ByteSource& source, std::uint64_t at);
+
+/// Whether the bytes at `at` can be the first element of a DICOM file: group 0002 or 0008, known, of sensible length.
+bool looksLikeElement(ByteSource& source, std::uint64_t at);
+
+}  // namespace pdr::dicom

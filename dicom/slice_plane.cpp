@@ -1,0 +1,89 @@
+#include "dicom/slice_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "render/volume/volume.h"
+
+namespace pdr::dicom {
+
+namespace {
+
+double largest(const dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+bool hasGeometry(const SlicePlane& slice) {
+    return missingGeometry(slice).empty();
+}
+
+}  // namespace
+
+std::string inMm(double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.3f", value);
+    std::string result = text;
+    result.erase(result.find_last_not_of('0') + 1);
+    if (result.back() == '.')
+        result.pop_back();
+    return (result == "-0" ? "0" : result) + " mm";
+}
+
+/// Empty if the slice says all that is needed to place it; else a sentence.
+std::string missingGeometry(const SlicePlane& slice) {
+    std::string missing;
+    const auto name = [&](bool there, const char* what) {
+        if (!there)
+            missing += (missing.empty() ? "" : ", ") + std::string(what);
+    };
+    name(slice.position.has_value(), "position");
+    name(slice.rowDirection && slice.columnDirection, "orientation");
+    name(slice.spacingMm.has_value(), "pixel spacing");
+    if (!missing.empty())
+        return slice.name + " does not say its " + missing;
+    if (!(slice.spacingMm->x >= kLowestSpacingMm && slice.spacingMm->y >= kLowestSpacingMm)) {
+        char spacing[64];
+        std::snprintf(spacing, sizeof spacing, "%g mm x %g mm", slice.spacingMm->x, slice.spacingMm->y);
+        return slice.name + " states a pixel spacing of " + spacing;
+    }
+    const double row = glm::length(*slice.rowDirection), column = glm::length(*slice.columnDirection);
+    const double cosine = glm::dot(*slice.rowDirection, *slice.columnDirection);
+    if (std::abs(row - 1) > kUnitTolerance || std::abs(column - 1) > kUnitTolerance ||
+        std::abs(cosine) > kUnitTolerance)
+        return slice.name + " states an orientation that is no pair of perpendicular directions";
+    return {};
+}
+
+double gridDeviationMm(const SlicePlane& a, const SlicePlane& b) {
+    const dvec3 column = *b.columnDirection * b.spacingMm->y - *a.columnDirection * a.spacingMm->y;
+    const dvec3 row = *b.rowDirection * b.spacingMm->x - *a.rowDirection * a.spacingMm->x;
+    const dvec2 last = dvec2(b.size) - 1.0;
+    return std::max(
+        {glm::length(row * last.x), glm::length(column * last.y), glm::length(row * last.x + column * last.y)});
+}
+
+bool sameDirection(const SlicePlane& a, const SlicePlane& b) {
+    return largest(*a.rowDirection - *b.rowDirection) <= kGridTolerance &&
+           largest(*a.columnDirection - *b.columnDirection) <= kGridTolerance;
+}
+
+bool sameSpacing(const SlicePlane& a, const SlicePlane& b) {
+    const dvec2 difference = glm::abs(*a.spacingMm - *b.spacingMm);
+    return difference.x <= kGridTolerance * a.spacingMm->x && difference.y <= kGridTolerance * a.spacingMm->y;
+}
+
+bool sameGrid(const SlicePlane& a, const SlicePlane& b) {
+    if (a.size != b.size || hasGeometry(a) != hasGeometry(b))
+        return false;
+    return !hasGeometry(a) || (sameSpacing(a, b) && sameDirection(a, b) && gridDeviationMm(a, b) <= kGridToleranceMm);
+}
+
+std::string sizeText(const SlicePlane& slice) {
+    std::string result = std::to_string(slice.size.x) + " x " + std::to_string(slice.size.y) + " pixels";
+    if (slice.spacingMm)
+        result += " of " + inMm(slice.spacingMm->x) + " x " + inMm(slice.spacingMm->y);
+    return result;
+}
+
+}  // namespace pdr::dicom

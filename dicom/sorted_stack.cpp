@@ -1,0 +1,163 @@
+#include "dicom/sorted_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace pdr::dicom {
+
+namespace {
+
+/// The heights of the slices with those left out that repeat the one before.
+std::vector<int> differentHeights(const SortedStack& stack) {
+    std::vector<int> kept{0};
+    for (int k = 1; k < stack.count(); ++k) {
+        if (stack.height(k) - stack.height(kept.back()) > kPositionToleranceMm)
+            kept.push_back(k);
+    }
+    return kept;
+}
+
+std::string doubledReason(const SortedStack& stack) {
+    int doubled = 0, example = 0;
+    for (int k = 1; k < stack.count(); ++k) {
+        if (stack.height(k) - stack.height(k - 1) > kPositionToleranceMm)
+            continue;
+        ++doubled;
+        example = k;
+    }
+    if (doubled == 0)
+        return {};
+    std::string reason = stack.name(example - 1) + " and " + stack.name(example) +
+                         " lie at the same height along the normal (" + inMm(stack.height(example)) + ") but differ";
+    if (doubled > 1)
+        reason += "; " + std::to_string(doubled) + " heights are taken twice";
+    return reason;
+}
+
+/// How far slice k lies beside the straight line from the first slice to the last [mm].
+double besideTheLine(const SortedStack& stack, int k) {
+    const int last = stack.count() - 1;
+    const double share = (stack.height(k) - stack.height(0)) / (stack.height(last) - stack.height(0));
+    return glm::distance(stack.drift(k), stack.drift(last) * share);
+}
+
+std::string tiltReason(const SortedStack& stack) {
+    const int last = stack.count() - 1;
+    int furthest = 0, crooked = 0;
+    const auto beyond = [&](int k, double distance) {
+        return distance - kPositionToleranceMm - kDriftTolerance * (stack.height(k) - stack.height(0));
+    };
+    for (int k = 1; k <= last; ++k) {
+        if (beyond(k, glm::length(stack.drift(k))) >
+            std::max(0.0, beyond(furthest, glm::length(stack.drift(furthest)))))
+            furthest = k;
+        if (beyond(k, besideTheLine(stack, k)) > std::max(0.0, beyond(crooked, besideTheLine(stack, crooked))))
+            crooked = k;
+    }
+    if (furthest == 0)
+        return {};
+    if (crooked != 0)
+        return stack.name(crooked) + " lies " + inMm(besideTheLine(stack, crooked)) +
+               " sideways of the straight line from " + stack.name(0) + " to " + stack.name(last);
+    const double drift = glm::length(stack.drift(last)), height = stack.height(last) - stack.height(0);
+    char degrees[32];
+    std::snprintf(degrees, sizeof degrees, "%.1f", std::atan2(drift, height) * 180.0 / 3.14159265358979);
+    return "the slices drift sideways by " + inMm(drift / last) + " for each " + inMm(stack.gap()) +
+           " of height (gantry tilt of " + degrees + " degrees), from " + stack.name(0) + " to " + stack.name(last);
+}
+
+std::string gapReason(const SortedStack& stack) {
+    const std::vector<int> at = differentHeights(stack);
+    const std::size_t last = at.size() - 1;
+    if (last < 1)
+        return {};
+    std::vector<double> gaps(last);
+    for (std::size_t k = 0; k < last; ++k)
+        gaps[k] = stack.height(at[k + 1]) - stack.height(at[k]);
+    std::vector<double> sorted = gaps;
+    std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(last / 2), sorted.end());
+    const double usual = sorted[last / 2], mean = (stack.height(at[last]) - stack.height(at[0])) / double(last);
+    std::size_t worst = 0, furthest = 0;
+    const auto off = [&](std::size_t k) {
+        return std::abs(stack.height(at[k]) - stack.height(at[0]) - double(k) * mean);
+    };
+    for (std::size_t k = 0; k <= last; ++k) {
+        if (k < last && std::abs(gaps[k] - usual) > std::abs(gaps[worst] - usual))
+            worst = k;
+        if (off(k) > off(furthest))
+            furthest = k;
+    }
+    if (off(furthest) <= kPositionToleranceMm)
+        return {};
+    if (std::abs(gaps[worst] - usual) > kPositionToleranceMm)
+        return stack.name(at[worst]) + " and " + stack.name(at[worst + 1]) + " are " + inMm(gaps[worst]) +
+               " apart, the others " + inMm(usual);
+    return stack.name(at[furthest]) + " lies " + inMm(off(furthest)) + " from where slices every " + inMm(mean) +
+           " would put it";
+}
+
+std::string withGaps(std::string reason, const SortedStack& stack) {
+    const std::string gaps = gapReason(stack);
+    return gaps.empty() ? reason : reason + "; besides, " + gaps;
+}
+
+}  // namespace
+
+SortedStack::SortedStack(const std::vector<SlicePlane>& slices) : slices_(slices), order_(slices.size()) {
+    const SlicePlane& first = slices.front();
+    row_ = glm::normalize(*first.rowDirection);
+    column_ = glm::normalize(*first.columnDirection);
+    normal_ = glm::normalize(glm::cross(row_, column_));
+    std::iota(order_.begin(), order_.end(), 0);
+    std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return heightOf(a) < heightOf(b); });
+}
+
+dvec2 SortedStack::drift(int k) const {
+    const dvec3 step = position(k) - position(0);
+    return {glm::dot(step, row_), glm::dot(step, column_)};
+}
+
+VolumeGeometry SortedStack::geometry() const {
+    const SlicePlane& first = slices_[order_[0]];
+    dmat4 map(1.0);
+    map[0] = dvec4(row_ * first.spacingMm->x, 0.0);
+    map[1] = dvec4(column_ * first.spacingMm->y, 0.0);
+    map[2] = dvec4(normal_ * gap(), 0.0);
+    map[3] = dvec4(position(0), 1.0);
+    return {ivec3(first.size, count()), map};
+}
+
+double SortedStack::gridDeviationMm() const {
+    double worst = 0;
+    for (const SlicePlane& slice : slices_)
+        worst = std::max(worst, dicom::gridDeviationMm(slices_[order_[0]], slice));
+    return worst;
+}
+
+std::vector<std::pair<int, int>> findSamePlace(const SortedStack& stack) {
+    std::vector<std::pair<int, int>> pairs;
+    int first = 0;
+    for (int k = 1; k < stack.count(); ++k) {
+        if (glm::distance(stack.position(k), stack.position(first)) <= kPositionToleranceMm)
+            pairs.emplace_back(stack.order()[first], stack.order()[k]);
+        else
+            first = k;
+    }
+    return pairs;
+}
+
+GeometryVerdict judge(const SortedStack& stack) {
+    if (stack.count() == 1)
+        return {Stack::singleSlice, stack.name(0) + " is one slice; a volume needs at least two", {}};
+    if (std::string reason = doubledReason(stack); !reason.empty())
+        return {Stack::doubled, withGaps(std::move(reason), stack), {}};
+    if (std::string reason = tiltReason(stack); !reason.empty())
+        return {Stack::tilted, withGaps(std::move(reason), stack), {}};
+    if (std::string reason = gapReason(stack); !reason.empty())
+        return {Stack::gap, reason, {}};
+    return {Stack::even, "", {}};
+}
+
+}  // namespace pdr::dicom

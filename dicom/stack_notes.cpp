@@ -1,0 +1,97 @@
+#include "dicom/stack_notes.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "dicom/codecs.h"
+
+namespace pdr::dicom {
+
+namespace {
+
+using Slices = std::vector<const SliceHeader*>;
+
+void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
+    std::size_t withoutRescale = 0;
+    std::set<std::string> frames, units;
+    for (const SliceHeader* slice : slices) {
+        withoutRescale += !slice->meaning.slope || !slice->meaning.intercept;
+        frames.insert(slice->frameOfReferenceUid);
+        units.insert(slice->meaning.unit);
+    }
+    if (withoutRescale > 0)
+        notes.push_back({"rescale", counted(withoutRescale, "slice states", "slices state") +
+                                        " no rescale; stored values are taken as HU"});
+    for (const std::string& unit : units) {
+        if (!unit.empty() && unit != "HU")
+            notes.push_back({"unit", "the files say that their values are in \"" + unit + "\"; they are taken as HU"});
+    }
+    // Some de-identifiers give every file a frame of its own; a true second frame would show as a broken stack.
+    if (frames.size() > 1)
+        notes.push_back({"frames", "the files name " + std::to_string(frames.size()) +
+                                       " frames of reference; their positions are taken as one"});
+}
+
+void noteLoss(const Slices& slices, std::vector<Note>& notes) {
+    const auto isLossy = [](const SliceHeader* slice) { return slice->isLossy; };
+    const auto lossy = std::size_t(std::count_if(slices.begin(), slices.end(), isLossy));
+    if (lossy == 0)
+        return;
+    const SliceHeader& first = **std::find_if(slices.begin(), slices.end(), isLossy);
+    std::string how =
+        codingIsLossy(first.transferSyntaxUid) ? transferSyntaxName(first.transferSyntaxUid) : "an earlier coding";
+    if (first.lossyRatio) {
+        char ratio[48];
+        std::snprintf(ratio, sizeof ratio, ", %.3g:1", *first.lossyRatio);
+        how += ratio;
+    }
+    notes.push_back({"lossy", counted(lossy, "slice was", "slices were") + " compressed with loss (" + how +
+                                  "): the HU are not those that were measured"});
+}
+
+/// Slices whose numbers count on along the stack, as scanners number them.
+bool areNumberedInOrder(const Slices& slices) {
+    int steps = 0;
+    for (std::size_t k = 1; k < slices.size(); ++k) {
+        if (!slices[k]->instanceNumber || !slices[k - 1]->instanceNumber)
+            return false;
+        steps += std::abs(*slices[k]->instanceNumber - *slices[k - 1]->instanceNumber) == 1;
+    }
+    return slices.size() > 1 && 10 * std::size_t(steps) >= 9 * (slices.size() - 1);
+}
+
+/// Positions cannot tell of a slice that is missing at an end; its number can.
+void noteMissingNumbers(const Slices& slices, const std::set<int>& numbers, std::vector<Note>& notes) {
+    if (!areNumberedInOrder(slices) || *numbers.rbegin() < 1)
+        return;
+    const auto present = std::size_t(std::count_if(numbers.begin(), numbers.end(), [](int n) { return n >= 1; }));
+    const std::size_t missing = std::size_t(*numbers.rbegin()) - present;
+    // Numbers that begin at some thousand are a habit, not a loss.
+    if (missing == 0 || missing > slices.size())
+        return;
+    int first = 1;
+    while (numbers.contains(first))
+        ++first;
+    notes.push_back({"incomplete", counted(missing, "slice", "slices") +
+                                       " may be missing: the files are numbered up to " +
+                                       std::to_string(*numbers.rbegin()) + ", and number " + std::to_string(first) +
+                                       (missing > 1 ? " and others are" : " is") + " not there"});
+}
+
+}  // namespace
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+std::vector<Note> notesOn(const Slices& slices, const std::set<int>& numbers) {
+    std::vector<Note> notes;
+    noteMeaning(slices, notes);
+    noteLoss(slices, notes);
+    if (!numbers.empty())
+        noteMissingNumbers(slices, numbers, notes);
+    return notes;
+}
+
+}  // namespace pdr::dicom

@@ -1,0 +1,19 @@
+#pragma once
+/// What a user should know about slices that load all the same.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "dicom/slice_header.h"
+
+namespace pdr::dicom {
+
+/// `slices` of one even stack, ascending along its normal. `numbers`: the instance numbers of all files of the series,
+/// whatever became of them.
+std::vector<Note> notesOn(const std::vector<const SliceHeader*>& slices, const std::set<int>& numbers);
+
+/// "1 slice", "3 slices"
+std::string counted(std::size_t count, const char* one, const char* many);
+
+}  // namespace pdr::dicom

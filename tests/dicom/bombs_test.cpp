@@ -1,0 +1,135 @@
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <fstream>
+
+#include "dicom/byte_source.h"
+#include "dicom/file_structure.h"
+#include "dicom/import.h"
+
+using namespace pdr;
+using namespace pdr::dicom;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Bytes = std::string;
+
+Bytes little(std::uint32_t value, int count) {
+    Bytes bytes;
+    for (int i = 0; i < count; ++i)
+        bytes += char(value >> 8 * i & 0xFF);
+    return bytes;
+}
+
+Bytes tag(int group, int element) {
+    return little(std::uint32_t(group), 2) + little(std::uint32_t(element), 2);
+}
+
+/// Preamble, and a meta header for implicit VR little endian.
+Bytes head() {
+    return Bytes(128, '\0') + "DICM" + tag(2, 0x10) + "UI" + little(18, 2) + "1.2.840.10008.1.2" + '\0';
+}
+
+Bytes repeated(const Bytes& part, int count) {
+    Bytes all;
+    for (int i = 0; i < count; ++i)
+        all += part;
+    return all;
+}
+
+Bytes sequenceOf(const Bytes& items) {
+    return tag(8, 0x1140) + little(0xFFFFFFFF, 4) + items + tag(0xFFFE, 0xE0DD) + little(0, 4);
+}
+
+Bytes emptyItems(int count) {
+    return sequenceOf(repeated(tag(0xFFFE, 0xE000) + little(0, 4), count));
+}
+
+}  // namespace
+
+class BombsTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    fs::path file() const { return fs::path(folder_.path().toStdString()) / "file"; }
+
+    FileStructure structureOf(const Bytes& bytes, const GoOn& goOn = always) const {
+        std::ofstream(file(), std::ios::binary) << bytes;
+        return checkStructure(file(), goOn);
+    }
+
+  private slots:
+    void emptyItemsAreCounted() {
+        QCOMPARE(structureOf(head() + emptyItems(kMaxElements - 10)).damage, Bytes());
+        const Bytes damage = structureOf(head() + emptyItems(1'000'000)).damage;
+        QVERIFY2(damage.find("more than 50000 elements") != Bytes::npos, damage.c_str());
+        // Nothing of it reaches the toolkit, which would build an object for each.
+        const auto scan = scanFolder(folder_.path().toStdString(), noProgress);
+        QVERIFY(bool(scan));
+        QCOMPARE(scan->problems.size(), std::size_t(1));
+        QVERIFY(scan->series.empty());
+    }
+
+    void smallElementsAreCounted() {
+        const Bytes small = tag(8, 0x104) + little(2, 4) + "xx";
+        QVERIFY(structureOf(head() + repeated(small, kMaxElements - 10)).damage.empty());
+        QVERIFY(!structureOf(head() + repeated(small, kMaxElements + 10)).damage.empty());
+    }
+
+    void fragmentsAreCounted() {
+        const Bytes open = tag(0x7FE0, 0x10) + little(0xFFFFFFFF, 4);
+        const Bytes fragment = tag(0xFFFE, 0xE000) + little(2, 4) + "xx";
+        const Bytes end = tag(0xFFFE, 0xE0DD) + little(0, 4);
+        QVERIFY(structureOf(head() + open + repeated(fragment, 1000) + end).damage.empty());
+        QVERIFY(!structureOf(head() + open + repeated(fragment, kMaxElements + 10) + end).damage.empty());
+    }
+
+    void valuesReadWithTheHeaderAreBounded() {
+        const Bytes value = tag(8, 0x104) + little(4096, 4) + Bytes(4096, 'x');
+        QVERIFY(structureOf(head() + repeated(value, 1000)).damage.empty());
+        const Bytes damage = structureOf(head() + repeated(value, 17000)).damage;
+        QVERIFY2(damage.find("more than 64 MB") != Bytes::npos, damage.c_str());
+        // One long value stays in the file.
+        QVERIFY(structureOf(head() + tag(8, 0x104) + little(70 << 20, 4) + Bytes(70 << 20, 'x')).damage.empty());
+    }
+
+    void structureCheckAsksOftenWhetherToGoOn() {
+        int asked = 0;
+        const GoOn count = [&] { return ++asked > 0; };
+        QVERIFY(structureOf(head() + emptyItems(40'000), count).damage.empty());
+        QVERIFY(asked >= 40);
+        asked = 0;
+        const GoOn no = [&] { return ++asked < 1; };
+        QCOMPARE(structureOf(head() + emptyItems(40'000), no).damage, Bytes("cancelled"));
+        QCOMPARE(asked, 1);
+    }
+
+    void inflatingAsksOftenWhetherToGoOn() {
+        // A stored block of zeros, many times: 64 MB.
+        const Bytes block = Bytes("\0\xFF\xFF\0\0", 5) + Bytes(65535, '\0');
+        const Bytes all = repeated(block, 1024) + Bytes("\1\0\0\xFF\xFF", 5);
+        ByteSource source(std::vector<std::uint8_t>(all.begin(), all.end()));
+        int asked = 0;
+        QCOMPARE(inflateFrom(source, 0, std::size_t(1) << 30, [&] { return ++asked > 0; }).size(),
+                 std::size_t(1024) * 65535);
+        QVERIFY(asked >= 60);
+        asked = 0;
+        QVERIFY(inflateFrom(source, 0, std::size_t(1) << 30, [&] { return ++asked < 1; }).empty());
+        QCOMPARE(asked, 1);
+    }
+
+    void inflatedBombTakesNoMemory() {
+        const Bytes block = Bytes("\0\xFF\xFF\0\0", 5) + Bytes(65535, '\0');
+        const Bytes all = repeated(block, 64) + Bytes("\1\0\0\xFF\xFF", 5);
+        ByteSource source(std::vector<std::uint8_t>(all.begin(), all.end()));
+        const auto inflated = inflateFrom(source, 0, 64 * 65535);
+        QCOMPARE(inflated.size(), std::size_t(64) * 65535);
+        QCOMPARE(inflated.capacity(), inflated.size());
+        QVERIFY(inflateFrom(source, 0, 64 * 65535 - 1).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(BombsTest)
+#include "bombs_test.moc"

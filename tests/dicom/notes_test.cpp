@@ -1,0 +1,220 @@
+#include "tests/support/damaged_streams.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+#include "dicom/import.h"
+
+using namespace pdr;
+using namespace pdr::dicom;
+using test::SliceFile;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class Folder {
+  public:
+    fs::path path() const { return folder_.path().toStdString(); }
+
+    ScanResult scan() const {
+        Result<ScanResult> result = scanFolder(path(), noProgress);
+        return result ? *std::move(result) : ScanResult{};
+    }
+
+    /// `count` slices 2 mm apart; `change` may alter the k-th.
+    void addStack(int count, ivec2 size, const std::function<void(int, SliceFile&)>& change) const {
+        for (int k = 0; k < count; ++k) {
+            SliceFile slice{.size = size, .position = {0, 0, 2.0 * k}};
+            change(k, slice);
+            char name[16];
+            std::snprintf(name, sizeof name, "%02d", k);
+            test::writeSliceFile(path() / name, slice);
+        }
+    }
+
+  private:
+    QTemporaryDir folder_;
+};
+
+/// The text of the note with this code; empty where there is none.
+std::string noteOf(const std::vector<Note>& notes, const std::string& code) {
+    const auto found = std::find_if(notes.begin(), notes.end(), [&](const Note& note) { return note.code == code; });
+    return found == notes.end() ? "" : found->text;
+}
+
+int loadable(const ScanResult& scan) {
+    return int(
+        std::count_if(scan.series.begin(), scan.series.end(), [](const Series& s) { return s.verdict.loadable(); }));
+}
+
+void putSpacing(SliceFile& slice, const char* spacing) {
+    slice.change = [spacing](DcmDataset& data) { data.putAndInsertString(DCM_PixelSpacing, spacing); };
+}
+
+void putNumber(SliceFile& slice, int number) {
+    slice.change = [number](DcmDataset& data) {
+        data.putAndInsertString(DCM_InstanceNumber, std::to_string(number).c_str());
+    };
+}
+
+}  // namespace
+
+class NotesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void huBeyondSixteenBitsIsSaidWithItsCount() {
+        Folder folder;
+        folder.addStack(2, {4, 3}, [](int, SliceFile& slice) {
+            slice.raw = {20000, 20000, 100};
+            slice.change = [](DcmDataset& data) { data.putAndInsertString(DCM_RescaleSlope, "4"); };
+        });
+        std::vector<Note> notes;
+        const auto volume = loadSeries(folder.scan().series.front(), Padding::maskAsAir, noProgress, &notes);
+        QVERIFY(bool(volume));
+        QVERIFY2(noteOf(notes, "clipped").starts_with("4 voxels lie beyond"), noteOf(notes, "clipped").c_str());
+        QCOMPARE(volume->remarks(), std::string("clipped"));
+    }
+
+    void lossyCodingIsSaid() {
+        Folder folder;
+        for (int k = 0; k < 2; ++k) {
+            SliceFile slice = test::tissueSlice({64, 64}, unsigned(k));
+            slice.position.z = k;
+            QVERIFY(test::writeCompressedSlice(folder.path() / std::to_string(k), slice, EXS_JPEGProcess2_4));
+        }
+        const ScanResult scan = folder.scan();
+        const std::string note = noteOf(scan.series.front().verdict.notes, "lossy");
+        QVERIFY2(note.find("2 slices were compressed with loss (JPEG Extended") == 0, note.c_str());
+        QVERIFY2(note.find(":1)") != std::string::npos, note.c_str());
+        const auto volume = loadSeries(scan.series.front(), Padding::maskAsAir, noProgress);
+        QVERIFY(bool(volume));
+        QCOMPARE(volume->remarks(), std::string("lossy"));
+    }
+
+    void lossOfAnEarlierCodingIsSaid() {
+        Folder folder;
+        folder.addStack(3, {4, 3}, [](int, SliceFile& slice) {
+            slice.change = [](DcmDataset& data) {
+                data.putAndInsertString(DCM_LossyImageCompression, "01");
+                data.putAndInsertString(DCM_LossyImageCompressionRatio, "10");
+            };
+        });
+        const std::string note = noteOf(folder.scan().series.front().verdict.notes, "lossy");
+        QVERIFY2(note.find("an earlier coding, 10:1") != std::string::npos, note.c_str());
+    }
+
+    void spacingThatChangesALittleStaysOneVolume() {
+        Folder folder;
+        folder.addStack(24, {512, 4},
+                        [](int k, SliceFile& slice) { putSpacing(slice, k < 12 ? "0.7\\0.7" : "0.7\\0.7001"); });
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(1));
+        QVERIFY(scan.series.front().geometry.size == ivec3(512, 4, 24));
+        const std::string note = noteOf(scan.series.front().verdict.notes, "grid");
+        QVERIFY2(note.find("up to 0.051 mm") != std::string::npos, note.c_str());
+    }
+
+    void directionThatChangesALittleStaysOneVolume() {
+        Folder folder;
+        folder.addStack(24, {128, 4}, [](int k, SliceFile& slice) {
+            const char* directions = k < 12 ? "1\\0\\0\\0\\1\\0" : "1\\0.0003\\0\\-0.0003\\1\\0";
+            slice.change = [=](DcmDataset& data) { data.putAndInsertString(DCM_ImageOrientationPatient, directions); };
+        });
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(1));
+        QVERIFY(scan.series.front().verdict.loadable());
+        const std::string note = noteOf(scan.series.front().verdict.notes, "grid");
+        QVERIFY2(note.find("up to 0.038 mm") != std::string::npos, note.c_str());
+    }
+
+    void halvesOfAPatientAreNoVolumes_data() {
+        QTest::addColumn<QString>("spacing");
+        QTest::addColumn<bool>("alternate");
+        QTest::newRow("a third of a millimetre at the corner") << "0.7\\0.7007" << false;
+        QTest::newRow("another spacing") << "0.8\\0.8" << false;
+        QTest::newRow("every other slice") << "0.8\\0.8" << true;
+    }
+    void halvesOfAPatientAreNoVolumes() {
+        QFETCH(QString, spacing);
+        QFETCH(bool, alternate);
+        Folder folder;
+        const std::string other = spacing.toStdString();
+        folder.addStack(24, {512, 4}, [&](int k, SliceFile& slice) {
+            putSpacing(slice, (alternate ? k % 2 == 0 : k < 12) ? "0.7\\0.7" : other.c_str());
+        });
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(2));
+        QCOMPARE(loadable(scan), 0);
+        for (const Series& piece : scan.series) {
+            QCOMPARE(piece.verdict.stack, Stack::mixedSize);
+            QVERIFY2(piece.verdict.reason.find("00 and so on") != std::string::npos, piece.verdict.reason.c_str());
+            QVERIFY(!loadSeries(piece, Padding::maskAsAir, noProgress));
+        }
+    }
+
+    void partsOfASeriesHaveIdsOfTheirOwn() {
+        Folder folder;
+        folder.addStack(6, {4, 3}, [](int k, SliceFile& slice) {
+            slice.position.z = 2.0 * (k / 2);
+            if (k % 2 == 1)
+                slice.change = [&, k](DcmDataset& data) {
+                    data.putAndInsertString(DCM_ImageOrientationPatient, "1\\0\\0\\0\\0\\-1");
+                    data.putAndInsertString(DCM_ImagePositionPatient, ("0\\" + std::to_string(k) + "\\0").c_str());
+                };
+        });
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(2));
+        QCOMPARE(loadable(scan), 2);
+        QCOMPARE(scan.series[0].series.id(), std::string("1.2.3.1"));
+        QCOMPARE(scan.series[1].series.id(), std::string("1.2.3.1#2"));
+    }
+
+    void twoPicturesOfOnePlaceAreBothVolumes() {
+        Folder folder;
+        folder.addStack(12, {512, 4}, [](int k, SliceFile& slice) {
+            slice.position.z = 2.0 * (k / 2);
+            putSpacing(slice, k % 2 == 0 ? "0.7\\0.7" : "0.4\\0.4");
+        });
+        QCOMPARE(loadable(folder.scan()), 2);
+    }
+
+    void missingEndShowsInTheNumbers_data() {
+        QTest::addColumn<int>("first");
+        QTest::addColumn<int>("step");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("complete") << 1 << 1 << "";
+        QTest::newRow("complete, from the head down") << 10 << -1 << "";
+        QTest::newRow("two missing at the start") << 3 << 1 << "2 slices may be missing";
+        QTest::newRow("one missing at the end, from the head down") << 11 << -1 << "1 slice may be missing";
+        QTest::newRow("numbered from a thousand") << 1001 << 1 << "";
+        QTest::newRow("numbered by tens") << 10 << 10 << "";
+    }
+    void missingEndShowsInTheNumbers() {
+        QFETCH(int, first);
+        QFETCH(int, step);
+        QFETCH(QString, words);
+        Folder folder;
+        folder.addStack(10, {4, 3}, [&](int k, SliceFile& slice) { putNumber(slice, first + step * k); });
+        const std::string note = noteOf(folder.scan().series.front().verdict.notes, "incomplete");
+        QVERIFY2(words.isEmpty() ? note.empty() : note.find(words.toStdString()) == 0, note.c_str());
+    }
+
+    void scoutsCountAmongTheNumbers() {
+        Folder folder;
+        folder.addStack(10, {4, 3}, [&](int k, SliceFile& slice) { putNumber(slice, k + 2); });
+        SliceFile scout{.size = {8, 8}};
+        scout.change = [](DcmDataset& data) {
+            data.putAndInsertString(DCM_InstanceNumber, "1");
+            data.putAndInsertString(DCM_ImageType, "ORIGINAL\\PRIMARY\\LOCALIZER");
+        };
+        test::writeSliceFile(folder.path() / "scout", scout);
+        QCOMPARE(noteOf(folder.scan().series.front().verdict.notes, "incomplete"), std::string());
+    }
+};
+
+QTEST_APPLESS_MAIN(NotesTest)
+#include "notes_test.moc"
