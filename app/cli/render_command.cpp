@@ -71,8 +71,8 @@ Result<StopReason> renderAll(const RenderOptions& options, const Interrupt& inte
         return picture.error();
     if (auto ok = writeAll(options, *work, **picture, *result); !ok)
         return ok.error();
-    const RenderReport report{options.outputs, work->scene.film, work->scene.seed, device.info(), *result,
-                              warnings(work->scene)};
+    const RenderReport report{options.outputs, work->scene.film, work->scene.seed,
+                              device.info(),   *result,          warnings(work->scene)};
     std::fputs((options.json ? jsonText(report) : plainText(report)).c_str(), stdout);
     return result->reason;
 }

@@ -23,8 +23,8 @@ struct RenderReport {
 };
 
 /// A JSON object: outputs, width, height, samplesPerPixel, rejectedSamples, health, seconds, samplesPerSecond (of all
-/// pixels together), warnings (names: overDense), relativeError (null while unknown), meanLuminance, stoppedBy (samples, seconds, error,
-/// interrupted), device, seed (as text: 64 bits do not fit a JSON number).
+/// pixels together), warnings (names: overDense), relativeError (null while unknown), meanLuminance, stoppedBy
+/// (samples, seconds, error, interrupted), device, seed (as text: 64 bits do not fit a JSON number).
 std::string jsonText(const RenderReport& report);
 /// The same for a person, in a few lines.
 std::string plainText(const RenderReport& report);
