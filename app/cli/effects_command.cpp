@@ -72,7 +72,8 @@ Result<EffectsReport> listEffects(const EffectsOptions& options) {
         return film.error();
     loaded->scene.film = *film;
 
-    EffectsReport report{.film = *film, .device = device->info(), .model = loaded->scene.model, .effects = {}, .models = {}};
+    EffectsReport report{
+        .film = *film, .device = device->info(), .model = loaded->scene.model, .effects = {}, .models = {}};
     auto ledger = triedEffects(*loaded, *device, flattener, secondsEach);
     if (!ledger)
         return ledger.error();

@@ -31,8 +31,9 @@ std::string verdictText(const TriedEffect& tried) {
 
 std::string plainText(const EffectsReport& report) {
     constexpr const char* kRow = "%-24s %-18s %-26s %7s  %s\n";
-    std::string text = line("%d x %d pixels on %s, %s; ms: processor time per iteration, median (smallest to largest of six)\n\n",
-                            report.film.x, report.film.y, report.device.name.c_str(), report.device.details.c_str());
+    std::string text =
+        line("%d x %d pixels on %s, %s; ms: processor time per iteration, median (smallest to largest of six)\n\n",
+             report.film.x, report.film.y, report.device.name.c_str(), report.device.details.c_str());
     text += line(kRow, "effect", "", "ms", "levels", "because");
     for (const TriedEffect& tried : report.effects)
         text += line(kRow, tried.effect.name.c_str(), verdictText(tried).c_str(),
@@ -55,14 +56,10 @@ std::string jsonText(const EffectsReport& report) {
             {"milliseconds", tried.trial ? QJsonValue(bandObject(tried.trial->milliseconds)) : QJsonValue()},
             {"levels", tried.trial ? QJsonValue(tried.trial->levels) : QJsonValue()}});
     for (const TriedModel& tried : report.models)
-        models.append(
-            QJsonObject{{"name", modelName(tried.model)}, {"milliseconds", bandObject(tried.milliseconds)}});
-    const QJsonObject object{{"width", report.film.x},
-                             {"height", report.film.y},
-                             {"device", report.device.name.c_str()},
-                             {"model", modelName(report.model)},
-                             {"effects", effects},
-                             {"models", models}};
+        models.append(QJsonObject{{"name", modelName(tried.model)}, {"milliseconds", bandObject(tried.milliseconds)}});
+    const QJsonObject object{
+        {"width", report.film.x},           {"height", report.film.y}, {"device", report.device.name.c_str()},
+        {"model", modelName(report.model)}, {"effects", effects},      {"models", models}};
     return QJsonDocument(object).toJson().toStdString();
 }
 

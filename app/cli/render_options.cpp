@@ -299,10 +299,10 @@ std::string renderHelp() {
 
 std::string effectsHelp() {
     return "Usage: pdrender-cli effects FOLDER|SCENE.json [options]\n"
-           "Lists every effect: whether the picture needs it and why, what it costs (milliseconds of processor time per\n"
-           "iteration of a small picture, with the band in which the measurements lie), and by how many display levels\n"
-           "the picture changes without it; then what each model would cost. Without shadows means: light reaches all\n"
-           "tissue unhindered. Takes about 10 s of processor time.\n" +
+           "Lists every effect: whether the picture needs it and why, what it costs (milliseconds of processor time\n"
+           "per iteration of a small picture, with their band), and by how many display levels the picture changes\n"
+           "without it (without shadows: light reaches all tissue unhindered); then what each model would cost.\n"
+           "Takes about 10 s of processor time.\n" +
            optionsText(describeEffects);
 }
 

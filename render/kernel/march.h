@@ -38,14 +38,15 @@ struct MarchEnd {
     int samples;
 };
 
-/// `step`: mm, above 0. A way that is not finite, or longer than kMostMarchSamples steps, has no end that could be told:
-/// its distance is no number, so that the picture's sample is none either and is counted (Fault::notANumber).
+/// `step`: mm, above 0. A way that is not finite, or longer than kMostMarchSamples steps, has no end that could be
+/// told: its distance is no number, so that the picture's sample is none either and is counted (Fault::notANumber).
 PDR_HD inline MarchEnd march(const FlatScene& scene, const Ray& ray, RandomStream random, float step) {
     const Interval<float> inside =
         clipped(ray.origin, ray.direction, vec3(-0.5f), scene.volume.lastIndex + 0.5f, Interval<float>{0, ray.length});
     const vec2 u = random.pair();
     float depth = negativeLog(u.x);
-    const bool finite = step > 0 && step + glm::dot(ray.origin, ray.origin) + glm::dot(ray.direction, ray.direction) < 1e38f;
+    const bool finite =
+        step > 0 && step + glm::dot(ray.origin, ray.origin) + glm::dot(ray.direction, ray.direction) < 1e38f;
     for (int i = 0; finite && i < kMostMarchSamples; ++i) {
         const float t = inside.enter + (float(i) + u.y) * step;
         if (!(t < inside.leave))

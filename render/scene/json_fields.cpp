@@ -34,7 +34,7 @@ class TwinGuard {
     std::vector<std::set<std::string>> open_;
 };
 
-constexpr int kDeepest = 64;                   ///< lists and objects in one another; a scene has six
+constexpr int kDeepest = 64;                    ///< lists and objects in one another; a scene has six
 constexpr std::size_t kMostValues = 1'000'000;  ///< a curve of 4096 nodes with all their fields has 60,000
 
 /// What would take the parser long or much memory, counted without it: brackets and commas outside texts. Errors in the

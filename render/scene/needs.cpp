@@ -76,8 +76,8 @@ struct Subject {
     bool scattersOften() const { return scene.model == Model::multipleScattering && scene.maxBounces > 1; }
 };
 
-/// Why nothing that happens to light at an event can show; empty where it can. `fromWithin`: light that tissue gives off
-/// counts, since it comes by on its way from event to event.
+/// Why nothing that happens to light at an event can show; empty where it can. `fromWithin`: light that tissue gives
+/// off counts, since it comes by on its way from event to event.
 std::string whyNothingScatters(const Subject& subject, bool fromWithin = true) {
     if (!subject.tissue.any())
         return "no tissue is opaque at the HU that the volume holds";
@@ -111,8 +111,8 @@ Effect shadows(const Subject& subject) {
 /// Whether some random number makes an event a surface; see surfaceNormal(). The smallest one is 2^-24.
 bool surfacesCanShow(const Subject& subject) {
     constexpr double kRounding = 1 + 1e-5;
-    const double highest =
-        subject.tissue.highestOpacity() * double(surfaceFactorOf(subject.scene.gradientFactor)) * subject.tissue.steepest();
+    const double highest = subject.tissue.highestOpacity() * double(surfaceFactorOf(subject.scene.gradientFactor)) *
+                           subject.tissue.steepest();
     return highest * kRounding > 0x1p-24;
 }
 
@@ -133,12 +133,13 @@ Effect highlights(const Subject& subject) {
     if (!surfaces(subject).needed)
         return off("highlights", "there are no surfaces");
     const bool shiny = subject.tissue.anywhere([](const Material& m) { return m.specular; });
-    return effect("highlights", shiny, "a node is specular",
-                  speaksOfHighlights(subject.scene) ? "the volume holds no HU that are specular" : "no node is specular",
-                  0, [](Scene& s) {
-                      for (TransferNode& node : s.transferFunction.nodes)
-                          node.specular = vec3(0);
-                  });
+    return effect(
+        "highlights", shiny, "a node is specular",
+        speaksOfHighlights(subject.scene) ? "the volume holds no HU that are specular" : "no node is specular", 0,
+        [](Scene& s) {
+            for (TransferNode& node : s.transferFunction.nodes)
+                node.specular = vec3(0);
+        });
 }
 
 Effect directedScattering(const Subject& subject) {
@@ -271,9 +272,9 @@ Effect bounces(const Subject& subject) {
 std::vector<Effect> needs(const Scene& scene) {
     const Subject subject(scene);
     return {
-        shadows(subject),      surfaces(subject),     highlights(subject),   directedScattering(subject),
-        placedLights(subject), lightsInView(scene),   surroundings(subject), alongScatter(subject),
-        background(scene),     emission(subject),     depthOfField(scene),   clipping(scene),
+        shadows(subject),      surfaces(subject),   highlights(subject),   directedScattering(subject),
+        placedLights(subject), lightsInView(scene), surroundings(subject), alongScatter(subject),
+        background(scene),     emission(subject),   depthOfField(scene),   clipping(scene),
         bounces(subject),
     };
 }

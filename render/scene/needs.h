@@ -19,9 +19,9 @@ struct Effect {
     bool couldBeLeftOut = false;         ///< needed only to keep the order of random numbers: it shows nowhere
 };
 
-/// Every effect that this version knows, in a fixed order. An effect is off where what the scene says of it cannot show:
-/// it needs tissue that the volume holds and a light that shines. The picture with it would be the same, bit by bit;
-/// where that is not certain it stays on. `scene` must have passed Scene::check().
+/// Every effect that this version knows, in a fixed order. An effect is off where what the scene says of it cannot
+/// show: it needs tissue that the volume holds and a light that shines. The picture with it would be the same, bit by
+/// bit; where that is not certain it stays on. `scene` must have passed Scene::check() and have its volume.
 std::vector<Effect> needs(const Scene& scene);
 
 /// Whether events look for light also in a direction that they scatter it to, and not only towards the lights: for

@@ -34,7 +34,7 @@ struct SceneFile {
 /// name the field and its range.
 Result<SceneFile> readSceneFile(const std::filesystem::path& path);
 
-/// The voxels of a raw file, clamped as `source` says. Errors: those of loadRaw(), with the field named beside the file.
+/// The voxels of a raw file, clamped as `source` says. Errors: those of loadRaw(), the field named beside the file.
 Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source);
 
 }  // namespace pdr

@@ -78,7 +78,9 @@ Result<CostBand> addedCost(const Iterate& with, const Iterate& without, double b
 }
 
 TrialPicture::TrialPicture(const Scene& scene, Device& device, Flattener& flattener)
-    : prepared_(flattener.prepare(scene, boundsFor(device.info()))), device_(device), film_(scene.film, scene.revision) {}
+    : prepared_(flattener.prepare(scene, boundsFor(device.info()))),
+      device_(device),
+      film_(scene.film, scene.revision) {}
 
 Result<double> TrialPicture::iterate(std::uint32_t n) {
     if (auto ok = device_.upload(prepared_); !ok)

@@ -45,7 +45,7 @@ class TrialPicture {
 
 struct EffectTrial {
     CostBand milliseconds;  ///< per iteration: with minus without
-    double levels = 0;      ///< display levels of 255 by which the picture changes without it: mean over pixels and colours
+    double levels = 0;  ///< display levels of 255 by which the picture changes without it: mean over pixels and colours
 };
 
 /// Below, a change is 0.00 levels: nobody could tell.

@@ -235,8 +235,8 @@ class CliTest : public QObject {
         document["transferFunction"] = curve;
         document["model"] = "multipleScattering";
         write(at("dense.json"), QJsonDocument(document).toJson());
-        const QStringList render{"render", at("dense.json"), "-o",        at("dense.png"), "-o", at("dense.exr"),
-                                 "--size", "16x16",          "--samples", "2"};
+        const QStringList render{"render",        at("dense.json"), "-o",    at("dense.png"), "-o",
+                                 at("dense.exr"), "--size",         "16x16", "--samples",     "2"};
         const Run told = run(render);
         QVERIFY2(told.code == 0 && told.out.contains("free paths between voxels"), told.err + told.out);
         const QJsonObject facts = QJsonDocument::fromJson(run(render + QStringList{"--json"}).out).object();

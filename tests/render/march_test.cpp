@@ -113,7 +113,8 @@ class MarchTest : public QObject {
     /// Voxels that lie closer than single precision can tell: no step, no place, and no way into memory.
     void aWayThatIsNotFiniteIsNoNumber() {
         for (const double spacing : {1e-300, 1e-45, 1e-25}) {
-            Scene scene = test::plainScene(test::makeVolume({8, 8, 8}, dvec3(spacing), [](int, int, int) { return 5; }), 1);
+            Scene scene =
+                test::plainScene(test::makeVolume({8, 8, 8}, dvec3(spacing), [](int, int, int) { return 5; }), 1);
             const auto prepared = Flattener().prepare(scene);
             const FlatVolume& volume = prepared->flat.volume;
             const Ray ray{{4, 4, 4}, vec3(volume.exactIndexFromLocal * dvec3(0.6, 0.8, 0)), kFar};

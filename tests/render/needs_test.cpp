@@ -53,35 +53,42 @@ std::vector<Case> onePerEffect() {
     return cases;
 }
 
+/// Plain scenes with a step, each changed in one way.
+struct Cases : std::vector<Case> {
+    template <class Change>
+    void add(const char* name, Change&& change) {
+        push_back({name, plain()});
+        back().scene.volume = step();
+        change(back().scene);
+    }
+};
+
+/// All opaque, and from `hu` on shiny and bright.
+void shineAbove(Scene& s, float hu) {
+    s.transferFunction.nodes = {{.hu = 0, .opacity = 1}, {.hu = hu, .opacity = 1}, {.hu = 32000, .opacity = 1}};
+    s.transferFunction.nodes.back().emission = vec3(1);
+    s.transferFunction.nodes.back().specular = vec3(1);
+}
+
 /// Scenes that speak of an effect which cannot show in them.
-std::vector<Case> withoutInfluence() {
-    std::vector<Case> cases;
-    const auto add = [&](const char* name, auto&& change) {
-        cases.push_back({name, plain()});
-        cases.back().scene.volume = step();
-        change(cases.back().scene);
-    };
-    const auto shineAbove = [](Scene& s, float hu) {
-        s.transferFunction.nodes = {{.hu = 0, .opacity = 1}, {.hu = hu, .opacity = 1}, {.hu = 32000, .opacity = 1}};
-        s.transferFunction.nodes.back().emission = vec3(1);
-        s.transferFunction.nodes.back().specular = vec3(1);
-    };
-    add("lights with a place", [](Scene& s) { s.lights.push_back(RectangleLight{.radiance = vec3(0)}); });
-    add("lights with a place", [](Scene& s) {
+Cases withoutInfluence() {
+    Cases cases;
+    cases.add("lights with a place", [](Scene& s) { s.lights.push_back(RectangleLight{.radiance = vec3(0)}); });
+    cases.add("lights with a place", [](Scene& s) {
         s.phaseG = 0.8f;  // so sharp that light is also looked for where it is scattered to
         s.lights.insert(s.lights.begin(), SphereLight{.radiusMm = 2, .radiance = vec3(0), .visible = true});
     });
-    add("clipping", [](Scene& s) { s.clip.box = ClipBox{dvec3(-1), dvec3(31)}; });
-    add("emission", [&](Scene& s) { shineAbove(s, 1501); });
-    add("highlights", [&](Scene& s) {
+    cases.add("clipping", [](Scene& s) { s.clip.box = ClipBox{dvec3(-1), dvec3(31)}; });
+    cases.add("emission", [](Scene& s) { shineAbove(s, 1501); });
+    cases.add("highlights", [](Scene& s) {
         shineAbove(s, 1501);
         s.gradientFactor = 1;
         s.lights.push_back(RectangleLight{.centreMm = {0, -50, 0}});
     });
-    add("surface reflection", [](Scene& s) { s.gradientFactor = 1e-6f; });
+    cases.add("surface reflection", [](Scene& s) { s.gradientFactor = 1e-6f; });
     for (const char* name : {"shadows", "surface reflection", "emission", "lights with a place", "multiple scattering",
                              "light from all around", "directed scattering", "search along scattering"})
-        add(name, [](Scene& s) {
+        cases.add(name, [](Scene& s) {
             s.transferFunction.nodes = {{.hu = 20150, .opacity = 0}, {.hu = 20151, .opacity = 1, .emission = vec3(1)}};
             s.model = Model::multipleScattering;
             s.gradientFactor = 1;
@@ -90,13 +97,13 @@ std::vector<Case> withoutInfluence() {
             s.environment.radiance = vec3(1);
         });
     for (const char* name : {"shadows", "surface reflection", "lights with a place", "multiple scattering"})
-        add(name, [](Scene& s) {
+        cases.add(name, [](Scene& s) {
             s.model = Model::multipleScattering;
             s.gradientFactor = 1;
             s.lights = {SphereLight{.radiusMm = 2, .radiance = vec3(0)}, DirectionalLight{{0, 0, -1}, vec3(0)}};
         });
     for (const char* name : {"shadows", "surface reflection", "lights with a place", "multiple scattering"})
-        add(name, [](Scene& s) {
+        cases.add(name, [](Scene& s) {
             s.transferFunction.nodes[0].albedo = vec3(0);
             s.model = Model::multipleScattering;
             s.gradientFactor = 1;
@@ -106,34 +113,24 @@ std::vector<Case> withoutInfluence() {
 }
 
 /// The same scenes, but the effect can just show.
-std::vector<Case> withLittleInfluence() {
-    std::vector<Case> cases;
-    const auto add = [&](const char* name, auto&& change) {
-        cases.push_back({name, plain()});
-        cases.back().scene.volume = step();
-        change(cases.back().scene);
-    };
-    add("lights with a place", [](Scene& s) { s.lights.push_back(RectangleLight{.radiance = {0, 0, 1e-30f}}); });
-    add("clipping", [](Scene& s) { s.clip.box = ClipBox{dvec3(-1), dvec3(31, 31, 29.9)}; });
-    add("clipping", [](Scene& s) { s.clip.planes = {{{0.1, 0, 0}, {-1, 0, 0}}}; });
-    const auto shineAbove = [](Scene& s, float hu) {
-        s.transferFunction.nodes = {{.hu = 0, .opacity = 1}, {.hu = hu, .opacity = 1}, {.hu = 32000, .opacity = 1}};
-        s.transferFunction.nodes.back().emission = vec3(1);
-        s.transferFunction.nodes.back().specular = vec3(1);
-    };
-    add("emission", [&](Scene& s) { shineAbove(s, 1499); });
-    add("highlights", [&](Scene& s) {
+Cases withLittleInfluence() {
+    Cases cases;
+    cases.add("lights with a place", [](Scene& s) { s.lights.push_back(RectangleLight{.radiance = {0, 0, 1e-30f}}); });
+    cases.add("clipping", [](Scene& s) { s.clip.box = ClipBox{dvec3(-1), dvec3(31, 31, 29.9)}; });
+    cases.add("clipping", [](Scene& s) { s.clip.planes = {{{0.1, 0, 0}, {-1, 0, 0}}}; });
+    cases.add("emission", [](Scene& s) { shineAbove(s, 1499); });
+    cases.add("highlights", [](Scene& s) {
         shineAbove(s, 1499);
         s.gradientFactor = 1;
     });
-    add("surface reflection", [](Scene& s) { s.gradientFactor = 0.05f; });
+    cases.add("surface reflection", [](Scene& s) { s.gradientFactor = 0.05f; });
     for (const char* name : {"shadows", "surface reflection", "emission", "multiple scattering"})
-        add(name, [](Scene& s) {  // only voxels of 1500 HU are opaque
+        cases.add(name, [](Scene& s) {  // only voxels of 1500 HU are opaque
             s.transferFunction.nodes = {{.hu = 1500, .opacity = 0}, {.hu = 1500, .opacity = 1, .emission = vec3(1)}};
             s.model = Model::multipleScattering;
             s.gradientFactor = 1;
         });
-    add("multiple scattering", [](Scene& s) {  // light from within alone
+    cases.add("multiple scattering", [](Scene& s) {  // light from within alone
         s.model = Model::multipleScattering;
         s.transferFunction.nodes[0].emission = vec3(1e-3f);
         s.lights.clear();

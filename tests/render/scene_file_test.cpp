@@ -216,7 +216,8 @@ class SceneFileTest : public QObject {
     void theLowestSpacingIsTold() {
         const auto file = read(QByteArray(kFull).replace("[1, 2, 3], \"originMm\"", "[1e-300, 2, 3], \"originMm\""));
         QVERIFY(!file);
-        QCOMPARE(QString::fromStdString(file.error().what), QString("holds 1e-300, each number must be from 1e-06 to 1e+06"));
+        QCOMPARE(QString::fromStdString(file.error().what),
+                 QString("holds 1e-300, each number must be from 1e-06 to 1e+06"));
         QVERIFY(bool(read(QByteArray(kFull).replace("[1, 2, 3], \"originMm\"", "[1e-6, 2, 3], \"originMm\""))));
     }
 
@@ -250,7 +251,8 @@ class SceneFileTest : public QObject {
     }
 
     void aPictureOfTheSurroundingsKnowsItsField() {
-        const auto file = read(QByteArray(kFull).replace("\"radiance\": [0.1, 0.2, 0.3], \"nadir\": 7", "\"image\": \"sky.exr\""));
+        const auto file =
+            read(QByteArray(kFull).replace("\"radiance\": [0.1, 0.2, 0.3], \"nadir\": 7", "\"image\": \"sky.exr\""));
         QVERIFY2(bool(file), file ? "" : file.error().text().c_str());
         QCOMPARE(file->environmentField, std::string("lights[1].image"));
     }
