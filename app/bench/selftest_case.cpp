@@ -54,7 +54,12 @@ Value worded(const std::map<std::string, Value>& words, const std::string& word)
 
 CaseScene::Shape shapeOf(const std::string& word) {
     using Shape = CaseScene::Shape;
-    return worded<Shape>({{"slab", Shape::slab}, {"sphere", Shape::sphere}, {"ramp", Shape::ramp}}, word);
+    return worded<Shape>({{"slab", Shape::slab},
+                          {"sphere", Shape::sphere},
+                          {"ramp", Shape::ramp},
+                          {"surface", Shape::surface},
+                          {"slit", Shape::slit}},
+                         word);
 }
 
 CaseScene::Lamp lampOf(const std::string& word) {
@@ -89,6 +94,10 @@ CaseScene sceneOf(const Json& json) {
     fields.optional("albedo", scene.albedo);
     fields.optional("g", scene.g);
     fields.optional("emission", scene.emission);
+    fields.optional("gradientFactor", scene.gradientFactor);
+    fields.optional("specular", scene.specular);
+    fields.optional("roughness", scene.roughness);
+    fields.optional("blur", scene.blur);
     fields.optional("scattering", scattering);
     fields.optional("bed", scene.bed);
     if (double beam = 0; json.contains("beam")) {

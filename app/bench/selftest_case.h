@@ -15,19 +15,25 @@ namespace pdr::bench {
 /// Matter and light of a case. Upward is +z. Whatever is not said is black, empty or straight on.
 struct CaseScene {
     enum class Shape {
-        slab,    ///< homogeneous layer, practically endless sideways
-        sphere,  ///< homogeneous ball
-        ramp,    ///< the same, but its extinction grows or falls linearly on the way up
+        slab,     ///< homogeneous layer, practically endless sideways
+        sphere,   ///< homogeneous ball
+        ramp,     ///< the same, but its extinction grows or falls linearly on the way up
+        surface,  ///< a slab whose HU rise evenly downwards, by 2048 in all: steep everywhere
+        slit,     ///< a thin black plate with a slit in it, seen out of focus through a lens
     };
     Shape shape = Shape::slab;
     double depth = 1;            ///< optical depth: through a slab, along a sphere's radius, through a ramp
     double extinctionPerMm = 1;  ///< of the matter; a ramp: at its bottom. Sets the size in mm.
     double endRatio = 1;         ///< a ramp's extinction at its top / at its bottom
     double albedo = 0;
-    double g = 0;           ///< Henyey-Greenstein mean cosine
-    double emission = 0;    ///< radiance per optical depth
-    bool multiple = false;  ///< all orders of scattering; otherwise one
-    bool bed = false;       ///< a black, opaque layer under a slab: nothing comes back from there
+    double g = 0;               ///< Henyey-Greenstein mean cosine
+    double emission = 0;        ///< radiance per optical depth
+    double gradientFactor = 0;  ///< of surfaces, as in a scene
+    double specular = 0;        ///< reflectance of a surface at normal incidence
+    double roughness = 0.5;     ///< of its gloss
+    double blur = 0;            ///< a slit: radius of what the lens spreads there, in half widths of the slit
+    bool multiple = false;      ///< all orders of scattering; otherwise one
+    bool bed = false;           ///< a black, opaque layer under a slab: nothing comes back from there
     enum class Lamp {
         beam,   ///< parallel light
         ball,   ///< a ball so far away that nobody can tell

@@ -5,6 +5,8 @@ foreach(name
     half_space
     radiance_all_orders
     lamps
+    surfaces
+    lens
     furnace
     layers
     slab_one_order

@@ -20,6 +20,10 @@ constexpr double kRampTop = kRampSteps * kRampHu;
 constexpr double kRampFoot = 1e-3;  ///< HU: just above what the lowest half voxel holds
 constexpr int kRadiusVoxels = 60;   ///< voxels along a sphere's radius
 constexpr int kRadiusHu = 200;      ///< HU per voxel of distance from a sphere's centre
+constexpr int kSurfaceLayers = 8;   ///< voxels through the matter below a surface, and as many above it
+constexpr int kSurfaceHu = 256;     ///< HU per voxel of depth
+constexpr double kPlate = 1e-3;     ///< thickness of a plate with a slit, in half widths of the slit
+constexpr double kLensFar = 1000;   ///< from the lens to the plate, in half widths of the slit
 constexpr ivec2 kFilm(64, 64);
 constexpr int kMostEvents = 100000;  ///< on a path; the deepest white slab needs some thousands
 
@@ -40,7 +44,9 @@ TransferNode node(const CaseScene& scene, double hu, double opacity) {
     return {.hu = float(hu),
             .opacity = float(opacity),
             .albedo = vec3(float(scene.albedo)),
-            .emission = vec3(float(scene.emission))};
+            .emission = vec3(float(scene.emission)),
+            .specular = vec3(float(scene.specular)),
+            .roughness = float(scene.roughness)};
 }
 
 /// Direction from the horizontal plane upwards at `cosine` to the vertical, tilted towards `side`.
@@ -106,10 +112,48 @@ Matter ramp(const CaseScene& scene) {
     return matter;
 }
 
+/// HU change by the same from voxel to voxel all through, so every event near the border meets the same gradient.
+Matter surface(const CaseScene& scene) {
+    const double thickness = extentMm(scene), layer = thickness / kSurfaceLayers;
+    const double side = thickness * kSlabWidth / kSlabLayers, border = kSurfaceHu / 2;
+    Matter matter;
+    matter.volume = makeVolume({kSlabLayers, kSlabLayers, 2 * kSurfaceLayers}, {side, side, layer},
+                               [](int, int, int k) { return kSurfaceHu * (kSurfaceLayers - k); });
+    matter.function.extinctionPerMm = float(scene.extinctionPerMm);
+    matter.function.nodes = {node(scene, border, 0), node(scene, border, 1)};
+    matter.top = 0;
+    matter.floor = -thickness;
+    return matter;
+}
+
+/// Open are the two voxels in the middle; half-way to the next ones the plate begins.
+Matter slit(const CaseScene& scene) {
+    constexpr int kWidth = 16;
+    const double half = extentMm(scene);
+    Matter matter;
+    matter.volume = makeVolume({kWidth, kWidth, 2}, {half, half, kPlate * half / 2},
+                               [](int i, int, int) { return i == kWidth / 2 - 1 || i == kWidth / 2 ? 0 : 1000; });
+    matter.function.extinctionPerMm = float(100 / (kPlate * half));
+    matter.function.nodes = {node(scene, 500, 0), node(scene, 500, 1)};
+    matter.top = kPlate * half / 2;
+    matter.floor = -matter.top;
+    return matter;
+}
+
 Matter matterOf(const CaseScene& scene) {
-    if (scene.shape == CaseScene::Shape::sphere)
-        return sphere(scene);
-    return scene.shape == CaseScene::Shape::slab ? slab(scene) : ramp(scene);
+    switch (scene.shape) {
+        case CaseScene::Shape::slab:
+            return slab(scene);
+        case CaseScene::Shape::sphere:
+            return sphere(scene);
+        case CaseScene::Shape::ramp:
+            return ramp(scene);
+        case CaseScene::Shape::surface:
+            return surface(scene);
+        case CaseScene::Shape::slit:
+            break;
+    }
+    return slit(scene);
 }
 
 /// A lamp of irradiance 1 at `place`, in direction `towards` from there. Balls and panels are 1e5 extents away and so
@@ -139,7 +183,11 @@ Camera cameraOf(const Case& reference, const Matter& matter) {
     const CaseScene& scene = reference.scene;
     const double extent = extentMm(scene);
     Camera camera{.type = Camera::Type::orthographic, .up = {1, 0, 0}};
-    if (scene.inside) {
+    if (scene.shape == CaseScene::Shape::slit) {
+        camera.eyeMm = {0, 0, kLensFar * extent};
+        camera.focusMm = 2 * kLensFar * extent;  // half of the lens' width is left at the plate
+        camera.apertureMm = 4 * scene.blur * extent;
+    } else if (scene.inside) {
         camera.eyeMm = {0, 0, matter.floor};
         camera.targetMm = {0, 0, matter.top};
     } else {
@@ -168,6 +216,7 @@ Scene sceneOf(const Case& reference) {
     scene.model = from.multiple ? Model::multipleScattering : Model::singleScattering;
     scene.maxBounces = kMostEvents;
     scene.phaseG = float(from.g);
+    scene.gradientFactor = float(from.gradientFactor);
     if (from.beam)
         scene.lights = {
             lampOf(from, {0, 0, *from.beam > 0 ? matter.top : matter.floor}, tilted(*from.beam, {1, 0, 0}))};

@@ -15,7 +15,7 @@ Scene sceneOf(const Case& reference);
 /// nothing else does. What is not met at all belongs to the last bin. The bins are equally probable.
 Scene flightScene(const Case& reference, int bin);
 
-/// A sphere's radius, a slab's or a ramp's thickness [mm].
+/// A sphere's radius, half a slit's width, the thickness of anything else [mm].
 double extentMm(const CaseScene& scene);
 
 /// Width of the square picture of a sphere, in units of its radius, for quantities that are means over the disc.

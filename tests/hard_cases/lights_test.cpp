@@ -154,8 +154,13 @@ class LightsTest : public QObject {
                 QVERIFY(std::fabs(brought(ball, {0, 0, distance}) / solidAngle - 1) < 1e-5);
             }
         QVERIFY(std::fabs(brought(panelLight(2, 3, vec3(1)), {0, 0, 1e9f}) / 6e-18 - 1) < 1e-5);
+        // Over the middle of a square of side 20: 4 asin(100 / (100 + h^2)), all below it where it is touched.
+        for (const float height : {20.0f, 5.0f}) {
+            const double solidAngle = 4 * std::asin(100 / (100 + double(height) * height));
+            QVERIFY(std::fabs(brought(panelLight(20, 20, vec3(1)), {0, 0, height}) / solidAngle - 1) < 0.05);
+        }
         const double touching = brought(panelLight(20, 20, vec3(1)), {0, 0, 1e-6f});
-        QVERIFY(std::isfinite(touching) && touching >= 0);
+        QVERIFY(touching >= 0 && touching < 2 * M_PI);  // points so near are hardly ever met: never too much
         QCOMPARE(glm::length(dvec3(1e-200)), 0.0);
         for (const double length : {1e-300, 1e-200, 1e-160, 1e-90, 1.0, 1e90, 1e200}) {
             const bool usable = length >= 1e-90 && length <= 1e90;
@@ -166,9 +171,14 @@ class LightsTest : public QObject {
             scene.lights = {DirectionalLight{{0, 0, -1}, vec3(radiance)},
                             SphereLight{{200.5, 200.5, 1e9}, 1e8, vec3(radiance)}};
             QVERIFY(bool(scene.check()));
-            const FilmStatus status = test::render(scene, 16).status();
-            QVERIFY(status.health.perfect() && std::isfinite(status.meanLuminance));
-            QCOMPARE(status.meanLuminance > 0, radiance > 0);
+            const Film film = test::render(scene, 1024);
+            QVERIFY(film.status().health.perfect());
+            // Straight light and a ball that fills the cosines 1 ... sqrt(0.99), as good as straight.
+            const double straight = 1 + 2 * M_PI * (1 - std::sqrt(0.99));
+            const double truth = radiance * straight / (4 * M_PI) * 0.5 * -std::expm1(-2.0);
+            const test::ImageMean got = test::imageMean(film);
+            QVERIFY(std::fabs(got.mean - truth) <= test::allowedZ(3) * got.standardError + 1e-3 * truth);
+            QVERIFY(got.standardError <= 0.02 * truth);
         }
     }
 

@@ -6,6 +6,7 @@
 
 #include "app/bench/selftest_case.h"
 #include "tests/physics/adding_doubling.h"
+#include "tests/physics/surface_forms.h"
 
 namespace pdr::test {
 
@@ -30,16 +31,11 @@ inline double chandrasekharH(double albedo, double mu) {
     }));
 }
 
-/// Henyey-Greenstein phase function [1/sr].
-inline double henyeyGreenstein(double g, double cosine) {
-    return (1 - g * g) / (4 * M_PI * std::pow(1 + g * g - 2 * g * cosine, 1.5));
-}
-
 /// Radiance of a slab, one order of scattering, under a beam of irradiance 1 from above (cosine m0 > 0) or below, seen
 /// from above (m > 0) or below, one of the two straight on.
 inline double singleScattering(const bench::CaseScene& s, double m0, double m) {
     const bool back = m0 * m > 0;
-    const double p = henyeyGreenstein(s.g, -m0 * m), a = std::fabs(m0), b = std::fabs(m), t = s.depth;
+    const double p = written::henyeyGreenstein(s.g, -m0 * m), a = std::fabs(m0), b = std::fabs(m), t = s.depth;
     if (back)
         return s.albedo * p * a / (a + b) * -std::expm1(-t * (1 / a + 1 / b));
     if (std::fabs(a - b) < 1e-4)
@@ -136,6 +132,10 @@ inline double truth(const bench::Case& c) {
         return 1;
     if (c.scene.shape == bench::CaseScene::Shape::sphere)
         return sphereValue(c);
+    if (c.scene.shape == bench::CaseScene::Shape::surface)
+        return surfaceValue(c);
+    if (c.scene.shape == bench::CaseScene::Shape::slit)
+        return slitValue(c.scene.blur) * c.scene.room;
     return slabValue(c);  // a ramp too: only the optical depth counts
 }
 

@@ -101,6 +101,84 @@ class SamplingTest : public QObject {
         }
     }
 
+    /// Where nothing but real collisions happen, the first number of a ray's stream alone says how far it flies:
+    /// -ln(u) free paths, ray by ray.
+    void firstFlightIsTheLogarithmOfItsNumber_data() {
+        QTest::addColumn<double>("extinction");
+        for (const double extinction : {1e-3, 0.1, 1.0, 40.0, 1e3})
+            QTest::addRow("%g / mm", extinction) << extinction;
+    }
+    void firstFlightIsTheLogarithmOfItsNumber() {
+        QFETCH(double, extinction);
+        const Ramp even{extinction, extinction};
+        const auto prepared = Flattener().prepare(even.scene());
+        RayBatch batch;
+        std::vector<double> depths;
+        int other = 0;
+        for (int i = 0; i < kFlights; ++i) {
+            batch.add(even.ray(), stream(i));
+            if (!batch.full())
+                continue;
+            batch.track<DeltaTracking>(prepared->flat);
+            for (int row = 0; row < batch.size(); ++row) {
+                const int number = i - batch.size() + 1 + row;
+                const double depth = -std::log(double(stream(number).pair().x)), flown = batch.result(row);
+                const bool through = depth > extinction * 64;
+                other += through ? flown >= 0 : !(std::fabs(flown * extinction / depth - 1) < 2e-5);
+                depths.push_back(through ? depth : flown * extinction);
+            }
+            batch.clear();
+        }
+        // Bounds are a little wider than the tissue: one collision in a million is none.
+        QVERIFY2(other <= 20, qPrintable(QString("%1 of %2 flights").arg(other).arg(kFlights)));
+        // The numbers are what they should be: mean, mean square, and the largest distance from the distribution.
+        test::Sample first, second;
+        std::sort(depths.begin(), depths.end());
+        double farthest = 0;
+        for (std::size_t i = 0; i < depths.size(); ++i) {
+            first.add(depths[i]);
+            second.add(depths[i] * depths[i]);
+            farthest = std::max(farthest, std::fabs(-std::expm1(-depths[i]) - (i + 0.5) / depths.size()));
+        }
+        const double allowed = test::allowedZ(10);
+        QVERIFY2(std::fabs(first.z(1)) < allowed, qPrintable(QString::number(first.mean())));
+        QVERIFY2(std::fabs(second.z(2)) < allowed, qPrintable(QString::number(second.mean())));
+        QVERIFY(2 * std::exp(-2 * farthest * farthest * depths.size()) > kAlarm);  // Kolmogorov and Smirnov
+    }
+
+    /// Light through optical depth 2 under bounds that are too high by far: what roulette takes from most it gives back
+    /// to some. Finds 0.6 % nine times out of ten.
+    void rouletteLeavesTheMeanTransmittance_data() {
+        QTest::addColumn<double>("excess");
+        for (const double excess : {1.3, 2.0, 5.0})
+            QTest::addRow("bound times %g", excess) << excess;
+    }
+    void rouletteLeavesTheMeanTransmittance() {
+        QFETCH(double, excess);
+        const auto volume = test::makeVolume({65, 4, 4}, dvec3(1), [](int i, int, int) { return i == 64 ? 1000 : 0; });
+        Scene scene = test::plainScene(volume, 0.03125f * float(excess));
+        scene.transferFunction.nodes = {{.hu = 0, .opacity = float(1 / excess)},
+                                        {.hu = 1, .opacity = float(1 / excess)},
+                                        {.hu = 1000, .opacity = 1}};
+        const auto prepared = test::withGlobalMajorant(scene);
+        const Ray ray{{-0.5f, 1.3f, 1.6f}, {1, 0, 0}, 63.5f};  // up to the last even voxel
+        test::Sample got;
+        RayBatch batch;
+        for (int i = 0; i < 3 << 20; ++i) {
+            batch.add(ray, stream(i));
+            if (!batch.full())
+                continue;
+            batch.track<RatioTracking>(prepared->flat);
+            for (int row = 0; row < batch.size(); ++row)
+                got.add(batch.result(row));
+            batch.clear();
+        }
+        const double truth = std::exp(-0.03125 * 63.5), allowed = test::allowedZ(3);
+        QVERIFY2(std::fabs(got.z(truth)) < allowed, qPrintable(QString("%1 instead of %2").arg(got.mean()).arg(truth)));
+        QVERIFY2((allowed + 1.2816) * got.standardError() < 0.006 * truth,
+                 qPrintable(QString("finds %1").arg((allowed + 1.2816) * got.standardError() / truth)));
+    }
+
     /// 64 equally probable bins, for g of all sizes, and moments.
     void directionsFollowHenyeyAndGreenstein_data() {
         QTest::addColumn<double>("g");

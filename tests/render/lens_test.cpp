@@ -63,6 +63,63 @@ class LensTest : public QObject {
         QVERIFY(seen >= 3);
     }
 
+    /// 16 rings of equal area times 16 sectors are equally likely, and the moments are those of a disc.
+    void pointsOfTheLensAreUniform() {
+        std::vector<double> bins(256);
+        test::Sample x, y, xx, yy, xy;
+        RandomStream random = Random(3, 1, 0).stream(Dimension::lens);
+        for (int i = 0; i < 1 << 20; ++i) {
+            const dvec2 p(onDisc(random.pair()));
+            const int ring = std::min(15, int(16 * glm::dot(p, p)));
+            const double turn = std::atan2(p.y, p.x) / (2 * M_PI) + 0.5;
+            ++bins[std::size_t(16 * ring + std::min(15, int(16 * turn)))];
+            x.add(p.x), y.add(p.y), xx.add(p.x * p.x), yy.add(p.y * p.y), xy.add(p.x * p.y);
+        }
+        QVERIFY2(test::uniformP(bins) > 1e-6, qPrintable(QString::number(test::uniformP(bins))));
+        const double allowed = test::allowedZ(5);
+        QVERIFY(std::fabs(x.z(0)) < allowed && std::fabs(y.z(0)) < allowed && std::fabs(xy.z(0)) < allowed);
+        QVERIFY(std::fabs(xx.z(0.25)) < allowed && std::fabs(yy.z(0.25)) < allowed);
+    }
+
+    /// A small bright square far out of focus, with nothing else there: its picture is a disc, everywhere as bright,
+    /// and holds all of its light.
+    void blurOfASpotIsAnEvenDisc() {
+        const double blur = 10, side = 2;  // mm at the square
+        Scene scene = test::plainScene(test::makeVolume({4, 4, 4}, dvec3(1), [](int, int, int) { return 0; }), 1);
+        scene.transferFunction.nodes[0].opacity = 0;
+        scene.lights = {RectangleLight{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, side, side, vec3(1), true}};
+        scene.camera = {.type = Camera::Type::orthographic,
+                        .eyeMm = {0, 0, 500},
+                        .targetMm = {0, 0, 0},
+                        .up = {0, 1, 0},
+                        .heightMm = 24,
+                        .apertureMm = 4 * blur,
+                        .focusMm = 1000};  // half of the lens' width is left at the square
+        scene.film = {24, 24};
+        const std::uint64_t samples = 8192;
+        const Film film = test::render(scene, samples);
+        const double share = side * side / (M_PI * blur * blur), expected = share * samples;
+        double square = 0;
+        int inside = 0;
+        for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 24; ++x) {
+                const double away = glm::length(dvec2(x, y) - 11.5);
+                if (away > blur - 0.75 * (side + 1))
+                    continue;
+                const double seen = film.pixel(x, y).mean.x * samples;
+                square += (seen - expected) * (seen - expected) / (expected * (1 - share));
+                ++inside;
+            }
+        QVERIFY(inside > 150);
+        const double p = test::chiSquareP(square, inside);
+        QVERIFY2(p > 1e-6, qPrintable(QString("%1 on %2").arg(square).arg(inside)));
+        const test::ImageMean whole = test::imageMean(film);
+        const double truth = side * side / (24 * 24);
+        QVERIFY2(std::fabs(whole.mean - truth) < test::allowedZ(1) * whole.standardError,
+                 qPrintable(QString("%1 +- %2, expected %3").arg(whole.mean).arg(whole.standardError).arg(truth)));
+        QVERIFY(whole.standardError < 0.01 * truth);
+    }
+
     /// Bounds of the view make room for what a lens spreads: with and without them it is the same picture.
     void nothingIsLostBesideTheFocus() {
         for (const double focus : {30.0, 120.0, 1000.0}) {
