@@ -13,7 +13,7 @@ INCLUDE = '#include "tests/mutations/planted.h"\n'
 class Place:
     """A piece of a source file that occurs once there, and what a bug makes of it."""
 
-    file: str
+    file: str  # or a folder that ends in "/": the piece then occurs once in all of it
     was: str
     becomes: str
     within: str = ""  # the piece is looked for inside this text, which occurs once in the file
@@ -71,6 +71,27 @@ def _span(text: str, place: Place) -> tuple[int, int]:
     return begin, end
 
 
+def _file_of(source: Path, place: Place) -> str:
+    """The file that the piece lies in."""
+    if not place.file.endswith("/"):
+        return place.file
+    files = [path for path in (source / place.file).rglob("*") if path.suffix in (".h", ".cpp")]
+    found = [path for path in files if (place.within or place.was) in path.read_text()]
+    if len(found) != 1:
+        raise TableError(f"{place.file}: {len(found)} files hold it, must be one: {place.within or place.was!r}")
+    return str(found[0].relative_to(source))
+
+
+def _is_list(text: str) -> bool:
+    """Whether a comma stands outside of all brackets: `a, b` is no expression that a switch may stand around."""
+    depth = 0
+    for letter in text:
+        depth += (letter in "([{") - (letter in ")]}")
+        if depth == 0 and letter == ",":
+            return True
+    return False
+
+
 def _planted(was: str, bugs: list[tuple[Bug, Place]]) -> str:
     """What ends in a semicolon is a statement, all else an expression."""
     text = was
@@ -91,10 +112,13 @@ def plant(source: Path, bugs: list[Bug]) -> dict[str, str]:
     for bug in bugs:
         for place in bug.places:
             try:
-                if place.file not in texts:
-                    texts[place.file] = (source / place.file).read_text()
-                span = _span(texts[place.file], place)
-                pieces.setdefault(place.file, {}).setdefault(span, []).append((bug, place))
+                if not place.was.rstrip().endswith(";") and _is_list(place.was):
+                    raise TableError(f"is a list, must be one expression or a statement: {place.was!r}")
+                file = _file_of(source, place)
+                if file not in texts:
+                    texts[file] = (source / file).read_text()
+                span = _span(texts[file], place)
+                pieces.setdefault(file, {}).setdefault(span, []).append((bug, place))
             except (TableError, OSError) as error:
                 complaints.append(f"{bug.name}: {error}")
     if complaints:

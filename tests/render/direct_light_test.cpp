@@ -120,6 +120,20 @@ class DirectLightTest : public QObject {
         }
     }
 
+    void hiddenLightsAreNotSeen() {
+        Scene scene = cube();
+        scene.transferFunction.extinctionPerMm = 0;
+        scene.camera.type = Camera::Type::orthographic;
+        scene.camera.heightMm = 100;
+        const dvec3 before = scene.volume->geometry().centreMm() - scene.camera.forward() * 18.0;
+        for (const bool visible : {false, true}) {
+            scene.lights = {SphereLight{before, 8, vec3(2), visible}, SphereLight{{900, 0, 0}, 10, vec3(2), true}};
+            const Film film = test::render(scene, 16);
+            QCOMPARE(film.pixel(16, 16).mean.x, visible ? 2.0 : 0.0);
+            QCOMPARE(film.pixel(0, 0).mean.x, 0.0);
+        }
+    }
+
     /// A ray along a sampled direction meets the same light, where it was sampled and with the density it had.
     void whatIsSampledIsMetAlike() {
         std::mt19937 random(1);

@@ -106,6 +106,14 @@ class SceneFileTest : public QObject {
         QCOMPARE(scene.seed, 18446744073709551615u);
     }
 
+    void fieldOfViewIsInDegrees() {
+        const auto file = read(R"({ "format": "pdrender-scene", "version": 1, "volume": { "dicom": "ct" },
+            "transferFunction": { "extinctionPerMm": 1, "nodes": [ { "hu": 0, "opacity": 1 } ] },
+            "camera": { "eyeMm": [0, -10, 0], "targetMm": [0, 0, 0], "fovDegrees": 20.5 } })");
+        QVERIFY2(bool(file), file ? "" : file.error().text().c_str());
+        QCOMPARE(file->scene.camera.fovDegrees, 20.5);
+    }
+
     void whatIsLeftOutHasItsDefault() {
         const auto file = read(R"({ "format": "pdrender-scene", "version": 1, "volume": { "dicom": "ct" },
             "transferFunction": { "extinctionPerMm": 1, "nodes": [ { "hu": 0, "opacity": 1 } ] },
