@@ -32,8 +32,8 @@ void ProgressLine::show(double fraction, std::string_view step) {
 }
 
 void ProgressLine::show(const BatchState& state) {
-    std::string text = "rendering: " + samplesText(state.film.samplesPerPixel) + ", error " +
-                       errorText(state.film.relativeError);
+    std::string text =
+        "rendering: " + samplesText(state.film.samplesPerPixel) + ", error " + errorText(state.film.relativeError);
     if (state.secondsLeft)
         text += ", " + clockText(*state.secondsLeft) + " left";
     draw(state.fraction, text);
