@@ -20,7 +20,8 @@ constexpr Command kCommands[] = {
     {"compare", compare, "PICTURE.pfm REFERENCE.pfm",
      "Prints the ratio of the means, and the root mean square difference over the reference's mean, as JSON.\n", ""},
     {"rebound", rebound, "[--size N] [--edits N] [--device D]",
-     "Times how long N x N x N voxels take to be bounded anew after an edit of the transfer function: on one core, or on\n"
+     "Times how long N x N x N voxels take to be bounded anew after an edit of the transfer function: on one core, or "
+     "on\n"
      "a device with a memory of its own.\n",
      "  --size N      voxels an edge, from 2; default 256\n"
      "  --edits N     from 1; default 21\n"
@@ -39,7 +40,8 @@ constexpr Command kCommands[] = {
     {"paper", paperExperiment,
      "[SCENE.json] [--device D] [--threads N] [--estimator E] [--clock C] [--largest WxH]\n"
      "                            [--seconds S] [--rounds N] [--out DIR]",
-     "Repeats the experiment that this program began with: frames per second, the time of an iteration, the time beside\n"
+     "Repeats the experiment that this program began with: frames per second, the time of an iteration, the time "
+     "beside\n"
      "it, and efficiency, for six resolutions, Exposure Render's order of work and ours with n = 1, 10 and 100.\n",
      "  --device D       cpu (default), cuda, cuda:1, auto or emulated\n"
      "  --threads N      threads of the CPU; default 0: one per core\n"
@@ -50,7 +52,8 @@ constexpr Command kCommands[] = {
      "  --rounds N       in which it is measured, from 1; default 5\n"
      "  --out DIR        write paper.md, paper.csv and paper.json there\n"},
     {"parity", parity, "[--device D] [--quick] [NAMES]",
-     "Says whether a device renders as the CPU does, sample by sample, and as itself however the work is cut. NAMES: of\n"
+     "Says whether a device renders as the CPU does, sample by sample, and as itself however the work is cut. NAMES: "
+     "of\n"
      "these scenes only. Exit code 1: something fails.\n",
      "  --device D    cuda (default), cuda:1, auto or emulated\n"
      "  --quick       leave out that pictures arrive whole and that memory returns\n"},

@@ -1,6 +1,7 @@
 #pragma once
-/// Turns Ctrl-C (SIGINT), SIGTERM and the end of the terminal's session (SIGHUP, unless it is ignored as nohup does) into a
-/// stop request; the second one ends the program at once. While it is there, and after, broken pipes are errors of writing.
+/// Turns Ctrl-C (SIGINT), SIGTERM and the end of the terminal's session (SIGHUP, unless it is ignored as nohup does)
+/// into a stop request; the second one ends the program at once. While it is there, and after, broken pipes are errors
+/// of writing.
 
 #include <stop_token>
 #include <thread>

@@ -16,7 +16,8 @@ namespace pdr::app {
     throw Error{what, option.toStdString(), hint};
 }
 
-/// Reads the options of a parsed command line, absent ones as nothing, and throws an Error that names the first wrong one.
+/// Reads the options of a parsed command line, absent ones as nothing, and throws an Error that names the first wrong
+/// one.
 class Reader {
   public:
     explicit Reader(const QCommandLineParser& parser) : parser_(parser) {}

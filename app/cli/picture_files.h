@@ -19,7 +19,7 @@ Result<void> checkWritable(const Paths& outputs);
 Result<void> checkSpared(const Paths& inputs, const Paths& outputs);
 
 struct WrittenFiles {
-    Paths files;                   ///< where the pictures are
+    Paths files;                  ///< where the pictures are
     std::vector<Error> troubles;  ///< one for each output that is not where it was asked for
 };
 

@@ -291,9 +291,12 @@ std::string replayHelp() {
 
 std::string renderHelp() {
     return "Usage: pdrender-cli render FOLDER|SCENE.json -o FILE [options]\n"
-           "Renders a picture. It ends at the first stop that is reached. Ctrl-C ends it early, and so does the end of the\n"
-           "terminal's session: what is there is then written and the exit code is 1; a second Ctrl-C ends at once and\n"
-           "writes nothing. A new picture can be read by its owner only; one that is replaced keeps its permissions.\n" +
+           "Renders a picture. It ends at the first stop that is reached. Ctrl-C ends it early, and so does the end of "
+           "the\n"
+           "terminal's session: what is there is then written and the exit code is 1; a second Ctrl-C ends at once "
+           "and\n"
+           "writes nothing. A new picture can be read by its owner only; one that is replaced keeps its "
+           "permissions.\n" +
            optionsText(describeRender);
 }
 

@@ -29,9 +29,8 @@ constexpr const char* kNoDisplay =
 bool saveForOwner(const QPixmap& picture, const QString& path) {
     QFile file(path);
     const bool isNew = !file.exists();
-    return file.open(QFile::WriteOnly) &&
-           (!isNew || file.setPermissions(QFile::ReadOwner | QFile::WriteOwner)) && picture.save(&file, "PNG") &&
-           file.flush();
+    return file.open(QFile::WriteOnly) && (!isNew || file.setPermissions(QFile::ReadOwner | QFile::WriteOwner)) &&
+           picture.save(&file, "PNG") && file.flush();
 }
 
 void takeScreenshot(ui::MainWindow& window, const QString& file) {

@@ -18,7 +18,8 @@ struct DesktopOptions {
     std::optional<int> answered;
 };
 
-/// `arguments` begin with the program's name. Needs a QCoreApplication, no display. Help and version go to standard output.
+/// `arguments` begin with the program's name. Needs a QCoreApplication, no display. Help and version go to standard
+/// output.
 DesktopOptions desktopOptions(const QStringList& arguments);
 
 }  // namespace pdr::app

@@ -54,12 +54,13 @@ void say(const std::exception_ptr& failure) {
     ::_exit(1);
 }
 
-/// A file that is opened later must not become standard output by taking the number of a closed one. What takes its place
-/// cannot be written to, so that the closed stream is still noticed.
+/// A file that is opened later must not become standard output by taking the number of a closed one. What takes its
+/// place cannot be written to, so that the closed stream is still noticed.
 void occupyClosedStreams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF)
-            ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // takes the lowest free number: this one
+            ::open("/dev/null",
+                   stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // takes the lowest free number: this one
 }
 
 bool printedArrived() {

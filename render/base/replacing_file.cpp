@@ -43,7 +43,8 @@ Result<fs::path> behindLinks(const fs::path& path) {
 
 /// What rename() would refuse only in the end, and what it would do without asking.
 Result<void> checkReplaceable(const fs::path& path, const fs::path& place) {
-    struct stat file {}, folder {};
+    struct stat file {
+    }, folder{};
     if (::lstat(place.c_str(), &file) != 0)
         return {};
     if (S_ISDIR(file.st_mode))
@@ -60,8 +61,8 @@ Result<void> checkReplaceable(const fs::path& path, const fs::path& place) {
     return {};
 }
 
-/// A name in the same folder, since a rename cannot leave the file system. Random: the number of a process says nothing in a
-/// container, and a name that can be foreseen can be taken by others.
+/// A name in the same folder, since a rename cannot leave the file system. Random: the number of a process says nothing
+/// in a container, and a name that can be foreseen can be taken by others.
 fs::path temporaryBeside(const fs::path& place) {
     constexpr char kLetters[] = "0123456789abcdefghijklmnopqrstuv";
     std::random_device random;
@@ -71,7 +72,8 @@ fs::path temporaryBeside(const fs::path& place) {
     return place.parent_path() / (name + ".part");
 }
 
-/// The mode that an older file at `place` had, for `descriptor`; where its group cannot be kept, the group gets no rights.
+/// The mode that an older file at `place` had, for `descriptor`; where its group cannot be kept, the group gets no
+/// rights.
 std::optional<mode_t> keptMode(int descriptor, const fs::path& place) {
     struct stat old {};
     if (::stat(place.c_str(), &old) != 0)

@@ -23,9 +23,10 @@ enum class FileAccess {
 
 class ReplacingFile {
   public:
-    /// What can go wrong in the end is tried here: whoever will need hours for the content calls this before as well. Where
-    /// `path` is a link, the file behind it is replaced. Errors: no such folder, no permission for the folder, for an older
-    /// file or, in a sticky folder, for another user's file; links in a circle; `path` is a folder or no plain file.
+    /// What can go wrong in the end is tried here: whoever will need hours for the content calls this before as well.
+    /// Where `path` is a link, the file behind it is replaced. Errors: no such folder, no permission for the folder,
+    /// for an older file or, in a sticky folder, for another user's file; links in a circle; `path` is a folder or no
+    /// plain file.
     static Result<ReplacingFile> open(const std::filesystem::path& path, FileAccess access = FileAccess::everybody);
 
     ReplacingFile(ReplacingFile&& other) noexcept = default;

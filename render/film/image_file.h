@@ -1,7 +1,7 @@
 #pragma once
 /// Pictures on disk, without name or origin of a patient; but a face is one's own, so a new file is for its owner alone
-/// (0600), and one that is replaced keeps its mode. Written beside and renamed into place: an error leaves the old file as it
-/// was.
+/// (0600), and one that is replaced keeps its mode. Written beside and renamed into place: an error leaves the old file
+/// as it was.
 
 #include <filesystem>
 #include <map>

@@ -86,11 +86,13 @@ class CliOutputsTest : public QObject {
 
     /// A limit on the size of files fails one output as a full disk does.
     void anOutputThatFailsDoesNotLoseTheOthers() {
-        const int code = run({"render", scene(), "--samples", "4", "--size", "200x200", "--json", "-o", "big.exr", "-o", "small.png"}, [] {
-            std::signal(SIGXFSZ, SIG_IGN);
-            const rlimit small{60000, 60000};
-            ::setrlimit(RLIMIT_FSIZE, &small);
-        });
+        const int code = run(
+            {"render", scene(), "--samples", "4", "--size", "200x200", "--json", "-o", "big.exr", "-o", "small.png"},
+            [] {
+                std::signal(SIGXFSZ, SIG_IGN);
+                const rlimit small{60000, 60000};
+                ::setrlimit(RLIMIT_FSIZE, &small);
+            });
         QCOMPARE(code, 1);
         QVERIFY(isPicture(at("small.png")));
         QVERIFY(!QFile::exists(at("big.exr")));
@@ -110,8 +112,8 @@ class CliOutputsTest : public QObject {
     void aPictureWhoseFolderIsGoneComesHere() {
         QDir(folder_->path()).mkdir("gone");
         write(at("a.png"), "not to be replaced");
-        const int code = renderWhile({"-o", "gone/a.png", "-o", "b.png"}, SIGINT,
-                                     [this] { QDir(at("gone")).removeRecursively(); });
+        const int code =
+            renderWhile({"-o", "gone/a.png", "-o", "b.png"}, SIGINT, [this] { QDir(at("gone")).removeRecursively(); });
         QCOMPARE(code, 1);
         QVERIFY(isPicture(at("a-2.png")) && isPicture(at("b.png")));
         QCOMPARE(contents(at("a.png")), QByteArray("not to be replaced"));

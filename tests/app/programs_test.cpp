@@ -188,7 +188,8 @@ class ProgramsTest : public QObject {
         int failures = 0;
         for (const int megabytes : {44, 52, 60, 68, 76, 84, 92, 100, 104, 108, 116, 132}) {
             const Run small = runIn(megabytes, program, words);
-            QVERIFY2(small.code >= 0, qPrintable(QString("a signal at %1 MB: %2").arg(megabytes).arg(QString(small.err))));
+            QVERIFY2(small.code >= 0,
+                     qPrintable(QString("a signal at %1 MB: %2").arg(megabytes).arg(QString(small.err))));
             QVERIFY2(small.code == 0 || !small.err.isEmpty(), qPrintable(QString("silence at %1 MB").arg(megabytes)));
             failures += small.code != 0;
         }
@@ -203,8 +204,7 @@ class ProgramsTest : public QObject {
         QTest::newRow("pdrender") << "pdrender" << QStringList{};
         QTest::newRow("pdrender-cli") << "pdrender-cli"
                                       << QStringList{"render", scene(), "-o", at("core.png"), "--seconds", "100"};
-        QTest::newRow("pdrender-bench") << "pdrender-bench"
-                                        << QStringList{"picture", scene(), "--samples", "1000000"};
+        QTest::newRow("pdrender-bench") << "pdrender-bench" << QStringList{"picture", scene(), "--samples", "1000000"};
     }
 
     void coreDumpsAreSwitchedOff() {

@@ -21,13 +21,13 @@ inline std::filesystem::path sharedCt() {
 
 }  // namespace pdr::test
 
-/// Leaves the test function because data is not there: as skipped, or, where PDR_REQUIRE_DATA is set, as failed, so that
-/// nobody takes a run without the data for one with it.
-#define PDR_SKIP_FOR_WANT_OF_DATA(reason)               \
-    do {                                                \
+/// Leaves the test function because data is not there: as skipped, or, where PDR_REQUIRE_DATA is set, as failed, so
+/// that nobody takes a run without the data for one with it.
+#define PDR_SKIP_FOR_WANT_OF_DATA(reason)                  \
+    do {                                                   \
         if (qEnvironmentVariableIsSet("PDR_REQUIRE_DATA")) \
-            QFAIL(reason);                              \
-        QSKIP(reason);                                  \
+            QFAIL(reason);                                 \
+        QSKIP(reason);                                     \
     } while (false)
 
 /// Leaves the test function where the real data is not there.
