@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/bench/device_load.h"
+#include "render/base/processor_time.h"
 
 using namespace pdr::bench;
 using std::chrono::milliseconds;
@@ -25,7 +26,7 @@ class DeviceLoadTest : public QObject {
     static void wait() { std::this_thread::sleep_for(milliseconds(80)); }
     /// As long as it takes to get 80 ms of a processor that others want too.
     static void compute() {
-        for (const double start = processorSeconds(); processorSeconds() - start < 0.08;) {
+        for (const double start = pdr::processorSeconds(); pdr::processorSeconds() - start < 0.08;) {
         }
     }
 
