@@ -161,12 +161,12 @@ void Document::comeBackTo(State state) {
 
 /// Without a volume the choice waits for one.
 void Document::applyPreset() {
+    if (hasVolume()) {
+        State state = now_;
+        state.scene = withPreset(std::move(state.scene), presets_[std::size_t(state.preset)]);
+        edit(std::move(state), false);
+    }
     emit displayChanged(display());
-    if (!hasVolume())
-        return;
-    State state = now_;
-    state.scene = withPreset(std::move(state.scene), presets_[std::size_t(state.preset)]);
-    edit(std::move(state), false);
 }
 
 /// The lights hang on the camera, so they are made anew with it.

@@ -119,8 +119,12 @@ void showStatus(const DesktopParts& parts) {
     const auto& frame = parts.bridge.lastFrame();
     if (!frame)
         return;
-    QStringList text{ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused()),
-                     ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency})};
+    QStringList text;
+    if (frame->coarse)
+        text << ui::MainWindow::tr("coarse, the full picture follows");
+    else
+        text << ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused())
+             << ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency});
     const QString comparison = ui::comparisonText(choiceOf(frame->schedule), frame->estimator);
     if (!comparison.isEmpty())
         text.prepend(comparison);

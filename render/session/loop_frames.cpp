@@ -77,9 +77,10 @@ Result<void> Session::Loop::iterate(const Orders::Step& step) {
 /// on behind.
 Result<void> Session::Loop::show(const Orders::Step& step) {
     LiveFilm& film = *place_.film();
+    const Display display = orders.display();
     const bool atOnce = fresh_ || coarse_ || measuring_ || !step.render;
     const double start = clock_();
-    if (Result<void> ordered = film.show(step.display); !ordered)
+    if (Result<void> ordered = film.show(display); !ordered)
         return ordered;
     ++waiting_;
     Result<std::vector<Picture>> pictures = takeAllBut(atOnce ? 0 : film.ahead() - 1);
@@ -98,7 +99,7 @@ Result<void> Session::Loop::show(const Orders::Step& step) {
         pixelsPerSecond_ = meter_.iterationsPerSecond() * place_.size().x * place_.size().y;
     }
     send(*std::move(pictures), wanted(step.pace));
-    return measuring_ && step.render ? measureDisplay(step.display, n, frameSeconds + displaySeconds) : Result<void>();
+    return measuring_ && step.render ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
 }
 
 Result<std::vector<Picture>> Session::Loop::takeAllBut(int left) {

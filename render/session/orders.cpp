@@ -32,6 +32,11 @@ void Orders::setDisplay(const Display& display) {
     changed_.notify_one();
 }
 
+Display Orders::display() {
+    const std::lock_guard lock(mutex_);
+    return display_;
+}
+
 void Orders::setPace(const Pace& pace) {
     const std::lock_guard lock(mutex_);
     pace_ = pace.clamped();
@@ -96,7 +101,6 @@ std::optional<Orders::Step> Orders::next(const Situation& situation, std::stop_t
     step.schedule = std::exchange(schedule_, std::nullopt);
     step.order = std::exchange(scene_, std::nullopt);
     step.render = !paused_ || situation.first || step.order || step.schedule;
-    step.display = display_;
     step.pace = pace_;
     step.stop = running_.get_token();
     step.unanswerable = takeUnanswerable(situation, step);

@@ -41,7 +41,6 @@ class Orders {
         std::optional<Schedule> schedule;
         std::optional<SceneOrder> order;
         bool render = false;  ///< more iterations, if there is a film
-        Display display;
         Pace pace;
         std::stop_token stop;  ///< of this step
     };
@@ -54,6 +53,8 @@ class Orders {
     void setPaused(bool paused);
     void clear();
     void inspect(std::uint64_t revision, FilmLook look);
+    /// The newest: what a step shows at its end is not what was wanted at its beginning.
+    Display display();
     /// Cancels the running step.
     void cancel();
 
