@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <vector>
 
 #include "dicom/coded_bits.h"
 
@@ -14,12 +15,17 @@ constexpr const char* kBeyondBlock = "a run of it goes beyond its block";
 constexpr const char* kZeros = "a run of zeros stands where tissue changes";
 constexpr const char* kMean = "it holds a value that its samples cannot have";
 
+/// The last bit of a mean that changes is one or zero by chance: so many zeros in a row are met once in 1e9.
+constexpr int kZeroBits = 30;
+
 /// One part of a scan, from a restart marker to the next. Each walk reads `units` pixels or blocks.
 class Walk {
   public:
+    /// `changes`: of each block of a progressive picture, whether its mean differs from that of the one before. Written
+    /// by the scan that brings the means, read from `unit` on by those that refine them.
     Walk(const JpegStream& stream, const JpegScan& scan, const HuffmanDecoder* dc, const HuffmanDecoder* ac,
-         std::span<const std::uint8_t> part)
-        : stream_(stream), scan_(scan), dc_(dc), ac_(ac), bits_(part) {}
+         std::span<const std::uint8_t> part, std::vector<bool>& changes, std::size_t unit)
+        : stream_(stream), scan_(scan), dc_(dc), ac_(ac), bits_(part), changes_(changes), unit_(unit) {}
 
     /// The phrase of what is wrong, or null.
     const char* over(std::int64_t units) {
@@ -78,14 +84,22 @@ class Walk {
     std::int64_t mean() {
         // Eight times the sample's range; the sum of a block's samples is what the coefficient holds.
         const int range = 1 << (stream_.precision + 2);
-        mean_ += codedDifference(15);
+        const int change = codedDifference(15);
+        mean_ += change;
+        if (stream_.kind == JpegStream::Kind::progressive)
+            changes_.push_back(change != 0);
         if (std::abs(std::int64_t(mean_) << scan_.low) * scan_.dcStep > range + (scan_.dcStep << scan_.low))
             damaged(kMean);
         return 1;
     }
 
     std::int64_t meanBit() {
-        bits_.take(1);
+        const bool isZero = bits_.take(1) == 0;
+        if (unit_ < changes_.size() && changes_[unit_])
+            zeros_ = isZero ? zeros_ + 1 : 0;
+        if (zeros_ >= kZeroBits)
+            damaged(kZeros);
+        ++unit_;
         return 1;
     }
 
@@ -139,7 +153,9 @@ class Walk {
     const JpegScan& scan_;
     const HuffmanDecoder *dc_, *ac_;
     CodedBits bits_;
-    int mean_ = 0;
+    std::vector<bool>& changes_;
+    std::size_t unit_;
+    int mean_ = 0, zeros_ = 0;
     const char* damage_ = nullptr;
 };
 
@@ -166,7 +182,7 @@ const char* refinementDamage(const JpegScan& scan) {
     return nullptr;
 }
 
-const char* scanDamage(const JpegStream& stream, const JpegScan& scan) {
+const char* scanDamage(const JpegStream& stream, const JpegScan& scan, std::vector<bool>& changes) {
     if (refinesBand(stream, scan))
         return refinementDamage(scan);
     const bool needsDc = scan.first == 0 || stream.kind != JpegStream::Kind::progressive;
@@ -178,12 +194,13 @@ const char* scanDamage(const JpegStream& stream, const JpegScan& scan) {
         return "a scan of it does not fit its frame";
     const std::optional<HuffmanDecoder> dc = scan.dc ? std::optional<HuffmanDecoder>(*scan.dc) : std::nullopt;
     const std::optional<HuffmanDecoder> ac = scan.ac ? std::optional<HuffmanDecoder>(*scan.ac) : std::nullopt;
-    std::int64_t left = unitsOf(stream);
+    const std::int64_t all = unitsOf(stream);
+    std::int64_t left = all;
     for (const auto& part : scan.parts) {
         const std::int64_t units = scan.restartInterval > 0 ? std::min<std::int64_t>(scan.restartInterval, left) : left;
         if (units == 0)
             return "it holds more restart markers than pixels";
-        Walk walk(stream, scan, dc ? &*dc : nullptr, ac ? &*ac : nullptr, part);
+        Walk walk(stream, scan, dc ? &*dc : nullptr, ac ? &*ac : nullptr, part, changes, std::size_t(all - left));
         if (const char* damage = walk.over(units))
             return damage;
         left -= units;
@@ -201,8 +218,9 @@ std::string jpegDamage(const JpegStream& stream) {
         return {};
     if (stream.precision < 2 || stream.precision > 16)
         return "it states an impossible precision";
+    std::vector<bool> changes;
     for (const JpegScan& scan : stream.scans) {
-        if (const char* damage = scanDamage(stream, scan))
+        if (const char* damage = scanDamage(stream, scan, changes))
             return damage;
     }
     return {};

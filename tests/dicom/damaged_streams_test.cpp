@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "dicom/decoder_warnings.h"
+#include "dicom/jpeg_stream.h"
 
 using namespace pdr;
 using test::Outcome;
@@ -64,6 +65,22 @@ class DamagedStreamsTest : public QObject {
         }
         QVERIFY2(silent == 0, qPrintable(QString("%1 of 64 silent, %2 refused").arg(silent).arg(refused)));
         QVERIFY(refused > 32);
+    }
+
+    void zerosInTheLastBitsOfMeansAreSeen() {
+        // One bit a block, without any code: only that tissue is never so even gives the damage away.
+        QVERIFY(test::writeCompressedSlice(file_, test::tissueSlice({256, 256}, 1), EXS_JPEGProcess10_12));
+        std::string bytes = test::bytesOf(file_);
+        const test::StreamRange range = test::streamRange(bytes);
+        const auto* start = reinterpret_cast<const std::uint8_t*>(bytes.data()) + range.first;
+        const dicom::JpegStream jpeg = dicom::readJpeg({start, range.last - range.first});
+        const auto scan = std::find_if(jpeg.scans.begin(), jpeg.scans.end(),
+                                       [](const dicom::JpegScan& s) { return s.first == 0 && s.high > 0; });
+        QVERIFY(scan != jpeg.scans.end());
+        const auto middle = std::size_t(scan->parts[0].data() - start) + scan->parts[0].size() / 2;
+        bytes.replace(range.first + middle, 16, 16, '\0');
+        test::writeBytes(file_, bytes);
+        QVERIFY(!dicom::decodeSlice({file_, 0}, dicom::Padding::keep));
     }
 
     void damageIsNamed() {
