@@ -99,11 +99,11 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Boun
     FlatScene& flat = prepared->flat;
     flat.fastFiltering = scene.filtering == Filtering::fast && !isProjection(scene.model);
     flat.marched = scene.estimator == Estimator::kroesMarch;
-    flat.maxBounces = scene.model == Model::multipleScattering ? scene.maxBounces : 1;
     flat.phaseG = scene.phaseG;
     flat.surfaceFactor = surfaceFactorOf(scene.gradientFactor);
     flat.unshadowed = scene.unshadowed;
     flat.features = neededFeatures(needs(scene));
+    flat.maxBounces = has(flat.features, kBounces) ? scene.maxBounces : 1;  // for programs that hold all effects, too
     flat.sampleDirections = searchesAlongScatter(scene);
     flat.lit = !isProjection(scene.model) && (shines(prepared->lights) || !scene.environment.isBlack() ||
                                               (flat.features & kEmission) != 0);

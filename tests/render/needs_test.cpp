@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "render/kernel/event.h"
+#include "render/kernel/features.h"
 #include "render/scene/needs.h"
 #include "tests/support/scenes.h"
 
@@ -150,6 +150,8 @@ bool sameBits(const Film& a, const Film& b) {
 Film renderedWith(const Scene& scene, std::uint32_t features) {
     const auto prepared = test::prepared(scene);
     prepared->flat.features |= features;
+    if (scene.model == Model::multipleScattering && has(features, kBounces))
+        prepared->flat.maxBounces = scene.maxBounces;
     return test::sampled(*makeCpuDevice(), prepared, 32);
 }
 
@@ -219,37 +221,6 @@ class NeedsTest : public QObject {
                 const Effect search = effect(one.scene, "search along scattering");
                 QVERIFY(search.needed && search.couldBeLeftOut);
             }
-    }
-
-    /// The gradient factor from which on surfaces are needed: below, the smallest random number is above every
-    /// probability; 1.45 (the cube root of 3: the bound counts each axis for itself) times higher, the steepest place
-    /// can be a surface.
-    void surfacesAreOffExactlyWhereNoRandomNumberFindsOne() {
-        Scene scene = plain();
-        scene.volume = step();
-        float off = 1e-6f, on = 1;
-        while (on / off > 1.0001f) {
-            scene.gradientFactor = std::sqrt(off * on);
-            (effect(scene, "surface reflection").needed ? on : off) = scene.gradientFactor;
-        }
-        const auto canReflect = [&](float factor) {
-            scene.gradientFactor = factor;
-            const auto prepared = test::prepared(scene);
-            return surfaceNormal(prepared->flat, {14.5f, 15, 15}, {1, 0, 0}, 250, 0x1p-24f) != vec3(0);
-        };
-        QVERIFY2(off > 1e-3f && off < 1e-1f, qPrintable(QString::number(off)));
-        QVERIFY(!canReflect(off));
-        QVERIFY(canReflect(1.45f * on));
-    }
-
-    /// A surface is never more probable than the tissue is opaque: where the number lies above, no voxel is looked at.
-    void aSurfaceThatOpacityRulesOutCostsNoVoxel() {
-        Scene scene = plain();
-        scene.gradientFactor = 1;
-        scene.transferFunction.nodes[0].opacity = 0.25f;
-        const auto prepared = test::prepared(scene);
-        prepared->flat.volume.voxels = nullptr;
-        QVERIFY(surfaceNormal(prepared->flat, {14.5f, 15, 15}, {1, 0, 0}, 250, 0.25f) == vec3(0));
     }
 
     /// Sums along straight rays know no light but their own and that behind them.
