@@ -36,12 +36,12 @@ QString counted(std::uint64_t count, const char* one, const char* many) {
 QString errorText(const FilmStatus& status) {
     if (status.samplesPerPixel < kSamplesToEstimate)
         return translated("estimating");
-    if (status.tissuePixels == 0)
-        return translated("no tissue in view");
     if (std::isfinite(status.displayError))
         return translated("95 % of the tissue within ±%1 of 255 grey levels")
             .arg(QString::fromStdString(levelsText(status.displayError)));
-    return status.unseenShare > 0 ? translated("no light seen yet") : translated("error not known");
+    if (!std::isfinite(status.relativeError))
+        return status.unseenShare > 0 ? translated("no light seen yet") : translated("error not known");
+    return translated("no tissue in view");
 }
 
 /// "8 s", "1.5 min", "2.0 h"

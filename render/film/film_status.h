@@ -25,8 +25,8 @@ struct FilmStatus {
     /// display_error.h. Unknown below kSamplesToEstimate samples, without tissue, and without a display.
     double displayError = std::numeric_limits<double>::infinity();
     std::uint64_t tissuePixels = 0;
-    /// The errors of more than a twentieth of the tissue rest on so few bright samples that brighter ones may still
-    /// come: what is foretold from them is a lower bound.
+    /// More than a tenth of the tissue is what less than two bright samples a pixel made of it, so brighter ones may
+    /// still come: what is foretold from their error is a lower bound.
     bool fewBrightSamples = false;
     /// While relativeError is unknown because all samples were alike: the share of samples that may bring other light
     /// than was seen, at most, to 95 %. 0 otherwise.

@@ -34,7 +34,7 @@ FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t sa
     FilmStatus status{.samplesPerPixel = samplesPerPixel, .health = health, .tissuePixels = sums.tissue};
     status.meanLuminance = sums.luminance / double(pixels);
     status.relativeError = samplesPerPixel < 2 ? kUnknown : relativeErrorOf(sums, pixels);
-    status.fewBrightSamples = 20 * sums.fewBright > sums.tissue;
+    status.fewBrightSamples = 10 * sums.fewBright > sums.tissue;
     if (status.relativeError == 0 && sums.chance > 0) {
         status.relativeError = kUnknown;
         status.unseenShare = std::min(kSureEnough / (double(samplesPerPixel) * double(sums.chance)), 1.0);

@@ -23,8 +23,8 @@ struct StatusSums {
     double tissuePower = 0;                               ///< their samples' mean squared luminance
     std::uint64_t tissue = 0;                             ///< pixels that have seen some
     std::uint64_t unlit = 0;                              ///< of these, pixels without light that may only be unlucky
-    std::uint64_t fewBright = 0;   ///< of these, pixels whose mean is not twice its standard error, unlit ones among them
-    std::uint64_t chance = 0;      ///< pixels that chance has a part in
+    std::uint64_t fewBright = 0;                          ///< of these, pixels that less than two samples could make
+    std::uint64_t chance = 0;                             ///< pixels that chance has a part in
 
     /// `seen`: kSeen...
     PDR_HD void add(const Moments& pixel, dvec3 standardError, std::uint32_t seen) {
@@ -39,7 +39,8 @@ struct StatusSums {
         tissueSquaredErrors += error * error;
         tissuePower += light * light + double(pixel.count) * error * error;
         unlit += isUnlit(pixel, seen);
-        fewBright += isUnlit(pixel, seen) || 2 * error > light;
+        // k bright samples among many dark ones give a standard error of mean / sqrt(k).
+        fewBright += isUnlit(pixel, seen) || 2 * error * error > light * light;
     }
     PDR_HD void add(const StatusSums& other) {
         luminance += other.luminance;

@@ -227,7 +227,7 @@ void TestPanels::theStatusSaysErrorSamplesAndSpeed() {
 void TestPanels::theStatusSaysWhatItDoesNotKnow() {
     FilmStatus status{.samplesPerPixel = 40};
     QCOMPARE(statusText(status, 0, true), "paused, no tissue in view, 40 samples");
-    status.tissuePixels = 7;
+    status.relativeError = std::numeric_limits<double>::infinity();
     QCOMPARE(statusText(status, 0, true), "paused, error not known, 40 samples");
     status.unseenShare = 1e-3;
     QCOMPARE(statusText(status, 0, true), "paused, no light seen yet, 40 samples");

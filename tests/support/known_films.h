@@ -1,0 +1,89 @@
+#pragma once
+/// Films whose error is known in closed form, and what a screen is told about them.
+
+#include <cmath>
+#include <vector>
+
+#include "render/device/cpu/host_gpu.h"
+#include "render/device/gpu/gpu_device.h"
+#include "render/film/tone_map.h"
+#include "render/kernel/pixel.h"
+
+namespace pdr::test {
+
+inline std::size_t pixelsOf(const Film& film) {
+    return std::size_t(film.size().x) * std::size_t(film.size().y);
+}
+
+/// Goes on to `count` samples: radiance value(pixel, sample) where seen(pixel) is kSeen...
+template <class Value, class Seen>
+void grow(Film& film, std::uint64_t count, Value&& value, Seen&& seen) {
+    const Tile whole{0, 0, film.size().x, film.size().y};
+    while (film.samplesPerPixel() < count) {
+        const SampleRange range = film.nextSamples(std::uint32_t(std::min<std::uint64_t>(
+            64, count - film.samplesPerPixel())));
+        for (std::size_t pixel = 0; pixel < pixelsOf(film); ++pixel) {
+            PixelSums& sums = film.sums(whole).pixels[pixel];
+            sums.seen |= seen(pixel);
+            for (std::uint32_t i = 0; i < range.count; ++i)
+                addSample(sums, vec3(float(value(pixel, range.first + i))));
+        }
+        film.commit(range);
+    }
+}
+
+/// A film whose pixels hold n samples, half of them mean + spread, half mean - spread: its standard error is
+/// spread / sqrt(n - 1), without any chance.
+struct Known {
+    double mean, spread;
+    std::uint32_t seen = kSeenTissue | kSeenChance;
+};
+inline Film knownFilm(const std::vector<Known>& pixels, std::uint32_t n) {
+    FilmContent content{n, std::vector<Moments>(pixels.size()), std::vector<PixelSums>(pixels.size()), {}};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const auto& [mean, spread, seen] = pixels[i];
+        content.moments[i] = {dvec3(mean), dvec3(n * spread * spread), n};
+        content.block[i].seen = seen;
+    }
+    return Film({int(pixels.size()), 1}, 1, std::move(content));
+}
+
+/// The status that a screen is told, by the CPU and by a GPU's programs; they must agree.
+inline FilmStatus shownStatus(const Film& film, float exposure) {
+    const FilmStatus cpu = pictureOf(film, {exposure}).status;
+    GpuDevice<HostGpu> device(DeviceInfo{"host", "", false}, std::size_t(0));
+    const auto live = *device.film(film.size(), 1, {});
+    if (!live->resume(film) || !live->show({exposure}))
+        return {};
+    const Result<Picture> picture = live->take();
+    if (!picture || picture->status.displayError != cpu.displayError ||
+        picture->status.tissuePixels != cpu.tissuePixels ||
+        picture->status.fewBrightSamples != cpu.fewBrightSamples || picture->status.unseenShare != cpu.unseenShare ||
+        !(std::fabs(picture->status.relativeError - cpu.relativeError) <= 1e-12 * cpu.relativeError ||
+          picture->status.relativeError == cpu.relativeError))
+        return {};
+    return cpu;
+}
+
+/// The tone curve written down once more, unrounded.
+inline double curve(double radiance, double exposure) {
+    const double light = -std::expm1(-std::max(radiance, 0.0) / exposure);
+    return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+}
+
+inline double twoSided(double mean, double standardError, double exposure) {
+    const double here = curve(mean, exposure);
+    return std::max(here - curve(mean - 2 * standardError, exposure), curve(mean + 2 * standardError, exposure) - here);
+}
+
+/// The spread that n samples about `mean` must have for the screen to be `levels` off.
+inline double spreadFor(double levels, double mean, double exposure, std::uint32_t n) {
+    double low = 0, high = 10 * mean;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (low + high);
+        (twoSided(mean, middle / std::sqrt(n - 1.0), exposure) < levels ? low : high) = middle;
+    }
+    return high;
+}
+
+}  // namespace pdr::test
