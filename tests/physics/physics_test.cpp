@@ -181,6 +181,24 @@ class PhysicsTest : public QObject {
         QVERIFY2(found >= 43, qPrintable(QString("%1 of %2").arg(found).arg(runs)));
     }
 
+    /// Little throughput goes on by roulette, wherever it goes to: light through dark tissue, most of it scattered more
+    /// than once straight on, would miss directions that the roulette's number had chosen too.
+    void rouletteChoosesNoDirection() {
+        Case dark = plainSlab(4);
+        dark.scene.albedo = 0.2;
+        dark.scene.g = 0.5;
+        dark.scene.view = -0.8;
+        dark.scene.multiple = true;
+        dark.expected = test::truth(dark);
+        const Measurement got = measure(*test::testedDevice(), dark, 1 << 20, 7, notCancelled).value();
+        const Judgement judgement = judge(dark, got, {1 << 20, 0.03}, kAllowed);
+        QVERIFY2(judgement.verdict == Verdict::agrees, qPrintable(QString("%1 +- %2, expected %3: finds %4")
+                                                                      .arg(got.value)
+                                                                      .arg(got.standardError)
+                                                                      .arg(dark.expected)
+                                                                      .arg(judgement.detects)));
+    }
+
     /// Exposure Render's march through the same slabs must be found wrong.
     void aBiasedMarchIsFound() {
         for (const double stepDepth : {0.5, 1.0, 2.0}) {

@@ -174,6 +174,31 @@ class PictureTest : public QObject {
         QVERIFY(std::fabs(upright.mean - turned.mean) < 4 * std::hypot(upright.standardError, turned.standardError));
     }
 
+    /// Inside glowing tissue that no path leaves, n events bring e (1 + a + ... + a^(n - 1)), each path alike, and each
+    /// path is one that was cut.
+    void maxBouncesIsTheNumberOfEvents() {
+        Scene scene = test::plainScene(test::makeVolume({8, 8, 8}, dvec3(10), [](int, int, int) { return 0; }), 100);
+        scene.model = Model::multipleScattering;
+        scene.transferFunction.nodes[0].albedo = vec3(0.9f, 0.8f, 0.7f);
+        scene.transferFunction.nodes[0].emission = vec3(2, 3, 5);
+        scene.lights.clear();
+        scene.camera = {.eyeMm = {41, 42, 43}, .targetMm = {80, 40, 30}};
+        scene.film = {8, 8};
+        dvec3 expected(0), event(2, 3, 5);
+        for (int bounces = 1; bounces <= 4; ++bounces) {
+            expected += event;
+            event *= dvec3(vec3(0.9f, 0.8f, 0.7f));
+            scene.maxBounces = bounces;
+            const Film film = test::render(scene, 16);
+            const dvec3 got = film.pixel(3, 5).mean;
+            for (int c = 0; c < 3; ++c)
+                QVERIFY2(std::fabs(got[c] / expected[c] - 1) < 1e-6,
+                         qPrintable(QString("%1 instead of %2 at %3").arg(got[c]).arg(expected[c]).arg(bounces)));
+            const std::uint64_t cut = bounces == 1 ? 0 : 8 * 8 * 16;  // one event is all that was asked for
+            QCOMPARE(film.status().health.of(Fault::cutPath).count, cut);
+        }
+    }
+
     void farAwayCameraSeesTheSame() {
         Scene scene = variedScene();
         scene.lights.pop_back();
