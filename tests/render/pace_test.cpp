@@ -192,8 +192,10 @@ class PaceTest : public QObject {
         const std::uint64_t samples = held.get_future().get();
         const auto shots = trial.reel.shots(
             [&](const auto& all) { return all.back().frame->status.samplesPerPixel == samples; });
-        for (std::size_t i = 0; i < shots.size(); ++i)
+        std::size_t i = 0;
+        for (; shots[i].frame->status.samplesPerPixel < samples; ++i)
             QCOMPARE(shots[i].frame->status.samplesPerPixel, 3 * (i + 1));
+        QCOMPARE(samples, 3 * (i + 1));  // a held picture may come twice
     }
 };
 
