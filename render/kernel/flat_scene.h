@@ -73,14 +73,20 @@ enum class LightType : std::uint32_t { directional, rectangle, sphere };
 
 struct FlatLight {
     LightType type;
-    vec3 radiance;      ///< or irradiance of a directional light
-    vec3 position;      ///< local, mm: centre
-    vec3 normal;        ///< unit: to the light (directional) or out of the panel's shining side
-    vec3 halfU, halfV;  ///< half edges of a panel, mm
-    float area;         ///< mm^2, of a panel
-    float radius;       ///< mm, of a ball
-    bool visible;       ///< whether the camera sees it
+    vec3 radiance;          ///< or irradiance of a directional light
+    vec3 position;          ///< local, mm: centre
+    vec3 normal;            ///< unit: to the light (directional) or out of the panel's shining side
+    vec3 halfU, halfV;      ///< half edges of a panel, mm
+    float area;             ///< mm^2, of a panel
+    float radius;           ///< mm, of a ball
+    std::uint32_t visible;  ///< 1: the camera sees it
 };
+
+// A GPU is sent again only the tables whose bytes changed (device/gpu/gpu_array.h): padding, which nobody sets, would
+// be compared with them.
+static_assert(sizeof(OpacityPiece) == 4 * sizeof(float));
+static_assert(sizeof(Material) == 3 * sizeof(vec3) + sizeof(float));
+static_assert(sizeof(FlatLight) == sizeof(LightType) + 5 * sizeof(vec3) + 2 * sizeof(float) + sizeof(std::uint32_t));
 
 /// Light from all around; see kernel/environment.h. Without a picture `texels` is null.
 struct FlatEnvironment {
