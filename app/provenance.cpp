@@ -1,5 +1,6 @@
 #include "app/provenance.h"
 
+#include "render/base/version.h"
 #include "render/scene/warnings.h"
 
 namespace pdr::app {

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "dicom/codecs.h"
+#include "render/base/version.h"
 
 namespace pdr::dicom {
 

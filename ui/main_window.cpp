@@ -14,6 +14,7 @@
 #include <array>
 #include <utility>
 
+#include "render/base/version.h"
 #include "ui/file_dialogs.h"
 
 namespace pdr::ui {

@@ -5,6 +5,7 @@
 
 #include "app/bench/command_table.h"
 #include "app/program/program.h"
+#include "render/base/version.h"
 
 namespace pdr::bench {
 namespace {

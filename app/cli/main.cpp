@@ -11,6 +11,7 @@
 #include "app/cli/render_command.h"
 #include "app/cli/replay_command.h"
 #include "app/program/program.h"
+#include "render/base/version.h"
 
 namespace pdr::app {
 namespace {

@@ -15,6 +15,7 @@
 #include "app/desktop/options.h"
 #include "app/presets.h"
 #include "app/program/program.h"
+#include "render/base/version.h"
 #include "render/device/device_list.h"
 #include "ui/dark_theme.h"
 

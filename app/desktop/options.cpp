@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "render/base/version.h"
+
 namespace pdr::app {
 namespace {
 

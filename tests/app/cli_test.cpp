@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "render/base/health.h"
+#include "render/base/version.h"
 #include "tests/support/places.h"
 
 /// What a run of the program left.

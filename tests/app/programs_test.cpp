@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "app/program/program.h"
+#include "render/base/version.h"
 #include "tests/support/places.h"
 
 namespace {

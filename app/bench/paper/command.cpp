@@ -8,6 +8,7 @@
 #include "app/bench/paper/progress.h"
 #include "app/bench/paper/report.h"
 #include "app/bench/paper/settings.h"
+#include "render/base/version.h"
 #include "render/device/device_list.h"
 
 namespace pdr::bench {
