@@ -19,13 +19,15 @@ constexpr Command kCommands[] = {
      "  --colours FILE  write the mean of all frames, linear, as a colour PFM\n"},
     {"compare", compare, "PICTURE.pfm REFERENCE.pfm",
      "Prints the ratio of the means, and the root mean square difference over the reference's mean, as JSON.\n", ""},
-    {"rebound", rebound, "[--size N] [--edits N] [--device D]",
+    {"rebound", rebound, "[--size N] [--edits N] [--device D] [--width N] [--height N]",
      "Times how long N x N x N voxels take to be bounded anew after an edit of the transfer function: on one core, or "
      "on\n"
-     "a device with a memory of its own.\n",
+     "a device with a memory of its own; and how long it is from the edit to its first picture.\n",
      "  --size N      voxels an edge, from 2; default 256\n"
      "  --edits N     from 1; default 21\n"
-     "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"},
+     "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"
+     "  --width N     pixels of the picture, from 1; default 1920\n"
+     "  --height N    from 1; default 1080\n"},
     {"trackers", trackers, "[SCENE.json ...] [--rays N] [--rounds N]",
      "Compares what ways to the first collision cost, for the primary rays of each scene; without scenes, of a head.\n",
      "  --rays N      N x N primary rays, from 1; default 96\n"

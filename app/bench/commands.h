@@ -22,8 +22,9 @@ int frames(const Arguments& arguments);
 /// compare A.pfm REFERENCE.pfm: ratio of the means, and the root mean square difference over the reference's mean.
 int compare(const Arguments& arguments);
 
-/// rebound [--size N] [--edits N] [--device D]: time to bound an N x N x N head anew after a transfer-function edit: on
-/// one core, or on a device with a memory of its own, there with sending what is needed.
+/// rebound [--size N] [--edits N] [--device D] [--width N] [--height N]: time to bound an N x N x N head anew after a
+/// transfer-function edit: on one core, or on a device with a memory of its own, there with sending what is needed; and
+/// from the edit to its first picture, of width x height pixels.
 int rebound(const Arguments& arguments);
 
 /// trackers [SCENE.json ...] [--rays N] [--rounds N]: what ways to the first collision cost, side by side, for N x N

@@ -8,6 +8,7 @@
 #include "render/device/cpu/emulated_gpu.h"
 #include "render/device/device_list.h"
 #include "render/kernel/texture.h"
+#include "render/scene/flatten.h"
 
 namespace pdr::bench {
 
@@ -99,7 +100,7 @@ int filtering(const Arguments& arguments) {
     if (!onGpu)
         device = makeEmulatedGpu();
 
-    const auto prepared = Flattener().prepare(*scene, Bounds::onDevice);
+    const auto prepared = Flattener().flatten(*scene);
     const HuPrice hu = huPrice(prepared->flat.volume, *points, scene->seed);
     const auto picture = picturePrice(**device, *scene, std::uint32_t(*samples), *rounds);
     if (!picture)

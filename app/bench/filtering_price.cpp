@@ -46,12 +46,10 @@ struct Run {
     double seconds = 0;
 };
 
-Result<Run> timed(Device& device, std::shared_ptr<const PreparedScene> scene, std::uint32_t samples) {
-    const ivec2 size = scene->flat.camera.film;
-    const std::uint64_t revision = scene->revision;
-    if (const auto uploaded = device.upload(std::move(scene)); !uploaded)
+Result<Run> timed(Device& device, const Scene& scene, std::uint32_t samples) {
+    if (const auto uploaded = device.upload(scene); !uploaded)
         return uploaded.error();
-    const auto film = device.film(size, revision, {});
+    const auto film = device.film(scene.film, scene.revision, {});
     if (!film)
         return film.error();
     const auto start = std::chrono::steady_clock::now();
@@ -114,20 +112,17 @@ LevelPrice levelPrice(const Film& exact, const Film& fast) {
 
 Result<PicturePrice> picturePrice(Device& device, const Scene& scene, std::uint32_t samples, int rounds) {
     constexpr Filtering kTurns[] = {Filtering::exact, Filtering::fast};
-    std::shared_ptr<const PreparedScene> prepared[2];
-    Flattener flattener;
+    Scene filtered[] = {scene, scene};
     for (int way = 0; way < 2; ++way) {
-        Scene filtered = scene;
-        filtered.filtering = kTurns[way];
-        prepared[way] = flattener.prepare(filtered, boundsFor(device.info()));
-        if (const auto warm = timed(device, prepared[way], 1); !warm)
+        filtered[way].filtering = kTurns[way];
+        if (const auto warm = timed(device, filtered[way], 1); !warm)
             return warm.error();
     }
     std::shared_ptr<const Film> films[2];
     std::vector<double> seconds[2];
     for (int turn = 0; turn < 2 * rounds; ++turn) {
         const int way = (turn + turn / 2) % 2;  // 0 1 1 0: neither is always the second
-        const Result<Run> run = timed(device, prepared[way], samples);
+        const Result<Run> run = timed(device, filtered[way], samples);
         if (!run)
             return run.error();
         films[way] = run->film;

@@ -5,6 +5,7 @@
 
 #include "render/base/result.h"
 #include "render/device/device.h"
+#include "render/kernel/flat_scene.h"
 
 namespace pdr::bench {
 

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "app/bench/commands.h"
+#include "app/bench/live_picture.h"
 #include "app/bench/load_scene.h"
 #include "app/bench/options.h"
 #include "render/device/device.h"
@@ -43,26 +44,22 @@ int frames(const Arguments& arguments) {
     if (!scene)
         return fail(scene.error());
     const std::unique_ptr<Device> device = makeCpuDevice(*threads);
-    if (const auto uploaded = device->upload(Flattener().prepare(*scene)); !uploaded)
-        return fail(uploaded.error());
-
-    Film film(scene->film, 0);
-    const Tile whole{0, 0, scene->film.x, scene->film.y};
+    const auto live = begun(*device, *scene);
+    if (!live)
+        return fail(live.error());
     std::vector<double> wall, cpu;
     for (int frame = 0; frame < *count; ++frame) {
-        const SampleRange one = film.nextSamples(1);
         const auto start = std::chrono::steady_clock::now();
         const std::clock_t onCores = std::clock();
-        if (const auto rendered = device->render(whole, one, film.sums(whole), {}); !rendered)
-            return fail(rendered.error());
+        if (const auto iterated = (*live)->iterate(1, {}); !iterated)
+            return fail(iterated.error());
         wall.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
         cpu.push_back(1e3 * double(std::clock() - onCores) / CLOCKS_PER_SEC);
-        film.commit(one);
     }
     std::printf("{\"frames\": %d, \"medianMs\": %.2f, \"medianCpuMs\": %.2f, \"fastestMs\": %.2f}\n", *count,
                 median(wall), median(cpu), *std::ranges::min_element(wall));
     if (const auto colours = options->named.find("--colours"); colours != options->named.end())
-        if (!writeColours(film, colours->second))
+        if (const auto film = (*live)->film(); !film || !writeColours(**film, colours->second))
             return fail({"the picture cannot be written", colours->second, ""});
     return 0;
 }

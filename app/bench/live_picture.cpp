@@ -5,7 +5,7 @@
 namespace pdr::bench {
 
 Result<std::unique_ptr<LiveFilm>> begun(Device& device, const Scene& scene, const Schedule& schedule) {
-    if (const auto uploaded = device.upload(Flattener().prepare(scene, boundsFor(device.info()))); !uploaded)
+    if (const auto uploaded = device.upload(scene); !uploaded)
         return uploaded.error();
     return device.film(scene.film, scene.revision, schedule);
 }

@@ -67,6 +67,19 @@ void compareWithCpu(Verdicts& verdicts, Device& device, Device& cpu, const Parit
     verdicts.line(one.name, truth > 0 && share >= kPixelShare && std::fabs(mean) <= kMeanTolerance, figures);
 }
 
+/// 100 samples tile by tile, some tiles far ahead of others on the way.
+bool renderedByTiles(Device& device, const Scene& scene, const Film& whole) {
+    const auto live = begun(device, scene);
+    if (!live)
+        return false;
+    for (const std::uint32_t n : {70, 30})
+        for (int y = 0; y < scene.film.y; y += 3 * kFilmCell)
+            if (!(*live)->iterate({0, y, scene.film.x, std::min(3 * kFilmCell, scene.film.y - y)}, n, {}))
+                return false;
+    const Shot tiled = (*live)->film();
+    return tiled && identical(whole, **tiled);
+}
+
 /// However the work is cut, a device gives one picture: n at a time, by tiles, and in Exposure Render's order of work.
 void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
     const Shot whole = shot(device, scene, 100);
@@ -75,17 +88,7 @@ void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
     const Schedule plain{.kind = Schedule::Kind::kroes, .redundant = true, .filter = false, .runningMean = false};
     const Shot old = shot(device, scene, 100, plain);
     verdicts.line("Exposure Render's schedule, bit by bit", old && identical(**whole, **old));
-    Film tiled(scene.film, scene.revision);
-    bool rendered = true;
-    while (tiled.samplesPerPixel() < 100) {
-        const SampleRange range = tiled.nextSamples(std::uint32_t(100 - tiled.samplesPerPixel()));
-        for (int y = 0; y < scene.film.y; y += 50) {
-            const Tile tile{0, y, scene.film.x, std::min(50, scene.film.y - y)};
-            rendered = rendered && device.render(tile, range, tiled.sums(tile), {});
-        }
-        tiled.commit(range);
-    }
-    verdicts.line("by tiles, bit by bit", rendered && identical(**whole, tiled));
+    verdicts.line("by tiles, bit by bit", renderedByTiles(device, scene, **whole));
 }
 
 /// Pictures that are carried while the next samples are taken arrive whole: take() looks at both ends of each.

@@ -1,5 +1,4 @@
 #include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -7,8 +6,10 @@
 #include <ctime>
 #include <optional>
 #include <random>
+#include <vector>
 
 #include "app/bench/commands.h"
+#include "app/bench/live_picture.h"
 #include "app/bench/load_scene.h"
 #include "app/bench/options.h"
 #include "render/device/device_list.h"
@@ -29,57 +30,107 @@ TransferFunction editedFunction(std::mt19937& random) {
     return function;
 }
 
-/// One core of the host: from the curve to its bounds.
-double hostMilliseconds(const CellRanges& ranges, ivec3 size, const TransferFunction& function) {
-    const std::clock_t start = std::clock();  // time on the core: neighbours do not count
-    const Majorants majorants(ranges, TransferTables(function), size);
-    return 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC;
+double wallMilliseconds() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Edit after edit of one scene's transfer function.
+struct Edits {
+    Scene scene;
+    std::mt19937 random{1};
+
+    const Scene& next() {
+        scene.transferFunction = editedFunction(random);
+        ++scene.revision;
+        return scene;
+    }
+};
+
+using Milliseconds = Result<std::vector<double>>;
+
+/// On one core of the host: from the curve to its bounds.
+Milliseconds boundsOnHost(Edits edits, int count) {
+    const tbb::global_control oneCore(tbb::global_control::max_allowed_parallelism, 1);
+    const CellRanges ranges(*edits.scene.volume);
+    std::vector<double> took;
+    for (int i = 0; i < count; ++i) {
+        const Scene& scene = edits.next();
+        const std::clock_t start = std::clock();  // time on the core: neighbours do not count
+        const Majorants majorants(ranges, TransferTables(scene.transferFunction), scene.volume->size());
+        took.push_back(1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    return took;
 }
 
 /// A device with a memory of its own: from the edited scene to the device being ready to render it.
-double deviceMilliseconds(Device& device, Flattener& flattener, const Scene& scene) {
-    const auto prepared = flattener.prepare(scene, boundsFor(device.info()));
-    const auto start = std::chrono::steady_clock::now();
-    const auto uploaded = device.upload(prepared);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return uploaded ? 1e3 * seconds : -1;
+Milliseconds boundsOnDevice(Edits edits, int count, Device& device) {
+    std::vector<double> took;
+    for (int i = 0; i <= count; ++i) {
+        const Scene& scene = edits.next();
+        const double start = wallMilliseconds();
+        if (const auto uploaded = device.upload(scene); !uploaded)
+            return uploaded.error();
+        if (i > 0)  // the first one brings the volume
+            took.push_back(wallMilliseconds() - start);
+    }
+    return took;
+}
+
+/// From the edited scene to its first picture of one sample, in the film that the scene before it left.
+Milliseconds pictures(Edits edits, int count, Device& device) {
+    auto film = begun(device, edits.scene);
+    if (!film)
+        return film.error();
+    std::vector<double> took;
+    for (int i = 0; i <= count; ++i) {
+        const Scene& scene = edits.next();
+        const double start = wallMilliseconds();
+        Result<void> done = device.upload(scene);
+        done = done ? (*film)->restart((*film)->area(), scene.revision) : done;
+        done = done ? (*film)->iterate(1, {}) : done;
+        done = done ? (*film)->show({}) : done;
+        if (!done)
+            return done.error();
+        if (const auto picture = (*film)->take(); !picture)
+            return picture.error();
+        if (i > 0)
+            took.push_back(wallMilliseconds() - start);
+    }
+    return took;
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
 }
 
 }  // namespace
 
 int rebound(const Arguments& arguments) {
-    const auto options = Options::read(arguments, {"--size", "--edits", "--device"});
+    const auto options = Options::read(arguments, {"--size", "--edits", "--device", "--width", "--height"});
     const auto size = options ? options->number("--size", 256, 2) : std::nullopt;
     const auto edits = options ? options->number("--edits", 21, 1) : std::nullopt;
-    if (!size || !edits || !options->files.empty())
+    const auto width = options ? options->number("--width", 1920, 1) : std::nullopt;
+    const auto height = options ? options->number("--height", 1080, 1) : std::nullopt;
+    if (!size || !edits || !width || !height || !options->files.empty())
         return 2;
     const auto device = openDevice(options->word("--device", "cpu"));
     if (!device)
         return fail(device.error());
+    Edits first;
+    first.scene.volume = std::make_shared<Volume>(headPhantom(ivec3(*size), dvec3(250.0 / *size), 1));
+    const VolumeGeometry& head = first.scene.volume->geometry();
+    first.scene.camera = standardView(StandardView::anterior, head.centreMm(), head.radiusMm(), double(*width) / *height);
+    first.scene.environment = {vec3(1), false};
+    first.scene.film = {*width, *height};
     const bool onHost = (*device)->info().hostMemory;
-    const tbb::global_control oneCore(tbb::global_control::max_allowed_parallelism,
-                                      onHost ? 1 : tbb::this_task_arena::max_concurrency());
-    Scene scene;
-    scene.volume = std::make_shared<Volume>(headPhantom(ivec3(*size), dvec3(250.0 / *size), 1));
-    scene.film = {60, 34};
-    std::optional<CellRanges> ranges;
-    if (onHost)
-        ranges.emplace(*scene.volume);
-    Flattener flattener;
-    std::mt19937 random(1);
-    std::vector<double> milliseconds;
-    for (int i = 0; i <= *edits; ++i) {
-        scene.transferFunction = editedFunction(random);
-        const double took = onHost ? hostMilliseconds(*ranges, scene.volume->size(), scene.transferFunction)
-                                   : deviceMilliseconds(**device, flattener, scene);
-        if (took < 0)
-            return fail({"the scene could not be sent to the device", options->word("--device", ""), ""});
-        if (i > 0)  // the first one brings the volume
-            milliseconds.push_back(took);
-    }
-    std::ranges::sort(milliseconds);
-    std::printf("{\"size\": %d, \"edits\": %d, \"medianMs\": %.4f, \"slowestMs\": %.4f}\n", *size, *edits,
-                milliseconds[milliseconds.size() / 2], milliseconds.back());
+    const Milliseconds bounds = onHost ? boundsOnHost(first, *edits) : boundsOnDevice(first, *edits, **device);
+    const Milliseconds shown = bounds ? pictures(first, *edits, **device) : bounds;
+    if (!shown)
+        return fail(shown.error());
+    std::printf("{\"size\": %d, \"edits\": %d, \"medianMs\": %.4f, \"slowestMs\": %.4f, \"width\": %d, \"height\": %d, "
+                "\"pictureMs\": %.2f}\n",
+                *size, *edits, median(*bounds), *std::ranges::max_element(*bounds), *width, *height, median(*shown));
     return 0;
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/bench/live_picture.h"
 #include "app/bench/selftest_scene.h"
 #include "render/film/film.h"
 #include "render/kernel/phase.h"
 #include "render/kernel/random.h"
-#include "render/scene/flatten.h"
 
 namespace pdr::bench {
 
@@ -42,21 +42,21 @@ std::uint64_t samplesPerPixel(const Scene& scene, std::uint64_t samples) {
 Result<Measurement> rendered(Device& device, const Scene& scene, std::uint64_t samples, const Cancelled& cancelled) {
     if (auto ok = scene.check(); !ok)
         return ok.error();
-    if (auto ok = device.upload(Flattener().prepare(scene)); !ok)
-        return ok.error();
-    Film film(scene.film, scene.revision);
-    const Tile whole{0, 0, scene.film.x, scene.film.y};
-    const std::uint64_t perPixel = samplesPerPixel(scene, samples);
-    while (film.samplesPerPixel() < perPixel) {
+    const auto live = begun(device, scene);
+    if (!live)
+        return live.error();
+    for (std::uint64_t left = samplesPerPixel(scene, samples); left > 0;) {
         if (cancelled())
             return Error{"cancelled", "", ""};
-        const std::uint64_t left = perPixel - film.samplesPerPixel();
-        const SampleRange range = film.nextSamples(std::uint32_t(std::min<std::uint64_t>(left, kSamplesPerLaunch)));
-        if (auto ok = device.render(whole, range, film.sums(whole), {}); !ok)
+        const std::uint32_t n = std::uint32_t(std::min<std::uint64_t>(left, kSamplesPerLaunch));
+        if (auto ok = (*live)->iterate(n, {}); !ok)
             return ok.error();
-        film.commit(range);
+        left -= n;
     }
-    return pictureMean(film);
+    const auto film = (*live)->film();
+    if (!film)
+        return film.error();
+    return pictureMean(**film);
 }
 
 /// The picture's mean becomes the quantity by an affine map.

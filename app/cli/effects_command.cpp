@@ -20,14 +20,14 @@ bool canBeTried(const Effect& effect) {
     return effect.needed && effect.leaveOut != nullptr;
 }
 
-Result<std::vector<TriedEffect>> triedEffects(const LoadedScene& loaded, Device& device, Flattener& flattener,
+Result<std::vector<TriedEffect>> triedEffects(const LoadedScene& loaded, Device& device,
                                               double secondsEach) {
     std::vector<TriedEffect> all;
     for (Effect& effect : needs(loaded.scene)) {
         TriedEffect& tried = all.emplace_back(std::move(effect));
         if (!canBeTried(tried.effect))
             continue;
-        const auto trial = tryEffect(tried.effect, loaded.scene, loaded.display, device, flattener, secondsEach);
+        const auto trial = tryEffect(tried.effect, loaded.scene, loaded.display, device, secondsEach);
         if (!trial)
             return trial.error();
         tried.trial = *trial;
@@ -36,14 +36,14 @@ Result<std::vector<TriedEffect>> triedEffects(const LoadedScene& loaded, Device&
 }
 
 /// The same scene under every model, in turn: what each costs, so that the slowest cannot tax the simplest unseen.
-Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device, Flattener& flattener) {
+Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) {
     std::vector<TrialPicture> pictures;
     for (const Model model : kModels) {
         Scene other = scene;
         other.model = model;
         if (!other.check())
             other.estimator = Estimator::unbiased;  // of the other models there is no other
-        pictures.emplace_back(other, device, flattener);
+        pictures.emplace_back(std::move(other), device);
     }
     std::vector<Iterate> iterates;
     for (TrialPicture& picture : pictures)
@@ -62,11 +62,10 @@ Result<EffectsReport> listEffects(const EffectsOptions& options) {
     if (!loaded)
         return loaded.error();
     const auto device = makeCpuDevice(options.threads);
-    Flattener flattener;
     const std::vector<Effect> effects = needs(loaded->scene);
     const auto tried = std::max<std::ptrdiff_t>(1, std::ranges::count_if(effects, canBeTried));
     const double secondsEach = kEffectSeconds / double(tried);
-    const auto film = trialFilm(loaded->scene, *device, flattener, kLongestSide,
+    const auto film = trialFilm(loaded->scene, *device, kLongestSide,
                                 secondsEach / (2 * kBandMeasurements * kWantedIterations));
     if (!film)
         return film.error();
@@ -74,11 +73,11 @@ Result<EffectsReport> listEffects(const EffectsOptions& options) {
 
     EffectsReport report{
         .film = *film, .device = device->info(), .model = loaded->scene.model, .effects = {}, .models = {}};
-    auto ledger = triedEffects(*loaded, *device, flattener, secondsEach);
+    auto ledger = triedEffects(*loaded, *device, secondsEach);
     if (!ledger)
         return ledger.error();
     report.effects = *std::move(ledger);
-    auto models = triedModels(loaded->scene, *device, flattener);
+    auto models = triedModels(loaded->scene, *device);
     if (!models)
         return models.error();
     report.models = *std::move(models);

@@ -44,7 +44,7 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     if (auto ok = checkSpared(work->files, options.outputs); !ok)
         return ok.error();
 
-    if (auto ok = device.upload(Flattener().prepare(work->scene, boundsFor(device.info()))); !ok)
+    if (auto ok = device.upload(work->scene); !ok)
         return ok.error();
     if (auto room = roomForFilm(work->scene.film, device.info()); !room)
         return room.error();

@@ -2,14 +2,13 @@
 /// Something that can take samples: the CPU, a GPU, later another machine.
 
 #include <memory>
-#include <stop_token>
 #include <string>
 
 #include "render/base/result.h"
 #include "render/base/tile.h"
 #include "render/device/live_film.h"
 #include "render/device/schedule.h"
-#include "render/scene/flatten.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 
@@ -20,25 +19,24 @@ struct DeviceInfo {
     std::size_t freeBytes = 0;  ///< of a memory of its own, now
 };
 
-/// Who is to make what rays are led by in scenes for a device: a device that has a memory of its own makes it there.
-inline Bounds boundsFor(const DeviceInfo& info) {
-    return info.hostMemory ? Bounds::onHost : Bounds::onDevice;
-}
-
 class Device {
   public:
     virtual ~Device() = default;
 
     virtual DeviceInfo info() const = 0;
-    /// Takes the scene that the next render() calls use; null: none, and what the one before needed is given back, its
-    /// volume among it. Errors: it does not fit (figures: needed, free).
-    virtual Result<void> upload(std::shared_ptr<const PreparedScene> scene) = 0;
-    /// Adds `samples` of every pixel of `tile` to `sums`, in order. Blocks until done. After a stop request it returns
-    /// early and the sums are worthless.
-    virtual Result<void> render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) = 0;
-    /// An empty film for pictures of the uploaded scenes of `size` pixels; it must not outlive the device. Errors: no
-    /// room for it.
-    virtual Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) = 0;
+    /// Takes the scene that films are made of from now on, which must have passed Scene::check(). What it shares with
+    /// the one before is not made or sent again. Errors: it does not fit (figures: needed, free).
+    virtual Result<void> upload(const Scene& scene) = 0;
+    /// Forgets the scene: what it needed is given back, its volume among it. Errors: the device's.
+    virtual Result<void> unload() = 0;
+    /// An empty film for pictures of the uploaded scenes, or for the part `area` of them; it must not outlive the
+    /// device. Errors: no room for it.
+    virtual Result<std::unique_ptr<LiveFilm>> film(const Tile& area, std::uint64_t revision,
+                                                   const Schedule& schedule) = 0;
+    /// For whole pictures of that size.
+    Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) {
+        return film(Tile{0, 0, size.x, size.y}, revision, schedule);
+    }
 };
 
 /// The CPU with `threads` threads; 0 = one per core.

@@ -1,11 +1,13 @@
 #pragma once
-/// A picture in the making, kept where its device adds samples fastest.
+/// A picture in the making, or a part of one, kept where its device adds samples fastest.
 ///   iterate, show, iterate, show, ...   orders; the work may go on behind the caller's back
 ///   take                                hands out the pictures ordered by show(), oldest first
+///   restart                             the next scene, in the same memory
 
 #include <cstdint>
 #include <memory>
 #include <stop_token>
+#include <utility>
 
 #include "render/base/result.h"
 #include "render/film/tone_map.h"
@@ -16,9 +18,14 @@ class LiveFilm {
   public:
     virtual ~LiveFilm() = default;
 
-    /// Takes n more samples of every pixel of the uploaded scene. After a stop request it returns early and the film is
-    /// worthless. Errors: the device's.
-    virtual Result<void> iterate(std::uint32_t n, std::stop_token stop) = 0;
+    /// The part of the image that it holds.
+    virtual Tile area() const = 0;
+    /// Takes n more samples of every pixel of `region`, a part of area() that is rounded outwards to whole cells
+    /// (film/tile_progress.h), of the uploaded scene. After a stop request it returns early and the film is worthless
+    /// until restart(). Errors: the device's, and where it cannot take less than the whole area.
+    virtual Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) = 0;
+    /// Of the whole area.
+    Result<void> iterate(std::uint32_t n, std::stop_token stop) { return iterate(area(), n, std::move(stop)); }
     /// Orders a picture of what is there, tone mapped. At most ahead() may be waiting to be taken.
     virtual Result<void> show(const Display& display) = 0;
     /// The oldest picture that was ordered; waits for it. One must have been ordered.
@@ -28,8 +35,11 @@ class LiveFilm {
 
     /// All that is known, on the host. Pictures ordered stay ordered.
     virtual Result<std::shared_ptr<const Film>> film() = 0;
-    /// Goes on from `film`, of the same size, as if all its samples had been taken here.
+    /// Goes on from `film`, of the same area, as if all its samples had been taken here.
     virtual Result<void> resume(const Film& film) = 0;
+    /// Empties it for the scene of that revision, uploaded before; pictures that were ordered are forgotten. Memory is
+    /// taken only where there is too little. Errors: no room for it.
+    virtual Result<void> restart(const Tile& area, std::uint64_t revision) = 0;
 };
 
 }  // namespace pdr

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace pdr {
@@ -17,12 +19,18 @@ bool sameBits(const dvec3& a, const dvec3& b) {
     return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
 
+bool sameBits(const vec3& a, const vec3& b) {
+    return sameBits(dvec3(a), dvec3(b));
+}
+
 bool sameBits(const Moments& a, const Moments& b) {
-    return a.count == b.count && sameBits(a.mean, b.mean) && sameBits(a.m2, b.m2);
+    return a.count == b.count && a.evenCount == b.evenCount && sameBits(a.mean, b.mean) && sameBits(a.m2, b.m2) &&
+           sameBits(a.evenMean, b.evenMean);
 }
 
 bool sameBits(const PixelSums& a, const PixelSums& b) {
-    return a.count == b.count && a.seen == b.seen && sameBits(a.sum, b.sum) && sameBits(a.sumOfSquares, b.sumOfSquares);
+    return a.count == b.count && a.evenCount == b.evenCount && a.seen == b.seen && sameBits(a.sum, b.sum) &&
+           sameBits(a.sumOfSquares, b.sumOfSquares) && sameBits(a.evenSum, b.evenSum);
 }
 
 template <class T>
@@ -30,48 +38,128 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return sameBits(x, y); });
 }
 
+/// Sums of at most `count` samples that are radiances.
+bool areSums(const PixelSums& sums, std::uint32_t count) {
+    const auto are = [](const auto& sum) {
+        const double total = double(sum.x) + double(sum.y) + double(sum.z);
+        return sum.x >= 0 && sum.y >= 0 && sum.z >= 0 && std::isfinite(total);
+    };
+    return sums.count <= count && sums.evenCount <= sums.count && are(sums.sum) && are(sums.sumOfSquares) &&
+           are(sums.evenSum);
+}
+
+template <class Each>
+void eachPixel(std::size_t pixels, const Each& each) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, 4096), [&](const auto& some) {
+        for (std::size_t i = some.begin(); i != some.end(); ++i)
+            each(i);
+    });
+}
+
 }  // namespace
 
 bool sameBits(const FilmContent& a, const FilmContent& b) {
-    return a.samplesPerPixel == b.samplesPerPixel && sameBits(a.moments, b.moments) && sameBits(a.block, b.block);
+    return a.progress == b.progress && sameBits(a.moments, b.moments) && sameBits(a.block, b.block);
 }
 
-Film::Film(ivec2 size, std::uint64_t revision)
-    : size_(size), revision_(revision), block_(std::size_t(size.x) * size.y), moments_(block_.size()) {}
-
-Film::Film(ivec2 size, std::uint64_t revision, FilmContent content)
-    : size_(size),
+Film::Film(const Tile& area, std::uint64_t revision, std::uint64_t first)
+    : progress_(area, first),
       revision_(revision),
-      samples_(content.samplesPerPixel),
+      block_(std::size_t(area.width) * std::size_t(area.height)),
+      moments_(block_.size()) {}
+
+Film::Film(std::uint64_t revision, FilmContent content)
+    : progress_(std::move(content.progress)),
+      revision_(revision),
       block_(std::move(content.block)),
       moments_(std::move(content.moments)),
       health_(content.health) {}
 
-SampleRange Film::nextSamples(std::uint32_t wanted) const {
-    const std::uint32_t room = kSamplesPerBlock - std::uint32_t(samples_ % kSamplesPerBlock);
-    return {samples_, std::min(wanted, room)};
-}
-
-TileSums Film::sums(const Tile& tile) {
-    return {block_.data() + std::size_t(tile.y) * size_.x + tile.x, size_.x, &health_};
-}
-
-void Film::commit(SampleRange range) {
-    samples_ = range.first + range.count;
-    if (samples_ % kSamplesPerBlock != 0)
-        return;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, block_.size(), 4096), [&](const auto& pixels) {
-        for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
-            moments_[i] = merged(moments_[i], block_[i]);
-            block_[i] = nextBlock(block_[i]);
-        }
+void Film::restart(const Tile& area, std::uint64_t revision) {
+    progress_ = TileProgress(area);
+    revision_ = revision;
+    health_ = {};
+    const std::size_t pixels = std::size_t(area.width) * std::size_t(area.height);
+    block_.resize(pixels);
+    moments_.resize(pixels);
+    eachPixel(pixels, [&](std::size_t i) {
+        block_[i] = {};
+        moments_[i] = {};
     });
 }
 
+SampleRange Film::nextSamples(std::uint32_t wanted) const {
+    assert(samples().least == samples().most);
+    return samplesInBlock(progress_.first() + samples().least, wanted);
+}
+
+TileSums Film::sums(const Tile& tile) {
+    return {block_.data() + indexOf(tile), area().width, &health_};
+}
+
+void Film::commit(const Tile& tile, SampleRange range) {
+    assert(progress_.isWholeCells(tile));
+    progress_.advance(tile, range.end());
+    if (range.end() % kSamplesPerBlock != 0)
+        return;
+    const std::size_t corner = indexOf(tile), width = std::size_t(tile.width), stride = std::size_t(area().width);
+    eachPixel(width * std::size_t(tile.height), [&](std::size_t i) {
+        const std::size_t pixel = corner + i / width * stride + i % width;
+        moments_[pixel] = merged(moments_[pixel], block_[pixel]);
+        block_[pixel] = nextBlock(block_[pixel]);
+    });
+}
+
+Result<void> Film::check(const TileResult& result) const {
+    const auto refused = [&](const char* why) {
+        const Tile& tile = result.tile;
+        return Error{std::string("a tile's result was refused: ") + why,
+                     std::to_string(tile.width) + " x " + std::to_string(tile.height) + " pixels at (" +
+                         std::to_string(tile.x) + ", " + std::to_string(tile.y) + "), " +
+                         std::to_string(result.samples.count) + " samples from number " +
+                         std::to_string(result.samples.first),
+                     "Leave it; the tile is rendered again."};
+    };
+    if (result.revision != revision_)
+        return refused("it is of another scene");
+    const std::size_t pixels = std::size_t(std::max(result.tile.width, 0)) * std::size_t(std::max(result.tile.height, 0));
+    if (pixels == 0 || !progress_.isWholeCells(result.tile) || result.sums.size() != pixels)
+        return refused("no such tile is asked for");
+    const std::vector<EvenTile> here = progress_.evenTiles(result.tile);
+    const std::uint64_t next = here.front().next, block = next - next % kSamplesPerBlock;
+    const SampleRange& samples = result.samples;
+    if (here.size() == 1 && samples.end() <= next)
+        return refused("its samples are there already");
+    if (here.size() != 1 || samples.first != std::max(block, progress_.first()) ||
+        samples != samplesInBlock(samples.first, samples.count))
+        return refused("its samples are not the next ones");
+    if (!std::ranges::all_of(result.sums, [&](const PixelSums& sums) { return areSums(sums, samples.count); }))
+        return refused("its sums are none");
+    return {};
+}
+
+Result<void> Film::merge(const TileResult& result) {
+    if (Result<void> fits = check(result); !fits)
+        return fits;
+    const Tile& tile = result.tile;
+    const TileSums here = sums(tile);
+    for (int y = 0; y < tile.height; ++y)
+        for (int x = 0; x < tile.width; ++x) {
+            PixelSums& pixel = here.pixels[std::ptrdiff_t(y) * here.stride + x];
+            const std::uint32_t seen = pixel.seen;
+            pixel = result.sums[std::size_t(y) * std::size_t(tile.width) + std::size_t(x)];
+            pixel.seen |= seen;
+        }
+    health_.add(result.health);
+    commit(tile, result.samples);
+    return {};
+}
+
 PixelEstimate Film::pixel(int x, int y) const {
-    const Moments moments = at(std::size_t(y) * size_.x + x);
-    return {moments.mean, standardErrorOf(moments), moments.count,
-            (block_[std::size_t(y) * size_.x + x].seen & kSeenTissue) != 0};
+    const std::size_t index = std::size_t(y) * std::size_t(area().width) + std::size_t(x);
+    const Moments moments = at(index);
+    return {moments.mean, standardErrorOf(moments), moments.count, halvesOf(moments),
+            (block_[index].seen & kSeenTissue) != 0};
 }
 
 template <class Look>
@@ -98,7 +186,7 @@ std::pair<StatusSums, ErrorCounts> Film::survey(const Look& look) const {
 
 FilmStatus Film::status() const {
     const StatusSums sums = survey([](auto&&...) {}).first;
-    return statusOf(sums, moments_.size(), samples_, health_);
+    return statusOf(sums, moments_.size(), samples(), health_);
 }
 
 FilmStatus Film::status(double exposure, const PixelLook& look) const {
@@ -109,7 +197,7 @@ FilmStatus Film::status(double exposure, const PixelLook& look) const {
                 ++counts.pixels[errorBinOf(levelsOff(curve, known.mean, standardError, exposure))];
             look(pixel, known);
         });
-    return statusOf(sums, moments_.size(), samples_, health_, {errors, exposure});
+    return statusOf(sums, moments_.size(), samples(), health_, {errors, exposure});
 }
 
 }  // namespace pdr

@@ -1,6 +1,9 @@
 #pragma once
-/// What has been learned about the image: mean and variance per pixel and channel, over any number of samples.
-///   order   row by row from the top; pixel (x, y) at y * width + x        radiance   linear Rec. 709
+/// What has been learned about an image, or about a part of it: mean and variance per pixel and channel, over any
+/// number of samples. Parts of it may be further than others.
+///   order      row by row from the top; pixel (x, y) of the film at y * width + x
+///   tiles      in pixels of the image, of which the film holds area(); whole cells (tile_progress.h)
+///   radiance   linear Rec. 709
 /// Stays right for 1e7 iterations: blocks of 64 samples in double, merged by Chan's formula.
 
 #include <cstdint>
@@ -9,9 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "render/base/portable.h"
+#include "render/base/result.h"
 #include "render/base/tile.h"
 #include "render/film/status_sums.h"
+#include "render/film/tile_progress.h"
 
 namespace pdr {
 
@@ -20,12 +24,13 @@ struct PixelEstimate {
     dvec3 mean{0.0};
     dvec3 standardError{0.0};  ///< of the mean; 0 below 2 samples
     std::uint64_t count = 0;
+    HalfMeans halves;
     bool tissue = false;  ///< a sample met some
 };
 
 /// All that a film knows, pixel by pixel: what another film, on another device, goes on from.
 struct FilmContent {
-    std::uint64_t samplesPerPixel = 0;
+    TileProgress progress;
     std::vector<Moments> moments;  ///< of all full blocks
     std::vector<PixelSums> block;  ///< of the running one
     Health health;
@@ -35,24 +40,50 @@ struct FilmContent {
 /// value. Health is left out.
 bool sameBits(const FilmContent& a, const FilmContent& b);
 
+/// Sums of a tile that were made elsewhere.
+struct TileResult {
+    std::uint64_t revision = 0;   ///< of the scene
+    Tile tile;
+    SampleRange samples;          ///< of which the sums are, all of them; in one block
+    std::vector<PixelSums> sums;  ///< row by row
+    Health health;                ///< of those samples that were never sent before
+};
+
 using PixelLook = std::function<void(std::size_t index, const Moments& known)>;
 
 class Film {
   public:
-    Film(ivec2 size, std::uint64_t revision);
-    /// `content` of size.x * size.y pixels.
-    Film(ivec2 size, std::uint64_t revision, FilmContent content);
+    /// Empty; the first sample of each pixel is to have the number `first`.
+    Film(const Tile& area, std::uint64_t revision, std::uint64_t first = 0);
+    /// Of a whole image.
+    Film(ivec2 size, std::uint64_t revision) : Film(Tile{0, 0, size.x, size.y}, revision) {}
+    /// `content` of as many pixels as its progress speaks of.
+    Film(std::uint64_t revision, FilmContent content);
 
-    ivec2 size() const { return size_; }
+    const Tile& area() const { return progress_.area(); }
+    ivec2 size() const { return {area().width, area().height}; }
     std::uint64_t revision() const { return revision_; }
-    std::uint64_t samplesPerPixel() const { return samples_; }
+    const TileProgress& progress() const { return progress_; }
+    SampleCounts samples() const { return progress_.counts(); }
+    /// That every pixel has.
+    std::uint64_t samplesPerPixel() const { return samples().least; }
 
-    /// The next samples to take: at most `wanted`, never across a block's end.
+    /// Empties it, for another scene. No memory is taken where it was as large before.
+    void restart(const Tile& area, std::uint64_t revision);
+
+    /// The next samples of the whole area: at most `wanted`, never across a block's end. All of it must be equally far.
     SampleRange nextSamples(std::uint32_t wanted) const;
     /// The running block's sums of the pixels in `tile`, and the image's health; a device adds to both.
     TileSums sums(const Tile& tile);
-    /// Tells that all pixels have got the samples of `range`; merges the block when it is full.
-    void commit(SampleRange range);
+    /// Tells that all pixels of `tile` have got the samples of `range`, their next ones; merges a block that is full.
+    void commit(const Tile& tile, SampleRange range);
+    void commit(SampleRange range) { commit(area(), range); }
+
+    /// Takes sums that were made elsewhere: `result.samples` begin where the tile's running block begins and reach
+    /// further than what is here, whose place they take. So the order of the additions is the same wherever they were
+    /// made, and so are the bits. Errors: they are of another scene (stale), of no whole cells of this film (foreign),
+    /// here already (twice), behind a gap (early), or no sums; the film is as before then.
+    Result<void> merge(const TileResult& result);
 
     PixelEstimate pixel(int x, int y) const;
     /// Without a display: its displayError is not known.
@@ -61,17 +92,21 @@ class Film {
     /// it, on many threads.
     FilmStatus status(double exposure, const PixelLook& look) const;
 
-    FilmContent content() const { return {samples_, moments_, block_, health_}; }
+    FilmContent content() const { return {progress_, moments_, block_, health_}; }
 
   private:
     /// Sums over all pixels; look(index, what is known, its standard error, counts) adds to the counts.
     template <class Look>
     std::pair<StatusSums, ErrorCounts> survey(const Look& look) const;
     Moments at(std::size_t index) const { return merged(moments_[index], block_[index]); }
+    /// Of the pixel at the corner of `tile`.
+    std::size_t indexOf(const Tile& tile) const {
+        return std::size_t(tile.y - area().y) * std::size_t(area().width) + std::size_t(tile.x - area().x);
+    }
+    Result<void> check(const TileResult& result) const;
 
-    ivec2 size_;
+    TileProgress progress_;
     std::uint64_t revision_;
-    std::uint64_t samples_ = 0;
     std::vector<PixelSums> block_;
     std::vector<Moments> moments_;
     Health health_;

@@ -15,7 +15,9 @@ namespace pdr {
 inline constexpr std::uint64_t kSamplesToEstimate = 32;
 
 struct FilmStatus {
-    std::uint64_t samplesPerPixel = 0;
+    std::uint64_t samplesPerPixel = 0;  ///< that every pixel has; the mean and the most that one has:
+    double meanSamplesPerPixel = 0;
+    std::uint64_t mostSamplesPerPixel = 0;
     Health health;
     double meanLuminance = 0;  ///< of all pixels
     /// Root mean square over the tissue of the standard error (its luminance), divided by the tissue's mean luminance.

@@ -12,6 +12,8 @@ struct Moments {
     dvec3 mean{0.0};
     dvec3 m2{0.0};  ///< sum of squared deviations from the mean
     std::uint64_t count = 0;
+    vec3 evenMean{0.0f};  ///< of the samples with even numbers alone
+    std::uint32_t evenCount = 0;
 };
 
 /// a * b + c, rounded once.
@@ -33,7 +35,25 @@ PDR_HD inline Moments merged(const Moments& moments, const PixelSums& block) {
     result.mean += delta * (n / total);
     result.m2 += blockM2 + delta * delta * (double(moments.count) * n / total);
     result.count += block.count;
+    if (block.evenCount > 0) {
+        result.evenCount += block.evenCount;
+        const vec3 evens = block.evenSum / float(block.evenCount);
+        result.evenMean += (evens - moments.evenMean) * (float(block.evenCount) / float(result.evenCount));
+    }
     return result;
+}
+
+/// The two half buffers: independent means of the samples with even and with odd numbers; the mean of all where a half
+/// has none yet. The even ones are known in single precision: halves tell noise, and their difference is noise.
+struct HalfMeans {
+    dvec3 even{0.0}, odd{0.0};
+};
+PDR_HD inline HalfMeans halvesOf(const Moments& moments) {
+    const std::uint64_t odd = moments.count - moments.evenCount;
+    const dvec3 even = moments.evenCount > 0 ? dvec3(moments.evenMean) : moments.mean;
+    if (odd == 0)
+        return {even, moments.mean};
+    return {even, moments.mean + (moments.mean - even) * (double(moments.evenCount) / double(odd))};
 }
 
 /// The block after a full one: empty, but what was seen stays seen.

@@ -22,34 +22,38 @@ double relativeErrorOf(const StatusSums& sums, std::size_t pixels) {
 
 /// How far a pixel that has seen tissue but no light may be off: a share 3 / n of its samples may be such as brought
 /// light elsewhere.
-float unlitLevelsOff(const StatusSums& sums, std::uint64_t samplesPerPixel, const Shown& shown) {
+float unlitLevelsOff(const StatusSums& sums, const SampleCounts& samples, const Shown& shown) {
     const double bright = sums.tissuePower / sums.tissueLuminance;
-    const double most = kSureEnough / double(samplesPerPixel) * bright;
+    const double most = kSureEnough / double(samples.least) * bright;
     return exactLevelOf(displayCurve(), float(most / shown.exposure));
 }
 
 }  // namespace
 
-FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health) {
-    FilmStatus status{.samplesPerPixel = samplesPerPixel, .health = health, .tissuePixels = sums.tissue};
+FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCounts& samples, const Health& health) {
+    FilmStatus status{.samplesPerPixel = samples.least,
+                      .meanSamplesPerPixel = samples.mean,
+                      .mostSamplesPerPixel = samples.most,
+                      .health = health,
+                      .tissuePixels = sums.tissue};
     status.meanLuminance = sums.luminance / double(pixels);
-    status.relativeError = samplesPerPixel < 2 ? kUnknown : relativeErrorOf(sums, pixels);
+    status.relativeError = samples.least < 2 ? kUnknown : relativeErrorOf(sums, pixels);
     status.fewBrightSamples = 10 * sums.fewBright > sums.tissue;
     if (status.relativeError == 0 && sums.chance > 0) {
         status.relativeError = kUnknown;
-        status.unseenShare = std::min(kSureEnough / (double(samplesPerPixel) * double(sums.chance)), 1.0);
+        status.unseenShare = std::min(kSureEnough / (double(samples.least) * double(sums.chance)), 1.0);
     }
     return status;
 }
 
-FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health,
+FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCounts& samples, const Health& health,
                     const Shown& shown) {
-    FilmStatus status = statusOf(sums, pixels, samplesPerPixel, health);
-    if (samplesPerPixel < kSamplesToEstimate || sums.tissue == 0 || !std::isfinite(status.relativeError))
+    FilmStatus status = statusOf(sums, pixels, samples, health);
+    if (samples.least < kSamplesToEstimate || sums.tissue == 0 || !std::isfinite(status.relativeError))
         return status;
     ErrorCounts errors = shown.errors;
     if (sums.unlit > 0)
-        errors.pixels[errorBinOf(unlitLevelsOff(sums, samplesPerPixel, shown))] += std::uint32_t(sums.unlit);
+        errors.pixels[errorBinOf(unlitLevelsOff(sums, samples, shown))] += std::uint32_t(sums.unlit);
     status.displayError = errorQuantile(errors, kDisplayShare);
     return status;
 }

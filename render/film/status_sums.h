@@ -3,6 +3,7 @@
 
 #include "render/film/display_error.h"
 #include "render/film/film_status.h"
+#include "render/film/tile_progress.h"
 
 namespace pdr {
 
@@ -62,9 +63,9 @@ struct Shown {
 };
 
 /// The status of an image of that many `pixels` from the sums over them.
-FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health);
+FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCounts& samples, const Health& health);
 /// The same, with its displayError.
-FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, std::uint64_t samplesPerPixel, const Health& health,
+FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCounts& samples, const Health& health,
                     const Shown& shown);
 
 }  // namespace pdr

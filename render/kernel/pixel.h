@@ -17,8 +17,8 @@ PDR_HD inline Fault faultOf(vec3 radiance) {
     return Fault::infinite;
 }
 
-/// Adds a sample. What is no radiance is left out: false; faultOf() says why.
-PDR_HD_INLINE bool addSample(PixelSums& sums, vec3 radiance) {
+/// Adds the sample of that number. What is no radiance is left out: false; faultOf() says why.
+PDR_HD_INLINE bool addSample(PixelSums& sums, vec3 radiance, std::uint64_t sample) {
     const float least = glm::min(glm::min(radiance.x, radiance.y), radiance.z);
     const float total = radiance.x + radiance.y + radiance.z;
     if (!(least >= 0 && total < 3e38f))
@@ -27,6 +27,10 @@ PDR_HD_INLINE bool addSample(PixelSums& sums, vec3 radiance) {
     sums.sum += value;
     sums.sumOfSquares += value * value;
     ++sums.count;
+    if (sample % 2 == 0) {
+        sums.evenSum += radiance;
+        ++sums.evenCount;
+    }
     return true;
 }
 

@@ -80,7 +80,26 @@ bool shines(const std::vector<FlatLight>& lights) {
 
 }  // namespace
 
-std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Bounds bounds) {
+bool sameMajorants(const PreparedScene& a, const PreparedScene& b) {
+    const auto highestHu = [](const PreparedScene& scene) {
+        return scene.flat.optics.model == FlatModel::maximumIntensity;
+    };
+    return a.volume == b.volume && a.tables.sameOpacity(b.tables) && highestHu(a) == highestHu(b);
+}
+
+std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
+    std::shared_ptr<PreparedScene> prepared = flattened(scene);
+    bound(*prepared);
+    last_ = prepared;
+    return prepared;
+}
+
+std::shared_ptr<const PreparedScene> Flattener::flatten(const Scene& scene) {
+    last_ = flattened(scene);
+    return last_;
+}
+
+std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     auto prepared = std::make_shared<PreparedScene>();
     prepared->revision = scene.revision;
     prepared->volume = scene.volume;
@@ -108,21 +127,16 @@ std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene, Boun
     flat.lit = !isProjection(scene.model) && (shines(prepared->lights) || !scene.environment.isBlack() ||
                                               (flat.features & kEmission) != 0);
     flat.seed = scene.seed;
-    if (bounds == Bounds::onHost)
-        bound(*prepared);
-    last_ = prepared;
     return prepared;
 }
 
 void Flattener::bound(PreparedScene& prepared) const {
     const bool highest = prepared.flat.optics.model == FlatModel::maximumIntensity;
     const bool sameVolume = last_ && last_->ranges && last_->volume == prepared.volume;
-    const bool sameBounds = sameVolume && last_->tables.sameOpacity(prepared.tables) &&
-                            highest == (last_->flat.optics.model == FlatModel::maximumIntensity);
     const ivec3 size = prepared.volume->size();
     prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
-    prepared.majorants = sameBounds ? last_->majorants
-                         : highest  ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size))
+    prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants
+                         : highest ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size))
                                     : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size);
     flattenMajorants(prepared);
     prepared.viewDepths = viewDepths(prepared.flat);

@@ -32,30 +32,31 @@ struct PreparedScene {
     std::uint64_t revision = 0;
 
     std::shared_ptr<const Volume> volume;
-    std::shared_ptr<const CellRanges> ranges;    ///< null with Bounds::onDevice
+    std::shared_ptr<const CellRanges> ranges;    ///< null where it was flattened only
     std::shared_ptr<const Majorants> majorants;  ///< likewise
     TransferTables tables;
     std::vector<float> optics;
     std::vector<FlatLight> lights;
     std::shared_ptr<const EnvironmentTables> environment;  ///< null: no picture
     std::vector<FlatPlane> clipPlanes;
-    std::vector<vec2> viewDepths;  ///< empty with Bounds::onDevice
+    std::vector<vec2> viewDepths;  ///< likewise empty
 };
 
-/// Who makes what rays are led by: ranges, majorants and the bounds of the view.
-enum class Bounds {
-    onHost,   ///< they are in the prepared scene
-    onDevice  ///< flat.majorants and flat.viewBounds are left empty: the device makes them from the rest
-};
+/// Whether both scenes have the same majorants, wherever these are made: of the same voxels under the same opacity.
+bool sameMajorants(const PreparedScene& a, const PreparedScene& b);
 
 /// Prepares scenes one after the other and keeps what the next one can use again: the ranges while the volume stays,
 /// the majorants while the transfer function stays too.
 class Flattener {
   public:
-    /// `scene` must have passed Scene::check().
-    std::shared_ptr<const PreparedScene> prepare(const Scene& scene, Bounds bounds = Bounds::onHost);
+    /// All that a ray needs on the host. `scene` must have passed Scene::check().
+    std::shared_ptr<const PreparedScene> prepare(const Scene& scene);
+    /// Without the acceleration structure: flat.majorants and flat.viewBounds are left empty, for a device that makes
+    /// them from the rest in its own memory.
+    std::shared_ptr<const PreparedScene> flatten(const Scene& scene);
 
   private:
+    std::shared_ptr<PreparedScene> flattened(const Scene& scene) const;
     void bound(PreparedScene& prepared) const;
 
     std::shared_ptr<const PreparedScene> last_;

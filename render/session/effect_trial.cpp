@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/base/processor_time.h"
 #include "render/film/tone_map.h"
@@ -77,47 +78,47 @@ Result<CostBand> addedCost(const Iterate& with, const Iterate& without, double b
     return bandOf(std::move(differences));
 }
 
-TrialPicture::TrialPicture(const Scene& scene, Device& device, Flattener& flattener)
-    : prepared_(flattener.prepare(scene, boundsFor(device.info()))),
-      device_(device),
-      film_(scene.film, scene.revision) {}
+Result<void> TrialPicture::begin() {
+    if (auto ok = device_.upload(scene_); !ok || film_)
+        return ok;
+    auto film = device_.film(scene_.film, scene_.revision, {});
+    if (!film)
+        return film.error();
+    film_ = *std::move(film);
+    return {};
+}
 
 Result<double> TrialPicture::iterate(std::uint32_t n) {
-    if (auto ok = device_.upload(prepared_); !ok)
+    if (auto ok = begin(); !ok)
         return ok.error();
-    const Tile whole{0, 0, film_.size().x, film_.size().y};
-    double seconds = 0;
-    while (n > 0) {
-        const SampleRange samples = film_.nextSamples(n);
-        const double start = processorSeconds();
-        if (auto ok = device_.render(whole, samples, film_.sums(whole), {}); !ok)
-            return ok.error();
-        seconds += processorSeconds() - start;
-        film_.commit(samples);
-        n -= samples.count;
-    }
-    return seconds;
+    const double start = processorSeconds();
+    if (auto ok = film_->iterate(n, {}); !ok)
+        return ok.error();
+    return processorSeconds() - start;
 }
 
 Result<EffectTrial> tryEffect(const Effect& effect, const Scene& scene, const Display& display, Device& device,
-                              Flattener& flattener, double budgetSeconds) {
+                              double budgetSeconds) {
     Scene lean = scene;
     effect.leaveOut(lean);
-    TrialPicture with(scene, device, flattener), without(lean, device, flattener);
+    TrialPicture with(scene, device), without(std::move(lean), device);
     const auto added = addedCost([&](std::uint32_t n) { return with.iterate(n); },
                                  [&](std::uint32_t n) { return without.iterate(n); }, budgetSeconds);
     if (!added)
         return added.error();
-    return EffectTrial{*added, changedLevels(toneMap(with.film(), display), toneMap(without.film(), display))};
+    const auto a = with.film(), b = without.film();
+    if (!a || !b)
+        return a ? b.error() : a.error();
+    return EffectTrial{*added, changedLevels(toneMap(**a, display), toneMap(**b, display))};
 }
 
-Result<ivec2> trialFilm(const Scene& scene, Device& device, Flattener& flattener, int longestSide, double seconds) {
+Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, double seconds) {
     Scene small = scene;
     const auto shrink = [&](int side) {
         small.film = glm::max(scene.film * side / std::max({scene.film.x, scene.film.y, side}), ivec2(1));
     };
     shrink(longestSide);
-    TrialPicture picture(small, device, flattener);
+    TrialPicture picture(small, device);
     const auto first = picture.iterate(1);
     if (!first)
         return first.error();

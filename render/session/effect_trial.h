@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "render/accuracy/cost_band.h"
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
-#include "render/scene/flatten.h"
 #include "render/scene/needs.h"
 
 namespace pdr {
@@ -31,16 +31,19 @@ Result<CostBand> addedCost(const Iterate& with, const Iterate& without, double b
 /// A scene on its way to a picture.
 class TrialPicture {
   public:
-    /// `device` must outlive it; `flattener` keeps what pictures of one volume share.
-    TrialPicture(const Scene& scene, Device& device, Flattener& flattener);
+    /// `device` must outlive it.
+    TrialPicture(Scene scene, Device& device) : scene_(std::move(scene)), device_(device) {}
 
     Result<double> iterate(std::uint32_t n);
-    const Film& film() const { return film_; }
+    /// At least one iteration must have been taken.
+    Result<std::shared_ptr<const Film>> film() const { return film_->film(); }
 
   private:
-    std::shared_ptr<const PreparedScene> prepared_;
+    Result<void> begin();
+
+    Scene scene_;
     Device& device_;
-    Film film_;
+    std::unique_ptr<LiveFilm> film_;
 };
 
 struct EffectTrial {
@@ -53,10 +56,10 @@ inline constexpr double kNoLevels = 0.005;
 
 /// Of an effect of `scene` that can be left out. Errors: those of the device.
 Result<EffectTrial> tryEffect(const Effect& effect, const Scene& scene, const Display& display, Device& device,
-                              Flattener& flattener, double budgetSeconds);
+                              double budgetSeconds);
 
 /// The film of a small picture for trials of `scene`: at most `longestSide` pixels, and so few (at least 16 on its
 /// longest side) that an iteration takes about `seconds` of processor time.
-Result<ivec2> trialFilm(const Scene& scene, Device& device, Flattener& flattener, int longestSide, double seconds);
+Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, double seconds);
 
 }  // namespace pdr

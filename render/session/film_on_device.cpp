@@ -8,20 +8,28 @@ std::string spoken(const DeviceInfo& device) {
     return device.hostMemory ? "the CPU" : "the GPU " + device.name;
 }
 
-Result<void> FilmOnDevice::upload(Device& device) {
-    return device.upload(flattener_.prepare(*scene_, boundsFor(device.info())));
-}
-
 Result<void> FilmOnDevice::begin(const Scene& scene, const Schedule& schedule) {
-    film_.reset();
+    torn_ = true;
     scene_ = scene;
-    schedule_ = schedule;
-    if (Result<void> uploaded = upload(*device_); !uploaded)
-        return uploaded;
-    return restart(schedule);
+    Result<void> uploaded = device_->upload(*scene_);
+    if (!uploaded && film_) {  // its memory may be what is missing
+        film_.reset();
+        uploaded = device_->upload(*scene_);
+    }
+    return uploaded ? restart(schedule) : uploaded;
 }
 
 Result<void> FilmOnDevice::restart(const Schedule& schedule) {
+    Result<void> emptied = emptyFilm(schedule);
+    if (!emptied)
+        film_.reset();
+    torn_ = false;
+    return emptied;
+}
+
+Result<void> FilmOnDevice::emptyFilm(const Schedule& schedule) {
+    if (film_ && schedule == schedule_)
+        return film_->restart({0, 0, size().x, size().y}, revision());
     film_.reset();
     schedule_ = schedule;
     Result<std::unique_ptr<LiveFilm>> film = device_->film(size(), revision(), schedule);
@@ -33,14 +41,13 @@ Result<void> FilmOnDevice::restart(const Schedule& schedule) {
 
 void FilmOnDevice::close() {
     forget();
-    flattener_ = {};
-    (void)device_->upload(nullptr);  // one that cannot even forget says so at the next scene
+    (void)device_->unload();  // one that cannot even forget says so at the next scene
 }
 
 Result<void> FilmOnDevice::moveTo(std::unique_ptr<Device> device, const Film* from) {
     std::unique_ptr<LiveFilm> moved;
     if (scene_) {
-        if (Result<void> uploaded = upload(*device); !uploaded)
+        if (Result<void> uploaded = device->upload(*scene_); !uploaded)
             return uploaded;
         Result<std::unique_ptr<LiveFilm>> film = device->film(size(), revision(), schedule_);
         if (!film)
@@ -50,6 +57,7 @@ Result<void> FilmOnDevice::moveTo(std::unique_ptr<Device> device, const Film* fr
             if (Result<void> resumed = moved->resume(*from); !resumed)
                 return resumed;
     }
+    torn_ = false;
     film_ = std::move(moved);
     device_ = std::move(device);
     info_ = device_->info();

@@ -18,7 +18,7 @@ class FilmOnDevice {
 
     const DeviceInfo& info() const { return info_; }
     /// Null: nothing is being rendered.
-    LiveFilm* film() const { return film_.get(); }
+    LiveFilm* film() const { return torn_ ? nullptr : film_.get(); }
     bool hasScene() const { return scene_.has_value(); }
     // Of the scene:
     ivec2 size() const { return scene_->film; }
@@ -30,6 +30,9 @@ class FilmOnDevice {
     Result<void> restart(const Schedule& schedule);
     /// Goes on on `device`, from `from` where that is not null. Errors: the new device's; everything is as before then.
     Result<void> moveTo(std::unique_ptr<Device> device, const Film* from);
+    /// The film is worthless after a stop; its memory is kept for the next one.
+    void tearFilm() { torn_ = true; }
+    /// The same, and its memory is given back.
     void dropFilm() { film_.reset(); }
     /// As if there had been no scene.
     void forget() {
@@ -40,14 +43,14 @@ class FilmOnDevice {
     void close();
 
   private:
-    /// The scene as `device` needs it.
-    Result<void> upload(Device& device);
+    /// An empty film of the scene, in the memory of the last one where that is of the same schedule.
+    Result<void> emptyFilm(const Schedule& schedule);
 
     std::unique_ptr<Device> device_;
     DeviceInfo info_;
-    Flattener flattener_;
     std::optional<Scene> scene_;
     Schedule schedule_;
+    bool torn_ = false;
     std::unique_ptr<LiveFilm> film_;  ///< after device_: it must not outlive it
 };
 

@@ -22,7 +22,7 @@ void Session::Loop::work(const Orders::Step& step) {
     if (step.render)
         done = iterate(step);
     if (done && step.render && step.stop.stop_requested()) {
-        place_.dropFilm();  // torn sums; something newer is waiting
+        place_.tearFilm();  // something newer is waiting
         return;
     }
     const bool frameEnds = !step.render || done_ >= wanted(step.pace);

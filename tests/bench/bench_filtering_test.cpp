@@ -19,14 +19,13 @@ namespace {
 
 /// A film of `size` whose pixels all have that mean.
 Film evenFilm(ivec2 size, double radiance) {
-    FilmContent content{64, {}, {}, {}};
-    const std::size_t pixels = std::size_t(size.x) * size.y;
     PixelSums sums{};
-    for (int i = 0; i < 64; ++i)
-        addSample(sums, vec3(float(radiance)));
-    content.moments.assign(pixels, merged(Moments{}, sums));
-    content.block.assign(pixels, PixelSums{});
-    return Film(size, 1, content);
+    for (std::uint64_t i = 0; i < 64; ++i)
+        addSample(sums, vec3(float(radiance)), i);
+    FilmContent content = Film(size, 1).content();
+    content.progress.advance(content.progress.area(), 64);
+    content.moments.assign(content.moments.size(), merged(Moments{}, sums));
+    return Film(1, content);
 }
 
 }  // namespace

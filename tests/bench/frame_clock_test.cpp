@@ -30,7 +30,8 @@ class SlowFilm final : public LiveFilm {
   public:
     explicit SlowFilm(Diary& diary) : diary_(diary) {}
 
-    Result<void> iterate(std::uint32_t n, std::stop_token) override {
+    Tile area() const override { return {0, 0, 4, 4}; }
+    Result<void> iterate(const Tile&, std::uint32_t n, std::stop_token) override {
         if (diary_.sleeps)
             std::this_thread::sleep_for(std::chrono::duration<double>(n * diary_.seconds));
         diary_.now += n * diary_.seconds;
@@ -51,6 +52,7 @@ class SlowFilm final : public LiveFilm {
     int ahead() const override { return diary_.ahead; }
     Result<std::shared_ptr<const Film>> film() override { return Error{"none", "", ""}; }
     Result<void> resume(const Film&) override { return {}; }
+    Result<void> restart(const Tile&, std::uint64_t) override { return {}; }
 
   private:
     Diary& diary_;
@@ -62,9 +64,9 @@ class SlowDevice final : public Device {
     explicit SlowDevice(Diary& diary, bool refusesKroes = false) : diary_(diary), refusesKroes_(refusesKroes) {}
 
     DeviceInfo info() const override { return {"slow", ""}; }
-    Result<void> upload(std::shared_ptr<const PreparedScene>) override { return {}; }
-    Result<void> render(const Tile&, SampleRange, TileSums, std::stop_token) override { return {}; }
-    Result<std::unique_ptr<LiveFilm>> film(ivec2, std::uint64_t, const Schedule& schedule) override {
+    Result<void> upload(const Scene&) override { return {}; }
+    Result<void> unload() override { return {}; }
+    Result<std::unique_ptr<LiveFilm>> film(const Tile&, std::uint64_t, const Schedule& schedule) override {
         if (refusesKroes_ && schedule.kind == Schedule::Kind::kroes)
             return Error{"there is no room", "", ""};
         return std::unique_ptr<LiveFilm>(std::make_unique<SlowFilm>(diary_));

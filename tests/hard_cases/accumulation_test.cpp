@@ -106,14 +106,15 @@ class AccumulationTest : public QObject {
     void sampleCountWrapsAtFourBillion() {
         const std::uint64_t many = (1ull << 32) - 64;
         QVERIFY(std::int32_t(many + 64) == 0 && float(many) + 1 == float(many));  // what int and float make of it
-        Film film({1, 1}, 0);
-        *film.sums(test::kOnePixel).pixels = {dvec3(0.5 * double(many)), dvec3(0.25 * double(many)),
-                                              std::uint32_t(many)};
+        Film film(ivec2(1, 1), 0);
+        *film.sums(test::kOnePixel).pixels = {.sum = dvec3(0.5 * double(many)),
+                                              .sumOfSquares = dvec3(0.25 * double(many)),
+                                              .count = std::uint32_t(many)};
         film.commit({0, std::uint32_t(many)});
         for (std::uint64_t added = 1; added <= 200; ++added) {
             const SampleRange range = film.nextSamples(1);
             QCOMPARE(range.first, many + added - 1);
-            addSample(*film.sums(test::kOnePixel).pixels, vec3(1));
+            addSample(*film.sums(test::kOnePixel).pixels, vec3(1), range.first);
             film.commit(range);
             const PixelEstimate pixel = film.pixel(0, 0);
             QCOMPARE(pixel.count, many + added);
@@ -135,11 +136,13 @@ class AccumulationTest : public QObject {
         QVERIFY(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
         // And through a device.
         const auto device = makeCpuDevice(1);
-        (void)device->upload(Flattener().prepare(test::slab(1, {0, 0, -1}, 0.8f)));
+        (void)device->upload(test::slab(1, {0, 0, -1}, 0.8f));
         const auto sumsFrom = [&](std::uint64_t first) {
-            Film film({4, 4}, 0);
-            (void)device->render({0, 0, 4, 4}, {first, 64}, film.sums({0, 0, 4, 4}), {});
-            return film.sums({0, 0, 4, 4}).pixels[5].sum.x;
+            const Tile area{0, 0, 4, 4};
+            const auto film = *device->film(area, 0, {});
+            (void)film->resume(Film(area, 0, first));
+            (void)film->iterate(64, {});
+            return (*film->film())->pixel(1, 1).mean.x;
         };
         QVERIFY(sumsFrom(1ull << 32) != sumsFrom(0) && sumsFrom(1ull << 32) != sumsFrom(1ull << 31));
     }
@@ -202,7 +205,7 @@ class AccumulationTest : public QObject {
         const auto prepared = test::prepared(test::slab(2, {0, 0, -1}, 1));
         for (const float radiance : {NAN, INFINITY}) {
             prepared->lights[0].radiance = vec3(1, radiance, 1);
-            const Film picture = test::sampled(*device, prepared, 64);
+            const Film picture = test::sampled(prepared, 64);
             const Fault fault = std::isnan(radiance) ? Fault::notANumber : Fault::infinite;
             QVERIFY(picture.status().health.of(fault).count > 500);
             QVERIFY(std::isfinite(picture.status().meanLuminance));

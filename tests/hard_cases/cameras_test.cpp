@@ -178,7 +178,8 @@ class CamerasTest : public QObject {
         for (const ivec2 size : {ivec2(1, 1), ivec2(1, 37), ivec2(41, 1), ivec2(17, 33)}) {
             scene.film = size;
             const auto prepared = Flattener().prepare(scene);
-            const Film whole = test::sampled(*device, prepared, 5);
+            const Film whole = test::render(scene, 5, *device);
+            CpuTracer tracer;
             const int stride = size.x + 7;
             std::vector<PixelSums> sums(std::size_t(stride) * (size.y + 2));
             for (const Tile tile : {Tile{size.x / 2, size.y / 3, size.x - size.x / 2, size.y - size.y / 3},
@@ -187,7 +188,7 @@ class CamerasTest : public QObject {
                 TileSums target{&sums[std::size_t(stride) + 3], stride};
                 for (int i = 0; i < tile.width * tile.height; ++i)
                     target.pixels[i / tile.width * stride + i % tile.width] = {};
-                QVERIFY(bool(device->render(tile, {0, 5}, target, {})));
+                tracer.trace(prepared->flat, tile, {0, 5}, target);
                 for (int y = 0; y < tile.height; ++y)
                     for (int x = 0; x < tile.width; ++x) {
                         const PixelSums& got = target.pixels[y * stride + x];
@@ -198,6 +199,8 @@ class CamerasTest : public QObject {
                     sums.begin(), sums.end(), [](const PixelSums& s) { return s.count == 77 && s.sum == dvec3(0); });
                 QCOMPARE(untouched, std::ptrdiff_t(sums.size()) - tile.width * tile.height);
             }
+            for (const int tile : {1, 7, 16})
+                QVERIFY(test::sameBits(whole, test::render(scene, 5, *device, 2, tile)));
         }
     }
 
@@ -211,14 +214,14 @@ class CamerasTest : public QObject {
         scene.film = {16384, 16384};
         scene.camera.fovDegrees = 1;  // all of it is volume
         const auto device = test::testedDevice();
-        (void)device->upload(Flattener().prepare(scene));
+        (void)device->upload(scene);
         std::vector<double> means;
         for (const ivec2 corner : {ivec2(0, 0), ivec2(16380, 0), ivec2(0, 16380), ivec2(16380, 16380)}) {
-            std::array<PixelSums, 16> sums{};
-            (void)device->render({corner.x, corner.y, 4, 4}, {0, 64}, {sums.data(), 4}, {});
-            for (const PixelSums& pixel : sums) {
-                QCOMPARE(pixel.count, 64u);
-                means.push_back(pixel.sum.x);
+            const auto film = test::renderedPart(scene, {corner.x, corner.y, 4, 4}, 64, *device, 64);
+            for (int i = 0; i < 16; ++i) {
+                const PixelEstimate pixel = film->pixel(i % 4, i / 4);
+                QCOMPARE(pixel.count, std::uint64_t(64));
+                means.push_back(pixel.mean.x);
             }
         }
         std::sort(means.begin(), means.end());

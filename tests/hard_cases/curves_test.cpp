@@ -188,9 +188,9 @@ class CurvesTest : public QObject {
             const TransferFunction& curve = scene.transferFunction;
             return curve.extinctionPerMm * std::max(curve.opacityAt(range.lowest), curve.opacityAt(range.highest));
         };
-        const Film right = test::sampled(*device, test::withGlobalMajorant(scene), 256);
+        const Film right = test::sampled(test::withGlobalMajorant(scene), 256);
         const Film ours = test::render(scene, 256, *device);
-        const Film naive = test::sampled(*device, withBounds(scene, ends), 256);
+        const Film naive = test::sampled(withBounds(scene, ends), 256);
         QVERIFY2(std::fabs(zBetween(ours, right)) < 4, qPrintable(QString::number(zBetween(ours, right))));
         QVERIFY2(zBetween(naive, right) < -20, qPrintable(QString::number(zBetween(naive, right))));
         QVERIFY(ours.status().health.perfect() && right.status().health.perfect());
@@ -213,10 +213,10 @@ class CurvesTest : public QObject {
         const auto device = test::testedDevice();
         const auto stale = test::prepared(after);
         stale->flat.majorants = old->flat.majorants;
-        const Film right = test::sampled(*device, fresh, 32);
-        const double difference = zBetween(test::sampled(*device, stale, 32), right);
+        const Film right = test::sampled(fresh, 32);
+        const double difference = zBetween(test::sampled(stale, 32), right);
         QVERIFY2(difference < -6, qPrintable(QString::number(difference)));
-        QVERIFY(test::sameBits(test::sampled(*device, edited, 32), right));
+        QVERIFY(test::sameBits(test::sampled(edited, 32), right));
 
         // And no sample of the scene before the edit gets into the picture after it.
         test::Screen screen;

@@ -48,9 +48,9 @@ __attribute__((noinline, optimize("finite-math-only"))) bool trustingIsNan(float
 
 /// A film of one pixel that is given whole blocks: `counts` samples of mean `means`, spread +-1.
 PixelEstimate merged(std::span<const std::pair<std::uint32_t, double>> blocks) {
-    Film film({1, 1}, 0);
+    Film film(ivec2(1, 1), 0);
     for (const auto& [count, mean] : blocks) {
-        *film.sums(test::kOnePixel).pixels = {dvec3(count * mean), dvec3(count * (mean * mean + 1)), count};
+        *film.sums(test::kOnePixel).pixels = {.sum = dvec3(count * mean), .sumOfSquares = dvec3(count * (mean * mean + 1)), .count = count};
         film.commit({film.samplesPerPixel(), 64});
     }
     return film.pixel(0, 0);
@@ -145,12 +145,13 @@ class EstimatorsTest : public QObject {
         }
         QVERIFY2(naive < 0.2, qPrintable(QString::number(naive)));
 
-        Film film({edge, edge}, 0);  // all pixels go on until the error of the whole picture is small
+        Film film(ivec2(edge, edge), 0);  // all pixels go on until the error of the whole picture is small
         do {
             const SampleRange range = film.nextSamples(64);
             for (int pixel = 0; pixel < edge * edge; ++pixel)
                 for (std::uint32_t i = 0; i < range.count; ++i)
-                    addSample(film.sums({0, 0, edge, edge}).pixels[pixel], vec3(value(pixel, int(range.first + i))));
+                    addSample(film.sums({0, 0, edge, edge}).pixels[pixel], vec3(value(pixel, int(range.first + i))),
+                              range.first + i);
             film.commit(range);
         } while (film.status().relativeError > target);
         QVERIFY(film.samplesPerPixel() > 2000);  // (1000 - 1) / 0.5^2 = 4000 are expected
@@ -164,10 +165,10 @@ class EstimatorsTest : public QObject {
         QVERIFY(!trustingIsNan(noNumber));
         QVERIFY(noNumber != noNumber && !(noNumber >= 0) && tiny * 0.5f > 0);
         PixelSums sums;
-        QVERIFY(!addSample(sums, vec3(noNumber)));
+        QVERIFY(!addSample(sums, vec3(noNumber), 0));
         const auto prepared = Flattener().prepare(litBumps());
         const auto device = makeCpuDevice(1);
-        const Film film = test::sampled(*device, prepared, 1);
+        const Film film = test::sampled(prepared, 1);
         for (int y = 0; y < film.size().y; ++y)
             for (int x = 0; x < film.size().x; ++x)
                 QVERIFY(film.pixel(x, y).mean == dvec3(replayed(*prepared, {x, y}, 0).radiance));

@@ -101,7 +101,7 @@ class MediumTest : public QObject {
                 QVERIFY(!flight.step(prepared->flat).happened);
             QVERIFY(steps <= 40 / 4 + 3);
             QCOMPARE(track<RatioTracking>(prepared->flat, {{-0.5f, 20, 20}, {1, 0, 0}, 40}, stream(1)), 1.0f);
-            const Film film = test::sampled(*makeCpuDevice(1), prepared, 4);
+            const Film film = test::sampled(prepared, 4);
             QVERIFY(film.status().meanLuminance == 1 && film.status().relativeError == 0);
         }
     }
@@ -192,7 +192,7 @@ class MediumTest : public QObject {
             const auto prepared = constantMedium({9, 9, 9}, dvec3(1), 0.1f, hu);
             QVERIFY(std::fabs(transmittance(prepared->flat, {-0.5f, 4, 4}, {1, 0, 0}).z(std::exp(-0.9))) <
                     test::allowedZ(5));
-            QVERIFY(test::sampled(*makeCpuDevice(1), prepared, 4).status().health.perfect());
+            QVERIFY(test::sampled(prepared, 4).status().health.perfect());
         }
     }
 

@@ -102,12 +102,11 @@ class EffectTrialTest : public QObject {
         Scene scene = test::plainScene(test::bumpyVolume({30, 30, 30}, dvec3(1), 1), 0.3f);
         scene.lights.push_back(SphereLight{.radiusMm = 1, .radiance = vec3(1e-6f)});
         const auto device = makeCpuDevice(1);
-        Flattener flattener;
         int tried = 0;
         for (const Effect& effect : needs(scene)) {
             if (!effect.needed || effect.leaveOut == nullptr)
                 continue;
-            const auto trial = tryEffect(effect, scene, {}, *device, flattener, 0.2);
+            const auto trial = tryEffect(effect, scene, {}, *device, 0.2);
             QVERIFY(bool(trial));
             QVERIFY2((trial->levels < kNoLevels) == (effect.name == "lights with a place"), effect.name.c_str());
             ++tried;
@@ -119,8 +118,7 @@ class EffectTrialTest : public QObject {
         Scene scene = test::plainScene(test::bumpyVolume({30, 30, 30}, dvec3(1), 1), 0.3f);
         scene.film = {1000, 500};
         const auto device = makeCpuDevice(1);
-        Flattener flattener;
-        const auto film = [&](double seconds) { return *trialFilm(scene, *device, flattener, 200, seconds); };
+        const auto film = [&](double seconds) { return *trialFilm(scene, *device, 200, seconds); };
         QVERIFY(film(1e3) == ivec2(200, 100));
         QVERIFY(film(1e-9) == ivec2(16, 8));
         scene.film = {20, 40};

@@ -52,7 +52,7 @@ class ErrorTruthTest : public QObject {
     void theRelativeErrorIsThatOfTheTissueAlone() {
         const std::uint64_t n = 300;
         const auto kind = [](std::size_t pixel) { return pixel % 4; };
-        Film film({60, 40}, 0);
+        Film film(ivec2(60, 40), 0);
         grow(
             film, n,
             [&](std::size_t pixel, std::uint64_t sample) {
@@ -84,7 +84,7 @@ class ErrorTruthTest : public QObject {
 
     /// What was foretold from 64 samples is there when they are taken.
     void whatIsForetoldComesTrue() {
-        Film film({40, 40}, 0);
+        Film film(ivec2(40, 40), 0);
         const auto goOn = [&](double count) {
             grow(film, std::uint64_t(std::llround(count)), uniform,
                  [](std::size_t) { return kSeenTissue | kSeenChance; });
@@ -105,7 +105,7 @@ class ErrorTruthTest : public QObject {
 
     /// One sample in a hundred brings light: what few samples tell is a lower bound, and said to be one.
     void rareLightMakesTheForecastALowerBound() {
-        Film film({30, 30}, 0);
+        Film film(ivec2(30, 30), 0);
         const auto rare = [](std::size_t pixel, std::uint64_t sample) { return uniform(pixel, sample) < 0.01 ? 50 : 0; };
         const auto seen = [](std::size_t) { return kSeenTissue | kSeenChance; };
         grow(film, 64, rare, seen);
@@ -151,7 +151,7 @@ class ErrorTruthTest : public QObject {
 
     /// Tissue that only the first of many samples met is still tissue: in later blocks, and on another device.
     void whatWasSeenStaysSeen() {
-        Film film({2, 1}, 0);
+        Film film(ivec2(2, 1), 0);
         grow(film, 1, uniform, [](std::size_t pixel) { return pixel == 0 ? kSeenTissue : 0; });
         grow(film, 1000, uniform, [](std::size_t) { return 0; });
         QVERIFY(film.pixel(0, 0).tissue && !film.pixel(1, 0).tissue);
@@ -169,7 +169,7 @@ class ErrorTruthTest : public QObject {
         const auto value = [](std::size_t, std::uint64_t sample) {
             return float(0.3 + 1e-3 * double(sample % 1009) + (sample % 65'537 == 0 ? 1e4 : 0));
         };
-        Film film({1, 1}, 0);
+        Film film(ivec2(1, 1), 0);
         grow(film, count, value, [](std::size_t) { return kSeenTissue; });
         HostGpu gpu(0, 1);
         std::vector<vec3> radiance(launch);

@@ -138,15 +138,11 @@ class FaultsTest : public QObject {
           public:
             explicit Host(std::shared_ptr<test::Mishaps> mishaps) : inner_(std::move(mishaps)) {}
             DeviceInfo info() const override { return {"host", "", true}; }
-            Result<void> upload(std::shared_ptr<const PreparedScene> scene) override {
-                return inner_.upload(std::move(scene));
-            }
-            Result<void> render(const Tile& tile, SampleRange range, TileSums sums, std::stop_token stop) override {
-                return inner_.render(tile, range, sums, stop);
-            }
-            Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision,
+            Result<void> upload(const Scene& scene) override { return inner_.upload(scene); }
+            Result<void> unload() override { return inner_.unload(); }
+            Result<std::unique_ptr<LiveFilm>> film(const Tile& area, std::uint64_t revision,
                                                    const Schedule& schedule) override {
-                return inner_.film(size, revision, schedule);
+                return inner_.film(area, revision, schedule);
             }
 
           private:

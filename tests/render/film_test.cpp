@@ -24,10 +24,13 @@ class FilmTest : public QObject {
     /// What lies in memory between the numbers is nobody's value; a comparison of bytes saw it.
     void filmsAreComparedNumberByNumber() {
         const auto contentOver = [](unsigned char rubbish, double lastSum, double lastMean) {
-            FilmContent content{2, std::vector<Moments>(3), std::vector<PixelSums>(3), {}};
+            FilmContent content = Film(ivec2(3, 1), 1).content();
+            content.progress.advance(content.progress.area(), 2);
             std::memset(static_cast<void*>(content.block.data()), rubbish, 3 * sizeof(PixelSums));
             for (PixelSums& pixel : content.block) {
                 pixel.sum = pixel.sumOfSquares = dvec3(0.5);
+                pixel.evenSum = vec3(0.25f);
+                pixel.evenCount = 1;
                 pixel.count = 2;
                 pixel.seen = kSeenTissue;
             }
@@ -40,7 +43,7 @@ class FilmTest : public QObject {
         QVERIFY(!sameBits(contentOver(0, 1, 1), contentOver(0, 1, std::nextafter(1, 2))));
         QVERIFY(!sameBits(contentOver(0, 1, 0.0), contentOver(0, 1, -0.0)));
         FilmContent more = contentOver(0, 1, 1);
-        more.samplesPerPixel = 3;
+        more.progress.advance(more.progress.area(), 3);
         QVERIFY(!sameBits(contentOver(0, 1, 1), more));
         more = contentOver(0, 1, 1);
         more.block[1].seen = 0;
@@ -91,7 +94,7 @@ class FilmTest : public QObject {
     }
 
     void countGoesOnBeyondFourBillion() {
-        Film film({1, 1}, 0);
+        Film film(ivec2(1, 1), 0);
         film.commit({(std::uint64_t(1) << 32) - 8, 8});
         QCOMPARE(film.nextSamples(10).first, std::uint64_t(1) << 32);
         QCOMPARE(film.nextSamples(1000).count, kSamplesPerBlock);
@@ -102,13 +105,13 @@ class FilmTest : public QObject {
                                                {INFINITY, Fault::infinite},
                                                {-INFINITY, Fault::negative},
                                                {-1.0f, Fault::negative}};
-        Film film({1, 1}, 0);
+        Film film(ivec2(1, 1), 0);
         for (const auto& [value, fault] : bad) {
-            QVERIFY(!addSample(*film.sums(test::kOnePixel).pixels, vec3(1, value, 1)));
+            QVERIFY(!addSample(*film.sums(test::kOnePixel).pixels, vec3(1, value, 1), 0));
             QVERIFY(faultOf(vec3(1, value, 1)) == fault);
         }
-        QVERIFY(addSample(*film.sums(test::kOnePixel).pixels, vec3(3)));
-        QVERIFY(addSample(*film.sums(test::kOnePixel).pixels, vec3(5)));
+        QVERIFY(addSample(*film.sums(test::kOnePixel).pixels, vec3(3), 4));
+        QVERIFY(addSample(*film.sums(test::kOnePixel).pixels, vec3(5), 5));
         film.commit({0, 6});
         QCOMPARE(film.pixel(0, 0).mean.x, 4.0);
         QCOMPARE(film.pixel(0, 0).count, std::uint64_t(2));
@@ -120,7 +123,7 @@ class FilmTest : public QObject {
         one.add(Fault::negative, 5, 9);
         other.add(Fault::negative, 5, 2);
         other.add(Fault::cutPath, 1, 1);
-        Film film({4, 4}, 0);
+        Film film(ivec2(4, 4), 0);
         film.sums({0, 0, 4, 4}).health->add(one);
         film.sums({2, 2, 1, 1}).health->add(other);
         const Health health = film.status().health;

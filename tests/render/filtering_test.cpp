@@ -24,7 +24,7 @@ struct BothWays {
     FlatVolume exact, fast;
 
     explicit BothWays(std::shared_ptr<const Volume> of) : volume(std::move(of)) {
-        exact = fast = Flattener().prepare(test::plainScene(volume, 1), Bounds::onDevice)->flat.volume;
+        exact = fast = Flattener().flatten(test::plainScene(volume, 1))->flat.volume;
         fast.texture = 1;
     }
 };
@@ -54,7 +54,7 @@ Scene tissue(Filtering filtering) {
 }
 
 Film onEmulatedGpu(const Scene& scene, std::uint64_t samples) {
-    return test::sampled(*makeEmulatedGpu(), Flattener().prepare(scene, Bounds::onDevice), samples);
+    return test::render(scene, samples, *makeEmulatedGpu());
 }
 
 }  // namespace
@@ -151,7 +151,7 @@ class FilteringTest : public QObject {
         for (const Filtering filtering : kFilterings) {
             scene.filtering = filtering;
             HostGpu gpu;
-            const auto hu = test::readOn(gpu, Flattener().prepare(scene, Bounds::onDevice), places);
+            const auto hu = test::readOn(gpu, Flattener().flatten(scene), places);
             QVERIFY(hu);
             for (std::size_t i = 0; i < places.size(); ++i)
                 QVERIFY((*hu)[i] == hounsfield(filtering == Filtering::fast ? both.fast : both.exact, places[i]));
@@ -202,9 +202,8 @@ class FilteringTest : public QObject {
 
     void textureIsMadeWhenAskedForKeptAndReleased() {
         GpuDevice<HostGpu> gpu(DeviceInfo{"host", "", false});
-        Flattener flattener;
         const auto bytes = [&](const Scene& scene) {
-            return gpu.upload(flattener.prepare(scene, Bounds::onDevice)) ? gpu.gpu().allocated() : 0;
+            return gpu.upload(scene) ? gpu.gpu().allocated() : 0;
         };
         Scene scene = tissue(Filtering::exact);
         const std::size_t texture = 50 * 41 * 37 * 2, exact = bytes(scene);
@@ -234,7 +233,7 @@ class FilteringTest : public QObject {
         };
         GpuDevice<CountingGpu> gpu(DeviceInfo{"counting", "", false});
         const auto upload = [&](const Scene& scene) {
-            return bool(gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
+            return bool(gpu.upload(scene));
         };
         Scene scene = tissue(Filtering::fast);
         const auto first = scene.volume, second = test::bumpyVolume({50, 41, 37}, {0.9, 1.1, 1.3}, 4);
@@ -256,23 +255,22 @@ class FilteringTest : public QObject {
 
     void memoryThatSufficesForExactFilteringOnlyIsTold() {
         Scene scene = tissue(Filtering::exact);
-        const auto prepared = Flattener().prepare(scene, Bounds::onDevice);
         GpuDevice<HostGpu> large(DeviceInfo{"large", "", false});
-        QVERIFY(large.upload(prepared));
+        QVERIFY(large.upload(scene));
         GpuDevice<HostGpu> gpu(DeviceInfo{"small", "", false}, large.gpu().allocated() + 1000);
-        QVERIFY(gpu.upload(prepared));
+        QVERIFY(gpu.upload(scene));
         scene.filtering = Filtering::fast;
         const ivec3 size = scene.volume->size();
         const std::size_t texture = GpuTexture<HostGpu>::bytesFor(size),
                           all = GpuScene<HostGpu>::bytesFor(size) + texture;
         for (const std::size_t needed : {texture, all}) {  // with the volume there, and anew
-            const Result<void> refused = gpu.upload(Flattener().prepare(scene, Bounds::onDevice));
+            const Result<void> refused = gpu.upload(scene);
             QVERIFY(!refused);
             QVERIFY(refused.error().what.starts_with("the volume does not fit into its memory: " + bytesText(needed)));
             QVERIFY(refused.error().text().find("exact filtering") != std::string::npos);
         }
         scene.filtering = Filtering::exact;
-        QVERIFY(gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
+        QVERIFY(gpu.upload(scene));
     }
 
     void aTextureThatFailsIsToldAndMadeTheNextTime() {
@@ -280,10 +278,10 @@ class FilteringTest : public QObject {
         plan->call = test::FaultPlan::Call::texture;
         plan->fails = 0;
         GpuDevice<test::FaultyGpu> gpu(DeviceInfo{"faulty", "", false}, plan);
-        const auto prepared = Flattener().prepare(tissue(Filtering::fast), Bounds::onDevice);
-        const Result<void> failed = gpu.upload(prepared);
+        const Scene scene = tissue(Filtering::fast);
+        const Result<void> failed = gpu.upload(scene);
         QVERIFY(!failed && failed.error().what == "it failed on purpose");
-        QVERIFY(gpu.upload(prepared));
+        QVERIFY(gpu.upload(scene));
         QCOMPARE(plan->calls, 2);
     }
 };

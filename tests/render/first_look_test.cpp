@@ -247,12 +247,12 @@ class FirstLookTest : public QObject {
     void aGpuGivesTheMemoryOfAClosedSceneBack() {
         GpuDevice<HostGpu> gpu{DeviceInfo{}, 0, 1};
         const Scene scene = largeScene(1);
-        QVERIFY(gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
+        QVERIFY(gpu.upload(scene));
         const std::size_t loaded = gpu.gpu().allocated();
-        QVERIFY(gpu.upload(nullptr));
+        QVERIFY(gpu.unload());
         QVERIFY(loaded - gpu.gpu().allocated() >= GpuScene<HostGpu>::bytesFor(scene.volume->size()));
-        QVERIFY(gpu.upload(nullptr));  // nothing to forget
-        QVERIFY(gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
+        QVERIFY(gpu.unload());  // nothing to forget
+        QVERIFY(gpu.upload(scene));
         QCOMPARE(gpu.gpu().allocated(), loaded);
     }
 

@@ -32,7 +32,7 @@ bool same(const Film& a, const Film& b) {
 
 /// `samples` by way of a live film, n at a time.
 std::shared_ptr<const Film> lived(Device& device, const Scene& scene, std::uint32_t samples, std::uint32_t n) {
-    if (!device.upload(Flattener().prepare(scene, Bounds::onDevice)))
+    if (!device.upload(scene))
         return nullptr;
     const auto film = device.film(scene.film, scene.revision, {});
     for (std::uint32_t done = 0; done < samples; done += n)
@@ -103,7 +103,7 @@ class GpuDeviceTest : public QObject {
     void twoPicturesOnTheirWayAreThoseOfTheirFilms() {
         const auto gpu = hostDevice();
         const Scene scene = bumpyScene();
-        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
+        QVERIFY(gpu->upload(scene));
         const auto film = *gpu->film(scene.film, scene.revision, {});
         QCOMPARE(film->ahead(), 2);
         std::vector<std::shared_ptr<const Film>> films;
@@ -136,8 +136,8 @@ class GpuDeviceTest : public QObject {
         const auto gpu = hostDevice();
         const auto cpu = makeCpuDevice();
         const Film reference = test::render(scene, 130, *cpu);
-        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
-        QVERIFY(cpu->upload(Flattener().prepare(scene)));
+        QVERIFY(gpu->upload(scene));
+        QVERIFY(cpu->upload(scene));
         std::shared_ptr<const Film> film = std::make_shared<const Film>(scene.film, scene.revision);
         Device* const turns[] = {gpu.get(), cpu.get(), gpu.get(), cpu.get()};
         const std::uint32_t samples[] = {37, 40, 52, 1};
@@ -154,7 +154,7 @@ class GpuDeviceTest : public QObject {
         const Schedule plain{.kind = Schedule::Kind::kroes, .redundant = true, .filter = false, .runningMean = false};
         const Scene scene = bumpyScene();
         const auto gpu = hostDevice();
-        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
+        QVERIFY(gpu->upload(scene));
         const auto film = *gpu->film(scene.film, scene.revision, plain);
         QVERIFY(film->iterate(70, {}));
         QVERIFY(same(test::render(scene, 70), **film->film()));
@@ -164,10 +164,9 @@ class GpuDeviceTest : public QObject {
         const auto plan = std::make_shared<test::FaultPlan>();
         plan->call = test::FaultPlan::Call::copy;
         GpuDevice<test::FaultyGpu> gpu(DeviceInfo{"counting", "", false}, plan);
-        Flattener flattener;
         const auto copiesFor = [&](const Scene& scene) {
             const int before = plan->calls;
-            return gpu.upload(flattener.prepare(scene, Bounds::onDevice)) ? plan->calls - before : -1;
+            return gpu.upload(scene) ? plan->calls - before : -1;
         };
         Scene scene = bumpyScene();
         QVERIFY(copiesFor(scene) > 4);
@@ -185,7 +184,7 @@ class GpuDeviceTest : public QObject {
             Scene scene = bumpyScene();
             scene.volume = std::move(volume);
             scene.film = {8, 8};
-            return gpu.upload(Flattener().prepare(scene, Bounds::onDevice)) &&
+            return gpu.upload(scene) &&
                    (*gpu.film(scene.film, 1, {}))->iterate(1, {});
         };
         const auto one = test::bumpyVolume({20, 21, 22}, dvec3(1), 1),
@@ -202,26 +201,23 @@ class GpuDeviceTest : public QObject {
         const auto gpu = hostDevice(1'000'000);
         Scene scene = bumpyScene();
         scene.volume = test::makeVolume({100, 100, 100}, dvec3(1), [](int, int, int) { return 0; });
-        const Result<void> refused = gpu->upload(Flattener().prepare(scene, Bounds::onDevice));
+        const Result<void> refused = gpu->upload(scene);
         QVERIFY(!refused);
         QCOMPARE(refused.error().what,
                  std::string("the volume does not fit into its memory: 2.2 MB are needed, 1.0 MB are free"));
-        QVERIFY(gpu->upload(Flattener().prepare(bumpyScene(), Bounds::onDevice)));  // a smaller one fits
+        QVERIFY(gpu->upload(bumpyScene()));  // a smaller one fits
     }
 
     void withoutASceneNothingIsRendered() {
         const auto gpu = hostDevice(1'000'000);
         const Scene scene = bumpyScene();
-        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
+        QVERIFY(gpu->upload(scene));
         Scene tooLarge = scene;
         tooLarge.volume = test::makeVolume({100, 100, 100}, dvec3(1), [](int, int, int) { return 0; });
-        QVERIFY(!gpu->upload(Flattener().prepare(tooLarge, Bounds::onDevice)));
-        Film film({8, 8}, 1);
-        const Tile whole{0, 0, 8, 8};
-        QVERIFY(!gpu->render(whole, film.nextSamples(1), film.sums(whole), {}));
+        QVERIFY(!gpu->upload(tooLarge));
         const Schedule k0{.kind = Schedule::Kind::kroes, .redundant = true}, k1{.kind = Schedule::Kind::kroes};
         for (const Schedule& schedule : {Schedule{}, k0, k1}) {
-            const auto live = gpu->film({8, 8}, 1, schedule);
+            const auto live = gpu->film(ivec2(8, 8), 1, schedule);
             QVERIFY(!live || !(*live)->iterate(1, {}));
         }
     }
@@ -230,9 +226,8 @@ class GpuDeviceTest : public QObject {
     void everyCallMayFail() {
         const Scene scene = bumpyScene();
         const Film reference = test::render(scene, 3);
-        const auto prepared = Flattener().prepare(scene, Bounds::onDevice);
         const auto picture = [&](Device& device) -> Result<std::shared_ptr<const Film>> {
-            if (const auto uploaded = device.upload(prepared); !uploaded)
+            if (const auto uploaded = device.upload(scene); !uploaded)
                 return uploaded.error();
             auto film = device.film(scene.film, 1, {});
             if (!film)
@@ -268,13 +263,12 @@ class GpuDeviceTest : public QObject {
             plan->lost = true;
             GpuDevice<test::FaultyGpu> gpu(DeviceInfo{"faulty", "", false}, plan);
             const Scene scene = bumpyScene();
-            Film film(scene.film, 1);
-            const Tile whole{0, 0, scene.film.x, scene.film.y};
-            const bool uploaded(gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
-            for (int i = 0; i < 10 && !plan->failed; ++i)
-                (void)gpu.render(whole, film.nextSamples(1), film.sums(whole), {});
+            const bool uploaded(gpu.upload(scene));
+            if (const auto film = gpu.film(scene.film, 1, {}))
+                for (int i = 0; i < 10 && !plan->failed; ++i)
+                    (void)((*film)->iterate(1, {}) && (*film)->show({}) && (*film)->take());
             QVERIFY(plan->failed);
-            QVERIFY(!gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
+            QVERIFY(!gpu.upload(scene));
             QVERIFY(call < 60 || uploaded);
         }
     }
@@ -288,7 +282,7 @@ class GpuDeviceTest : public QObject {
         };
         GpuDevice<TornGpu> gpu(DeviceInfo{"torn", "", false});
         const Scene scene = bumpyScene();
-        QVERIFY(gpu.upload(Flattener().prepare(scene, Bounds::onDevice)));
+        QVERIFY(gpu.upload(scene));
         const auto film = *gpu.film(scene.film, 1, {});
         QVERIFY(film->iterate(1, {}) && film->show({}));
         const Result<Picture> picture = film->take();
@@ -299,7 +293,7 @@ class GpuDeviceTest : public QObject {
     void aStopEndsAFilmBetweenLaunches() {
         const auto gpu = hostDevice();
         const Scene scene = bumpyScene();
-        QVERIFY(gpu->upload(Flattener().prepare(scene, Bounds::onDevice)));
+        QVERIFY(gpu->upload(scene));
         const auto film = *gpu->film(scene.film, 1, {});
         std::stop_source stop;
         std::jthread later([&] {

@@ -17,7 +17,7 @@ Scene glowing() {
 }
 
 Health healthOf(std::shared_ptr<const PreparedScene> prepared, int threads = 2, int tile = 4096) {
-    return test::sampled(*makeCpuDevice(threads), std::move(prepared), 40, 7, tile).status().health;
+    return test::sampled(prepared, 40, 7, tile, threads).status().health;
 }
 
 /// `prepared` with one light of that radiance.
@@ -122,7 +122,7 @@ class HealthTest : public QObject {
         scene.gradientFactor = 1;
         scene.environment = {vec3(0.1f, 0.2f, 0.3f), true};
         const auto prepared = test::prepared(scene);
-        const Film film = test::sampled(*makeCpuDevice(), prepared, 32);
+        const Film film = test::sampled(prepared, 32);
         for (const ivec2 pixel : {ivec2(12, 10), ivec2(3, 17), ivec2(0, 0)}) {
             dvec3 sum(0);
             for (std::uint64_t sample = 0; sample < 32; ++sample)

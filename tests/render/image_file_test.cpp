@@ -37,7 +37,7 @@ static Film exampleFilm(ivec2 size) {
     TileSums sums = film.sums({0, 0, size.x, size.y});
     for (int i = 0; i < size.x * size.y; ++i) {
         const dvec3 a(i, 0.5 * i, 1), b(i + 1, 0.5 * i + 2, 1);
-        sums.pixels[i] = {a + b, a * a + b * b, 2};
+        sums.pixels[i] = {.sum = a + b, .sumOfSquares = a * a + b * b, .count = 2};
     }
     film.commit({0, 2});
     return film;

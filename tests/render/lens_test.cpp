@@ -129,7 +129,7 @@ class LensTest : public QObject {
             const Film bounded = test::render(scene, 1024, *device);
             const auto open = test::prepared(scene);
             open->viewDepths.assign(open->viewDepths.size(), vec2(0, 1e30f));
-            const test::ImageMean a = test::imageMean(bounded), b = test::imageMean(test::sampled(*device, open, 1024));
+            const test::ImageMean a = test::imageMean(bounded), b = test::imageMean(test::sampled(open, 1024));
             QVERIFY2(std::fabs(a.mean - b.mean) < 4.5 * std::hypot(a.standardError, b.standardError),
                      qPrintable(QString("focus %1: %2 and %3").arg(focus).arg(a.mean).arg(b.mean)));
             QVERIFY2(a.standardError < 0.01 * a.mean, qPrintable(QString("%1 +- %2").arg(a.mean).arg(a.standardError)));

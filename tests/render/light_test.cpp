@@ -57,7 +57,7 @@ Scene shinyScene() {
 test::ImageMean searched(const Scene& scene, bool alongScatter) {
     const auto prepared = test::prepared(scene);
     prepared->flat.sampleDirections = alongScatter;
-    return test::imageMean(test::sampled(*makeCpuDevice(), prepared, 2048));
+    return test::imageMean(test::sampled(prepared, 2048));
 }
 
 void verifyEqual(test::ImageMean a, test::ImageMean b) {

@@ -141,7 +141,7 @@ class MarchTest : public QObject {
         auto prepared = std::const_pointer_cast<PreparedScene>(Flattener().prepare(scene));
         prepared->viewDepths.assign(prepared->viewDepths.size(), vec2(0, 1e30f));
         prepared->flat.camera.eye = {4, 4, 4};  // in the middle of what no float can tell apart
-        const Film film = test::sampled(*makeCpuDevice(), prepared, 2);
+        const Film film = test::sampled(prepared, 2);
         QCOMPARE(film.status().health.of(Fault::notANumber).count, 2u * 16);
     }
 

@@ -152,7 +152,7 @@ Film renderedWith(const Scene& scene, std::uint32_t features) {
     prepared->flat.features |= features;
     if (scene.model == Model::multipleScattering && has(features, kBounces))
         prepared->flat.maxBounces = scene.maxBounces;
-    return test::sampled(*makeCpuDevice(), prepared, 32);
+    return test::sampled(prepared, 32);
 }
 
 }  // namespace

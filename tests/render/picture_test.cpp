@@ -129,7 +129,7 @@ class PictureTest : public QObject {
         const Scene scene = variedScene();
         const auto device = makeCpuDevice();
         const Film cells = test::render(scene, 512, *device);
-        const Film global = test::sampled(*device, test::withGlobalMajorant(scene), 512);
+        const Film global = test::sampled(test::withGlobalMajorant(scene), 512);
         double square = 0;
         int pixels = 0;
         for (int y = 0; y < 32; ++y)

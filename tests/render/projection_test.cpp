@@ -86,7 +86,7 @@ class ProjectionTest : public QObject {
             const Scene scene = variedScene(model);
             const auto device = makeCpuDevice();
             const Film cells = test::render(scene, 4, *device);
-            const Film global = test::sampled(*device, test::withGlobalMajorant(scene), 4);
+            const Film global = test::sampled(test::withGlobalMajorant(scene), 4);
             for (int y = 0; y < 32; ++y)
                 for (int x = 0; x < 32; ++x) {
                     const double a = cells.pixel(x, y).mean.x, b = global.pixel(x, y).mean.x;
@@ -150,13 +150,12 @@ class ProjectionTest : public QObject {
 
     /// A model's tables are not those of the scene before.
     void modelsFollowOneAnother() {
-        Flattener flattener;
         const auto device = makeCpuDevice();
         Scene scene = variedScene(Model::absorption);  // one volume: what was made for it may be used again
         for (const Model model : {Model::absorption, Model::maximumIntensity, Model::singleScattering,
                                   Model::maximumIntensity, Model::emissionAbsorption}) {
             scene.model = model;
-            QVERIFY(sameBits(test::sampled(*device, flattener.prepare(scene), 2), test::render(scene, 2)));
+            QVERIFY(sameBits(test::render(scene, 2, *device), test::render(scene, 2)));
         }
     }
 };

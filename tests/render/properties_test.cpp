@@ -111,7 +111,7 @@ class PropertiesTest : public QObject {
             Scene scene = test::anyScene(seed);
             const Film cells = test::render(scene, kSamples, *device);
             scene.seed += 1000;
-            const Film global = test::sampled(*device, test::withGlobalMajorant(scene), kSamples);
+            const Film global = test::sampled(test::withGlobalMajorant(scene), kSamples);
             QVERIFY(alike(cells, global, seed));
         }
     }

@@ -25,18 +25,16 @@ Scene someScene(ivec2 film) {
 struct Faulty {
     std::shared_ptr<FaultPlan> plan;
     std::shared_ptr<const PreparedScene> scene;
-    std::unique_ptr<Device> device = makeCpuDevice();
+    CpuTracer tracer;
     FaultyGpu gpu;
 
     Faulty(const Scene& flat, std::shared_ptr<FaultPlan> wanted, std::size_t bytes = 0)
-        : plan(std::move(wanted)), scene(Flattener().prepare(flat)), gpu(plan, bytes) {
-        (void)device->upload(scene);
-    }
+        : plan(std::move(wanted)), scene(Flattener().prepare(flat)), gpu(plan, bytes) {}
 
     Result<std::unique_ptr<LiveFilm>> film(const Schedule& schedule) {
         const ivec2 size = scene->flat.camera.film;
-        return KroesFilm<FaultyGpu>::make(gpu, size, 1, schedule,
-                                          std::make_unique<CpuFrameSampler>(*device, gpu, scene, size));
+        return KroesFilm<FaultyGpu>::make(gpu, {0, 0, size.x, size.y}, 1, schedule,
+                                          std::make_unique<CpuFrameSampler>(tracer, gpu, scene));
     }
 
     /// All that a session does, until something fails.

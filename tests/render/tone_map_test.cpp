@@ -45,7 +45,7 @@ class ToneMapTest : public QObject {
     }
 
     void aFilmBecomesRgbaFromTheTop() {
-        Film film({3, 2}, 0);
+        Film film(ivec2(3, 2), 0);
         TileSums sums = film.sums({0, 0, 3, 2});
         for (int i = 0; i < 6; ++i)
             sums.pixels[i] = {dvec3(i, 2 * i, 0.1), dvec3(0), 1};
@@ -65,7 +65,7 @@ class ToneMapTest : public QObject {
         for (const double threshold : displayThresholds())
             for (const double scale : {1 - 1e-15, 1.0, 1 + 1e-15, 0.999, 1.001})
                 radiances.push_back(threshold * scale);
-        Film film({int(radiances.size()), 1}, 0);
+        Film film(ivec2(int(radiances.size()), 1), 0);
         TileSums sums = film.sums({0, 0, film.size().x, 1});
         for (std::size_t i = 0; i < radiances.size(); ++i)
             sums.pixels[i] = {dvec3(radiances[i]), dvec3(0), 1};

@@ -73,7 +73,7 @@ class YardstickTest : public QObject {
         scene->film = {96, 96};
         const auto device = makeCpuDevice();
         const Film cells = test::render(*scene, 128, *device);
-        const Film global = test::sampled(*device, test::withGlobalMajorant(*scene), 128);
+        const Film global = test::sampled(test::withGlobalMajorant(*scene), 128);
         test::Sample difference;  // of pixels: a paired t-test on 9216 of them
         for (int y = 0; y < 96; ++y)
             for (int x = 0; x < 96; ++x)

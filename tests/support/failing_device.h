@@ -59,11 +59,15 @@ class FailingFilm final : public LiveFilm {
     FailingFilm(std::unique_ptr<LiveFilm> film, std::shared_ptr<Mishaps> mishaps)
         : film_(std::move(film)), mishaps_(std::move(mishaps)) {}
 
-    Result<void> iterate(std::uint32_t n, std::stop_token stop) override {
+    using LiveFilm::iterate;
+
+    Tile area() const override { return film_->area(); }
+
+    Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
         mishaps_->before("iterate");
         if (Result<void> well = mishaps_->call(mishaps_->iterates); !well)
             return well;
-        Result<void> iterated = film_->iterate(n, stop);
+        Result<void> iterated = film_->iterate(region, n, stop);
         spend(n * mishaps_->iterationSeconds, stop);
         return iterated;
     }
@@ -107,6 +111,12 @@ class FailingFilm final : public LiveFilm {
         return film_->resume(film);
     }
 
+    Result<void> restart(const Tile& area, std::uint64_t revision) override {
+        mishaps_->before("film");
+        pictures_.clear();
+        return film_->restart(area, revision);
+    }
+
   private:
     void spend(double seconds, const std::stop_token& stop) {
         busyUntil_ = std::max(mishaps_->now(), busyUntil_) + seconds;
@@ -126,22 +136,25 @@ class FailingDevice final : public Device {
 
     DeviceInfo info() const override { return {"failing", "for tests", false}; }
 
-    Result<void> upload(std::shared_ptr<const PreparedScene> scene) override {
+    using Device::film;
+
+    Result<void> upload(const Scene& scene) override {
         mishaps_->before("upload");
         if (mishaps_->tooSmall)
             return Error{"the volume needs 9.3 GB and 6.0 GB are free", "", "Choose a smaller part of it."};
         if (Result<void> well = mishaps_->call(mishaps_->uploads); !well)
             return well;
-        return inner_.upload(std::move(scene));
+        return inner_.upload(scene);
+    }
+    Result<void> unload() override {
+        mishaps_->before("upload");
+        return inner_.unload();
     }
 
-    Result<void> render(const Tile& tile, SampleRange samples, TileSums sums, std::stop_token stop) override {
-        return inner_.render(tile, samples, sums, stop);
-    }
-
-    Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) override {
+    Result<std::unique_ptr<LiveFilm>> film(const Tile& area, std::uint64_t revision,
+                                           const Schedule& schedule) override {
         mishaps_->before("film");
-        Result<std::unique_ptr<LiveFilm>> film = inner_.film(size, revision, schedule);
+        Result<std::unique_ptr<LiveFilm>> film = inner_.film(area, revision, schedule);
         if (!film)
             return film;
         return std::unique_ptr<LiveFilm>(std::make_unique<FailingFilm>(*std::move(film), mishaps_));

@@ -26,7 +26,7 @@ void grow(Film& film, std::uint64_t count, Value&& value, Seen&& seen) {
             PixelSums& sums = film.sums(whole).pixels[pixel];
             sums.seen |= seen(pixel);
             for (std::uint32_t i = 0; i < range.count; ++i)
-                addSample(sums, vec3(float(value(pixel, range.first + i))));
+                addSample(sums, vec3(float(value(pixel, range.first + i))), range.first + i);
         }
         film.commit(range);
     }
@@ -39,13 +39,14 @@ struct Known {
     std::uint32_t seen = kSeenTissue | kSeenChance;
 };
 inline Film knownFilm(const std::vector<Known>& pixels, std::uint32_t n) {
-    FilmContent content{n, std::vector<Moments>(pixels.size()), std::vector<PixelSums>(pixels.size()), {}};
+    FilmContent content = Film(ivec2(int(pixels.size()), 1), 1).content();
+    content.progress.advance(content.progress.area(), n);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const auto& [mean, spread, seen] = pixels[i];
-        content.moments[i] = {dvec3(mean), dvec3(n * spread * spread), n};
+        content.moments[i] = {dvec3(mean), dvec3(n * spread * spread), n, vec3(float(mean)), n / 2};
         content.block[i].seen = seen;
     }
-    return Film({int(pixels.size()), 1}, 1, std::move(content));
+    return Film(1, std::move(content));
 }
 
 /// The status that a screen is told, by the CPU and by a GPU's programs; they must agree.

@@ -13,14 +13,14 @@ inline constexpr Tile kOnePixel{0, 0, 1, 1};
 /// After `count` samples value(i), n to an iteration.
 template <class Value>
 Film filmOf(std::uint64_t count, Value&& value, std::uint32_t n = 64) {
-    Film film({1, 1}, 0);
+    Film film(ivec2(1, 1), 0);
     while (film.samplesPerPixel() < count) {
         const SampleRange range =
             film.nextSamples(std::uint32_t(std::min<std::uint64_t>(n, count - film.samplesPerPixel())));
         const TileSums sums = film.sums(kOnePixel);
         for (std::uint64_t sample = range.first; sample < range.first + range.count; ++sample) {
             const vec3 radiance(float(value(sample)));
-            if (!addSample(*sums.pixels, radiance))
+            if (!addSample(*sums.pixels, radiance, sample))
                 sums.health->add(faultOf(radiance), sample, 0);
         }
         film.commit(range);

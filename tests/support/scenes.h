@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "render/device/cpu/cpu_tracer.h"
 #include "render/device/device.h"
 #include "render/film/film.h"
 #include "render/scene/flatten.h"
@@ -48,27 +49,53 @@ inline Scene plainScene(std::shared_ptr<const Volume> volume, float extinctionPe
     return scene;
 }
 
-/// Takes `samples` a pixel of what is prepared, n iterations at a time, in tiles of `tile` pixels.
-inline Film sampled(Device& device, std::shared_ptr<const PreparedScene> prepared, std::uint64_t samples,
-                    std::uint32_t n = 64, int tile = 4096) {
+/// Takes `samples` a pixel of what is prepared on the CPU, n iterations at a time, in tiles of `tile` pixels: for scenes
+/// whose tables a test has changed. `threads` 0 = one per core.
+inline Film sampled(const std::shared_ptr<const PreparedScene>& prepared, std::uint64_t samples, std::uint32_t n = 64,
+                    int tile = 4096, int threads = 0) {
     const ivec2 size = prepared->flat.camera.film;
     Film film(size, prepared->revision);
-    (void)device.upload(std::move(prepared));
+    CpuTracer tracer(threads);
     while (film.samplesPerPixel() < samples) {
         const SampleRange range =
             film.nextSamples(std::uint32_t(std::min<std::uint64_t>(n, samples - film.samplesPerPixel())));
         for (int y = 0; y < size.y; y += tile)
             for (int x = 0; x < size.x; x += tile) {
                 const Tile piece{x, y, std::min(tile, size.x - x), std::min(tile, size.y - y)};
-                (void)device.render(piece, range, film.sums(piece), {});
+                tracer.trace(prepared->flat, piece, range, film.sums(piece));
             }
         film.commit(range);
     }
     return film;
 }
 
+/// The part `area` of the picture, n iterations at a time. The scene must be on the device.
+inline std::shared_ptr<const Film> renderedPart(const Scene& scene, const Tile& area, std::uint64_t samples,
+                                                Device& device, std::uint32_t n) {
+    const auto film = *device.film(area, scene.revision, {});
+    for (std::uint64_t done = 0; done < samples; done += n)
+        (void)film->iterate(std::uint32_t(std::min<std::uint64_t>(n, samples - done)), {});
+    return *film->film();
+}
+
+/// n iterations at a time, in parts of `tile` x `tile` pixels, each a film of its own.
 inline Film render(const Scene& scene, std::uint64_t samples, Device& device, std::uint32_t n = 64, int tile = 4096) {
-    return sampled(device, Flattener().prepare(scene), samples, n, tile);
+    const ivec2 size = scene.film;
+    (void)device.upload(scene);
+    FilmContent content = Film(size, scene.revision).content();
+    content.progress.advance({0, 0, size.x, size.y}, samples);
+    for (int y = 0; y < size.y; y += tile)
+        for (int x = 0; x < size.x; x += tile) {
+            const Tile area{x, y, std::min(tile, size.x - x), std::min(tile, size.y - y)};
+            const FilmContent part = renderedPart(scene, area, samples, device, n)->content();
+            for (int row = 0; row < area.height; ++row) {
+                const std::ptrdiff_t to = std::ptrdiff_t(y + row) * size.x + x, from = std::ptrdiff_t(row) * area.width;
+                std::copy_n(part.moments.begin() + from, area.width, content.moments.begin() + to);
+                std::copy_n(part.block.begin() + from, area.width, content.block.begin() + to);
+            }
+            content.health.add(part.health);
+        }
+    return Film(scene.revision, std::move(content));
 }
 
 inline Film render(const Scene& scene, std::uint64_t samples) {

@@ -35,13 +35,12 @@ class Experiment {
           measured_(measured) {}
 
     Result<void> prepare(Scene scene) {
-        Flattener flattener;
         for (const ivec2 size : plan_.sizes) {
             scene.film = size;
             ++scene.revision;
             if (const Result<void> sound = scene.check(); !sound)
                 return sound;
-            scenes_.push_back(flattener.prepare(scene, boundsFor(device_.info())));
+            scenes_.push_back(scene);
             for (int way = 0; way < kWayCount; ++way)
                 measured_.cells.push_back({size, WayPlace(way), {}});
         }
@@ -63,7 +62,7 @@ class Experiment {
                         return there;
                 uploaded = true;
                 watch_(cell, number, secondsLeft(number));
-                if (Result<void> ran = run(cell, scenes_[size]->revision); !ran)
+                if (Result<void> ran = run(cell, scenes_[size].revision); !ran)
                     return Error{ran.error().text(), text(cell.size) + " " + kWays[cell.way].title(), ""};
             }
         }
@@ -118,7 +117,7 @@ class Experiment {
     const Watch& watch_;
     std::stop_token stop_;
     Measured& measured_;
-    std::vector<std::shared_ptr<const PreparedScene>> scenes_;
+    std::vector<Scene> scenes_;
 };
 
 }  // namespace

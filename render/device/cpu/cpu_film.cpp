@@ -5,17 +5,17 @@
 
 namespace pdr {
 
-Result<void> CpuFilm::iterate(std::uint32_t n, std::stop_token stop) {
-    const Tile whole{0, 0, film_.size().x, film_.size().y};
-    while (n > 0) {
-        const SampleRange range = film_.nextSamples(n);
-        if (Result<void> rendered = device_.render(whole, range, film_.sums(whole), stop); !rendered)
-            return rendered;
-        if (stop.stop_requested())
-            return {};
-        film_.commit(range);
-        n -= range.count;
-    }
+Result<void> CpuFilm::iterate(const Tile& region, std::uint32_t n, std::stop_token stop) {
+    const TileProgress& progress = film_.progress();
+    for (const EvenTile& even : progress.evenTiles(progress.cellsAround(region)))
+        for (std::uint32_t left = n; left > 0;) {
+            const SampleRange range = samplesInBlock(even.next + (n - left), left);
+            tracer_.trace(scene_->flat, even.tile, range, film_.sums(even.tile), stop);
+            if (stop.stop_requested())
+                return {};
+            film_.commit(even.tile, range);
+            left -= range.count;
+        }
     return {};
 }
 
@@ -32,8 +32,14 @@ Result<Picture> CpuFilm::take() {
 }
 
 Result<void> CpuFilm::resume(const Film& film) {
-    assert(film.size() == film_.size());
-    film_ = Film(film_.size(), film_.revision(), film.content());
+    assert(film.area() == film_.area());
+    film_ = Film(film_.revision(), film.content());
+    return {};
+}
+
+Result<void> CpuFilm::restart(const Tile& area, std::uint64_t revision) {
+    shown_.clear();
+    film_.restart(area, revision);
     return {};
 }
 

@@ -2,25 +2,35 @@
 /// The film of the CPU: it lies on the host, and nothing goes on behind.
 
 #include <deque>
+#include <memory>
 
-#include "render/device/device.h"
+#include "render/device/cpu/cpu_tracer.h"
+#include "render/device/live_film.h"
+#include "render/scene/flatten.h"
 
 namespace pdr {
 
 class CpuFilm final : public LiveFilm {
   public:
-    /// `device` must outlive it.
-    CpuFilm(Device& device, ivec2 size, std::uint64_t revision) : device_(device), film_(size, revision) {}
+    /// `scene`: where its device keeps what was uploaded last. Both must outlive it.
+    CpuFilm(CpuTracer& tracer, const std::shared_ptr<const PreparedScene>& scene, const Tile& area,
+            std::uint64_t revision)
+        : tracer_(tracer), scene_(scene), film_(area, revision) {}
 
-    Result<void> iterate(std::uint32_t n, std::stop_token stop) override;
+    using LiveFilm::iterate;
+
+    Tile area() const override { return film_.area(); }
+    Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
     Result<void> show(const Display& display) override;
     Result<Picture> take() override;
     int ahead() const override { return 1; }
     Result<std::shared_ptr<const Film>> film() override { return std::make_shared<const Film>(film_); }
     Result<void> resume(const Film& film) override;
+    Result<void> restart(const Tile& area, std::uint64_t revision) override;
 
   private:
-    Device& device_;
+    CpuTracer& tracer_;
+    const std::shared_ptr<const PreparedScene>& scene_;
     Film film_;
     std::deque<Picture> shown_;
 };

@@ -17,10 +17,14 @@ struct TakeSample {
 
 }  // namespace
 
+void CpuFrameSampler::restart(const Tile& area) {
+    area_ = area;
+    sums_.assign(std::size_t(area.width) * std::size_t(area.height), {});
+    health_ = {};
+}
+
 Result<void> CpuFrameSampler::sample(std::uint64_t number, SampledPixel* frame, std::stop_token stop) {
-    const Tile whole{0, 0, size_.x, size_.y};
-    if (Result<void> rendered = device_.render(whole, {number, 1}, {sums_.data(), size_.x, &health_}, stop); !rendered)
-        return rendered;
+    tracer_.trace(scene_->flat, area_, {number, 1}, {sums_.data(), area_.width, &health_}, stop);
     gpu_.launch(TakeSample{sums_.data(), frame}, std::int64_t(sums_.size()), GpuStream::compute);
     return {};
 }

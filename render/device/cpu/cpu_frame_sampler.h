@@ -1,10 +1,10 @@
 #pragma once
-/// Samples for the schedule of Exposure Render from a device that renders into host memory.
+/// Samples for the schedule of Exposure Render, taken by the CPU.
 
 #include <vector>
 
+#include "render/device/cpu/cpu_tracer.h"
 #include "render/device/cpu/host_gpu.h"
-#include "render/device/device.h"
 #include "render/device/gpu/frame_sampler.h"
 
 namespace pdr {
@@ -12,9 +12,10 @@ namespace pdr {
 class CpuFrameSampler final : public FrameSampler {
   public:
     /// `scene`: where the device keeps what was uploaded last. All must outlive it.
-    CpuFrameSampler(Device& device, HostGpu& gpu, const std::shared_ptr<const PreparedScene>& scene, ivec2 size)
-        : device_(device), gpu_(gpu), scene_(scene), size_(size), sums_(std::size_t(size.x) * std::size_t(size.y)) {}
+    CpuFrameSampler(CpuTracer& tracer, HostGpu& gpu, const std::shared_ptr<const PreparedScene>& scene)
+        : tracer_(tracer), gpu_(gpu), scene_(scene) {}
 
+    void restart(const Tile& area) override;
     Result<void> sample(std::uint64_t number, SampledPixel* frame, std::stop_token stop) override;
     Result<Health> takeHealth() override { return std::exchange(health_, {}); }
 
@@ -22,10 +23,10 @@ class CpuFrameSampler final : public FrameSampler {
     FlatScene sceneOnDevice() const override { return scene_->flat; }
 
   private:
-    Device& device_;
+    CpuTracer& tracer_;
     HostGpu& gpu_;
     const std::shared_ptr<const PreparedScene>& scene_;
-    ivec2 size_;
+    Tile area_;
     std::vector<PixelSums> sums_;  ///< zero between two samples
     Health health_;
 };

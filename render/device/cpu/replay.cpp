@@ -61,7 +61,7 @@ Replay replayed(const PreparedScene& scene, ivec2 pixel, std::uint64_t sample) {
     Witness witness(flat, scene.volume->geometry().centreMm(), replay.legs);
     const Sampled traced = tracePath<kAll>(flat, pixel, sample, matterDepths(flat, pixel), witness);
     replay.radiance = traced.radiance;
-    if (PixelSums sums; !addSample(sums, traced.radiance))
+    if (PixelSums sums; !addSample(sums, traced.radiance, 0))
         replay.faults.add(faultOf(traced.radiance), sample, number);
     if (traced.overMajorant)
         replay.faults.add(Fault::overMajorant, sample, number);

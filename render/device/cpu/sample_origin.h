@@ -18,7 +18,7 @@ struct SampleOrigin {
 
     /// Adds what it brought, or counts why that is no radiance.
     PDR_HD_INLINE void add(vec3 radiance, Health& health) const {
-        if (!addSample(*target, radiance)) [[unlikely]]
+        if (!addSample(*target, radiance, sample)) [[unlikely]]
             note(faultOf(radiance), health);
     }
     /// Tells its pixel what it has seen: kSeen...

@@ -6,6 +6,7 @@
 #include <stop_token>
 
 #include "render/base/health.h"
+#include "render/base/tile.h"
 #include "render/base/result.h"
 #include "render/scene/flatten.h"
 
@@ -22,6 +23,8 @@ class FrameSampler {
   public:
     virtual ~FrameSampler() = default;
 
+    /// The next frames are of that part of the image. Errors are told by the next sample.
+    virtual void restart(const Tile& area) = 0;
     /// Writes sample `number` of every pixel to `frame`, device memory, row by row from the top; orders it or does it.
     /// After a stop request the frame is worthless. Errors: the device's.
     virtual Result<void> sample(std::uint64_t number, SampledPixel* frame, std::stop_token stop) = 0;

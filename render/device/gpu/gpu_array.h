@@ -89,16 +89,26 @@ class GpuTable {
 template <Gpu G>
 class PinnedBytes {
   public:
-    PinnedBytes(G& gpu, std::size_t count) : gpu_(gpu), data_(static_cast<std::byte*>(gpu.allocatePinned(count))) {}
+    PinnedBytes(G& gpu, std::size_t count) : gpu_(gpu) { resize(count); }
     ~PinnedBytes() { gpu_.releasePinned(data_); }
     PinnedBytes(const PinnedBytes&) = delete;
     PinnedBytes& operator=(const PinnedBytes&) = delete;
 
     std::byte* data() const { return data_; }
 
+    /// What was there is lost. Memory is taken anew only where there is too little; nothing may be on its way to it.
+    void resize(std::size_t count) {
+        if (count <= room_)
+            return;
+        gpu_.releasePinned(std::exchange(data_, nullptr));
+        data_ = static_cast<std::byte*>(gpu_.allocatePinned(count));
+        room_ = data_ != nullptr ? count : 0;
+    }
+
   private:
     G& gpu_;
-    std::byte* data_;
+    std::byte* data_ = nullptr;
+    std::size_t room_ = 0;
 };
 
 }  // namespace pdr

@@ -19,113 +19,125 @@ namespace pdr {
 template <Gpu G>
 class GpuFilm final : public LiveFilm {
   public:
-    /// `gpu` and `scene` must outlive it. outcome(gpu) tells whether there is room for it.
-    GpuFilm(G& gpu, const GpuScene<G>& scene, ivec2 size, std::uint64_t revision);
+    /// `gpu` and `scene` must outlive it. restart() comes first.
+    GpuFilm(G& gpu, const GpuScene<G>& scene) : gpu_(gpu), scene_(scene) {}
     ~GpuFilm() override {
         gpu_.awaitAll();
         gpu_.takeError();  // nobody is left to be told
     }
 
-    Result<void> iterate(std::uint32_t n, std::stop_token stop) override;
+    using LiveFilm::iterate;
+
+    Tile area() const override { return progress_.area(); }
+    Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
     Result<void> show(const Display& display) override;
     Result<Picture> take() override;
     int ahead() const override { return kAhead; }
     Result<std::shared_ptr<const Film>> film() override;
     Result<void> resume(const Film& film) override;
+    Result<void> restart(const Tile& area, std::uint64_t revision) override;
 
   private:
     static constexpr int kAhead = 2;
 
     /// A picture on its way.
     struct Slot {
-        Slot(G& gpu, std::size_t bytes) : onDevice(gpu, bytes), onHost(gpu, bytes) {}
+        explicit Slot(G& gpu) : onDevice(gpu), onHost(gpu, 0) {}
+        void resize(std::size_t bytes) {
+            onDevice.resize(bytes);
+            onHost.resize(bytes);
+        }
 
         GpuArray<G, std::byte> onDevice;
         PinnedBytes<G> onHost;
         typename G::Event developed{}, arrived{};
         std::uint64_t id = 0;
-        std::uint64_t samples = 0;
+        SampleCounts samples;
         double exposure = 1;
     };
 
-    Tile whole() const { return {0, 0, size_.x, size_.y}; }
-    std::int64_t pixels() const { return std::int64_t(size_.x) * size_.y; }
-    void launch(std::uint32_t samples);
+    std::int64_t pixels() const { return layout_.pixels; }
+    void launch(const Tile& tile, SampleRange samples);
     Picture pictureIn(const Slot& slot) const;
 
     G& gpu_;
     const GpuScene<G>& scene_;
-    ivec2 size_;
-    std::uint64_t revision_;
-    std::uint64_t samples_ = 0;
-    FrameLayout layout_;
-    LaunchSize launchSize_;
+    TileProgress progress_;
+    std::uint64_t revision_ = 0;
+    FrameLayout layout_{};
+    LaunchSize launchSize_{1};
 
-    GpuArray<G, PixelSums> block_;
-    GpuArray<G, Moments> moments_;
-    GpuArray<G, vec3> radiance_;
-    GpuArray<G, std::uint32_t> seen_;  ///< what was seen here and is not yet in block_
-    GpuArray<G, StatusSums> sums_;
-    GpuArray<G, ErrorCounts> errors_;
-    GpuArray<G, GpuHealth> health_;
-    GpuArray<G, double> thresholds_;
-    GpuArray<G, float> curve_;
-    std::array<Slot, kAhead> slots_;
+    GpuArray<G, PixelSums> block_{gpu_};
+    GpuArray<G, Moments> moments_{gpu_};
+    GpuArray<G, vec3> radiance_{gpu_};
+    GpuArray<G, std::uint32_t> seen_{gpu_};  ///< what was seen here and is not yet in block_
+    GpuArray<G, StatusSums> sums_{gpu_};
+    GpuArray<G, ErrorCounts> errors_{gpu_};
+    GpuArray<G, GpuHealth> health_{gpu_};
+    GpuArray<G, double> thresholds_{gpu_};
+    GpuArray<G, float> curve_{gpu_};
+    std::array<Slot, kAhead> slots_{Slot(gpu_), Slot(gpu_)};
     std::uint64_t shown_ = 0, taken_ = 0;
     std::array<typename G::Event, 2> launched_{};  ///< the ends of the last two launches
     std::uint64_t launches_ = 0;
 };
 
 template <Gpu G>
-GpuFilm<G>::GpuFilm(G& gpu, const GpuScene<G>& scene, ivec2 size, std::uint64_t revision)
-    : gpu_(gpu),
-      scene_(scene),
-      size_(size),
-      revision_(revision),
-      layout_{pixels()},
-      launchSize_(pixels()),
-      block_(gpu, pixels()),
-      moments_(gpu, pixels()),
-      radiance_(gpu),
-      seen_(gpu, pixels()),
-      sums_(gpu, layout_.sums()),
-      errors_(gpu, kCountPlaces),
-      health_(gpu, 1),
-      thresholds_(gpu, kThresholds),
-      curve_(gpu, kCurveEntries),
-      slots_{Slot(gpu, layout_.bytes()), Slot(gpu, layout_.bytes())} {
+Result<void> GpuFilm<G>::restart(const Tile& area, std::uint64_t revision) {
+    gpu_.awaitAll();  // nothing may be on its way to what is emptied
+    progress_ = TileProgress(area);
+    revision_ = revision;
+    layout_ = {std::int64_t(area.width) * area.height};
+    launchSize_ = LaunchSize(pixels());
+    taken_ = shown_;
+    const std::size_t all = std::size_t(pixels());
+    block_.resize(all);
+    moments_.resize(all);
+    seen_.resize(all);
+    sums_.resize(std::size_t(layout_.sums()));
+    errors_.resize(kCountPlaces);
+    health_.resize(1);
+    for (Slot& slot : slots_)
+        slot.resize(std::size_t(layout_.bytes()));
     block_.clear();
     moments_.clear();
     seen_.clear();
     errors_.clear();
     const GpuHealth perfect;
     health_.copyFrom(&perfect);
-    thresholds_.copyFrom(displayThresholds().data());
-    curve_.copyFrom(displayCurve());
+    if (thresholds_.size() == 0) {
+        thresholds_.assign(displayThresholds());
+        curve_.assign({displayCurve(), std::size_t(kCurveEntries)});
+    }
+    return outcome(gpu_);
 }
 
 template <Gpu G>
-void GpuFilm<G>::launch(std::uint32_t samples) {
-    radiance_.resize(std::size_t(pixels()) * samples);
-    const TraceTarget target{{whole(), {samples_, samples}}, radiance_.data(), health_.data(), seen_.data()};
-    traceAndAdd(gpu_, scene_.flat(), target, block_.data(), moments_.data());
-    samples_ += samples;
+void GpuFilm<G>::launch(const Tile& tile, SampleRange samples) {
+    const SampleGrid grid{tile, samples};
+    radiance_.resize(std::size_t(grid.pixels()) * samples.count);
+    const int stride = area().width;
+    const std::ptrdiff_t corner = std::ptrdiff_t(tile.y - area().y) * stride + (tile.x - area().x);
+    const TraceTarget target{grid, radiance_.data(), health_.data(), seen_.data() + corner, stride};
+    traceAndAdd(gpu_, scene_.flat(), target, block_.data() + corner, moments_.data() + corner);
+    progress_.advance(tile, samples.end());
 }
 
 /// One launch is under way while the next is ordered, and no more, so that a stop comes within a launch.
 template <Gpu G>
-Result<void> GpuFilm<G>::iterate(std::uint32_t n, std::stop_token stop) {
+Result<void> GpuFilm<G>::iterate(const Tile& region, std::uint32_t n, std::stop_token stop) {
     if (Result<void> scene = scene_.isThere(); !scene)
         return scene;
-    while (n > 0 && !stop.stop_requested()) {
-        const std::uint32_t samples = std::min(n, launchSize_.samples());
-        launch(samples);
-        n -= samples;
-        gpu_.record(launched_[launches_ % 2], GpuStream::compute);
-        ++launches_;
-        gpu_.await(launched_[launches_ % 2]);
-        launchSize_.ended(samples);
-    }
+    for (const EvenTile& even : progress_.evenTiles(progress_.cellsAround(region)))
+        for (std::uint32_t done = 0; done < n && !stop.stop_requested();) {
+            const std::uint32_t samples = std::min(n - done, launchSize_.samples());
+            launch(even.tile, {even.next + done, samples});
+            done += samples;
+            gpu_.record(launched_[launches_ % 2], GpuStream::compute);
+            ++launches_;
+            gpu_.await(launched_[launches_ % 2]);
+            launchSize_.ended(samples);
+        }
     return outcome(gpu_);
 }
 
@@ -134,7 +146,7 @@ Result<void> GpuFilm<G>::show(const Display& display) {
     assert(shown_ - taken_ < kAhead);
     Slot& slot = slots_[shown_ % kAhead];
     slot.id = ++shown_;
-    slot.samples = samples_;
+    slot.samples = progress_.counts();
     slot.exposure = double(display.exposure);
     std::byte* frame = slot.onDevice.data();
     gpu_.launch(DevelopProgram{layout_, block_.data(), moments_.data(), thresholds_.data(), curve_.data(),
@@ -189,7 +201,7 @@ Picture GpuFilm<G>::pictureIn(const Slot& slot) const {
 template <Gpu G>
 Result<std::shared_ptr<const Film>> GpuFilm<G>::film() {
     FilmContent content{
-        samples_, std::vector<Moments>(std::size_t(pixels())), std::vector<PixelSums>(std::size_t(pixels())), {}};
+        progress_, std::vector<Moments>(std::size_t(pixels())), std::vector<PixelSums>(std::size_t(pixels())), {}};
     GpuHealth health;
     moments_.copyTo(content.moments.data());
     block_.copyTo(content.block.data());
@@ -198,20 +210,20 @@ Result<std::shared_ptr<const Film>> GpuFilm<G>::film() {
     if (Result<void> done = outcome(gpu_); !done)
         return done.error();
     content.health = toHealth(health);
-    return std::make_shared<const Film>(size_, revision_, std::move(content));
+    return std::make_shared<const Film>(revision_, std::move(content));
 }
 
 template <Gpu G>
 Result<void> GpuFilm<G>::resume(const Film& film) {
-    assert(film.size() == size_);
-    const FilmContent content = film.content();
+    assert(film.area() == area());
+    FilmContent content = film.content();
     const GpuHealth health = toGpuHealth(content.health);
     moments_.copyFrom(content.moments.data());
     block_.copyFrom(content.block.data());
     seen_.clear();
     health_.copyFrom(&health);
     gpu_.awaitAll();
-    samples_ = content.samplesPerPixel;
+    progress_ = std::move(content.progress);
     return outcome(gpu_);
 }
 

@@ -17,7 +17,7 @@ struct KeepSampleProgram {
     PDR_HD void operator()(std::int64_t index) const {
         PixelSums sums;
         const vec3 radiance = from.radiance[index];
-        const bool counts = addSample(sums, radiance);
+        const bool counts = addSample(sums, radiance, 0);
         if (!counts)
             from.health->note(faultOf(radiance), from.grid.samples.first, std::uint32_t(index));
         frame[index] = {counts ? radiance : vec3(0), std::uint16_t(counts), std::uint16_t(from.seen[index])};
@@ -28,8 +28,14 @@ template <Gpu G>
 class GpuFrameSampler final : public FrameSampler {
   public:
     /// All must outlive it.
-    GpuFrameSampler(G& gpu, const GpuScene<G>& scene, ivec2 size)
-        : gpu_(gpu), scene_(scene), size_(size), radiance_(gpu, std::size_t(size.x) * size.y), seen_(gpu, std::size_t(size.x) * size.y), health_(gpu, 1) {
+    GpuFrameSampler(G& gpu, const GpuScene<G>& scene)
+        : gpu_(gpu), scene_(scene), radiance_(gpu), seen_(gpu), health_(gpu, 1) {}
+
+    void restart(const Tile& area) override {
+        area_ = area;
+        const std::size_t pixels = std::size_t(area.width) * std::size_t(area.height);
+        radiance_.resize(pixels);
+        seen_.resize(pixels);
         seen_.clear();
         const GpuHealth perfect;
         health_.copyFrom(&perfect);
@@ -38,7 +44,7 @@ class GpuFrameSampler final : public FrameSampler {
     Result<void> sample(std::uint64_t number, SampledPixel* frame, std::stop_token) override {
         if (Result<void> scene = scene_.isThere(); !scene)
             return scene;
-        const TraceTarget target{{{0, 0, size_.x, size_.y}, {number, 1}}, radiance_.data(), health_.data(), seen_.data()};
+        const TraceTarget target{{area_, {number, 1}}, radiance_.data(), health_.data(), seen_.data(), area_.width};
         traceLaunchFor<G>(scene_.flat())(gpu_, scene_.flat(), target);
         gpu_.launch(KeepSampleProgram{target, frame}, target.grid.pixels(), GpuStream::compute);
         return outcome(gpu_);
@@ -61,7 +67,7 @@ class GpuFrameSampler final : public FrameSampler {
   private:
     G& gpu_;
     const GpuScene<G>& scene_;
-    ivec2 size_;
+    Tile area_;
     GpuArray<G, vec3> radiance_;
     GpuArray<G, std::uint32_t> seen_;
     GpuArray<G, GpuHealth> health_;

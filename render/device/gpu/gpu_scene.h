@@ -18,9 +18,12 @@ class GpuScene {
   public:
     explicit GpuScene(G& gpu) : gpu_(gpu) {}
 
-    /// Takes `scene`. What rays are led by is sent where the scene has it (Bounds::onHost), else made. Errors: it does
-    /// not fit (needed, free), or the GPU's; then there is no scene. Null: there is none, and its memory is given back.
+    /// Takes `scene`, flattened; its acceleration structure is made here. Errors: it does not fit (needed, free), or the
+    /// GPU's; then there is no scene.
     Result<void> upload(std::shared_ptr<const PreparedScene> scene);
+
+    /// There is no scene any more, and its memory is given back.
+    Result<void> close();
 
     /// As it was uploaded; null: there is none.
     const std::shared_ptr<const PreparedScene>& prepared() const { return scene_; }
@@ -45,9 +48,7 @@ class GpuScene {
     void sendEnvironment(const PreparedScene& scene);
     Result<void> bound(const PreparedScene& scene);
     void boundView(const PreparedScene& scene);
-    void sendBounds(const PreparedScene& scene);
     void forget();
-    Result<void> close();
 
     G& gpu_;
     std::shared_ptr<const PreparedScene> scene_;
@@ -83,14 +84,8 @@ std::size_t GpuScene<G>::bytesFor(ivec3 voxels) {
 
 template <Gpu G>
 Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
-    if (!scene)
-        return close();
     const bool sameVolume = scene_ && scene_->volume == scene->volume;
-    const bool made = scene->flat.majorants.fine == nullptr;
-    const bool sameBounds = sameVolume && made && scene_->flat.majorants.fine == nullptr &&
-                            scene_->tables.sameOpacity(scene->tables) &&
-                            (scene_->flat.optics.model == FlatModel::maximumIntensity) ==
-                                (scene->flat.optics.model == FlatModel::maximumIntensity);
+    const bool sameBounds = scene_ && sameMajorants(*scene_, *scene);
     scene_ = nullptr;
     if (!sameVolume)
         if (Result<void> fits = takeVolume(*scene); !fits)
@@ -105,10 +100,9 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     sendEnvironment(*scene);
     if (sameBounds)
         flat_.majorants = bounds;
-    else if (made)
-        if (Result<void> bounded = bound(*scene); !bounded)
-            return bounded;
-    made ? boundView(*scene) : sendBounds(*scene);
+    else if (Result<void> bounded = bound(*scene); !bounded)
+        return bounded;
+    boundView(*scene);
     if (Result<void> done = outcome(gpu_); !done) {
         forget();
         return done;
@@ -256,19 +250,6 @@ void GpuScene<G>::boundView(const PreparedScene& scene) {
     gpu_.launch(ViewDepthsProgram{orderedDepths_.data(), wide_.data(), wideCells_.data(), blocks, depths_.data()},
                 std::int64_t(count), GpuStream::compute);
     flat_.viewBounds = {depths_.data(), blocks.x};
-}
-
-template <Gpu G>
-void GpuScene<G>::sendBounds(const PreparedScene& scene) {
-    const FlatMajorants& theirs = scene.flat.majorants;
-    const auto cells = [](ivec3 size) { return std::size_t(size.x) * size.y * size.z; };
-    const int rows = viewBlocks(scene.flat.camera.film).y;
-    fine_.assign({theirs.fine, cells(theirs.fineSize)});
-    coarse_.assign({theirs.coarse, cells(theirs.coarseSize)});
-    depths_.assign({scene.flat.viewBounds.depths, std::size_t(scene.flat.viewBounds.blocksPerRow) * rows});
-    flat_.majorants.fine = fine_.data();
-    flat_.majorants.coarse = coarse_.data();
-    flat_.viewBounds.depths = depths_.data();
 }
 
 template <Gpu G>

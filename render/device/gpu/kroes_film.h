@@ -27,16 +27,50 @@ namespace pdr {
 template <Gpu G>
 class KroesFilm final : public LiveFilm {
   public:
-    /// An empty film of `size` pixels; `gpu` must outlive it. Errors: no room for it.
-    static Result<std::unique_ptr<LiveFilm>> make(G& gpu, ivec2 size, std::uint64_t revision, const Schedule& schedule,
-                                                  std::unique_ptr<FrameSampler> sampler) {
-        std::unique_ptr<LiveFilm> film(new KroesFilm(gpu, size, revision, schedule, std::move(sampler)));
-        if (std::optional<Error> error = gpu.takeError())
-            return *std::move(error);
+    /// An empty film of that area; `gpu` must outlive it. Errors: no room for it.
+    static Result<std::unique_ptr<LiveFilm>> make(G& gpu, const Tile& area, std::uint64_t revision,
+                                                  const Schedule& schedule, std::unique_ptr<FrameSampler> sampler) {
+        std::unique_ptr<LiveFilm> film(new KroesFilm(gpu, schedule, std::move(sampler)));
+        if (Result<void> room = film->restart(area, revision); !room)
+            return room.error();
         return Result<std::unique_ptr<LiveFilm>>(std::move(film));  // nvcc needs it said
     }
 
-    Result<void> iterate(std::uint32_t n, std::stop_token stop) override {
+    using LiveFilm::iterate;
+
+    Tile area() const override { return area_; }
+
+    Result<void> restart(const Tile& area, std::uint64_t revision) override {
+        area_ = area;
+        revision_ = revision;
+        done_ = 0;
+        health_ = {};
+        stale_ = true;
+        pictures_.clear();
+        rgba_.resize(4 * pixels());
+        frame_.resize(pixels());
+        rgbaOnDevice_.resize(4 * pixels());
+        if (schedule_.filter)
+            blurred_.resize(pixels());
+        if (schedule_.runningMean) {
+            mean_.resize(pixels());
+            mean_.clear();
+        } else {
+            moments_.resize(pixels());
+            block_.resize(pixels());
+            moments_.clear();
+            block_.clear();
+        }
+        sampler_->restart(area);
+        gpu_.awaitAll();
+        if (std::optional<Error> error = gpu_.takeError())
+            return *std::move(error);
+        return {};
+    }
+
+    Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
+        if (!(region == area_))
+            return Error{"Exposure Render's schedule takes whole pictures only", "", "Choose the schedule of PD-Render."};
         for (; n > 0 && !stop.stop_requested(); --n)
             if (Result<void> done = iterateOnce(stop); !done)
                 return done;
@@ -72,7 +106,9 @@ class KroesFilm final : public LiveFilm {
         const Result<Health> health = allHealth();
         if (!health)
             return health.error();
-        FilmContent content{done_, std::vector<Moments>(pixels()), std::vector<PixelSums>(pixels()), *health};
+        TileProgress progress(area_);
+        progress.advance(area_, done_);
+        FilmContent content{std::move(progress), std::vector<Moments>(pixels()), std::vector<PixelSums>(pixels()), *health};
         if (schedule_.runningMean) {
             std::vector<SampledPixel> mean(pixels());
             mean_.copyTo(mean.data());
@@ -86,11 +122,11 @@ class KroesFilm final : public LiveFilm {
         }
         if (std::optional<Error> error = gpu_.takeError())
             return *std::move(error);
-        return std::make_shared<const Film>(size_, revision_, std::move(content));
+        return std::make_shared<const Film>(revision_, std::move(content));
     }
 
     Result<void> resume(const Film& film) override {
-        assert(film.size() == size_);
+        assert(film.area() == area_);
         const FilmContent content = film.content();
         if (schedule_.runningMean) {
             std::vector<SampledPixel> mean(pixels());
@@ -107,46 +143,21 @@ class KroesFilm final : public LiveFilm {
             return *std::move(error);
         if (const Result<Health> dropped = sampler_->takeHealth(); !dropped)
             return dropped.error();
-        done_ = content.samplesPerPixel;
+        done_ = content.progress.counts().least;
         health_ = content.health;
         stale_ = true;
         return {};
     }
 
   private:
-    KroesFilm(G& gpu, ivec2 size, std::uint64_t revision, const Schedule& schedule,
-              std::unique_ptr<FrameSampler> sampler)
-        : gpu_(gpu),
-          size_(size),
-          revision_(revision),
-          schedule_(schedule),
-          sampler_(std::move(sampler)),
-          frame_(gpu, pixels()),
-          blurred_(gpu),
-          mean_(gpu),
-          moments_(gpu),
-          block_(gpu),
-          rgbaOnDevice_(gpu, 4 * pixels()),
-          thresholds_(gpu, kThresholds),
-          rgba_(4 * pixels()) {
+    KroesFilm(G& gpu, const Schedule& schedule, std::unique_ptr<FrameSampler> sampler)
+        : gpu_(gpu), schedule_(schedule), sampler_(std::move(sampler)), thresholds_(gpu, kThresholds) {
         thresholds_.copyFrom(displayThresholds().data());
         if (schedule.redundant)
             constants_.emplace(gpu);
-        if (schedule.filter)
-            blurred_.resize(pixels());
-        if (schedule.runningMean) {
-            mean_.resize(pixels());
-            mean_.clear();
-        } else {
-            moments_.resize(pixels());
-            block_.resize(pixels());
-            moments_.clear();
-            block_.clear();
-        }
-        gpu.awaitAll();
     }
 
-    std::size_t pixels() const { return std::size_t(size_.x) * std::size_t(size_.y); }
+    std::size_t pixels() const { return std::size_t(area_.width) * std::size_t(area_.height); }
 
     /// A launch over all pixels, and the wait for it.
     template <class Program>
@@ -166,8 +177,8 @@ class KroesFilm final : public LiveFilm {
         if (stop.stop_requested())
             return {};
         if (schedule_.filter) {
-            stage(kroes::Blur{frame_.data(), blurred_.data(), size_, 0});
-            stage(kroes::Blur{blurred_.data(), frame_.data(), size_, 1});
+            stage(kroes::Blur{frame_.data(), blurred_.data(), {area_.width, area_.height}, 0});
+            stage(kroes::Blur{blurred_.data(), frame_.data(), {area_.width, area_.height}, 1});
         }
         accumulate();
         toneMap();
@@ -181,7 +192,7 @@ class KroesFilm final : public LiveFilm {
     void accumulate() {
         if (schedule_.runningMean)
             return stage(kroes::RunningMean{frame_.data(), mean_.data(), done_});
-        stage(kroes::AddToBlock{frame_.data(), block_.data()});
+        stage(kroes::AddToBlock{frame_.data(), block_.data(), done_});
         if ((done_ + 1) % kSamplesPerBlock == 0)
             stage(kroes::MergeBlock{block_.data(), moments_.data()});
     }
@@ -214,8 +225,11 @@ class KroesFilm final : public LiveFilm {
         const Result<Health> health = allHealth();
         if (!health)
             return health.error();
-        return FilmStatus{
-            .samplesPerPixel = done_, .health = *health, .relativeError = std::numeric_limits<double>::infinity()};
+        return FilmStatus{.samplesPerPixel = done_,
+                          .meanSamplesPerPixel = double(done_),
+                          .mostSamplesPerPixel = done_,
+                          .health = *health,
+                          .relativeError = std::numeric_limits<double>::infinity()};
     }
 
     /// Of the iterations done the first is not in the mean, unless it is alone.
@@ -226,8 +240,8 @@ class KroesFilm final : public LiveFilm {
     }
 
     G& gpu_;
-    ivec2 size_;
-    std::uint64_t revision_;
+    Tile area_;
+    std::uint64_t revision_ = 0;
     Schedule schedule_;
     std::unique_ptr<FrameSampler> sampler_;
     std::uint64_t done_ = 0;  ///< iterations
@@ -237,11 +251,11 @@ class KroesFilm final : public LiveFilm {
 
     // on the device
     std::optional<kroes::Constants<G>> constants_;  ///< of K0
-    GpuArray<G, SampledPixel> frame_, blurred_;
-    GpuArray<G, SampledPixel> mean_;  ///< of runningMean, else ...
-    GpuArray<G, Moments> moments_;
-    GpuArray<G, PixelSums> block_;
-    GpuArray<G, std::uint8_t> rgbaOnDevice_;
+    GpuArray<G, SampledPixel> frame_{gpu_}, blurred_{gpu_};
+    GpuArray<G, SampledPixel> mean_{gpu_};  ///< of runningMean, else ...
+    GpuArray<G, Moments> moments_{gpu_};
+    GpuArray<G, PixelSums> block_{gpu_};
+    GpuArray<G, std::uint8_t> rgbaOnDevice_{gpu_};
     GpuArray<G, double> thresholds_;
 
     std::vector<std::uint8_t> rgba_;  ///< the last picture

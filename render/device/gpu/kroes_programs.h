@@ -63,11 +63,12 @@ struct RunningMean {
 struct AddToBlock {
     const SampledPixel* frame;
     PixelSums* block;
+    std::uint64_t sample;
 
     PDR_HD void operator()(std::int64_t i) const {
         block[i].seen |= frame[i].seen;
         if (frame[i].counts > 0)
-            addSample(block[i], frame[i].radiance);
+            addSample(block[i], frame[i].radiance, sample);
     }
 };
 

@@ -73,7 +73,13 @@ struct TraceTarget {
     SampleGrid grid;
     vec3* radiance;  ///< linear Rec. 709
     GpuHealth* health;
-    std::uint32_t* seen;  ///< kSeen... of each pixel of the tile, row by row
+    std::uint32_t* seen;  ///< kSeen... of each pixel of the tile ...
+    int stride;           ///< ... and so many to the next row
+
+    /// Of a pixel of the tile, row by row, in `seen` and in a film.
+    PDR_HD std::int64_t inFilm(std::int64_t pixel) const {
+        return pixel / grid.tile.width * stride + pixel % grid.tile.width;
+    }
 };
 
 /// For the numbers of a launch's samples. How one is taken is told by
@@ -129,7 +135,7 @@ struct TraceProgram {
         const Tile& tile = target.grid.tile;
         const ivec2 place = walk.from.pixel - ivec2(tile.x, tile.y);
         if (const std::uint32_t all = seen | (Take::metTissue(walk.taken) ? kSeenTissue : 0); all != 0)
-            atomicMark(target.seen[std::int64_t(place.y) * tile.width + place.x], all);
+            atomicMark(target.seen[std::int64_t(place.y) * target.stride + place.x], all);
     }
 };
 
@@ -227,25 +233,26 @@ struct TakeProjection {
 struct AccumulateProgram {
     TraceTarget from;
     int filmWidth;
-    PixelSums* sums;   ///< of the tile, row by row
-    Moments* moments;  ///< likewise: full blocks go there; null: no block becomes full
+    PixelSums* sums;   ///< of the tile, from.stride pixels to the next row
+    Moments* moments;  ///< likewise: full blocks go there
 
     PDR_HD void operator()(std::int64_t index) const {
         const Tile& tile = from.grid.tile;
         const ivec2 pixel(tile.x + int(index % tile.width), tile.y + int(index / tile.width));
-        PixelSums pixelSums = sums[index];
-        pixelSums.seen |= from.seen[index];
+        const std::int64_t place = from.inFilm(index);
+        PixelSums pixelSums = sums[place];
+        pixelSums.seen |= from.seen[place];
         for (std::uint32_t i = 0; i < from.grid.samples.count; ++i) {
             const vec3 radiance = from.radiance[i * from.grid.pixels() + index];
             const std::uint64_t sample = from.grid.samples.first + i;
-            if (!addSample(pixelSums, radiance))
+            if (!addSample(pixelSums, radiance, sample))
                 from.health->note(faultOf(radiance), sample, std::uint32_t(pixel.y * filmWidth + pixel.x));
-            if (moments != nullptr && (sample + 1) % kSamplesPerBlock == 0) {
-                moments[index] = merged(moments[index], pixelSums);
+            if ((sample + 1) % kSamplesPerBlock == 0) {
+                moments[place] = merged(moments[place], pixelSums);
                 pixelSums = nextBlock(pixelSums);
             }
         }
-        sums[index] = pixelSums;
+        sums[place] = pixelSums;
     }
 };
 

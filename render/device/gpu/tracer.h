@@ -52,7 +52,7 @@ TraceLaunch<G> traceLaunchFor(const FlatScene& scene) {
     return scene.marched ? launchTrace<G, TakeMarch> : pathLaunch<G>(scene.features);
 }
 
-/// Takes the samples of `target` and adds them to `sums`; `moments` may be null. In the compute stream.
+/// Takes the samples of `target` and adds them to `sums` and `moments`. In the compute stream.
 template <Gpu G>
 void traceAndAdd(G& gpu, const FlatScene& scene, const TraceTarget& target, PixelSums* sums, Moments* moments) {
     traceLaunchFor<G>(scene)(gpu, scene, target);

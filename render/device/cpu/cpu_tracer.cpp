@@ -1,0 +1,67 @@
+#include "render/device/cpu/cpu_tracer.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <thread>
+#include <utility>
+
+#include "render/device/cpu/marched_tile.h"
+
+namespace pdr {
+
+namespace {
+
+/// Pixels along an edge of what one thread takes at a time. Larger where a pixel is one short ray: the last rays of a
+/// task leave lanes empty.
+constexpr int kScatteringTask = 16, kProjectionTask = 32;
+
+using TileKernel = void (*)(PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples,
+                            TileSums sums);
+
+/// The one table from a feature mask to the code compiled for it.
+template <std::size_t... Masks>
+constexpr std::array<TileKernel, sizeof...(Masks)> tileKernels(std::index_sequence<Masks...>) {
+    return {[](PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
+        batch.render<std::uint32_t(Masks)>(scene, tile, samples, sums);
+    }...};
+}
+constexpr auto kTileKernels = tileKernels(std::make_index_sequence<kFeatureMasks>());
+
+}  // namespace
+
+CpuTracer::CpuTracer(int threads)
+    : threads_(threads > 0 ? threads : int(std::thread::hardware_concurrency())),
+      allowed_(tbb::global_control::max_allowed_parallelism,
+               std::max(threads_, tbb::this_task_arena::max_concurrency())),
+      arena_(threads_) {}
+
+void CpuTracer::trace(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums,
+                      const std::stop_token& stop) {
+    const bool scattering = scene.optics.model == FlatModel::scattering;
+    const TileKernel traceTile = kTileKernels[scene.features];
+    const std::size_t task = scattering ? kScatteringTask : kProjectionTask;
+    const tbb::blocked_range2d<int> pixels(0, tile.height, task, 0, tile.width, task);
+    tbb::enumerable_thread_specific<Health> healths;
+    const auto work = [&](const tbb::blocked_range2d<int>& piece) {
+        if (stop.stop_requested())
+            return;
+        const int x = piece.cols().begin(), y = piece.rows().begin();
+        const Tile part{tile.x + x, tile.y + y, int(piece.cols().size()), int(piece.rows().size())};
+        const TileSums partSums{sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride, &healths.local()};
+        if (scene.marched)
+            renderMarched(scene, part, samples, partSums);
+        else if (scattering)
+            traceTile(batches_.local(), scene, part, samples, partSums);
+        else
+            projections_.local().render(scene, part, samples, partSums);
+    };
+    arena_.execute([&] { tbb::parallel_for(pixels, work, tbb::simple_partitioner()); });
+    if (sums.health != nullptr)
+        for (const Health& health : healths)
+            sums.health->add(health);
+}
+
+}  // namespace pdr

@@ -1,0 +1,34 @@
+#pragma once
+/// Samples taken by the CPU's threads, into sums on the host.
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <stop_token>
+
+#include "render/device/cpu/pixel_batch.h"
+#include "render/device/cpu/projection_batch.h"
+
+namespace pdr {
+
+class CpuTracer {
+  public:
+    /// 0 = one thread per core.
+    explicit CpuTracer(int threads = 0);
+
+    int threads() const { return threads_; }
+    /// Adds `samples` of every pixel of `tile` to `sums`, in order. After a stop request it returns early and the sums
+    /// are worthless.
+    void trace(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums,
+               const std::stop_token& stop = {});
+
+  private:
+    int threads_;
+    tbb::global_control allowed_;  ///< more threads than cores, when asked for
+    tbb::task_arena arena_;
+    tbb::enumerable_thread_specific<PixelBatch> batches_;
+    tbb::enumerable_thread_specific<ProjectionBatch> projections_;
+};
+
+}  // namespace pdr
