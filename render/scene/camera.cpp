@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/scene/range.h"
+#include "render/scene/field_check.h"
+#include "render/scene/scene_fields.h"
 
 namespace pdr {
-
-namespace {
-
-constexpr double kLeast = 1e-12;  ///< mm or degrees: less is nothing, and its square must not be
-constexpr double kMost = 1e9;     ///< mm
-constexpr Range kPlace{-1e15, 1e15};
-
-}  // namespace
 
 dvec3 Camera::forward() const {
     return glm::normalize(targetMm - eyeMm);
@@ -32,18 +25,13 @@ double Camera::focusDistanceMm() const {
 }
 
 Result<void> Camera::check() const {
-    for (const auto& ok : {checkRange(eyeMm, kPlace, "camera.eyeMm"), checkRange(targetMm, kPlace, "camera.targetMm"),
-                           checkDirection(up, "camera.up"), checkRange(apertureMm, {0, 200}, "camera.apertureMm"),
-                           checkRange(focusMm, {focusMm == 0 ? 0 : kLeast, kMost}, "camera.focusMm")})
-        if (!ok)
-            return ok;
-    if (glm::length(targetMm - eyeMm) < kLeast)
+    if (auto ok = FieldCheck::check(*this, "camera"); !ok)
+        return ok;
+    if (glm::length(targetMm - eyeMm) < kLeastMm)
         return Error{"must differ from eyeMm", "camera.targetMm", ""};
     if (!(glm::length(glm::cross(forward(), up)) > 1e-9 * glm::length(up)))
         return Error{"must not lie along the view", "camera.up", ""};
-    if (type == Type::perspective)
-        return checkRange(fovDegrees, {kLeast, 180, true, false}, "camera.fovDegrees");
-    return checkRange(heightMm, {kLeast, kMost}, "camera.heightMm");
+    return {};
 }
 
 Camera standardView(StandardView view, dvec3 centreMm, double radiusMm, double aspect) {

@@ -1,31 +1,9 @@
 #include "render/scene/clip.h"
 
-#include <string>
-
-#include "render/scene/range.h"
+#include "render/scene/field_check.h"
+#include "render/scene/scene_fields.h"
 
 namespace pdr {
-
-namespace {
-
-constexpr Range kPlaceRange{-1e9, 1e9};
-
-Result<void> check(const ClipBox& box) {
-    for (const auto& ok : {checkRange(box.lowMm, kPlaceRange, "lowMm"), checkRange(box.highMm, kPlaceRange, "highMm")})
-        if (!ok)
-            return ok;
-    if (!glm::all(glm::lessThan(box.lowMm, box.highMm)))
-        return Error{"must lie above lowMm along every axis", "highMm", ""};
-    return {};
-}
-
-Result<void> check(const ClipPlane& plane) {
-    if (auto ok = checkRange(plane.pointMm, kPlaceRange, "pointMm"); !ok)
-        return ok;
-    return checkDirection(plane.normal, "normal");
-}
-
-}  // namespace
 
 std::vector<ClipPlane> Clip::allPlanes() const {
     std::vector<ClipPlane> all = planes;
@@ -54,12 +32,10 @@ std::vector<ClipPlane> Clip::planesThrough(const VolumeGeometry& volume) const {
 }
 
 Result<void> Clip::check() const {
-    if (box)
-        if (auto ok = pdr::check(*box); !ok)
-            return below("box", ok.error());
-    for (std::size_t i = 0; i < planes.size(); ++i)
-        if (auto ok = pdr::check(planes[i]); !ok)
-            return below("planes[" + std::to_string(i) + "]", ok.error());
+    if (auto ok = FieldCheck::check(*this); !ok)
+        return ok;
+    if (box && !glm::all(glm::lessThan(box->lowMm, box->highMm)))
+        return Error{"must lie above lowMm along every axis", "box.highMm", ""};
     return {};
 }
 

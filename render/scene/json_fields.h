@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <set>
 #include <string>
 #include <string_view>
@@ -17,16 +16,13 @@
 
 #include "render/base/portable.h"
 #include "render/base/result.h"
+#include "render/scene/field.h"
 
 namespace pdr {
 
 struct FieldError {
     Error error;
 };
-
-/// The words that a field may hold, and what they mean.
-template <class T>
-using Words = std::initializer_list<std::pair<std::string_view, T>>;
 
 class JsonFields {
   public:
@@ -51,24 +47,12 @@ class JsonFields {
     void required(std::string_view name, std::pair<int, int>& value);
 
     /// One of a few words.
-    template <class T>
-    void required(std::string_view name, T& value, Words<T> words) {
+    template <class T, std::size_t N>
+    void required(std::string_view name, T& value, const Words<T, N>& words) {
         std::vector<std::string_view> known;
         for (const auto& [word, meaning] : words)
             known.push_back(word);
-        value = (words.begin() + wordIndex(name, known))->second;
-    }
-
-    // The same, but `value` stays as it is when the field is absent.
-    template <class T>
-    void optional(std::string_view name, T& value) {
-        if (has(name))
-            required(name, value);
-    }
-    template <class T>
-    void optional(std::string_view name, T& value, Words<T> words) {
-        if (has(name))
-            required(name, value, words);
+        value = words[wordIndex(name, known)].second;
     }
 
     JsonFields object(std::string_view name);

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <utility>
 
-#include "render/scene/look_fields.h"
-#include "render/scene/range.h"
+#include "render/scene/field_check.h"
+#include "render/scene/field_reader.h"
+#include "render/scene/field_writer.h"
+#include "render/scene/scene_fields.h"
 
 namespace pdr {
 namespace {
-
-constexpr Range kLightScale{0, 1e6};
 
 /// A panel of the rig. All lengths are in radii of the volume and the directions follow the camera, so the light that
 /// reaches the volume's centre depends neither on its size nor on the side it is seen from.
@@ -36,50 +36,33 @@ RectangleLight placed(const Panel& panel, float radiance, const VolumeGeometry& 
     return light;
 }
 
-void readLights(JsonFields fields, Preset& preset) {
-    fields.optional("key", preset.keyLight);
-    fields.optional("fill", preset.fillLight);
-    fields.optional("rim", preset.rimLight);
-    fields.optional("ambient", preset.ambient);
-    fields.finish();
-}
+constexpr std::string_view kFormat = "pdrender-preset";
 
 Result<void> check(const Preset& preset) {
+    if (auto ok = FieldCheck::check(preset); !ok)
+        return ok;
     if (auto ok = preset.transferFunction.check(); !ok)
         return ok;
-    for (const auto& ok : {checkRange(preset.phaseG, {-1, 1, false, false}, "phase.g"),
-                           checkRange(preset.gradientFactor, {0, 1e6}, "surface.gradientFactor"), check(preset.window),
-                           checkRange(preset.keyLight, kLightScale, "lights.key"),
-                           checkRange(preset.fillLight, kLightScale, "lights.fill"),
-                           checkRange(preset.rimLight, kLightScale, "lights.rim"),
-                           checkRange(preset.ambient, kLightScale, "lights.ambient"),
-                           checkRange(preset.display.exposure, {0, 1e30f, false}, "exposure")})
-        if (!ok)
-            return ok;
-    return {};
-}
-
-void readPreset(JsonFields& fields, Preset& preset) {
-    fields.required("name", preset.name);
-    preset.transferFunction = readTransferFunction(fields);
-    readPhase(fields, preset.phaseG);
-    readSurface(fields, preset.gradientFactor);
-    readWindow(fields, preset.window);
-    if (fields.has("lights"))
-        readLights(fields.object("lights"), preset);
-    fields.optional("exposure", preset.display.exposure);
-    if (auto ok = check(preset); !ok)
-        throw FieldError{ok.error()};
+    return check(preset.window);
 }
 
 }  // namespace
 
 Result<Preset> presetFromJson(std::string_view json, std::string_view where) {
     Preset preset;
-    const auto read = [&](JsonFields& fields) { readPreset(fields, preset); };
-    if (auto ok = readJson(json, where, "pdrender-preset", read); !ok)
+    const auto read = [&](JsonFields& fields) {
+        FieldReader reader(fields);
+        describe(reader, preset);
+        if (auto ok = check(preset); !ok)
+            throw FieldError{ok.error()};
+    };
+    if (auto ok = readJson(json, where, kFormat, read); !ok)
         return ok.error();
     return preset;
+}
+
+std::string presetText(Preset preset) {
+    return jsonText(kFormat, FieldWriter::written(preset));
 }
 
 Scene withPreset(Scene scene, const Preset& preset) {

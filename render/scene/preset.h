@@ -22,10 +22,13 @@ struct Preset {
     float rimLight = 0.5f;   ///< of the panel behind
     float ambient = 0.1f;    ///< radiance of the environment (not seen by the camera)
     Display display;
+    bool operator==(const Preset&) const = default;
 };
 
 /// Reads one preset from JSON text ("format": "pdrender-preset"). `where` is used in error texts.
 Result<Preset> presetFromJson(std::string_view json, std::string_view where);
+/// The text that presetFromJson() reads as an equal preset, to the bit.
+std::string presetText(Preset preset);
 
 /// `scene` with the preset's look and its name; volume, camera, film, seed and revision stay.
 Scene withPreset(Scene scene, const Preset& preset);

@@ -1,8 +1,11 @@
 #include "render/scene/scene.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
-#include "render/scene/range.h"
+#include "render/scene/field_check.h"
+#include "render/scene/scene_fields.h"
 
 namespace pdr {
 namespace {
@@ -28,51 +31,28 @@ Result<void> checkEstimator(const Scene& scene) {
     return {};
 }
 
-Result<void> checkTransport(const Scene& scene) {
-    for (const auto& ok :
-         {checkRange(scene.phaseG, {-1, 1, false, false}, "phase.g"),
-          checkRange(scene.gradientFactor, {0, 1e6}, "surface.gradientFactor"),
-          checkRange(scene.maxBounces, {1, 100000}, "maxBounces"),
-          checkRange(scene.toleranceLevels, {1e-3, 16}, "toleranceLevels"), check(scene.window), checkEstimator(scene),
-          checkRange(scene.film.x, {1, 16384}, "film.width"), checkRange(scene.film.y, {1, 16384}, "film.height")})
-        if (!ok)
-            return ok;
-    return {};
+template <class T, std::size_t N>
+const char* wordFor(const T& value, const Words<T, N>& words) {
+    return std::ranges::find(words, value, &std::pair<std::string_view, T>::second)->first.data();
 }
 
 }  // namespace
 
 const char* modelName(Model model) {
-    switch (model) {
-        case Model::absorption:
-            return "absorption";
-        case Model::emission:
-            return "emission";
-        case Model::emissionAbsorption:
-            return "emissionAbsorption";
-        case Model::singleScattering:
-            return "singleScattering";
-        case Model::multipleScattering:
-            return "multipleScattering";
-        case Model::maximumIntensity:
-            break;
-    }
-    return "maximumIntensity";
+    return wordFor(model, kModelWords);
 }
 
 const char* estimatorName(Estimator estimator) {
-    return estimator == Estimator::unbiased ? "unbiased" : "kroesMarch";
+    return wordFor(estimator, kEstimatorWords);
 }
 
 const char* filteringName(Filtering filtering) {
-    return filtering == Filtering::exact ? "exact" : "fast";
+    return wordFor(filtering, kFilteringWords);
 }
 
 Result<void> check(const HuWindow& window) {
-    for (const auto& ok : {checkRange(window.lowHu, {-32768, 32767}, "window.lowHu"),
-                           checkRange(window.highHu, {-32768, 32767}, "window.highHu")})
-        if (!ok)
-            return ok;
+    if (auto ok = FieldCheck::check(window, "window"); !ok)
+        return ok;
     if (!(window.highHu > window.lowHu))
         return Error{"highHu must lie above lowHu", "window.highHu", ""};
     return {};
@@ -83,8 +63,8 @@ bool isProjection(Model model) {
 }
 
 Result<void> Scene::check() const {
-    for (const auto& ok :
-         {transferFunction.check(), checkTransport(*this), checkLights(*this), camera.check(), checkClip(clip)})
+    for (const auto& ok : {transferFunction.check(), FieldCheck::check(*this), pdr::check(window), checkEstimator(*this),
+                           checkLights(*this), camera.check(), checkClip(clip)})
         if (!ok)
             return ok;
     return {};

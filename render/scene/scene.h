@@ -92,6 +92,7 @@ struct Scene {
     /// Every range above, and what cannot be rendered yet, with the field's name in `where`. The volume is not looked
     /// at.
     Result<void> check() const;
+    bool operator==(const Scene&) const = default;
 };
 
 }  // namespace pdr

@@ -2,232 +2,124 @@
 
 #include <fstream>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 
-#include "render/scene/look_fields.h"
-#include "render/scene/range.h"
+#include "render/scene/field_check.h"
+#include "render/scene/field_reader.h"
+#include "render/scene/field_writer.h"
+#include "render/scene/scene_fields.h"
 #include "render/volume/clamp.h"
 
 namespace pdr {
 namespace {
 
+constexpr std::string_view kFormat = "pdrender-scene";
 constexpr std::uintmax_t kLargestFile = 16u << 20;  ///< a scene is text; what is larger is something else
 
-void orFail(const Result<void>& ok, const JsonFields& fields) {
-    if (!ok)
-        throw FieldError{below(fields.path(), ok.error())};
+[[noreturn]] void fail(const std::string& field, const std::string& what) {
+    throw FieldError{{what, field, ""}};
 }
 
-// ---- volume
-
-void readRaw(JsonFields& fields, const std::filesystem::path& folder, RawFile& raw) {
-    std::string path;
-    fields.required("raw", path);
-    raw.path = folder / path;
-    fields.required("size", raw.size);
-    fields.required("spacingMm", raw.spacingMm);
-    fields.optional("type", raw.type,
-                    {{"int16", RawFile::Type::int16},
-                     {"uint16", RawFile::Type::uint16},
-                     {"uint8", RawFile::Type::uint8},
-                     {"float32", RawFile::Type::float32}});
-    if (fields.has("originMm"))
-        fields.required("originMm", raw.originMm.emplace());
-    orFail(checkRange(dvec3(raw.size), {1, 65536}, "size"), fields);
-    orFail(checkRange(raw.spacingMm, {kLowestSpacingMm, kHighestSpacingMm}, "spacingMm"), fields);
-    orFail(checkRange(raw.originMm.value_or(dvec3(0)), {-1e9, 1e9}, "originMm"), fields);
+void orFail(const Result<void>& checked) {
+    if (!checked)
+        throw FieldError{checked.error()};
 }
 
-VolumeSource readVolume(JsonFields fields, const std::filesystem::path& folder) {
+// ---- from the file's fields to values, and back
+
+VolumeSource sourceOf(const VolumeFields& fields, const std::filesystem::path& folder) {
     VolumeSource source;
-    if (fields.has("dicom") == fields.has("raw"))
-        fields.fail("dicom", "needs either a DICOM folder (dicom) or a raw file (raw)");
-    if (fields.has("raw")) {
-        readRaw(fields, folder, source.raw);
+    if (fields.dicom.has_value() == fields.raw.has_value())
+        fail("volume.dicom", "needs either a DICOM folder (dicom) or a raw file (raw)");
+    orFail(FieldCheck::check(fields, "volume"));
+    if (fields.raw) {
+        source.raw = fields.file;
+        source.raw.path = folder / *fields.raw;
     } else {
-        std::string path;
-        fields.required("dicom", path);
-        source.dicomFolder = folder / path;
-        fields.optional("series", source.seriesUid);
+        source.dicomFolder = folder / *fields.dicom;
+        source.seriesUid = fields.series.value_or("");
     }
-    if (fields.has("clampHu")) {
-        auto& [lowest, highest] = source.clampHu.emplace();
-        fields.required("clampHu", *source.clampHu);
-        orFail(checkRange(dvec3(lowest, highest, lowest), {-32768, 32767}, "clampHu"), fields);
-        if (lowest > highest)
-            fields.fail("clampHu", "must begin with the lower value");
-    }
-    fields.finish();
+    source.clampHu = fields.clampHu;
+    if (source.clampHu && source.clampHu->first > source.clampHu->second)
+        fail("volume.clampHu", "must begin with the lower value");
     return source;
 }
 
-// ---- lights
-
-Light readDirectional(JsonFields& fields) {
-    DirectionalLight light;
-    fields.required("direction", light.direction);
-    fields.required("irradiance", light.irradiance);
-    return light;
-}
-
-Light readRectangle(JsonFields& fields) {
-    RectangleLight light;
-    fields.required("centreMm", light.centreMm);
-    fields.required("normal", light.normal);
-    fields.required("up", light.up);
-    fields.required("widthMm", light.widthMm);
-    fields.required("heightMm", light.heightMm);
-    fields.required("radiance", light.radiance);
-    fields.optional("visible", light.visible);
-    return light;
-}
-
-Light readSphere(JsonFields& fields) {
-    SphereLight light;
-    fields.required("centreMm", light.centreMm);
-    fields.required("radiusMm", light.radiusMm);
-    fields.required("radiance", light.radiance);
-    fields.optional("visible", light.visible);
-    return light;
-}
-
-Environment readEnvironment(JsonFields& fields, const std::filesystem::path& folder, SceneFile& file) {
-    Environment environment;
-    if (fields.has("image")) {
-        std::string path;
-        fields.required("image", path);
-        file.environmentImage = folder / path;
-        file.environmentField = fields.pathOf("image");
-        environment.radiance = vec3(1);
-        fields.optional("radiance", environment.radiance);
-        fields.optional("rotationDegrees", environment.rotationDegrees);
+VolumeFields fieldsOf(const VolumeSource& source) {
+    VolumeFields fields;
+    if (!source.raw.path.empty()) {
+        fields.raw = source.raw.path.string();
+        fields.file = source.raw;
     } else {
-        fields.required("radiance", environment.radiance);
-        if (fields.has("nadir"))
-            fields.required("nadir", environment.nadir.emplace());
+        fields.dicom = source.dicomFolder.string();
+        if (!source.seriesUid.empty())
+            fields.series = source.seriesUid;
     }
-    fields.optional("visible", environment.visible);
-    return environment;
+    fields.clampHu = source.clampHu;
+    return fields;
 }
 
-void readLights(JsonFields& parent, const std::filesystem::path& folder, SceneFile& file) {
-    Scene& scene = file.scene;
-    enum class Kind { directional, rectangle, sphere, environment };
+void takeLights(const std::vector<LightFields>& entries, const std::filesystem::path& folder, SceneFile& file) {
     bool environmentSeen = false;
-    for (JsonFields& fields : parent.objects("lights")) {
-        Kind kind{};
-        fields.required("type", kind,
-                        {{"directional", Kind::directional},
-                         {"rectangle", Kind::rectangle},
-                         {"sphere", Kind::sphere},
-                         {"environment", Kind::environment}});
-        if (kind == Kind::environment) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::string where = "lights[" + std::to_string(i) + "]";
+        if (const auto* around = std::get_if<EnvironmentFields>(&entries[i])) {
             if (std::exchange(environmentSeen, true))
-                fields.fail("type", "is the second environment, a scene has at most one");
-            scene.environment = readEnvironment(fields, folder, file);
-            orFail(check(scene.environment), fields);
-        } else {
-            scene.lights.push_back(kind == Kind::directional ? readDirectional(fields)
-                                   : kind == Kind::rectangle ? readRectangle(fields)
-                                                             : readSphere(fields));
-            orFail(check(scene.lights.back()), fields);
+                fail(where + ".type", "is the second environment, a scene has at most one");
+            file.scene.environment = around->environment;
+            if (around->image) {
+                file.environmentImage = folder / *around->image;
+                file.environmentField = where + ".image";
+            }
+            if (const Result<void> checked = check(around->environment); !checked)
+                orFail(below(where, checked.error()));
+            continue;
         }
-        fields.finish();
+        std::visit(
+            [&](const auto& light) {
+                if constexpr (std::is_constructible_v<Light, decltype(light)>)
+                    file.scene.lights.push_back(light);
+            },
+            entries[i]);
+        if (const Result<void> checked = check(file.scene.lights.back()); !checked)
+            orFail(below(where, checked.error()));
     }
 }
 
-// ---- what is cut away
-
-Clip readClip(JsonFields fields) {
-    Clip clip;
-    if (fields.has("box")) {
-        JsonFields box = fields.object("box");
-        ClipBox& corners = clip.box.emplace();
-        box.required("lowMm", corners.lowMm);
-        box.required("highMm", corners.highMm);
-        box.finish();
-    }
-    if (fields.has("planes"))
-        for (JsonFields& plane : fields.objects("planes")) {
-            ClipPlane& added = clip.planes.emplace_back();
-            plane.required("pointMm", added.pointMm);
-            plane.required("normal", added.normal);
-            plane.finish();
-        }
-    fields.optional("shadows", clip.shadows);
-    fields.finish();
-    return clip;
+std::vector<LightFields> lightFieldsOf(const SceneFile& file) {
+    std::vector<LightFields> entries;
+    for (const Light& light : file.scene.lights)
+        std::visit([&](const auto& one) { entries.push_back(one); }, light);
+    EnvironmentFields around{file.scene.environment, {}};
+    if (!file.environmentImage.empty())
+        around.image = file.environmentImage.string();
+    if (around.image || around.environment != Environment{})
+        entries.push_back(around);
+    return entries;
 }
 
-// ---- camera and film
-
-Camera readCamera(JsonFields fields) {
-    Camera camera;
-    fields.optional("type", camera.type,
-                    {{"perspective", Camera::Type::perspective}, {"orthographic", Camera::Type::orthographic}});
-    fields.required("eyeMm", camera.eyeMm);
-    fields.required("targetMm", camera.targetMm);
-    fields.optional("up", camera.up);
-    if (camera.type == Camera::Type::perspective)
-        fields.optional("fovDegrees", camera.fovDegrees);
-    else
-        fields.required("heightMm", camera.heightMm);
-    fields.optional("apertureMm", camera.apertureMm);
-    fields.optional("focusMm", camera.focusMm);
-    fields.finish();
-    return camera;
-}
-
-ivec2 readFilm(JsonFields fields) {
-    ivec2 size(0);
-    fields.required("width", size.x);
-    fields.required("height", size.y);
-    fields.finish();
-    return size;
-}
-
-void readModel(JsonFields& fields, Model& model) {
-    const auto word = [](Model meant) { return std::pair<std::string_view, Model>(modelName(meant), meant); };
-    fields.optional("model", model,
-                    {word(Model::absorption), word(Model::emission), word(Model::emissionAbsorption),
-                     word(Model::singleScattering), word(Model::multipleScattering), word(Model::maximumIntensity)});
-}
-
-void readEstimator(JsonFields& fields, Estimator& estimator) {
-    const auto word = [](Estimator meant) {
-        return std::pair<std::string_view, Estimator>(estimatorName(meant), meant);
-    };
-    fields.optional("estimator", estimator, {word(Estimator::unbiased), word(Estimator::kroesMarch)});
-}
-
-void readFiltering(JsonFields& fields, Filtering& filtering) {
-    const auto word = [](Filtering meant) {
-        return std::pair<std::string_view, Filtering>(filteringName(meant), meant);
-    };
-    fields.optional("filtering", filtering, {word(Filtering::exact), word(Filtering::fast)});
+/// A scene file as its fields stand in it.
+struct FileFields {
+    VolumeFields volume;
+    std::vector<LightFields> lights;
+    Scene scene;
+};
+template <class Visit>
+void describe(Visit& visit, FileFields& file) {
+    visit.object({"volume", "where the voxels come from", {}, kRequired}, file.volume);
+    visit.list({"lights", "a list; without any the picture is black"}, file.lights);
+    describe(visit, file.scene);
 }
 
 void readScene(JsonFields& fields, const std::filesystem::path& folder, SceneFile& file) {
-    Scene& scene = file.scene;
-    file.source = readVolume(fields.object("volume"), folder);
-    scene.transferFunction = readTransferFunction(fields);
-    readModel(fields, scene.model);
-    readEstimator(fields, scene.estimator);
-    readFiltering(fields, scene.filtering);
-    readWindow(fields, scene.window);
-    fields.optional("toleranceLevels", scene.toleranceLevels);
-    readPhase(fields, scene.phaseG);
-    readSurface(fields, scene.gradientFactor);
-    if (fields.has("lights"))
-        readLights(fields, folder, file);
-    scene.camera = readCamera(fields.object("camera"));
-    if (fields.has("clip"))
-        scene.clip = readClip(fields.object("clip"));
-    if (fields.has("film"))
-        scene.film = readFilm(fields.object("film"));
-    fields.optional("maxBounces", scene.maxBounces);
-    fields.optional("seed", scene.seed);
-    orFail(scene.check(), fields);
+    FileFields read;
+    FieldReader reader(fields);
+    describe(reader, read);
+    file.scene = std::move(read.scene);
+    file.source = sourceOf(read.volume, folder);
+    takeLights(read.lights, folder, file);
+    orFail(file.scene.check());
 }
 
 Result<std::string> readText(const std::filesystem::path& path) {
@@ -246,15 +138,24 @@ Result<std::string> readText(const std::filesystem::path& path) {
 
 }  // namespace
 
+Result<SceneFile> sceneFromText(std::string_view text, const std::string& where, const std::filesystem::path& folder) {
+    SceneFile file;
+    const auto read = [&](JsonFields& fields) { readScene(fields, folder, file); };
+    if (auto ok = readJson(text, where, kFormat, read); !ok)
+        return ok.error();
+    return file;
+}
+
 Result<SceneFile> readSceneFile(const std::filesystem::path& path) {
     const Result<std::string> text = readText(path);
     if (!text)
         return text.error();
-    SceneFile file;
-    const auto read = [&](JsonFields& fields) { readScene(fields, path.parent_path(), file); };
-    if (auto ok = readJson(*text, path.string(), "pdrender-scene", read); !ok)
-        return ok.error();
-    return file;
+    return sceneFromText(*text, path.string(), path.parent_path());
+}
+
+std::string sceneText(const SceneFile& file) {
+    FileFields fields{fieldsOf(file.source), lightFieldsOf(file), file.scene};
+    return jsonText(kFormat, FieldWriter::written(fields));
 }
 
 Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source) {

@@ -1,11 +1,12 @@
 #pragma once
-/// Scene files: JSON, "format": "pdrender-scene", "version": 1; every field is described in
+/// Scene files: JSON, "format": "pdrender-scene", "version": 1; every field is described in scene_fields.h, and in
 /// resources/manual/scene-file.md.
 
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "render/base/result.h"
@@ -20,6 +21,7 @@ struct VolumeSource {
     std::string seriesUid;                       ///< empty: the first loadable series
     RawFile raw;                                 ///< its path is empty for a DICOM folder
     std::optional<std::pair<int, int>> clampHu;  ///< voxels are clamped to [first, second]; in [-32768, 32767]
+    bool operator==(const VolumeSource&) const = default;
 };
 
 /// A scene whose voxels are still to be fetched (scene.volume is null), and so is a picture of its surroundings.
@@ -33,6 +35,12 @@ struct SceneFile {
 /// Relative paths in the file are taken from the file's folder. Unknown, missing or out-of-range fields are errors that
 /// name the field and its range.
 Result<SceneFile> readSceneFile(const std::filesystem::path& path);
+
+/// The same of a text; `where` is used in error texts, relative paths are taken from `folder`.
+Result<SceneFile> sceneFromText(std::string_view text, const std::string& where, const std::filesystem::path& folder);
+/// The text that sceneFromText() reads as an equal scene, to the bit; without revision and look, which files do not
+/// hold. Paths are written as they are.
+std::string sceneText(const SceneFile& file);
 
 /// The voxels of a raw file, clamped as `source` says. Errors: those of loadRaw(), the field named beside the file.
 Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source);

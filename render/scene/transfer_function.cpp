@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "render/scene/field_check.h"
+#include "render/scene/scene_fields.h"
 
 namespace pdr {
 
@@ -20,14 +24,6 @@ TransferNode between(const TransferNode& a, const TransferNode& b, float hu) {
 std::vector<TransferNode>::const_iterator firstAfter(const std::vector<TransferNode>& nodes, float hu) {
     return std::upper_bound(nodes.begin(), nodes.end(), hu,
                             [](float value, const TransferNode& node) { return value < node.hu; });
-}
-
-bool inside(float value, float low, float high) {
-    return value >= low && value <= high;  // false for NaN
-}
-
-bool inside(vec3 value, float low, float high) {
-    return inside(value.x, low, high) && inside(value.y, low, high) && inside(value.z, low, high);
 }
 
 }  // namespace
@@ -50,32 +46,17 @@ float TransferFunction::opacityAt(float hu) const {
 }
 
 Result<void> TransferFunction::check() const {
-    if (!inside(extinctionPerMm, 0, 1e6f))
-        return Error{"extinctionPerMm must lie in [0, 1e6] per mm", "transferFunction.extinctionPerMm", ""};
     if (nodes.empty())
         return Error{"at least one node is needed", "transferFunction.nodes", ""};
     if (nodes.size() > kMostNodes)
         return Error{"there are " + std::to_string(nodes.size()) + " nodes, at most " + std::to_string(kMostNodes) +
                          " are taken",
                      "transferFunction.nodes", "Leave out nodes that lie on a line between their neighbours."};
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const TransferNode& node = nodes[i];
-        const std::string where = "transferFunction.nodes[" + std::to_string(i) + "]";
-        if (!inside(node.hu, -32768, 32767))
-            return Error{"hu must lie in [-32768, 32767]", where + ".hu", ""};
-        if (i > 0 && node.hu < nodes[i - 1].hu)
-            return Error{"nodes must ascend in hu", where + ".hu", ""};
-        if (!inside(node.opacity, 0, 1))
-            return Error{"opacity must lie in [0, 1]", where + ".opacity", ""};
-        if (!inside(node.albedo, 0, 1))
-            return Error{"albedo must lie in [0, 1]", where + ".albedo", ""};
-        if (!inside(node.emission, 0, 1e6f))
-            return Error{"emission must lie in [0, 1e6]", where + ".emission", ""};
-        if (!inside(node.specular, 0, 1))
-            return Error{"specular must lie in [0, 1]", where + ".specular", ""};
-        if (!inside(node.roughness, 0, 1))
-            return Error{"roughness must lie in [0, 1]", where + ".roughness", ""};
-    }
+    if (auto ok = FieldCheck::check(*this, "transferFunction"); !ok)
+        return ok;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+        if (nodes[i].hu < nodes[i - 1].hu)
+            return Error{"nodes must ascend in hu", "transferFunction.nodes[" + std::to_string(i) + "].hu", ""};
     return {};
 }
 

@@ -17,6 +17,7 @@ struct RawFile {
     ivec3 size{0};                  ///< voxels; each in [1, 65536]
     dvec3 spacingMm{1};             ///< each in (0, 1e6]
     std::optional<dvec3> originMm;  ///< centre of voxel (0,0,0); default half a spacing, so that the box starts at 0
+    bool operator==(const RawFile&) const = default;
 };
 
 /// The file's voxels as int16 HU, floats rounded. Errors: no such file, a size in bytes that the dimensions do not

@@ -1,0 +1,68 @@
+#pragma once
+/// Reads described structs from JSON objects (field.h). What is absent and not required stays as it is.
+
+#include <optional>
+#include <vector>
+
+#include "render/scene/field.h"
+#include "render/scene/json_fields.h"
+
+namespace pdr {
+
+class FieldReader {
+  public:
+    static constexpr bool kBranches = false;
+    static constexpr bool kReads = true;
+
+    /// `fields` must outlive it. All verbs throw FieldError.
+    explicit FieldReader(JsonFields& fields) : fields_(fields) {}
+
+    template <class T>
+    void operator()(const Field& field, T& value) {
+        if (field.required || fields_.has(field.name))
+            fields_.required(field.name, value);
+    }
+    template <class T>
+    void operator()(const Field& field, std::optional<T>& value) {
+        if (fields_.has(field.name))
+            fields_.required(field.name, value.emplace());
+    }
+    void direction(const Field& field, dvec3& value) { (*this)(field, value); }
+
+    template <class T, std::size_t N>
+    void word(const Field& field, T& value, const Words<T, N>& words) {
+        if (field.required || fields_.has(field.name))
+            fields_.required(field.name, value, words);
+    }
+    template <class T>
+    void object(const Field& field, T& value) {
+        if (field.required || fields_.has(field.name))
+            read(fields_.object(field.name), value);
+    }
+    template <class T>
+    void object(const Field& field, std::optional<T>& value) {
+        if (fields_.has(field.name))
+            read(fields_.object(field.name), value.emplace());
+    }
+    template <class T>
+    void list(const Field& field, std::vector<T>& values) {
+        if (!field.required && !fields_.has(field.name))
+            return;
+        values.clear();
+        for (const JsonFields& one : fields_.objects(field.name))
+            read(one, values.emplace_back());
+    }
+
+    /// All fields of `value`, and no others.
+    template <class T>
+    static void read(JsonFields fields, T& value) {
+        FieldReader reader(fields);
+        describe(reader, value);
+        fields.finish();
+    }
+
+  private:
+    JsonFields& fields_;
+};
+
+}  // namespace pdr

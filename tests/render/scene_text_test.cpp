@@ -1,0 +1,172 @@
+#include <QTest>
+
+#include <QDirIterator>
+#include <QFile>
+
+#include "render/scene/field_check.h"
+#include "render/scene/field_table.h"
+#include "render/scene/scene_fields.h"
+#include "tests/support/places.h"
+#include "tests/support/random_fields.h"
+
+using namespace pdr;
+
+namespace {
+
+/// Any scene that passes its checks.
+SceneFile anySceneFile(unsigned seed) {
+    for (test::RandomFields random(seed);;) {
+        SceneFile file;
+        Scene& scene = file.scene;
+        describe(random, scene);
+        std::ranges::sort(scene.transferFunction.nodes, {}, &TransferNode::hu);
+        if (scene.window.lowHu > scene.window.highHu)
+            std::swap(scene.window.lowHu, scene.window.highHu);
+        if (scene.clip.box && scene.clip.box->lowMm.x > scene.clip.box->highMm.x)
+            std::swap(scene.clip.box->lowMm, scene.clip.box->highMm);
+        std::vector<LightFields> lights;
+        random.list({"lights", ""}, lights);
+        for (LightFields& light : lights) {
+            if (const auto* around = std::get_if<EnvironmentFields>(&light)) {
+                scene.environment = around->environment;
+                file.environmentImage = around->image.value_or("");
+            } else {
+                std::visit(
+                    [&](const auto& one) {
+                        if constexpr (std::is_constructible_v<Light, decltype(one)>)
+                            scene.lights.push_back(one);
+                    },
+                    light);
+            }
+        }
+        file.source.dicomFolder = "ct of \"somebody\"";
+        if (seed % 2 == 0) {
+            file.source = {};
+            VolumeFields volume;
+            do
+                describe(random, volume);
+            while (volume.dicom);
+            file.source.raw = volume.file;
+            file.source.raw.path = "voxels.raw";
+        }
+        if (scene.check() && FieldCheck::check(scene))
+            return file;
+    }
+}
+
+/// What files do not hold is as it was; everything else must be equal.
+bool comesBack(const SceneFile& file, std::string& why) {
+    const Result<SceneFile> read = sceneFromText(sceneText(file), "a test", "");
+    if (!read) {
+        why = read.error().text();
+        return false;
+    }
+    why = sceneText(file) + sceneText(*read);
+    return read->scene == file.scene && read->source == file.source && read->environmentImage == file.environmentImage;
+}
+
+std::string tableOf(const std::string& name) {
+    Scene scene;
+    Preset preset;
+    const auto is = [&](const char* other) { return name == other; };
+    return is("scene")         ? FieldTable::of(scene)
+           : is("volume")      ? FieldTable::of<VolumeFields>()
+           : is("transfer")    ? FieldTable::of<TransferFunction>()
+           : is("node")        ? FieldTable::of<TransferNode>()
+           : is("window")      ? FieldTable::of<HuWindow>()
+           : is("phase")       ? FieldTable::of(PhaseField{scene.phaseG})
+           : is("surface")     ? FieldTable::of(SurfaceField{scene.gradientFactor})
+           : is("directional") ? FieldTable::of<DirectionalLight>()
+           : is("rectangle")   ? FieldTable::of<RectangleLight>()
+           : is("sphere")      ? FieldTable::of<SphereLight>()
+           : is("environment") ? FieldTable::of<EnvironmentFields>()
+           : is("clip")        ? FieldTable::of<Clip>()
+           : is("box")         ? FieldTable::of<ClipBox>()
+           : is("plane")       ? FieldTable::of<ClipPlane>()
+           : is("camera")      ? FieldTable::of<Camera>()
+           : is("film")        ? FieldTable::of(FilmField{scene.film})
+           : is("preset")      ? FieldTable::of(preset)
+           : is("rig")         ? FieldTable::of(RigFields{preset})
+                               : "there is no table of this name\n";
+}
+
+}  // namespace
+
+/// Scenes, presets and sessions are written from the description that they are read by.
+class SceneTextTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void testScenesComeBack() {
+        int files = 0;
+        for (QDirIterator each(QStringLiteral(PDR_SOURCE_DIR "/tests/scenes"), {"*.json"}, QDir::Files); each.hasNext(); ++files) {
+            const Result<SceneFile> file = readSceneFile(each.next().toStdString());
+            QVERIFY2(file, file ? "" : file.error().text().c_str());
+            std::string why;
+            QVERIFY2(comesBack(*file, why), why.c_str());
+        }
+        QVERIFY(files >= 2);
+    }
+
+    void anySceneComesBack() {
+        int images = 0, boxes = 0, orthographic = 0, raw = 0;
+        for (unsigned seed = 1; seed <= 1000; ++seed) {
+            const SceneFile file = anySceneFile(seed);
+            std::string why;
+            QVERIFY2(comesBack(file, why), (std::to_string(seed) + ": " + why).c_str());
+            images += !file.environmentImage.empty();
+            boxes += file.scene.clip.box.has_value();
+            orthographic += file.scene.camera.type == Camera::Type::orthographic;
+            raw += !file.source.raw.path.empty();
+        }
+        QVERIFY(images > 20 && boxes > 100 && orthographic > 300 && raw == 500);
+    }
+
+    void numbersOfSinglePrecisionAreWrittenShort() {
+        SceneFile file = anySceneFile(7);
+        file.scene.phaseG = 0.3f;
+        QVERIFY(sceneText(file).find("\"g\": 0.3\n") != std::string::npos);
+    }
+
+    void presetsComeBack() {
+        int presets = 0;
+        for (QDirIterator each(QStringLiteral(PDR_SOURCE_DIR "/resources/presets"), {"*.json"}, QDir::Files); each.hasNext(); ++presets) {
+            QFile file(each.next());
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const Result<Preset> preset = presetFromJson(file.readAll().toStdString(), "a test");
+            QVERIFY2(preset, preset ? "" : preset.error().text().c_str());
+            const Result<Preset> again = presetFromJson(presetText(*preset), "a test");
+            QVERIFY2(again && *again == *preset, presetText(*preset).c_str());
+        }
+        QVERIFY(presets >= 4);
+    }
+
+    /// With PDR_WRITE_MANUAL=1 the manual's tables are written anew instead.
+    void theManualsTablesAreThoseOfTheFields() {
+        QFile manual(QStringLiteral(PDR_SOURCE_DIR "/resources/manual/scene-file.md"));
+        QVERIFY(manual.open(QIODevice::ReadOnly));
+        const std::string text = manual.readAll().toStdString(), opening = "<!-- fields: ", closing = "<!-- end -->\n";
+        manual.close();
+        std::string wanted;
+        std::size_t at = 0;
+        int tables = 0;
+        for (std::size_t next; (next = text.find(opening, at)) != std::string::npos; ++tables) {
+            const std::size_t name = next + opening.size(), line = text.find('\n', name) + 1;
+            const std::size_t end = text.find(closing, line);
+            QVERIFY(end != std::string::npos);
+            wanted += text.substr(at, line - at) + tableOf(text.substr(name, text.find(' ', name) - name)) + closing;
+            at = end + closing.size();
+        }
+        wanted += text.substr(at);
+        QCOMPARE(tables, 18);
+        if (qEnvironmentVariableIsSet("PDR_WRITE_MANUAL")) {
+            QVERIFY(manual.open(QIODevice::WriteOnly));
+            manual.write(QByteArray::fromStdString(wanted));
+            QSKIP("the manual was written");
+        }
+        QVERIFY2(wanted == text, "PDR_WRITE_MANUAL=1 scene_text_test writes the manual's tables anew");
+    }
+};
+
+QTEST_GUILESS_MAIN(SceneTextTest)
+#include "scene_text_test.moc"
