@@ -96,7 +96,8 @@ Result<void> Session::Loop::show(const Orders::Step& step) {
             meter_.addFrame(n, frameSeconds, displaySeconds);
         else
             meter_.addPeriod(n, frameSeconds + displaySeconds);
-        pixelsPerSecond_ = meter_.iterationsPerSecond() * place_.size().x * place_.size().y;
+        if (const double speed = meter_.iterationsPerSecond(); speed > 0)  // else no time has passed yet
+            pixelsPerSecond_ = speed * place_.size().x * place_.size().y;
     }
     send(*std::move(pictures), wanted(step.pace));
     return measuring_ && step.render ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();

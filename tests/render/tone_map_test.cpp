@@ -48,7 +48,7 @@ class ToneMapTest : public QObject {
         Film film(ivec2(3, 2), 0);
         TileSums sums = film.sums({0, 0, 3, 2});
         for (int i = 0; i < 6; ++i)
-            sums.pixels[i] = {dvec3(i, 2 * i, 0.1), dvec3(0), 1};
+            sums.pixels[i] = {.sum = dvec3(i, 2 * i, 0.1), .sumOfSquares = dvec3(0), .count = 1};
         film.commit({0, 1});
         const auto rgba = toneMap(film, {2});
         QCOMPARE(rgba.size(), std::size_t(24));
@@ -68,7 +68,7 @@ class ToneMapTest : public QObject {
         Film film(ivec2(int(radiances.size()), 1), 0);
         TileSums sums = film.sums({0, 0, film.size().x, 1});
         for (std::size_t i = 0; i < radiances.size(); ++i)
-            sums.pixels[i] = {dvec3(radiances[i]), dvec3(0), 1};
+            sums.pixels[i] = {.sum = dvec3(radiances[i]), .sumOfSquares = dvec3(0), .count = 1};
         film.commit({0, 1});
         for (const float exposure : {1.0f, 0.37f, 1e30f, 0.0f}) {
             const auto rgba = toneMap(film, {exposure});

@@ -114,6 +114,7 @@ class FailingFilm final : public LiveFilm {
     Result<void> restart(const Tile& area, std::uint64_t revision) override {
         mishaps_->before("film");
         pictures_.clear();
+        busyUntil_ = 0;  // what was ordered of the last scene is dropped
         return film_->restart(area, revision);
     }
 

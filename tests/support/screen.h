@@ -27,12 +27,12 @@ class Screen {
         };
     }
 
-    /// The first frame from now on that `wanted` holds for; null after minutes, so that a busy machine is no failure.
+    /// The first frame from now on that `wanted` holds for; null after half an hour, so that a busy machine is no failure.
     template <class Wanted>
     std::shared_ptr<const Frame> await(Wanted&& wanted) {
         std::unique_lock lock(mutex_);
         const bool found =
-            arrived_.wait_for(lock, std::chrono::minutes(4), [&] { return newest_ && wanted(*newest_); });
+            arrived_.wait_for(lock, std::chrono::minutes(30), [&] { return newest_ && wanted(*newest_); });
         return found ? newest_ : nullptr;
     }
 

@@ -23,7 +23,7 @@ class WallsTest : public QObject {
         {"render/film/", "^render/(base|film)/"},
         {"render/accuracy/", "^render/(base|film|scene|accuracy)/"},
         {"render/scene/", "^render/(base|volume|kernel|scene)/|^render/film/display.h"},
-        {"render/device/", "^render/(base|kernel|film|device)/|^render/scene/flatten.h"},
+        {"render/device/", "^render/(base|kernel|film|device)/|^render/scene/(flatten|scene).h"},
         {"render/session/", "^render/(base|kernel|film|scene|device|tiles|accuracy|session)/"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
         {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy)/|^dicom/series.h"},
@@ -61,7 +61,7 @@ class WallsTest : public QObject {
         if (matches("^(Imf|Imath|OpenEXR|png)", include))
             return file != "render/film/image_file.cpp";
         if (matches("^nlohmann/", include))
-            return !matches("^(render/scene/json_fields\\.|app/)", file);
+            return !matches("^(render/scene/(json_fields|field_writer)\\.|app/)", file);
         if (matches("^cuda", include))
             return !matches("^(render/device/cuda/|render/base/portable.h)", file);
         return false;
