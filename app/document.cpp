@@ -55,7 +55,7 @@ void Document::setCamera(const Camera& camera, bool moving) {
     applyCamera(camera, moving);
 }
 
-/// Where the hand is: no other scene. Where it was not at the camera there is nothing new at all.
+/// Where the user is pointing: no other scene. Where it was not at the camera there is nothing new at all.
 void Document::rest() {
     if (std::exchange(gesture_, Gesture::none) == Gesture::camera)
         emit sceneChanged(now_.scene, false);
@@ -126,9 +126,9 @@ void Document::redo() {
 
 /// What stands now becomes a step to undo, unless `gesture` goes on.
 void Document::remember(Gesture gesture, bool moving) {
-    const bool goesOn = gesture != Gesture::none && gesture == gesture_;
+    const bool continues = gesture != Gesture::none && gesture == gesture_;
     gesture_ = moving ? gesture : Gesture::none;
-    if (goesOn)
+    if (continues)
         return;
     past_.push_back(now_);
     if (past_.size() > kSteps)

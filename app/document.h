@@ -40,7 +40,7 @@ class Document : public QObject {
     void open(std::shared_ptr<const pdr::Volume> volume);
     /// Shows nothing.
     void close();
-    /// One gesture of the hand (moving, ..., moving, at rest) is one step to undo. A hand that rests where it is makes no
+    /// One gesture of the user (moving, ..., moving, at rest) is one step to undo. One that ends where it began makes no
     /// other scene.
     void setCamera(const pdr::Camera& camera, bool moving);
     void setView(pdr::StandardView view);
@@ -66,7 +66,7 @@ class Document : public QObject {
         double brightness = 0;
         std::uint64_t edit = 0;  ///< number of the edit that made the scene; the same number: the same scene
     };
-    /// What the hand is at, as long as it moves.
+    /// The gesture in progress.
     enum class Gesture { none, camera, brightness };
     /// Steps that can be undone: more than anyone goes back, and little memory.
     static constexpr std::size_t kSteps = 300;

@@ -32,7 +32,7 @@ RenderBridge::RenderBridge(std::unique_ptr<Device> device, int threads)
           std::move(device), [this](std::shared_ptr<const Frame> frame) { take(std::move(frame)); },
           [threads] { return makeCpuDevice(threads); }) {}
 
-/// While the hand moves, a picture that is a little behind is better than none; at rest only the newest scene counts.
+/// While the user drags, a picture that is a little behind is better than none; at rest only the newest scene counts.
 void RenderBridge::submit(const Scene& scene, bool moving) {
     newest_ = scene.revision;
     if (!moving)
@@ -52,7 +52,7 @@ void RenderBridge::setDisplay(const Display& display) {
     session_.setDisplay(display);
 }
 
-void RenderBridge::setPace(const Pace& pace) {
+void RenderBridge::setPace(const FrameBudget& pace) {
     session_.setPace(pace);
 }
 
@@ -94,7 +94,7 @@ void RenderBridge::save(const QString& file) {
         emit saveFailed(notSaved(file, {"there is no picture", "", "Wait until there is one."}));
         return;
     }
-    session_.inspect(lastFrame_->revision, [this, file, exr, display = display_](const Result<FilmView>& view) {
+    session_.requestSnapshot(lastFrame_->revision, [this, file, exr, display = display_](const Result<FilmView>& view) {
         const Result<void> written = view ? write(*view, display, exr, file) : notSaved(file, view.error());
         QMetaObject::invokeMethod(this, [this, file, written] {
             if (written)

@@ -29,7 +29,7 @@ class RenderBridge : public QObject {
     /// Scenes of a moving hand are taken one at a time, the newest next, so that every one of them is seen.
     void submit(const pdr::Scene& scene, bool moving);
     void setDisplay(const pdr::Display& display);
-    void setPace(const pdr::Pace& pace);
+    void setPace(const pdr::FrameBudget& pace);
     void setSchedule(const pdr::Schedule& schedule);
     /// The picture goes on there. A device that cannot be used ends with noticed().
     void setDevice(const QString& name);

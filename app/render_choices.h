@@ -1,12 +1,12 @@
 #pragma once
-/// What the hand chose in the rendering panel, in the renderer's terms.
+/// What the user chose in the rendering panel, in the renderer's terms.
 
 #include "render/session/session.h"
 #include "ui/render_panel.h"
 
 namespace pdr::app {
 
-inline Pace paceOf(const ui::PaceChoice& choice) {
+inline FrameBudget paceOf(const ui::FrameBudgetChoice& choice) {
     return {choice.automatic, choice.iterations, choice.framesPerSecond};
 }
 

@@ -18,9 +18,9 @@ class Settings {
     QByteArray windowGeometry() const;
     QByteArray windowState() const;
     QString device() const;  ///< "auto" as long as none was chosen
-    ui::PaceChoice pace() const;
+    ui::FrameBudgetChoice pace() const;
     void keepDevice(const QString& name);
-    void keepPace(const ui::PaceChoice& pace);
+    void keepPace(const ui::FrameBudgetChoice& pace);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);
 
   private:

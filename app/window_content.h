@@ -40,7 +40,7 @@ void showNotice(const DesktopParts& parts, const QString& sentences);
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame);
 /// How good the picture is, in words; again when the rendering is held or goes on.
 void showStatus(const DesktopParts& parts);
-/// Everything that follows the document: the camera that the hand turns, preset, brightness, undo.
+/// Everything that follows the document: the camera that the user turns, preset, brightness, undo.
 void showDocument(const DesktopParts& parts);
 
 }  // namespace pdr::app

@@ -54,7 +54,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&document, &Document::sceneChanged, &bridge, &RenderBridge::submit);
     const ui::RenderPanel& rendering = window.rendering();
     QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &bridge,
-                     [&bridge](const ui::PaceChoice& pace) { bridge.setPace(paceOf(pace)); });
+                     [&bridge](const ui::FrameBudgetChoice& pace) { bridge.setPace(paceOf(pace)); });
     QObject::connect(&rendering, &ui::RenderPanel::scheduleChosen, &bridge,
                      [&bridge](const ui::ScheduleChoice& schedule) { bridge.setSchedule(scheduleOf(schedule)); });
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
@@ -88,7 +88,7 @@ void wireSettings(const DesktopParts& parts) {
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &parts.window,
                      [parts](const QString& name) { parts.settings.keepDevice(name); });
     QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &parts.window,
-                     [parts](const ui::PaceChoice& pace) { parts.settings.keepPace(pace); });
+                     [parts](const ui::FrameBudgetChoice& pace) { parts.settings.keepPace(pace); });
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ std::string doubledReason(const SortedStack& stack) {
 /// How far slice k lies beside the straight line from the first slice to the last [mm].
 double besideTheLine(const SortedStack& stack, int k) {
     const int last = stack.count() - 1;
-    const double share = (stack.height(k) - stack.height(0)) / (stack.height(last) - stack.height(0));
-    return glm::distance(stack.drift(k), stack.drift(last) * share);
+    const double fraction = (stack.height(k) - stack.height(0)) / (stack.height(last) - stack.height(0));
+    return glm::distance(stack.drift(k), stack.drift(last) * fraction);
 }
 
 std::string tiltReason(const SortedStack& stack) {

@@ -137,7 +137,7 @@ void RenderPanel::setDevice(const QString& name) {
     device_.setCurrentIndex(device_.findData(name));
 }
 
-void RenderPanel::setPace(const PaceChoice& pace) {
+void RenderPanel::setPace(const FrameBudgetChoice& pace) {
     const QSignalBlocker silent(this);
     automatic_.setChecked(pace.automatic);
     iterations_.setValue(pace.iterations);
@@ -157,7 +157,7 @@ void RenderPanel::setEstimator(Estimator estimator) {
     estimator_.setCurrentIndex(int(estimator));
 }
 
-PaceChoice RenderPanel::pace() const {
+FrameBudgetChoice RenderPanel::pace() const {
     return {automatic_.isChecked(), iterations_.value(), framesPerSecond_.value()};
 }
 

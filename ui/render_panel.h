@@ -14,11 +14,11 @@
 namespace pdr::ui {
 
 /// How many iterations a displayed picture gets.
-struct PaceChoice {
+struct FrameBudgetChoice {
     bool automatic = true;
     int iterations = 1;           ///< by hand; [1, 1000]
     double framesPerSecond = 10;  ///< automatic; [0.1, 60]
-    bool operator==(const PaceChoice&) const = default;
+    bool operator==(const FrameBudgetChoice&) const = default;
 };
 
 /// How iterations become pictures.
@@ -38,17 +38,17 @@ class RenderPanel : public QWidget {
     /// `texts` are what the user reads for each name.
     void setDevices(const QStringList& names, const QStringList& texts);
     void setDevice(const QString& name);
-    void setPace(const PaceChoice& pace);
+    void setPace(const FrameBudgetChoice& pace);
     void setSchedule(const ScheduleChoice& schedule);
     void setEstimator(Estimator estimator);
-    PaceChoice pace() const;
+    FrameBudgetChoice pace() const;
     ScheduleChoice schedule() const;
 
     QSize sizeHint() const override { return {240, QWidget::sizeHint().height()}; }
 
   signals:
     void deviceChosen(const QString& name);
-    void paceChosen(const pdr::ui::PaceChoice& pace);
+    void paceChosen(const pdr::ui::FrameBudgetChoice& pace);
     void scheduleChosen(const pdr::ui::ScheduleChoice& schedule);
     void estimatorChosen(pdr::Estimator estimator);
 

@@ -18,9 +18,9 @@ class SeriesPanel : public QWidget {
 
     void setScan(const dicom::ScanResult& scan);
     /// Marks the series that is shown: its place in the scan, -1 for none. The patient named above the list is always
-    /// the one in the picture, whatever the hand has marked since.
+    /// the one in the picture, whatever the user has marked since.
     void setCurrent(int index);
-    /// No patient is named, and what the hand has marked stays marked.
+    /// No patient is named, and what the user has marked stays marked.
     void setNothingShown();
     int current() const { return shown_; }
     QString patient() const { return patient_.text(); }

@@ -1,5 +1,5 @@
 #pragma once
-/// The picture, and the hand on it: drags and wheels become camera edits. Setters are silent.
+/// The picture and its interaction: drags and wheels become camera edits. Setters are silent.
 
 #include <QImage>
 #include <QPoint>
@@ -41,7 +41,7 @@ class Viewport : public QWidget {
     QSize minimumSizeHint() const override { return {200, 150}; }
 
   signals:
-    /// A drag, a wheel or an arrow key. `moving`: the hand is still at it; the last edit of a gesture comes with false.
+    /// A drag, a wheel or an arrow key. `moving`: the gesture goes on; the last edit of a gesture comes with false.
     void cameraEdited(const pdr::Camera& camera, bool moving);
     /// A double click.
     void resetRequested();

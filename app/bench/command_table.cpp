@@ -8,7 +8,7 @@ constexpr Command kCommands[] = {
     {"picture", picture, "SCENE.json [--samples N] [--device D] [--threads N] [--pfm FILE]",
      "Renders a picture and says how fast and how noisy it is, as one line of JSON.\n",
      "  --samples N   samples per pixel, from 1; default 64\n"
-     "  --device D    cpu (default), cuda, cuda:1, auto, or emulated: a GPU's programs, played by the CPU\n"
+     "  --device D    cpu (default), cuda, cuda:1, auto, or emulated: a GPU's kernels, emulated on the CPU\n"
      "  --threads N   threads of the CPU; default 0: one per core\n"
      "  --pfm FILE    write the picture's luminance, linear, as a PFM\n"},
     {"frames", frames, "SCENE.json [--frames N] [--threads N] [--colours FILE]",
@@ -34,7 +34,7 @@ constexpr Command kCommands[] = {
      "  --rounds N    of which the median counts, from 1; default 9\n"},
     {"filtering", filtering, "SCENE.json [--device D] [--samples N] [--points N] [--rounds N] [--json]",
      "Says what fast filtering of the volume costs, in HU and in display levels, and what time it saves.\n",
-     "  --device D    cuda, cuda:1 or auto; default cpu: a GPU is played by the CPU, and times say little\n"
+     "  --device D    cuda, cuda:1 or auto; default cpu: a GPU is emulated on the CPU, and times say little\n"
      "  --samples N   samples per pixel, from 2; default 64\n"
      "  --points N    places at which HU are compared; default 1000000\n"
      "  --rounds N    of which the median counts, from 1; default 3\n"

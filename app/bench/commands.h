@@ -33,7 +33,7 @@ int trackers(const Arguments& arguments);
 
 /// filtering SCENE.json [--device D] [--samples N] [--points N] [--rounds N] [--json]: what fast filtering of the
 /// volume costs, in HU at N places and in display levels of a picture, and what time it saves. Without a GPU, D = cpu,
-/// one is played by the CPU.
+/// one is emulated on the CPU.
 int filtering(const Arguments& arguments);
 
 /// paper [SCENE.json] [--device D] [--threads N] [--estimator unbiased|kroesMarch] [--clock wall|processor]

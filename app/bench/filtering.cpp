@@ -37,7 +37,7 @@ void printText(const Price& price) {
     std::printf("  exact %.4g s, fast %.4g s: fast takes %.3f of the time\n", price.picture.exactSeconds,
                 price.picture.fastSeconds, price.picture.fastSeconds / price.picture.exactSeconds);
     if (!price.onGpu)
-        std::puts("  This is a GPU played by the CPU: what time is saved can only be measured on a GPU.");
+        std::puts("  This is a GPU emulated on the CPU: what time is saved can only be measured on a GPU.");
 }
 
 void printJson(const Price& price) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/film/film.h"
-#include "render/kernel/density.h"
+#include "render/kernel/volume_sampling.h"
 
 namespace pdr::bench {
 

@@ -44,7 +44,7 @@ int frames(const Arguments& arguments) {
     if (!scene)
         return fail(scene.error());
     const std::unique_ptr<Device> device = makeCpuDevice(*threads);
-    const auto live = begun(*device, *scene);
+    const auto live = startFilm(*device, *scene);
     if (!live)
         return fail(live.error());
     std::vector<double> wall, cpu;

@@ -4,17 +4,17 @@
 
 namespace pdr::bench {
 
-Result<std::unique_ptr<LiveFilm>> begun(Device& device, const Scene& scene, const Schedule& schedule) {
+Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene, const Schedule& schedule) {
     if (const auto uploaded = device.upload(scene); !uploaded)
         return uploaded.error();
     return device.film(scene.film, scene.revision, schedule);
 }
 
-Result<LivePicture> begun(const Scene& scene, const std::string& device, int threads, const Schedule& schedule) {
+Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads, const Schedule& schedule) {
     auto opened = openDevice(device, threads);
     if (!opened)
         return opened.error();
-    auto film = begun(**opened, scene, schedule);
+    auto film = startFilm(**opened, scene, schedule);
     if (!film)
         return film.error();
     return LivePicture{*std::move(opened), *std::move(film)};

@@ -10,14 +10,14 @@ namespace pdr::bench {
 
 struct LivePicture {
     std::unique_ptr<Device> device;
-    std::unique_ptr<LiveFilm> live;  ///< after the device: it must not outlive it
+    std::unique_ptr<Accumulator> live;  ///< after the device: it must not outlive it
 };
 
 /// `device`: its name; `threads` of the CPU, 0 = one per core. Errors: the device's.
-Result<LivePicture> begun(const Scene& scene, const std::string& device, int threads = 0,
+Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads = 0,
                           const Schedule& schedule = {});
 
 /// The same on a device that somebody else keeps.
-Result<std::unique_ptr<LiveFilm>> begun(Device& device, const Scene& scene, const Schedule& schedule = {});
+Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene, const Schedule& schedule = {});
 
 }  // namespace pdr::bench

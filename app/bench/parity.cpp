@@ -14,12 +14,12 @@ namespace pdr::bench {
 namespace {
 
 constexpr std::uint32_t kSamples = 16;
-constexpr double kPixelTolerance = 1e-4, kPixelShare = 0.999, kMeanTolerance = 1e-6;
+constexpr double kPixelTolerance = 1e-4, kPixelFraction = 0.999, kMeanTolerance = 1e-6;
 
 using Shot = Result<std::shared_ptr<const Film>>;
 
 Shot shot(Device& device, const Scene& scene, std::uint32_t samples, const Schedule& schedule = {}) {
-    const auto live = begun(device, scene, schedule);
+    const auto live = startFilm(device, scene, schedule);
     if (!live)
         return live.error();
     if (const auto iterated = (*live)->iterate(samples, {}); !iterated)
@@ -58,18 +58,18 @@ void compareWithCpu(Verdicts& verdicts, Device& device, Device& cpu, const Parit
             const double a = luminance((*theirs)->pixel(x, y).mean), b = luminance((*ours)->pixel(x, y).mean);
             agree += std::fabs(a - b) <= kPixelTolerance * std::max(a, b);
         }
-    const double share = double(agree) / (double(size.x) * size.y);
+    const double fraction = double(agree) / (double(size.x) * size.y);
     const double truth = (*theirs)->status().meanLuminance;
     const double mean = (*ours)->status().meanLuminance / truth - 1;
     char figures[120];
-    std::snprintf(figures, sizeof figures, "%.3f %% of the pixels agree, mean %+.1e%s", 100 * share, mean,
+    std::snprintf(figures, sizeof figures, "%.3f %% of the pixels agree, mean %+.1e%s", 100 * fraction, mean,
                   identical(**theirs, **ours) ? ", bit by bit" : "");
-    verdicts.line(one.name, truth > 0 && share >= kPixelShare && std::fabs(mean) <= kMeanTolerance, figures);
+    verdicts.line(one.name, truth > 0 && fraction >= kPixelFraction && std::fabs(mean) <= kMeanTolerance, figures);
 }
 
 /// 100 samples tile by tile, some tiles far ahead of others on the way.
 bool renderedByTiles(Device& device, const Scene& scene, const Film& whole) {
-    const auto live = begun(device, scene);
+    const auto live = startFilm(device, scene);
     if (!live)
         return false;
     for (const std::uint32_t n : {70, 30})
@@ -93,7 +93,7 @@ void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
 
 /// Pictures that are carried while the next samples are taken arrive whole: take() looks at both ends of each.
 void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
-    const auto live = begun(device, scene);
+    const auto live = startFilm(device, scene);
     if (!live)
         return verdicts.failed("1000 pictures arrive whole", live.error());
     Result<void> done;
@@ -143,7 +143,7 @@ int parity(const Arguments& arguments) {
         return fail(device.error());
     const DeviceInfo info = (*device)->info();
     std::printf("%s (%s) against the CPU: %u samples a pixel; %.1f %% of the pixels within %g, means within %g\n",
-                info.name.c_str(), info.details.c_str(), kSamples, 100 * kPixelShare, kPixelTolerance, kMeanTolerance);
+                info.name.c_str(), info.details.c_str(), kSamples, 100 * kPixelFraction, kPixelTolerance, kMeanTolerance);
     const auto cpu = makeCpuDevice();
     Verdicts verdicts;
     for (const ParityScene& one : scenes)

@@ -39,7 +39,7 @@ int picture(const Arguments& arguments) {
     const Result<Scene> scene = loadScene(options->files[0]);
     if (!scene)
         return fail(scene.error());
-    const auto film = begun(*scene, options->word("--device", "cpu"), *threads);
+    const auto film = startFilm(*scene, options->word("--device", "cpu"), *threads);
     if (!film)
         return fail(film.error());
 

@@ -42,7 +42,7 @@ std::uint64_t samplesPerPixel(const Scene& scene, std::uint64_t samples) {
 Result<Measurement> rendered(Device& device, const Scene& scene, std::uint64_t samples, const Cancelled& cancelled) {
     if (auto ok = scene.check(); !ok)
         return ok.error();
-    const auto live = begun(device, scene);
+    const auto live = startFilm(device, scene);
     if (!live)
         return live.error();
     for (std::uint64_t left = samplesPerPixel(scene, samples); left > 0;) {
@@ -84,13 +84,13 @@ Result<Measurement> freeFlights(Device& device, const Case& reference, std::uint
     for (int bin = 0; bin < kFlightBins; ++bin) {
         Scene scene = flightScene(reference, bin);
         scene.seed = seed + std::uint64_t(bin);
-        const Result<Measurement> share = rendered(device, scene, samples, cancelled);
-        if (!share)
-            return share.error();
+        const Result<Measurement> fraction = rendered(device, scene, samples, cancelled);
+        if (!fraction)
+            return fraction.error();
         const double flights = double(samplesPerPixel(scene, samples)) * scene.film.x * scene.film.y;
-        const double z = (share->value - p) / std::sqrt(p * (1 - p) / flights);
+        const double z = (fraction->value - p) / std::sqrt(p * (1 - p) / flights);
         result.value += z * z;
-        result.health.add(share->health);
+        result.health.add(fraction->health);
     }
     result.standardError = std::sqrt(2.0 * kFlightBins);
     return result;
@@ -102,7 +102,7 @@ Measurement phaseMoment(const Case& reference, std::uint64_t samples, std::uint6
     double sum = 0, squares = 0;
     for (std::uint64_t i = 0; i < samples; ++i) {
         const vec2 u = Random(seed, std::uint32_t(i), i >> 32).stream(0, BounceDimension::direction).pair();
-        const vec3 onward = phaseSample(float(reference.scene.g), travel, u);
+        const vec3 onward = phaseSample(float(reference.scene.g), -travel, u);
         const double cosine = glm::dot(dvec3(onward), dvec3(travel));
         const double value = (squared ? cosine * cosine : cosine) - reference.expected;
         sum += value;

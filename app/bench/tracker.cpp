@@ -56,17 +56,17 @@ struct TwoLevelTracking {
     }
     /// The same loop, counted. A step ends at a border, so the cell of a real collision is counted with the collision.
     float operator()(const Ray& ray, const RandomStream& random, Work& work) const {
-        Flight<float, true> flight;
+        MajorantTraversal<float, true> flight;
         flight.start(scene.majorants, {ray.origin.x, ray.origin.y, ray.origin.z},
                      {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length, random);
         DeltaTracking<float> rule;
-        while (flight.flying()) {
+        while (flight.isActive()) {
             const TentativeCollision<float> collision = flight.step(scene);
-            if (collision.happened || collision.closely)
+            if (collision.happened || collision.voxelMajorant)
                 work.fetch();
             if (!collision.happened)
                 work.cell();
-            if (rule.endsAt(flight.t, collision)) {
+            if (rule.onCollision(flight.t, collision)) {
                 work.cell();
                 break;
             }
@@ -143,8 +143,8 @@ RayList primaryRays(const FlatScene& scene, int edge) {
         for (int x = 0; x < edge; ++x) {
             const Random random(scene.seed, std::uint32_t(y * edge + x), 0);
             const vec2 place = (vec2(x, y) + random.stream(Dimension::filter).pair()) * perRay;
-            list.rays.push_back(cameraLeg(scene, place, vec2(0), vec2(0, 1e30f)).ray);
-            list.streams.push_back(random.stream(0, BounceDimension::flight));
+            list.rays.push_back(generateCameraRay(scene, place, vec2(0), vec2(0, 1e30f)).ray);
+            list.streams.push_back(random.stream(0, BounceDimension::distance));
         }
     return list;
 }

@@ -7,7 +7,7 @@
 #include <stop_token>
 
 #include "render/base/result.h"
-#include "render/device/live_film.h"
+#include "render/device/accumulator.h"
 
 namespace pdr::app {
 
@@ -40,7 +40,7 @@ class BatchRender {
     using Report = std::function<void(const BatchState&)>;
 
     /// `film` is empty, of the scene that its device holds, and outlives this. `display`: what levels are those of.
-    BatchRender(LiveFilm& film, const Stops& stops, const Display& display)
+    BatchRender(Accumulator& film, const Stops& stops, const Display& display)
         : film_(film), stops_(stops), display_(display) {}
 
     /// Renders until the first stop. After a stop request it ends with the sample that is on its way, so that the film
@@ -57,7 +57,7 @@ class BatchRender {
     bool stopsByError() const { return stops_.relativeError || stops_.levels; }
     bool errorIsDue() const;
 
-    LiveFilm& film_;
+    Accumulator& film_;
     Stops stops_;
     Display display_;
     std::uint64_t done_ = 0;  ///< samples of every pixel

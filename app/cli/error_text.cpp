@@ -8,9 +8,9 @@
 namespace pdr::app {
 namespace {
 
-std::string percentText(double share) {
+std::string percentText(double fraction) {
     char text[32];
-    const double percent = 100 * share;
+    const double percent = 100 * fraction;
     std::snprintf(text, sizeof text, percent < 10 ? "%.2g %%" : "%.0f %%", percent);
     return text;
 }

@@ -15,35 +15,35 @@ void printTriple(const char* what, const Vector& v) {
     std::printf("%s(%.6g, %.6g, %.6g)", what, double(v.x), double(v.y), double(v.z));
 }
 
-void printLeg(int number, const ReplayedLeg& leg) {
+void printSegment(int number, const ReplayedSegment& segment) {
     std::printf("%d ", number);
-    printTriple("from ", leg.startMm);
-    printTriple(" mm towards ", leg.direction);
-    if (leg.collision < 0) {
-        std::printf(leg.length > 0 ? ", through to the end: no event\n" : ": nothing in its way\n");
+    printTriple("from ", segment.startMm);
+    printTriple(" mm towards ", segment.direction);
+    if (segment.collision < 0) {
+        std::printf(segment.length > 0 ? ", through to the end: no event\n" : ": nothing in its way\n");
         return;
     }
-    const bool surface = leg.event.normal != vec3(0);
-    std::printf(", event after %.6g mm\n", double(leg.collision));
-    printTriple("    at ", leg.eventMm);
-    std::printf(" mm: %.6g HU, extinction %.6g per mm, %s\n", double(leg.hu), double(leg.extinction),
+    const bool surface = segment.event.normal != vec3(0);
+    std::printf(", event after %.6g mm\n", double(segment.collision));
+    printTriple("    at ", segment.eventMm);
+    std::printf(" mm: %.6g HU, extinction %.6g per mm, %s\n", double(segment.hu), double(segment.extinction),
                 surface ? "a surface reflects" : "the phase function scatters");
-    printTriple("    albedo ", leg.event.material.albedo);
+    printTriple("    albedo ", segment.event.material.albedo);
     if (surface)
-        printTriple(", normal ", leg.event.normal);
-    if (leg.emitted != vec3(0))
-        printTriple(", glow ", leg.emitted);
+        printTriple(", normal ", segment.event.normal);
+    if (segment.emitted != vec3(0))
+        printTriple(", glow ", segment.emitted);
     std::printf("\n");
-    if (leg.direct == vec3(0)) {
+    if (segment.direct == vec3(0)) {
         std::printf("    no light reaches it\n");
     } else {
-        printTriple("    light from ", leg.lightDirection);
-        if (leg.lightDistance < 1e29f)
-            std::printf(", %.6g mm away", double(leg.lightDistance));
-        printTriple(", brings ", leg.direct);
-        std::printf(" times a transmittance of %.6g\n", double(leg.transmittance));
+        printTriple("    light from ", segment.lightDirection);
+        if (segment.lightDistance < 1e29f)
+            std::printf(", %.6g mm away", double(segment.lightDistance));
+        printTriple(", brings ", segment.direct);
+        std::printf(" times a transmittance of %.6g\n", double(segment.transmittance));
     }
-    printTriple("    the path goes on with ", leg.throughput);
+    printTriple("    the path goes on with ", segment.throughput);
     std::printf("\n");
 }
 
@@ -66,8 +66,8 @@ Result<void> tell(const ReplayOptions& options) {
     std::printf("pixel %d,%d sample %llu seed %llu, %s\n", options.pixel.x, options.pixel.y,
                 static_cast<unsigned long long>(options.sample), static_cast<unsigned long long>(scene.seed),
                 modelName(scene.model));
-    for (std::size_t i = 0; i < replay.legs.size(); ++i)
-        printLeg(int(i), replay.legs[i]);
+    for (std::size_t i = 0; i < replay.segments.size(); ++i)
+        printSegment(int(i), replay.segments[i]);
     printTriple("radiance ", replay.radiance);
     std::printf("\n");
     for (const std::string& fault : healthLines(replay.faults))

@@ -7,8 +7,8 @@ namespace pdr {
 namespace {
 
 double samplesFor(double target, double error, std::uint64_t samples) {
-    const double share = error / target;
-    return double(samples) * std::max(share * share, 1.0);
+    const double fraction = error / target;
+    return double(samples) * std::max(fraction * fraction, 1.0);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #pragma once
 /// Several numbers that are computed in step. Code written for a type Real runs on float, one path at a time as on a
 /// GPU, and on FloatLanes, kLanes paths at a time in the CPU's vector registers:
-///   Numbers<Real>::Int    whole numbers
-///   Numbers<Real>::Bits   64 bits
-///   Numbers<Real>::Mask   per lane: holds or does not
+///   SimdTraits<Real>::Int    whole numbers
+///   SimdTraits<Real>::Bits   64 bits
+///   SimdTraits<Real>::Mask   per lane: holds or does not
 /// Lanes never mix: a lane's numbers are the same whatever its neighbours do.
 
 #include <bit>
@@ -20,10 +20,10 @@
 namespace pdr {
 
 template <class Real>
-struct Numbers;
+struct SimdTraits;
 
 template <>
-struct Numbers<float> {
+struct SimdTraits<float> {
     using Int = std::int32_t;
     using Bits = std::uint64_t;
     using Mask = bool;
@@ -46,7 +46,7 @@ PDR_HD inline float gather(const float* from, int index) {
     return from[index];
 }
 /// column[index] in a column of `count` entries that can be read up to the next multiple of kLanes.
-PDR_HD inline float lookUp(const float* column, int /*count*/, int index) {
+PDR_HD inline float tableLookup(const float* column, int /*count*/, int index) {
     return column[index];
 }
 /// Bits 41..63 and 9..31 of a random word as whole numbers below 2^23.
@@ -56,7 +56,7 @@ PDR_HD inline int highBits(std::uint64_t word) {
 PDR_HD inline int lowBits(std::uint64_t word) {
     return int(std::uint32_t(word) >> 9);
 }
-PDR_HD inline std::uint64_t keepWhere(bool mask, std::uint64_t word) {
+PDR_HD inline std::uint64_t masked(bool mask, std::uint64_t word) {
     return mask ? word : 0;
 }
 PDR_HD inline float squareRoot(float x) {
@@ -86,7 +86,7 @@ using BitsLanes = std::uint64_t __attribute__((vector_size(8 * kLanes)));
 using SignedBitsLanes = std::int64_t __attribute__((vector_size(8 * kLanes)));
 
 template <>
-struct Numbers<FloatLanes> {
+struct SimdTraits<FloatLanes> {
     using Int = IntLanes;
     using Bits = BitsLanes;
     using Mask = IntLanes;
@@ -117,15 +117,30 @@ inline bool any(IntLanes mask) {
 inline int count(IntLanes mask) {
     return std::popcount(laneBits(mask));
 }
+#if defined(__clang__)
+/// Clang's own permutation takes constants only.
+template <class Lanes, class From>
+inline Lanes permutedAny(Lanes lanes, From from) {
+    Lanes result{};
+    for (int lane = 0; lane < kLanes; ++lane)
+        result[lane] = lanes[from[lane] & (kLanes - 1)];
+    return result;
+}
+#else
+template <class Lanes, class From>
+inline Lanes permutedAny(Lanes lanes, From from) {
+    return __builtin_shuffle(lanes, from);
+}
+#endif
 /// Lane l of the result is lane from[l] of `lanes`.
-inline FloatLanes shuffled(FloatLanes lanes, IntLanes from) {
-    return __builtin_shuffle(lanes, from);
+inline FloatLanes permuted(FloatLanes lanes, IntLanes from) {
+    return permutedAny(lanes, from);
 }
-inline IntLanes shuffled(IntLanes lanes, IntLanes from) {
-    return __builtin_shuffle(lanes, from);
+inline IntLanes permuted(IntLanes lanes, IntLanes from) {
+    return permutedAny(lanes, from);
 }
-inline BitsLanes shuffled(BitsLanes lanes, IntLanes from) {
-    return __builtin_shuffle(lanes, __builtin_convertvector(from, BitsLanes));
+inline BitsLanes permuted(BitsLanes lanes, IntLanes from) {
+    return permutedAny(lanes, __builtin_convertvector(from, BitsLanes));
 }
 inline BitsLanes selected(IntLanes mask, BitsLanes yes, BitsLanes no) {
     return __builtin_convertvector(mask, SignedBitsLanes) ? yes : no;
@@ -136,12 +151,12 @@ inline FloatLanes gather(const float* from, IntLanes index) {
         result[lane] = from[index[lane]];
     return result;
 }
-inline FloatLanes lookUp(const float* column, int count, IntLanes index) {
+inline FloatLanes tableLookup(const float* column, int count, IntLanes index) {
     if (count > kLanes)
         return gather(column, index);
     FloatLanes whole;
     std::memcpy(&whole, column, sizeof whole);
-    return shuffled(whole, index);
+    return permuted(whole, index);
 }
 /// Neighbouring int16 pairs at from[index] and from[index + 1].
 inline void gatherPair(const std::int16_t* from, IntLanes index, FloatLanes& first, FloatLanes& second) {
@@ -160,7 +175,7 @@ inline IntLanes highBits(BitsLanes word) {
 inline IntLanes lowBits(BitsLanes word) {
     return __builtin_convertvector((word & 0xFFFFFFFFull) >> 9, IntLanes);
 }
-inline BitsLanes keepWhere(IntLanes mask, BitsLanes word) {
+inline BitsLanes masked(IntLanes mask, BitsLanes word) {
     return word & BitsLanes(__builtin_convertvector(mask, SignedBitsLanes));
 }
 inline FloatLanes squareRoot(FloatLanes x) {
@@ -184,11 +199,11 @@ inline FloatLanes floatOf(IntLanes bits) {
 #endif
 
 template <class Real>
-PDR_HD inline Real smaller(Real a, Real b) {
+PDR_HD inline Real min(Real a, Real b) {
     return a < b ? a : b;
 }
 template <class Real>
-PDR_HD inline Real larger(Real a, Real b) {
+PDR_HD inline Real max(Real a, Real b) {
     return a > b ? a : b;
 }
 
@@ -202,7 +217,7 @@ struct Vec3 {
 /// by bit: ln(2^e m) = e ln 2 + 2 artanh((m - 1) / (m + 1)), m in [0.7, 1.4).
 template <class Real>
 PDR_HD inline Real negativeLog(Real u) {
-    using Int = typename Numbers<Real>::Int;
+    using Int = typename SimdTraits<Real>::Int;
     const Int bits = bitsOf(u);
     const Int exponent = (bits - 0x3F3504F3) >> 23;
     const Real m = floatOf(Int(bits - (exponent << 23)));

@@ -6,7 +6,7 @@
 
 #include "render/base/result.h"
 #include "render/base/tile.h"
-#include "render/device/live_film.h"
+#include "render/device/accumulator.h"
 #include "render/device/schedule.h"
 #include "render/scene/scene.h"
 
@@ -31,10 +31,10 @@ class Device {
     virtual Result<void> unload() = 0;
     /// An empty film for pictures of the uploaded scenes, or for the part `area` of them; it must not outlive the
     /// device. Errors: no room for it.
-    virtual Result<std::unique_ptr<LiveFilm>> film(const Tile& area, std::uint64_t revision,
+    virtual Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                                    const Schedule& schedule) = 0;
     /// For whole pictures of that size.
-    Result<std::unique_ptr<LiveFilm>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) {
+    Result<std::unique_ptr<Accumulator>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) {
         return film(Tile{0, 0, size.x, size.y}, revision, schedule);
     }
 };

@@ -5,9 +5,9 @@
 
 namespace pdr {
 
-double errorQuantile(const ErrorCounts& counts, double share) {
+double errorQuantile(const ErrorCounts& counts, double fraction) {
     const double all = std::accumulate(std::begin(counts.pixels), std::end(counts.pixels), 0.0);
-    double left = share * all;
+    double left = fraction * all;
     for (int bin = 0; bin < kErrorBins; ++bin) {
         const double here = counts.pixels[bin];
         if (here > 0 && here >= left)

@@ -19,10 +19,10 @@ const Thresholds& displayThresholds();
 PDR_HD inline std::uint8_t levelOf(const double* thresholds, double radiance, double exposure) {
     if (!(radiance > 0))
         return 0;
-    const double share = radiance / exposure;
+    const double fraction = radiance / exposure;
     int level = 0;
     for (int step = (kThresholds + 1) / 2; step > 0; step /= 2)
-        if (thresholds[level + step - 1] <= share)
+        if (thresholds[level + step - 1] <= fraction)
             level += step;
     return std::uint8_t(level);
 }

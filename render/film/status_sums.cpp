@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 constexpr double kSureEnough = 3;  ///< -ln(1 - 0.95): what did not come in n draws has a chance of at most 3 / n
-constexpr double kDisplayShare = 0.95;
+constexpr double kDisplayFraction = 0.95;
 
 /// Of the tissue, or of all pixels where there is none.
 double relativeErrorOf(const StatusSums& sums, std::size_t pixels) {
@@ -54,7 +54,7 @@ FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCoun
     ErrorCounts errors = shown.errors;
     if (sums.unlit > 0)
         errors.pixels[errorBinOf(unlitLevelsOff(sums, samples, shown))] += std::uint32_t(sums.unlit);
-    status.displayError = errorQuantile(errors, kDisplayShare);
+    status.displayError = errorQuantile(errors, kDisplayFraction);
     return status;
 }
 

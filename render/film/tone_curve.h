@@ -18,16 +18,16 @@ const float* displayCurve();
 
 /// The level of `share`, a radiance in units of the exposure: [0, 255], off by less than 0.005. 0 for what is not above
 /// 0.
-PDR_HD inline float exactLevelOf(const float* curve, float share) {
+PDR_HD inline float exactLevelOf(const float* curve, float fraction) {
     constexpr int kShift = 23 - kCurveBits;
     constexpr std::uint32_t kFirst = std::uint32_t(127 + kCurveFrom) << kCurveBits;
-    if (!(share > 0))
+    if (!(fraction > 0))
         return 0;
-    if (share < 0x1p-20f)  // straight from there to black
-        return share * 0x1p20f * curve[0];
-    if (!(share < 16))
+    if (fraction < 0x1p-20f)  // straight from there to black
+        return fraction * 0x1p20f * curve[0];
+    if (!(fraction < 16))
         return 255;
-    const std::uint32_t bits = std::uint32_t(bitsOf(share));
+    const std::uint32_t bits = std::uint32_t(bitsOf(fraction));
     const float* entry = curve + ((bits >> kShift) - kFirst);
     const float place = float(bits & ((1u << kShift) - 1)) * (1.0f / (1u << kShift));
     return entry[0] + (entry[1] - entry[0]) * place;

@@ -30,8 +30,8 @@ std::array<float, kCurveEntries> makeCurve() {
     std::array<float, kCurveEntries> curve{};
     for (int i = 0; i < kCurveEntries; ++i) {
         const double octave = std::exp2(kCurveFrom + i / kCurvePerOctave);
-        const double share = octave * (1 + double(i % kCurvePerOctave) / kCurvePerOctave);
-        curve[i] = float(255 * srgbFromLinear(-std::expm1(-share)));
+        const double fraction = octave * (1 + double(i % kCurvePerOctave) / kCurvePerOctave);
+        curve[i] = float(255 * srgbFromLinear(-std::expm1(-fraction)));
     }
     return curve;
 }
@@ -40,11 +40,11 @@ std::array<float, kCurveEntries> makeCurve() {
 std::uint8_t levelNear(const double* thresholds, const float* curve, double radiance, double exposure) {
     if (!(radiance > 0))
         return 0;
-    const double share = radiance / exposure;
-    int level = int(exactLevelOf(curve, float(share)) + 0.5f);
-    while (level < kThresholds && thresholds[level] <= share)
+    const double fraction = radiance / exposure;
+    int level = int(exactLevelOf(curve, float(fraction)) + 0.5f);
+    while (level < kThresholds && thresholds[level] <= fraction)
         ++level;
-    while (level > 0 && thresholds[level - 1] > share)
+    while (level > 0 && thresholds[level - 1] > fraction)
         --level;
     return std::uint8_t(level);
 }

@@ -17,8 +17,8 @@ inline constexpr float kOpaqueDepth = 87;  ///< exp(-87) is the last power that 
 /// For depth >= 0: exp(-depth) = 2^-n exp(r), |r| <= ln(2) / 2.
 template <class Real>
 PDR_HD_INLINE Attenuation<Real> attenuation(Real depth) {
-    using Int = typename Numbers<Real>::Int;
-    const Real within = smaller(depth, Real{} + kOpaqueDepth);
+    using Int = typename SimdTraits<Real>::Int;
+    const Real within = min(depth, Real{} + kOpaqueDepth);
     const Int n = toInt(within * 1.44269504f + 0.5f);
     const Real whole = toFloat(n);
     const Real r = (whole * 0.693359375f - within) + whole * -2.12194440e-4f;

@@ -7,14 +7,14 @@
 namespace pdr {
 
 /// A ray in the volume, its unit direction in local space, and the light that it ends at.
-struct Leg {
+struct PathSegment {
     Ray ray;
     vec3 direction;
     int light = -1;  ///< index of the light that the camera sees there; -1: none
 };
 
 /// A point of the unit disc, uniform over its area.
-PDR_HD inline vec2 onDisc(vec2 u) {
+PDR_HD inline vec2 sampleUniformDisk(vec2 u) {
     const float radius = std::sqrt(u.x), angle = 2 * kPi * u.y;
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
@@ -28,7 +28,7 @@ PDR_HD inline int lightInView(const FlatScene& scene, dvec3 eye, dvec3 unit, dou
         // From a point of the ray just before the light, found in double: the eye may be far away.
         const dvec3 fromLight = eye - dvec3(scene.lights[i].position);
         const double before = -glm::dot(fromLight, unit) - 2 * scene.lights[i].radius;
-        const LightHit hit = lightSeen(scene.lights[i], vec3(fromLight + unit * before), vec3(unit));
+        const LightHit hit = intersectLight(scene.lights[i], vec3(fromLight + unit * before), vec3(unit));
         const double distance = before + hit.distance;
         if (hit.met && distance > 0 && distance < reach) {
             reach = distance;
@@ -39,21 +39,21 @@ PDR_HD inline int lightInView(const FlatScene& scene, dvec3 eye, dvec3 unit, dou
 }
 
 /// `place`: pixels from the image's upper left corner. `lens`: on the unit disc; (0, 0) for a pinhole. `depths`: where
-/// matter lies, mm along the view; see FlatViewBounds. The sharp surface of a lens is a plane across the view.
-PDR_HD_INLINE Leg cameraLeg(const FlatScene& scene, vec2 place, vec2 lens, vec2 depths) {
+/// tissue lies, mm along the view; see FlatViewBounds. The sharp surface of a lens is a plane across the view.
+PDR_HD_INLINE PathSegment generateCameraRay(const FlatScene& scene, vec2 place, vec2 lens, vec2 depths) {
     const FlatCamera& camera = scene.camera;
     // In double up to the border of the box: the camera may stand far away.
     const dvec2 film = dvec2(place) * camera.perPixel - 0.5;
     const dvec3 offset = camera.right * film.x - camera.up * film.y;
-    dvec3 towards = camera.forward + offset * camera.perspective;
+    dvec3 alongView = camera.forward + offset * camera.perspective;
     dvec3 fromEye = offset * (1 - camera.perspective);
     if (camera.focus > 0) {
         const dvec3 onLens = camera.lensRight * double(lens.x) + camera.lensUp * double(lens.y);
         fromEye += onLens;
-        towards -= onLens / camera.focus;
+        alongView -= onLens / camera.focus;
     }
-    const double stretch = glm::length(towards);  // distance per depth
-    const dvec3 unit = towards * (1 / stretch);
+    const double stretch = glm::length(alongView);  // distance per depth
+    const dvec3 unit = alongView * (1 / stretch);
     double reach = 1e30;
     const int light = scene.lightsInView ? lightInView(scene, camera.localEye + fromEye, unit, reach) : -1;
     const dvec3 direction = scene.volume.exactIndexFromLocal * unit;

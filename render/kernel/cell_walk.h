@@ -2,7 +2,7 @@
 /// A ray on its way through the cells between voxel centres. Cells that cannot matter are passed many at a time: a
 /// coarse cell (16 voxels) or a fine one (4 voxels) whose bound does not exceed a bar. See FlatMajorants and GridAxis.
 
-#include "render/kernel/density_along.h"
+#include "render/kernel/hounsfield_along.h"
 #include "render/kernel/grid_axis.h"
 
 namespace pdr {
@@ -17,8 +17,8 @@ struct HuAlong {
 template <class Real>
 class CellWalk {
   public:
-    using Int = typename Numbers<Real>::Int;
-    using Mask = typename Numbers<Real>::Mask;
+    using Int = typename SimdTraits<Real>::Int;
+    using Mask = typename SimdTraits<Real>::Mask;
 
     /// The part of a ray that can matter. Nothing is left to walk where there is none.
     PDR_HD_INLINE void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
@@ -38,8 +38,8 @@ class CellWalk {
 
     /// Where `mask` holds: lane l goes on where lane from[l] of `other` is.
     void take(Mask mask, const CellWalk& other, Int from) {
-        t_ = mask ? shuffled(other.t_, from) : t_;
-        end_ = mask ? shuffled(other.end_, from) : end_;
+        t_ = mask ? permuted(other.t_, from) : t_;
+        end_ = mask ? permuted(other.end_, from) : end_;
         x_.take(mask, other.x_, from);
         y_.take(mask, other.y_, from);
         z_.take(mask, other.z_, from);
@@ -56,7 +56,7 @@ class CellWalk {
             within = met ? Int{} : within;
         }
         const Real x = x_.leave(within), y = y_.leave(within), z = z_.leave(within);
-        const Real leave = larger(smaller(smaller(x, smaller(y, z)), end_), t_);
+        const Real leave = max(min(min(x, min(y, z)), end_), t_);
         if (any(met))
             read(scene.volume, met, leave, way);
         x_.advance(mask, within, x, leave);
@@ -85,7 +85,7 @@ class CellWalk {
         const Int i = corner(x_, volume.lastCorner.x), j = corner(y_, volume.lastCorner.y),
                   k = corner(z_, volume.lastCorner.z);
         const auto fraction = [](Real position, Int cell) {
-            return larger(smaller(position - toFloat(cell), Real{} + 1.0f), Real{});
+            return max(min(position - toFloat(cell), Real{} + 1.0f), Real{});
         };
         const auto place = [&](Real t) {
             return Vec3<Real>{fraction(x_.at(t), i), fraction(y_.at(t), j), fraction(z_.at(t), k)};

@@ -7,17 +7,17 @@
 namespace pdr {
 
 template <class Real>
-PDR_HD inline Real magnitude(Real x) {
-    return larger(x, -x);
+PDR_HD inline Real abs(Real x) {
+    return max(x, -x);
 }
 
 template <class Real>
 struct Cubic {
-    using Mask = typename Numbers<Real>::Mask;
+    using Mask = typename SimdTraits<Real>::Mask;
     Real b0, b1, b2, b3;
 
-    PDR_HD_INLINE Real lowest() const { return smaller(smaller(b0, b1), smaller(b2, b3)); }
-    PDR_HD_INLINE Real highest() const { return larger(larger(b0, b1), larger(b2, b3)); }
+    PDR_HD_INLINE Real lowest() const { return min(min(b0, b1), min(b2, b3)); }
+    PDR_HD_INLINE Real highest() const { return max(max(b0, b1), max(b2, b3)); }
     PDR_HD_INLINE Real mean() const { return 0.25f * ((b0 + b1) + (b2 + b3)); }
 
     PDR_HD_INLINE Mask monotone() const {
@@ -47,11 +47,11 @@ struct Cubic {
     PDR_HD_INLINE Real maximum() const {
         const Real d0 = b1 - b0, d1 = b2 - b1, d2 = b3 - b2;
         const Real curve = d0 - 2.0f * d1 + d2, half = d1 - d0;
-        const Real root = squareRoot(larger(d1 * d1 - d0 * d2, Real{}));
+        const Real root = squareRoot(max(d1 * d1 - d0 * d2, Real{}));
         const Real q = half > 0.0f ? -half - root : root - half;
         // A place outside, or none at all, becomes an end; so the value is met wherever the places are.
-        const auto inside = [](Real s) { return larger(smaller(s, Real{} + 1.0f), Real{}); };
-        return larger(larger(b0, b3), larger(at(inside(q / curve)), at(inside(d0 / q))));
+        const auto inside = [](Real s) { return max(min(s, Real{} + 1.0f), Real{}); };
+        return max(max(b0, b3), max(at(inside(q / curve)), at(inside(d0 / q))));
     }
 
     /// Where a monotone cubic has the value `level`, which lies between b0 and b3; lanes outside `mask` are left out.
@@ -59,7 +59,7 @@ struct Cubic {
     PDR_HD_INLINE Real whereIs(Real level, Mask mask) const {
         const Mask rises = b3 > b0;
         Real low{}, high = Real{} + 1.0f;
-        Real s = larger(smaller((level - b0) / (b3 - b0), high), low);
+        Real s = max(min((level - b0) / (b3 - b0), high), low);
         Mask open = mask;
         for (int i = 0; i < kMostSteps && any(open); ++i) {
             const Real beyond = at(s) - level;
@@ -69,7 +69,7 @@ struct Cubic {
             const Real newton = s - beyond / slopeAt(s);
             const Mask inside = (newton >= low) & (newton <= high);
             const Real next = inside ? newton : 0.5f * (low + high);
-            const Mask settled = (inside & (magnitude(next - s) <= kSettled)) | (high - low <= kNarrowest);
+            const Mask settled = (inside & (abs(next - s) <= kSettled)) | (high - low <= kNarrowest);
             s = open ? next : s;
             open = open & !settled;
         }

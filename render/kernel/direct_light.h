@@ -21,7 +21,7 @@ PDR_HD inline bool isDark(const LightPath& light) {
 
 /// Of several light paths one, picked in proportion to what each would bring if nothing stood in its way, and weighted
 /// so that the sum of all is what it stands for on average (resampled importance sampling, Talbot et al. 2005).
-struct LightChoice {
+struct LightReservoir {
     LightPath chosen{{vec3(0), vec3(0), 0}, vec3(0)};
     float weight = 0, total = 0;
 
@@ -50,14 +50,14 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
     RandomStream chances = random.stream(bounce, BounceDimension::choice);
     const bool alongScatter = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
     const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, event.position) : vec3(0);
-    LightChoice choice;
-    const auto offer = [&](vec3 towards, float distance, vec3 radiance) {
-        choice.offer({{event.position, scene.volume.indexFromLocal * towards, distance}, radiance}, chances.pair().x);
+    LightReservoir choice;
+    const auto offer = [&](vec3 wi, float distance, vec3 radiance) {
+        choice.offer({{event.position, scene.volume.indexFromLocal * wi, distance}, radiance}, chances.pair().x);
     };
     const auto offerSample = [&](const LightSample& light) {
-        const float other = alongScatter && light.density > 0 ? scatterPdf<F>(scene, event, light.towards) : 0;
-        offer(light.towards, light.distance,
-              scatterEval<F>(scene, event, light.towards) * light.radiance * powerShare(light.density, other));
+        const float other = alongScatter && light.pdf > 0 ? scatterPdf<F>(scene, event, light.wi) : 0;
+        offer(light.wi, light.distance,
+              scatterEval<F>(scene, event, light.wi) * light.radiance * powerHeuristic(light.pdf, other));
     };
 
     for (int i = 0; i < scene.lightCount; ++i)
@@ -69,17 +69,17 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
     }
     if (alongScatter) {
         const Scattered along = scatterSample<F>(scene, event, random.stream(bounce, BounceDimension::direction));
-        const float density = scatterPdf<F>(scene, event, along.towards);
+        const float density = scatterPdf<F>(scene, event, along.wi);
         for (int i = 0; has(F, kPlacedLights) && i < scene.lightCount; ++i) {
-            const LightHit hit = lightSeen(scene.lights[i], place - scene.lights[i].position, along.towards);
+            const LightHit hit = intersectLight(scene.lights[i], place - scene.lights[i].position, along.wi);
             if (hit.met && hit.distance > 0)
-                offer(along.towards, hit.distance,
-                      along.weight * scene.lights[i].radiance * powerShare(density, hit.density));
+                offer(along.wi, hit.distance,
+                      along.weight * scene.lights[i].radiance * powerHeuristic(density, hit.pdf));
         }
         if constexpr (has(F, kEnvironment))
-            offer(along.towards, kFarAway,
-                  along.weight * environmentRadiance(scene.environment, along.towards) *
-                      powerShare(density, environmentDensity(scene.environment, along.towards)));
+            offer(along.wi, kFarAway,
+                  along.weight * environmentRadiance(scene.environment, along.wi) *
+                      powerHeuristic(density, environmentPdf(scene.environment, along.wi)));
     }
 
     LightPath path = choice.path();

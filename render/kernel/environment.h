@@ -27,8 +27,8 @@ PDR_HD inline vec3 environmentRadiance(const FlatEnvironment& environment, vec3 
 }
 
 /// The density with which sampleEnvironment finds `direction` [1/sr]; 0 where there is no picture.
-PDR_HD inline float environmentDensity(const FlatEnvironment& environment, vec3 direction) {
-    return environment.texels != nullptr ? environment.density[environmentTexel(environment, direction)] : 0;
+PDR_HD inline float environmentPdf(const FlatEnvironment& environment, vec3 direction) {
+    return environment.texels != nullptr ? environment.pdf[environmentTexel(environment, direction)] : 0;
 }
 
 /// Index of the interval of ascending `sums` [0 .. count] that holds u * sums[count]; one of positive width.
@@ -58,7 +58,7 @@ PDR_HD inline LightSample sampleEnvironment(const FlatEnvironment& environment, 
     const float sine = std::sqrt(glm::max((1 - z) * (1 + z), 0.0f));
     const float angle = 2 * kPi * ((float(column) + place.x) / float(size.x) - 0.5f) + environment.turn;
     const int texel = row * size.x + column;
-    const float density = environment.density[texel];
+    const float density = environment.pdf[texel];
     if (!(density > 0))
         return dark();
     return {{sine * std::sin(angle), sine * std::cos(angle), z},

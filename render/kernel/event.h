@@ -11,7 +11,7 @@ namespace pdr {
 
 struct Event {
     vec3 position;  ///< index space
-    vec3 travel;    ///< direction of travel before the event, local, unit
+    vec3 wo;        ///< unit, local: to where the path came from
     Material material;
     vec3 normal;  ///< local, unit, on the side that the path came from; zero: the phase function holds
 };
@@ -26,7 +26,7 @@ PDR_HD inline float surfaceFactorOf(float gradientFactor) {
 /// A surface is the more likely the denser and the steeper the tissue: P = opacity (1 - exp(-surfaceFactor |grad|)),
 /// Kroes, Post & Botha 2012. No gradient, no surface. P is never above the opacity, so the gradient, which costs 48
 /// voxels, is looked at only where the number lies below that.
-PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 travel, float hu, float u) {
+PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
     const float most = opacity(scene.transferFunction, hu);
     if (u >= most)
         return vec3(0);
@@ -38,15 +38,15 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 tra
     if (u >= probability)
         return vec3(0);
     const vec3 normal = gradient / steepness;
-    return glm::dot(normal, travel) > 0 ? -normal : normal;
+    return glm::dot(normal, wo) < 0 ? -normal : normal;
 }
 
 template <std::uint32_t F>
-PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 travel, RandomStream random) {
+PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 wo, RandomStream random) {
     const float hu = hounsfield(scene.volume, position);
-    Event event{position, travel, materialAt(scene.transferFunction, hu), vec3(0)};
+    Event event{position, wo, materialAt(scene.transferFunction, hu), vec3(0)};
     if constexpr (has(F, kSurface))
-        event.normal = surfaceNormal(scene, position, travel, hu, random.pair().x);
+        event.normal = surfaceNormal(scene, position, wo, hu, random.pair().x);
     return event;
 }
 
@@ -55,25 +55,25 @@ PDR_HD inline bool isSurface(const Event& event) {
     return has(F, kSurface) && event.normal != vec3(0);
 }
 
-/// Light scattered back along the path per radiance from direction `towards` (unit, local) [1/sr].
+/// Light scattered back along the path per radiance from direction `wi` (unit, local) [1/sr].
 template <std::uint32_t F>
-PDR_HD inline vec3 scatterEval(const FlatScene& scene, const Event& event, vec3 towards) {
+PDR_HD inline vec3 scatterEval(const FlatScene& scene, const Event& event, vec3 wi) {
     if (isSurface<F>(event))
-        return surfaceEval(event.material, event.normal, -event.travel, towards);
-    return event.material.albedo * phaseEval(scene.phaseG, event.travel, towards);
+        return surfaceEval(event.material, event.normal, event.wo, wi);
+    return event.material.albedo * phaseEval(scene.phaseG, event.wo, wi);
 }
 
-/// The density with which scatterSample finds `towards` [1/sr].
+/// The pdf with which scatterSample finds `wi` [1/sr].
 template <std::uint32_t F>
-PDR_HD inline float scatterPdf(const FlatScene& scene, const Event& event, vec3 towards) {
+PDR_HD inline float scatterPdf(const FlatScene& scene, const Event& event, vec3 wi) {
     if (isSurface<F>(event))
-        return surfacePdf(event.material, event.normal, -event.travel, towards);
-    return phaseEval(scene.phaseG, event.travel, towards);
+        return surfacePdf(event.material, event.normal, event.wo, wi);
+    return phaseEval(scene.phaseG, event.wo, wi);
 }
 
-/// A direction and the light scattered back per radiance from there, already divided by the direction's density.
+/// A direction and the light scattered back per radiance from there, already divided by the direction's pdf.
 struct Scattered {
-    vec3 towards;
+    vec3 wi;
     vec3 weight;
 };
 
@@ -81,12 +81,12 @@ template <std::uint32_t F>
 PDR_HD inline Scattered scatterSample(const FlatScene& scene, const Event& event, RandomStream random) {
     const vec2 u = random.pair();
     if (!isSurface<F>(event))
-        return {phaseSample(scene.phaseG, event.travel, u), event.material.albedo};
-    const vec3 towards = surfaceSample(event.material, event.normal, -event.travel, random.pair().x, u);
-    const float density = surfacePdf(event.material, event.normal, -event.travel, towards);
-    if (!(density > 0))
-        return {towards, vec3(0)};
-    return {towards, surfaceEval(event.material, event.normal, -event.travel, towards) / density};
+        return {phaseSample(scene.phaseG, event.wo, u), event.material.albedo};
+    const vec3 wi = surfaceSample(event.material, event.normal, event.wo, random.pair().x, u);
+    const float pdf = surfacePdf(event.material, event.normal, event.wo, wi);
+    if (!(pdf > 0))
+        return {wi, vec3(0)};
+    return {wi, surfaceEval(event.material, event.normal, event.wo, wi) / pdf};
 }
 
 }  // namespace pdr

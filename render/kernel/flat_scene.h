@@ -54,7 +54,7 @@ struct FlatMajorants {
     ivec3 fineSize;
     ivec3 coarseSize;
     vec3 occupiedLow, occupiedHigh;  ///< index space: outside this box the extinction is 0
-    bool dense;                      ///< some fine cell may promise more collisions than kLookClosely
+    bool dense;                      ///< some fine cell may promise more collisions than kVoxelMajorantDepth
 };
 
 struct FlatCamera {
@@ -75,10 +75,10 @@ struct FlatLight {
     LightType type;
     vec3 radiance;          ///< or irradiance of a directional light
     vec3 position;          ///< local, mm: centre
-    vec3 normal;            ///< unit: to the light (directional) or out of the panel's shining side
-    vec3 halfU, halfV;      ///< half edges of a panel, mm
-    float area;             ///< mm^2, of a panel
-    float radius;           ///< mm, of a ball
+    vec3 normal;            ///< unit: to the light (directional) or out of the rectangle's shining side
+    vec3 halfU, halfV;      ///< half edges of a rectangle, mm
+    float area;             ///< mm^2, of a rectangle
+    float radius;           ///< mm, of a sphere
     std::uint32_t visible;  ///< 1: the camera sees it
 };
 
@@ -95,7 +95,7 @@ struct FlatEnvironment {
     float turn;               ///< radians: the picture is turned by this from +y towards +x
     ivec2 size;               ///< texels
     const vec3* texels;       ///< radiance, rows from the zenith
-    const float* density;     ///< of each texel's directions when sampled by its light [1/sr]
+    const float* pdf;     ///< of each texel's directions when sampled by its light [1/sr]
     const float* rowSums;     ///< size.y + 1: light of the rows above
     const float* columnSums;  ///< size.x + 1 for each row: light of the texels to the left
 };
@@ -112,7 +112,7 @@ struct FlatClip {
     bool shadows;  ///< what is cut away still throws its shadow
 };
 
-/// For each block of kViewBlock x kViewBlock pixels: the depths along the view between which all matter lies.
+/// For each block of kViewBlock x kViewBlock pixels: the depths along the view between which all that is not empty lies.
 struct FlatViewBounds {
     const vec2* depths;  ///< (near, far) mm from the eye along `forward`; near > far: nothing there
     int blocksPerRow;

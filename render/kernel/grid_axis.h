@@ -11,8 +11,8 @@ namespace pdr {
 /// Finest: edge of the cells that are counted, in voxels; a power of 2, at most 4.
 template <class Real, int Finest>
 struct GridAxis {
-    using Int = typename Numbers<Real>::Int;
-    using Mask = typename Numbers<Real>::Mask;
+    using Int = typename SimdTraits<Real>::Int;
+    using Mask = typename SimdTraits<Real>::Mask;
 
     Real origin, direction, inverse;
     Int cell;  ///< finest cell
@@ -26,8 +26,8 @@ struct GridAxis {
         inverse = 1.0f / direction;
         up = direction > 0.0f ? Int{} + 1 : Int{};
         const Real a = (low - origin) * inverse, b = (high - origin) * inverse;
-        enter = larger(enter, smaller(a, b));
-        leave = smaller(leave, larger(a, b));
+        enter = max(enter, min(a, b));
+        leave = min(leave, max(a, b));
     }
 
     PDR_HD Real at(Real t) const { return origin + direction * t; }
@@ -61,7 +61,7 @@ struct GridAxis {
     /// Where `mask` holds: lane l goes on where lane from[l] of `other` is.
     void take(Mask mask, const GridAxis& other, Int from) {
         const auto taken = [mask, from](auto& mine, const auto& theirs) {
-            mine = mask ? shuffled(theirs, from) : mine;
+            mine = mask ? permuted(theirs, from) : mine;
         };
         taken(origin, other.origin);
         taken(direction, other.direction);

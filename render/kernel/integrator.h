@@ -1,8 +1,21 @@
 #pragma once
-/// The whole transport on one page, by Monte Carlo, without bias.
-///   cameraStart -> track<DeltaTracking> -> arrival -> track<RatioTracking>, and again while the path goes on
-/// A path is a value that goes through these steps; a GPU's thread takes one at a time (takeLeg), the CPU many in step.
-/// All light comes in by next-event estimation: a path that leaves the volume after an event brings nothing more.
+/// The whole transport on one page, by Monte Carlo, without bias. It estimates the radiance that the camera sees along
+/// a ray x(t) = x - t w (the volume rendering equation, Chandrasekhar 1950),
+///
+///   L(x, w) = int_0^d T(t) sigma_t(x(t)) [ c_e + a int_S2 f(w, w') L(x(t), w') dw' ] dt + T(d) L_background
+///
+///   T(t)      transmittance, exp(-int_0^t sigma_t ds)            track<RatioTracking>     Novak et al. 2014
+///   sigma_t   extinction; T sigma_t is the pdf of the collision   track<DeltaTracking>     Woodcock et al. 1965
+///   c_e       emission per optical depth: its weight is 1, since the collision's pdf is T sigma_t    shadeVertex
+///   a f       albedo and phase function, or a surface's BRDF with its cosine                  scatterEval, event.h
+///   int_S2    next-event estimation of light from the lights, one light path by resampling (Talbot et al. 2005) with
+///             multiple importance sampling (Veach & Guibas 1995)                              directLight
+///             and, with kBounces, one continuation of the path; Russian roulette keeps its mean    sampleContinuation
+///
+///   startPath -> traceSegment (track, shadeVertex, track towards the light) -> traceSegment -> ...
+/// A path is a value that goes through these steps; a GPU's thread takes one at a time (traceSegment), the CPU many in
+/// step (device/cpu/pixel_batch.h). All light comes in by next-event estimation: a path that leaves the volume after an
+/// event adds nothing more.
 
 #include "render/kernel/camera_ray.h"
 #include "render/kernel/direct_light.h"
@@ -14,28 +27,28 @@ namespace pdr {
 /// One sample of one pixel, on its way to its next event.
 struct Path {
     Random random;
-    Leg leg;
+    PathSegment segment;
     vec3 throughput{1.0f};  ///< of radiance from the next event to the camera
 };
 
-/// `depths`: where matter lies along the pixel's view; see FlatViewBounds.
-PDR_HD_INLINE Path cameraStart(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
+/// `depths`: where tissue lies along the pixel's view; see FlatViewBounds.
+PDR_HD_INLINE Path startPath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
     const Random random(scene.seed, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x), sample);
     const vec2 filter = random.stream(Dimension::filter).pair();
-    const vec2 lens = scene.camera.focus > 0 ? onDisc(random.stream(Dimension::lens).pair()) : vec2(0);
-    return {random, cameraLeg(scene, vec2(pixel) + filter, lens, depths)};
+    const vec2 lens = scene.camera.focus > 0 ? sampleUniformDisk(random.stream(Dimension::lens).pair()) : vec2(0);
+    return {random, generateCameraRay(scene, vec2(pixel) + filter, lens, depths)};
 }
 
-/// What the camera sees along a leg that meets no event.
-PDR_HD inline vec3 background(const FlatScene& scene, const Leg& leg) {
-    if (leg.light >= 0)
-        return scene.lights[leg.light].radiance;
-    return scene.environment.visible ? environmentRadiance(scene.environment, leg.direction) : vec3(0);
+/// What the camera sees along a segment that meets no event.
+PDR_HD inline vec3 background(const FlatScene& scene, const PathSegment& segment) {
+    if (segment.light >= 0)
+        return scene.lights[segment.light].radiance;
+    return scene.environment.visible ? environmentRadiance(scene.environment, segment.direction) : vec3(0);
 }
 
-/// What a leg that meets no event brings: the background, or no number where its ray came to no end (kMostSteps).
-PDR_HD inline vec3 missed(const FlatScene& scene, const Leg& leg, float collision) {
-    return collision < 0 ? background(scene, leg) : vec3(collision);
+/// What a segment that meets no event brings: the background, or no number where its ray came to no end (kMostSteps).
+PDR_HD inline vec3 missed(const FlatScene& scene, const PathSegment& segment, float collision) {
+    return collision < 0 ? background(scene, segment) : vec3(collision);
 }
 
 /// The same without looking, where it looks the same everywhere.
@@ -44,7 +57,7 @@ PDR_HD inline vec3 plainBackground(const FlatScene& scene) {
 }
 
 /// Exact Russian roulette: little throughput goes on rarely and then counts for more, so that its mean stays.
-PDR_HD inline bool survives(vec3& throughput, float u) {
+PDR_HD inline bool russianRoulette(vec3& throughput, float u) {
     constexpr float kRouletteBelow = 0.25f;
     const float most = glm::max(glm::max(throughput.x, throughput.y), throughput.z);
     if (!(most < kRouletteBelow))  // what is not a number goes on, to be met and counted
@@ -55,71 +68,71 @@ PDR_HD inline bool survives(vec3& throughput, float u) {
     return true;
 }
 
-/// The path's next leg, away from `event`; false where it ends.
+/// The path's next segment, away from `event`; false where it ends.
 template <std::uint32_t F>
-PDR_HD inline bool goesOn(const FlatScene& scene, Path& path, const Event& event, int bounce) {
-    const Scattered scattered = scatterSample<F>(scene, event, path.random.stream(bounce, BounceDimension::onward));
+PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const Event& event, int bounce) {
+    const Scattered scattered = scatterSample<F>(scene, event, path.random.stream(bounce, BounceDimension::continuation));
     path.throughput *= scattered.weight;
-    const vec3 direction = scene.volume.indexFromLocal * scattered.towards;
-    path.leg = {{event.position, direction, cutLength(scene.clip, event.position, direction, kFarAway)},
-                scattered.towards};
-    return survives(path.throughput, path.random.stream(bounce, BounceDimension::survival).pair().x);
+    const vec3 direction = scene.volume.indexFromLocal * scattered.wi;
+    path.segment = {{event.position, direction, cutLength(scene.clip, event.position, direction, kFarAway)},
+                scattered.wi};
+    return russianRoulette(path.throughput, path.random.stream(bounce, BounceDimension::roulette).pair().x);
 }
 
-/// What happens at the end of a leg: light that starts there, light that is scattered there, and whether the path,
-/// now on its next leg, goes on.
-struct Arrival {
+/// What happens at the end of a segment: light that starts there, light that is scattered there, and whether the path,
+/// now on its next segment, goes on.
+struct PathVertex {
     vec3 emitted;  ///< radiance, linear Rec. 709
     LightPath scattered;
-    bool goesOn;
+    bool continues;
     bool cut;  ///< it would have gone on, but may not
 };
 
-/// `collision` is the distance of the event [mm]. An event is met with the density of what extinction takes from the
-/// ray, so emission, which is counted per optical depth, comes in as it is.
+/// `collision` is the distance of the event [mm]. Its pdf is T sigma_t and emission is counted per optical depth, so
+/// emission has the weight 1.
 template <std::uint32_t F>
-PDR_HD inline Arrival arrival(const FlatScene& scene, Path& path, float collision, int bounce) {
-    const Event event = eventAt<F>(scene, path.leg.ray.origin + path.leg.ray.direction * collision, path.leg.direction,
-                                   path.random.stream(bounce, BounceDimension::event));
-    Arrival met{has(F, kEmission) ? event.material.emission : vec3(0),
+PDR_HD inline PathVertex shadeVertex(const FlatScene& scene, Path& path, float collision, int bounce) {
+    const Event event = eventAt<F>(scene, path.segment.ray.origin + path.segment.ray.direction * collision,
+                                   -path.segment.direction, path.random.stream(bounce, BounceDimension::event));
+    PathVertex met{has(F, kEmission) ? event.material.emission : vec3(0),
                 directLight<F>(scene, event, path.random, bounce), false, false};
     if constexpr (has(F, kBounces)) {
         met.emitted *= path.throughput;
         met.scattered.radiance *= path.throughput;
-        const bool alive = scene.maxBounces > 1 && goesOn<F>(scene, path, event, bounce);
+        const bool alive = scene.maxBounces > 1 && sampleContinuation<F>(scene, path, event, bounce);
         met.cut = alive && bounce + 1 >= scene.maxBounces;
-        met.goesOn = alive && !met.cut;
+        met.continues = alive && !met.cut;
     }
     return met;
 }
 
-/// What a path brought.
-struct Sampled {
+/// The result of a path.
+struct PathSample {
     vec3 radiance{0.0f};        ///< linear Rec. 709
     bool overMajorant = false;  ///< see Fault
     bool cut = false;           ///< see Fault::cutPath
     bool tissue = false;        ///< it met some
 };
 
-/// For tracePath(): nobody watches.
-struct Unwatched {
-    PDR_HD void leg(const Path&, int, float) {}
-    PDR_HD void light(const Arrival&, float) {}
+/// A visitor that records nothing.
+struct NullVisitor {
+    PDR_HD void segment(const Path&, int, float) {}
+    PDR_HD void light(const PathVertex&, float) {}
 };
 
-/// One leg of a path, and what is met at its end; false where the path ends. `bounce`: legs before it.
-template <std::uint32_t F, class Watch>
-PDR_HD_INLINE bool takeLeg(const FlatScene& scene, Path& path, int bounce, Sampled& result, Watch&& watch) {
+/// One segment of a path, and what is met at its end; false where the path ends. `bounce`: segments before it.
+template <std::uint32_t F, class Visitor>
+PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, PathSample& result, Visitor&& visitor) {
     const float collision = track<DeltaTracking>(
-        scene, path.leg.ray, path.random.stream(bounce, BounceDimension::flight), result.overMajorant);
-    watch.leg(path, bounce, collision);
+        scene, path.segment.ray, path.random.stream(bounce, BounceDimension::distance), result.overMajorant);
+    visitor.segment(path, bounce, collision);
     if (!(collision >= 0)) {
         if (bounce == 0 || collision != collision)
-            result.radiance = missed(scene, path.leg, collision);
+            result.radiance = missed(scene, path.segment, collision);
         return false;
     }
     result.tissue = true;
-    const Arrival met = arrival<F>(scene, path, collision, bounce);
+    const PathVertex met = shadeVertex<F>(scene, path, collision, bounce);
     result.radiance += met.emitted;
     float transmittance = 0;
     if (!isDark(met.scattered)) {
@@ -128,19 +141,19 @@ PDR_HD_INLINE bool takeLeg(const FlatScene& scene, Path& path, int bounce, Sampl
         if (transmittance != 0)  // in full shadow not even infinite light counts
             result.radiance += met.scattered.radiance * transmittance;
     }
-    watch.light(met, transmittance);
+    visitor.light(met, transmittance);
     result.cut = met.cut;
-    return met.goesOn;
+    return met.continues;
 }
 
-/// One sample of the radiance that the camera sees through `pixel` (x, y). `watch` is told each leg with the distance
+/// One sample of the radiance that the camera sees through `pixel` (x, y). `visitor` is told each segment with the distance
 /// of its event (-1: none), and then what was met there with the transmittance of the way to the light.
-template <std::uint32_t F, class Watch>
-PDR_HD inline Sampled tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths, Watch&& watch) {
-    Path path = cameraStart(scene, pixel, sample, depths);
-    Sampled result;
+template <std::uint32_t F, class Visitor>
+PDR_HD inline PathSample tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths, Visitor&& visitor) {
+    Path path = startPath(scene, pixel, sample, depths);
+    PathSample result;
     int bounce = 0;
-    while (takeLeg<F>(scene, path, bounce, result, watch))
+    while (traceSegment<F>(scene, path, bounce, result, visitor))
         ++bounce;
     return result;
 }

@@ -26,8 +26,8 @@ PDR_HD inline LightSample sampleSurroundings(const FlatEnvironment& environment,
     const vec2 u = random.pair();
     if (environment.texels != nullptr)
         return sampleEnvironment(environment, u, random.pair());
-    const vec3 towards = phaseSample(0, vec3(0, 0, 1), u);
-    return {towards, kFarAway, environmentRadiance(environment, towards) / kInverseFourPi, kInverseFourPi};
+    const vec3 wi = phaseSample(0, vec3(0, 0, -1), u);
+    return {wi, kFarAway, environmentRadiance(environment, wi) / kInverseFourPi, kInverseFourPi};
 }
 
 /// Light that reaches the event from one of the lights.
@@ -42,29 +42,29 @@ PDR_HD inline LightPath lightOfOne(const FlatScene& scene, const Event& event, c
             ? sampleLight<kAll>(scene.lights[picked], localPosition(scene.volume, event.position),
                                 random.stream(0, BounceDimension::light).pair())
             : sampleSurroundings(scene.environment, random.stream(0, BounceDimension::environment));
-    const vec3 towards = scene.volume.indexFromLocal * light.towards;
+    const vec3 wi = scene.volume.indexFromLocal * light.wi;
     const bool cutAway = scene.clip.count > 0 && !scene.clip.shadows;
-    const float distance = cutAway ? cutLength(scene.clip, event.position, towards, light.distance) : light.distance;
-    return {{event.position, towards, scene.unshadowed ? 0 : distance},
-            scatterEval<kAll>(scene, event, light.towards) * light.radiance * float(lights)};
+    const float distance = cutAway ? cutLength(scene.clip, event.position, wi, light.distance) : light.distance;
+    return {{event.position, wi, scene.unshadowed ? 0 : distance},
+            scatterEval<kAll>(scene, event, light.wi) * light.radiance * float(lights)};
 }
 
 }  // namespace kroes
 
-/// `depths`: where matter lies along the pixel's view; see FlatViewBounds. Where it begins does not change what a march
+/// `depths`: where tissue lies along the pixel's view; see FlatViewBounds. Where it begins does not change what a march
 /// finds: the first step is jittered by a whole one.
-PDR_HD inline Sampled kroesSample(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
-    const Path path = cameraStart(scene, pixel, sample, depths);
+PDR_HD inline PathSample kroesSample(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
+    const Path path = startPath(scene, pixel, sample, depths);
     const float step = marchStep(scene.volume, kExposureRenderStep);
-    const float collision = marchToCollision(scene, path.leg.ray, path.random.stream(0, BounceDimension::flight), step);
-    Sampled result;
+    const float collision = marchToCollision(scene, path.segment.ray, path.random.stream(0, BounceDimension::distance), step);
+    PathSample result;
     if (!(collision >= 0)) {
-        result.radiance = collision < 0 ? background(scene, path.leg) : vec3(collision);
+        result.radiance = collision < 0 ? background(scene, path.segment) : vec3(collision);
         return result;
     }
     result.tissue = true;
-    const Event event = eventAt<kroes::kAll>(scene, path.leg.ray.origin + path.leg.ray.direction * collision,
-                                             path.leg.direction, path.random.stream(0, BounceDimension::event));
+    const Event event = eventAt<kroes::kAll>(scene, path.segment.ray.origin + path.segment.ray.direction * collision,
+                                             -path.segment.direction, path.random.stream(0, BounceDimension::event));
     result.radiance = event.material.emission;
     const LightPath light = kroes::lightOfOne(scene, event, path.random);
     if (isDark(light))

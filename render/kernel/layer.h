@@ -20,7 +20,7 @@ namespace pdr {
 template <class Real>
 struct Layer {
     Attenuation<Real> behind;
-    Real share;  ///< where in the piece the source is that the layer shines with, over all its depth
+    Real fraction;  ///< where in the piece the source is that the layer shines with, over all its depth
     Real bound;  ///< on the error of `share`
 };
 
@@ -28,22 +28,22 @@ struct Layer {
 /// four (0, w1, w2, w3, 0), at most 7/8 together, where w1, w1 + w2 .. are sums of (extinction - mean) / mean / 4.
 template <class Real>
 PDR_HD_INLINE Real bendOf(const OpticsAlong<Real>& along) {
-    const Cubic<Real>& share = along.share;
-    const Real d1 = share.b1 - (1.0f / 3) * (2.0f * share.b0 + share.b3);
-    const Real d2 = share.b2 - (1.0f / 3) * (share.b0 + 2.0f * share.b3);
-    const Real e0 = share.b0 - along.meanShare, e1 = share.b1 - along.meanShare, e3 = share.b3 - along.meanShare;
-    const Real furthest = larger(larger(magnitude(e0), magnitude(e0 + e1)), magnitude(e3));
+    const Cubic<Real>& fraction = along.fraction;
+    const Real d1 = fraction.b1 - (1.0f / 3) * (2.0f * fraction.b0 + fraction.b3);
+    const Real d2 = fraction.b2 - (1.0f / 3) * (fraction.b0 + 2.0f * fraction.b3);
+    const Real e0 = fraction.b0 - along.meanFraction, e1 = fraction.b1 - along.meanFraction, e3 = fraction.b3 - along.meanFraction;
+    const Real furthest = max(max(abs(e0), abs(e0 + e1)), abs(e3));
     const Real uneven =
-        along.meanExtinction > 0.0f ? furthest * magnitude(along.extinctionRise) / along.meanExtinction : Real{};
-    return 0.75f * larger(magnitude(d1), magnitude(d2)) + (7.0f / 32) * magnitude(share.b3 - share.b0) * uneven;
+        along.meanExtinction > 0.0f ? furthest * abs(along.extinctionRise) / along.meanExtinction : Real{};
+    return 0.75f * max(abs(d1), abs(d2)) + (7.0f / 32) * abs(fraction.b3 - fraction.b0) * uneven;
 }
 
 template <class Real>
 PDR_HD_INLINE Layer<Real> layerAlong(const OpticsAlong<Real>& along, Real depth) {
     const Attenuation<Real> behind = attenuation(depth);
-    const Real early = (along.share.b3 - along.share.b0) * absorbedBeforeMiddle(depth, behind);
-    return {behind, extinctionWeightedShare(along) - (depth > 0.0f ? early : Real{}),
-            bendOf(along) * smaller(0.25f * depth, Real{} + 2.0f)};
+    const Real early = (along.fraction.b3 - along.fraction.b0) * absorbedBeforeMiddle(depth, behind);
+    return {behind, extinctionWeightedFraction(along) - (depth > 0.0f ? early : Real{}),
+            bendOf(along) * min(0.25f * depth, Real{} + 2.0f)};
 }
 
 }  // namespace pdr

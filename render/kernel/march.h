@@ -3,7 +3,7 @@
 /// of the unbiased trackers can be seen to fail (negative control); no picture that counts is made with it.
 ///   A fixed step with a jittered start; the extinction at a sample stands for the whole step; the ray collides at the
 ///   first sample where the summed optical depth reaches -ln(u). Shadows are that march again, seen or not seen.
-/// What is wrong with it: a slab is met by a whole number of samples. Through 2.5 steps of matter the transmittance is
+/// What is wrong with it: a slab is met by a whole number of samples. Through 2.5 steps of tissue the transmittance is
 /// too high by cosh(extinction * step / 2) - 1: 3 % where extinction * step is 0.5, 54 % at 2, 513 % at 5.
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// From Hounsfield units to optics.
 
-#include "render/kernel/density.h"
+#include "render/kernel/volume_sampling.h"
 
 namespace pdr {
 
@@ -60,8 +60,8 @@ PDR_HD_INLINE Real extinctionBound(const FlatTransferFunction& function, const C
     constexpr float kHuRoom = 1.0f / 256, kOpacityRoom = 0x1p-20f;  // interpolation and the curve round
     Real low = cube.hu[0], high = cube.hu[0];
     for (int n = 1; n < 8; ++n) {
-        low = smaller(low, cube.hu[n]);
-        high = larger(high, cube.hu[n]);
+        low = min(low, cube.hu[n]);
+        high = max(high, cube.hu[n]);
     }
     const auto varies = low < high;
     low = varies ? low - kHuRoom : low;
@@ -69,11 +69,11 @@ PDR_HD_INLINE Real extinctionBound(const FlatTransferFunction& function, const C
     Real most{};
     for (int i = 0; i < function.pieceCount; ++i) {
         const OpacityPiece& piece = function.pieces[i];
-        const Real from = i == 0 ? low : larger(low, Real{} + piece.start);
-        const Real to = smaller(high, Real{} + piece.end);
+        const Real from = i == 0 ? low : max(low, Real{} + piece.start);
+        const Real to = min(high, Real{} + piece.end);
         const auto value = [&](Real hu) { return piece.opacity + piece.slope * (hu - piece.start); };
-        const Real here = larger(value(from), value(to));
-        most = from <= to ? larger(most, here) : most;
+        const Real here = max(value(from), value(to));
+        most = from <= to ? max(most, here) : most;
     }
     return most > 0.0f ? function.extinctionPerMm * (most + kOpacityRoom) : Real{};
 }
@@ -84,9 +84,9 @@ PDR_HD_INLINE Material materialAt(const FlatTransferFunction& function, float hu
     const Material& a = function.materials[2 * index];
     const Material& b = function.materials[2 * index + 1];
     const float width = piece.end - piece.start;
-    const float share = width < 1e6f ? (hu - piece.start) / width : 0.0f;  // the outermost pieces are constant
-    return {glm::mix(a.albedo, b.albedo, share), glm::mix(a.emission, b.emission, share),
-            glm::mix(a.specular, b.specular, share), glm::mix(a.roughness, b.roughness, share)};
+    const float fraction = width < 1e6f ? (hu - piece.start) / width : 0.0f;  // the outermost pieces are constant
+    return {glm::mix(a.albedo, b.albedo, fraction), glm::mix(a.emission, b.emission, fraction),
+            glm::mix(a.specular, b.specular, fraction), glm::mix(a.roughness, b.roughness, fraction)};
 }
 
 }  // namespace pdr

@@ -8,17 +8,17 @@ namespace pdr {
 
 inline constexpr float kInverseFourPi = 1 / (4 * kPi);
 
-/// Density of travelling on along `towards`; unit vectors.
-PDR_HD inline float phaseEval(float g, vec3 travel, vec3 towards) {
+/// Pdf of light from `wi` being scattered to `wo`; unit vectors that point away from the event.
+PDR_HD inline float phaseEval(float g, vec3 wo, vec3 wi) {
     const float a = std::fabs(g);
     // 1 - cos of the angle to the peak, which lies behind for g < 0, is half the square of this.
-    const vec3 fromPeak = g < 0 ? towards + travel : towards - travel;
+    const vec3 fromPeak = g < 0 ? wi - wo : wi + wo;
     const float denominator = (1 - a) * (1 - a) + a * glm::dot(fromPeak, fromPeak);
     return kInverseFourPi * (1 - a) * (1 + a) / (denominator * std::sqrt(denominator));
 }
 
 /// Two unit vectors that make a right-handed frame with the unit vector n; Duff et al. 2017.
-PDR_HD inline void basisAround(vec3 n, vec3& s, vec3& t) {
+PDR_HD inline void orthonormalBasis(vec3 n, vec3& s, vec3& t) {
     const float sign = std::copysign(1.0f, n.z);
     const float a = -1 / (sign + n.z);
     const float b = n.x * n.y * a;
@@ -26,8 +26,9 @@ PDR_HD inline void basisAround(vec3 n, vec3& s, vec3& t) {
     t = {b, sign + n.y * n.y * a, -n.y};
 }
 
-/// A direction of travel after scattering, distributed as phaseEval.
-PDR_HD inline vec3 phaseSample(float g, vec3 travel, vec2 u) {
+/// A direction `wi` that light is scattered to `wo` from, distributed as phaseEval.
+PDR_HD inline vec3 phaseSample(float g, vec3 wo, vec2 u) {
+    const vec3 onward = -wo;
     const float a = std::fabs(g);
     const float d = (1 - a) + 2 * a * u.x;
     float oneMinusCos = 2 * (1 - a) * (1 - a) * (1 - u.x) * (1 + a * u.x) / (d * d);
@@ -40,9 +41,9 @@ PDR_HD inline vec3 phaseSample(float g, vec3 travel, vec2 u) {
     const float cosine = 0.5f * (onePlusCos - oneMinusCos);
     const float sine = std::sqrt(oneMinusCos * onePlusCos);
     vec3 s, t;
-    basisAround(travel, s, t);
+    orthonormalBasis(onward, s, t);
     const float phi = 2 * kPi * u.y;
-    return travel * cosine + (s * std::cos(phi) + t * std::sin(phi)) * sine;
+    return onward * cosine + (s * std::cos(phi) + t * std::sin(phi)) * sine;
 }
 
 }  // namespace pdr

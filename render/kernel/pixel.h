@@ -34,13 +34,13 @@ PDR_HD_INLINE bool addSample(PixelSums& sums, vec3 radiance, std::uint64_t sampl
     return true;
 }
 
-PDR_HD inline vec2 matterDepths(const FlatScene& scene, ivec2 pixel) {
+PDR_HD inline vec2 depthBounds(const FlatScene& scene, ivec2 pixel) {
     const FlatViewBounds& bounds = scene.viewBounds;
     return bounds.depths[(pixel.y / kViewBlock) * bounds.blocksPerRow + pixel.x / kViewBlock];
 }
 
 /// Whether the pixel shows nothing but a background that looks the same everywhere.
-PDR_HD inline bool showsNothing(const FlatScene& scene, vec2 depths) {
+PDR_HD inline bool isBackgroundOnly(const FlatScene& scene, vec2 depths) {
     return depths.x > depths.y && scene.plainBackground;
 }
 

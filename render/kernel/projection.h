@@ -27,13 +27,13 @@ struct Projected {
 
 /// What lies behind the volume. Absorption needs a light to take from: white, where the camera sees no environment.
 template <FlatModel Model>
-PDR_HD inline vec3 backdrop(const FlatScene& scene, const Leg& leg) {
+PDR_HD inline vec3 backdrop(const FlatScene& scene, const PathSegment& segment) {
     const FlatEnvironment& environment = scene.environment;
     if constexpr (Model == FlatModel::absorption)
         return !environment.visible || (environment.zenith == vec3(0) && environment.nadir == vec3(0))
                    ? vec3(1)
-                   : environmentRadiance(environment, leg.direction);
-    return background(scene, leg);
+                   : environmentRadiance(environment, segment.direction);
+    return background(scene, segment);
 }
 
 /// The radiance that the tone map shows, at exposure 1, as a grey that grows in even steps with the HU: sRGB
@@ -61,7 +61,7 @@ template <FlatModel Model>
 PDR_HD inline Projected projectedMiss(const FlatScene& scene, vec3 behind) {
     RayResult<float> nothing;
     if constexpr (Model == FlatModel::maximumIntensity)
-        nothing.value[0] = -float(kHuLift);
+        nothing.value[0] = -float(kMipBias);
     return projected<Model>(scene, nothing, behind);
 }
 

@@ -20,13 +20,13 @@ enum class Dimension : std::uint32_t {
 };
 inline constexpr std::uint32_t kDimensionsPerBounce = 16;
 enum class BounceDimension : std::uint32_t {
-    flight = 0,
+    distance = 0,
     event = 1,
     light = 2,
     shadow = 3,
     direction = 4,
-    survival = 5,
-    onward = 6,
+    roulette = 5,
+    continuation = 6,
     environment = 7,
     choice = 8
 };
@@ -40,14 +40,14 @@ PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {
 /// One dimension, for one path (Real = float) or for several in step.
 template <class Real>
 struct RandomStreamOf {
-    using Bits = typename Numbers<Real>::Bits;
-    using Mask = typename Numbers<Real>::Mask;
+    using Bits = typename SimdTraits<Real>::Bits;
+    using Mask = typename SimdTraits<Real>::Mask;
 
     Bits counter, key;
 
     /// The next two numbers, where `mask` holds; the streams of other lanes stay where they are.
     PDR_HD void pair(Mask mask, Real& first, Real& second) {
-        counter += keepWhere(mask, Bits{} + 0x9E3779B97F4A7C15ull);
+        counter += masked(mask, Bits{} + 0x9E3779B97F4A7C15ull);
         Bits x = (counter ^ (counter >> 30)) * 0xBF58476D1CE4E5B9ull;
         x = (x ^ (x >> 27) ^ key) * 0x94D049BB133111EBull;
         x ^= x >> 31;

@@ -25,8 +25,8 @@ struct RayResult {
 template <class Real, FlatModel Model>
 class RayIntegral {
   public:
-    using Int = typename Numbers<Real>::Int;
-    using Mask = typename Numbers<Real>::Mask;
+    using Int = typename SimdTraits<Real>::Int;
+    using Mask = typename SimdTraits<Real>::Mask;
 
     PDR_HD_INLINE void start(const FlatScene& scene, const Vec3<Real>& origin, const Vec3<Real>& direction,
                              Real length) {
@@ -73,7 +73,7 @@ class RayIntegral {
     PDR_HD_INLINE void seek(const FlatScene& scene, Mask seeking) {
         const Mask met = walk_.step(scene, seeking, Real{}, way_);
         const Mask clear = (way_.hu.highest() < scene.optics.clearUpTo) | (way_.hu.lowest() >= scene.optics.clearFrom);
-        way_.length = met & clear ? Real{} : way_.length;
+        way_.length = (met & clear) ? Real{} : way_.length;
     }
 
     /// The next step of the way through the cell where the ray is.
@@ -88,20 +88,20 @@ class RayIntegral {
         Real reach = reach_;
         if (any(crosses)) {
             const Real border = before.b3 < before.b0 ? piece.start : piece.end;
-            const Real share = reach_ * before.whereIs(border, crosses);
-            reach = crosses ? share : reach_;
+            const Real fraction = reach_ * before.whereIs(border, crosses);
+            reach = crosses ? fraction : reach_;
             way_.hu.split(reach, before, behind);
             before.b3 = crosses ? border : before.b3;
             behind.b0 = crosses ? border : behind.b0;
         }
         // Where a step had to be that short, the tolerance cannot be kept: from there on all steps are taken.
-        sum_.exceeded = inCell & (reach_ <= kShortest) ? Real{} + 1.0f : sum_.exceeded;
+        sum_.exceeded = (inCell & (reach_ <= kShortest)) ? Real{} + 1.0f : sum_.exceeded;
         const Mask forced = sum_.exceeded > 0.0f;
         const Mask ready = inCell & (fits | crosses | forced);
         const Real length = way_.length * reach;
         const Mask gone = ready & add(optics, piece, before, length, ready, forced);
         reach_ = inCell ? (gone ? Real{} + 1.0f : 0.5f * reach) : reach_;
-        reach_ = larger(reach_, Real{} + kShortest);
+        reach_ = max(reach_, Real{} + kShortest);
         const Mask split = gone & (reach < 1.0f);
         way_.hu.b0 = split ? behind.b0 : way_.hu.b0;
         way_.hu.b1 = split ? behind.b1 : way_.hu.b1;
@@ -128,10 +128,10 @@ class RayIntegral {
             depth_ = ready ? depth_ + depth : depth_;
             return ready;
         } else if constexpr (Model == FlatModel::emission) {
-            const Real share = extinctionWeightedShare(along);
+            const Real fraction = extinctionWeightedFraction(along);
             for (int channel = 0; channel < 3; ++channel) {
                 const Source source = sourceOf(optics, piece, channel);
-                const Real more = sum_.value[channel] + depth * (source.begin + source.rise * share);
+                const Real more = sum_.value[channel] + depth * (source.begin + source.rise * fraction);
                 sum_.value[channel] = ready ? more : sum_.value[channel];
             }
             return ready;
@@ -156,8 +156,8 @@ class RayIntegral {
         Mask close = ready;
         for (int channel = 0; channel < 3; ++channel) {
             const Source source = sourceOf(optics, piece, channel);
-            radiance[channel] = sum_.value[channel] + taken * (source.begin + source.rise * layer.share);
-            bound[channel] = bound_[channel] + magnitude(source.rise) * taken * layer.bound;
+            radiance[channel] = sum_.value[channel] + taken * (source.begin + source.rise * layer.fraction);
+            bound[channel] = bound_[channel] + abs(source.rise) * taken * layer.bound;
             close = close & (bound[channel] <= optics.quadrature * radiance[channel]);
         }
         const Mask added = ready & (close | forced);

@@ -7,13 +7,13 @@
 namespace pdr {
 
 /// What maximumIntensity adds to the HU in FlatMajorants, so that 0 stands for cells outside the volume.
-inline constexpr int kHuLift = 32769;
+inline constexpr int kMipBias = 32769;
 
 template <class Real>
 class RayMaximum {
   public:
-    using Int = typename Numbers<Real>::Int;
-    using Mask = typename Numbers<Real>::Mask;
+    using Int = typename SimdTraits<Real>::Int;
+    using Mask = typename SimdTraits<Real>::Mask;
 
     PDR_HD_INLINE void start(const FlatScene& scene, const Vec3<Real>& origin, const Vec3<Real>& direction,
                              Real length) {
@@ -35,14 +35,14 @@ class RayMaximum {
         met = met & (way.hu.highest() > highest_);
         if (!any(met))
             return;
-        highest_ = met ? larger(highest_, way.hu.maximum()) : highest_;
+        highest_ = met ? max(highest_, way.hu.maximum()) : highest_;
         walk_.stop(met & (highest_ >= scene.optics.windowHigh));  // white: nothing shows more
     }
 
     /// Where `mask` holds: lane l begins the ray of lane from[l] of `other`, which has been started only.
     void take(Mask mask, const RayMaximum& other, Int from) {
         walk_.take(mask, other.walk_, from);
-        highest_ = mask ? Real{} - float(kHuLift) : highest_;
+        highest_ = mask ? Real{} - float(kMipBias) : highest_;
     }
 
   private:
@@ -50,11 +50,11 @@ class RayMaximum {
     PDR_HD_INLINE Real bar() const {
         const Int towardsZero = toInt(highest_);
         const Int floor = toFloat(towardsZero) > highest_ ? towardsZero - 1 : towardsZero;
-        return toFloat(floor + kHuLift);
+        return toFloat(floor + kMipBias);
     }
 
     CellWalk<Real> walk_;
-    Real highest_ = Real{} - float(kHuLift);
+    Real highest_ = Real{} - float(kMipBias);
 };
 
 }  // namespace pdr

@@ -1,6 +1,6 @@
 #pragma once
 /// Reflection at a surface in the volume: Lambert under a GGX microfacet layer with Schlick's Fresnel term.
-/// Directions are unit vectors away from the surface, local space; n is on the viewer's side. The same three verbs as
+/// Directions are unit vectors away from the surface, local space; n is on the side of wo. The same three verbs as
 /// the phase function: eval returns f * cos(theta_light) [1/sr], pdf is per solid angle. Walter et al. 2007 (GGX),
 /// Heitz 2014 (height-correlated masking), Schlick 1994.
 
@@ -38,15 +38,15 @@ PDR_HD inline bool isShiny(const Material& material) {
     return material.specular.x + material.specular.y + material.specular.z > 0;
 }
 
-PDR_HD inline vec3 surfaceEval(const Material& material, vec3 n, vec3 view, vec3 light) {
-    const float cosView = glm::dot(n, view), cosLight = glm::dot(n, light);
+PDR_HD inline vec3 surfaceEval(const Material& material, vec3 n, vec3 wo, vec3 wi) {
+    const float cosView = glm::dot(n, wo), cosLight = glm::dot(n, wi);
     if (cosView <= 0 || cosLight <= 0)
         return vec3(0);
     if (!isShiny(material))
         return material.albedo * (cosLight / kPi);
-    const vec3 half = glm::normalize(view + light);
+    const vec3 half = glm::normalize(wo + wi);
     const float alpha = ggxAlpha(material.roughness);
-    const vec3 gloss = fresnel(material.specular, glm::dot(view, half)) * ggxDensity(alpha, glm::dot(n, half)) *
+    const vec3 gloss = fresnel(material.specular, glm::dot(wo, half)) * ggxDensity(alpha, glm::dot(n, half)) *
                        ggxVisibility(alpha, cosView, cosLight);
     const vec3 below = (1.0f - fresnel(material.specular, cosView)) * (1.0f - fresnel(material.specular, cosLight));
     return (material.albedo * below / kPi + gloss) * cosLight;
@@ -54,39 +54,39 @@ PDR_HD inline vec3 surfaceEval(const Material& material, vec3 n, vec3 view, vec3
 
 /// How often the gloss is sampled and not what lies below it: by what each reflects. Then no sample weighs much more
 /// than the surface reflects, however often light bounces.
-PDR_HD inline float glossShare(const Material& material, float cosView) {
+PDR_HD inline float glossProbability(const Material& material, float cosView) {
     const vec3 gloss = fresnel(material.specular, cosView);
     const vec3 below = material.albedo * (1.0f - gloss);
     const float most = glm::max(glm::max(gloss.x, gloss.y), gloss.z);
     return most / (most + glm::max(glm::max(below.x, below.y), below.z));
 }
 
-PDR_HD inline float surfacePdf(const Material& material, vec3 n, vec3 view, vec3 light) {
-    const float cosLight = glm::dot(n, light);
+PDR_HD inline float surfacePdf(const Material& material, vec3 n, vec3 wo, vec3 wi) {
+    const float cosLight = glm::dot(n, wi);
     if (cosLight <= 0)
         return 0;
     const float diffuse = cosLight / kPi;
     if (!isShiny(material))
         return diffuse;
-    const vec3 half = glm::normalize(view + light);
+    const vec3 half = glm::normalize(wo + wi);
     const float cosHalf = glm::dot(n, half);
     const float gloss =
-        ggxDensity(ggxAlpha(material.roughness), cosHalf) * cosHalf / (4 * glm::max(glm::dot(view, half), 1e-6f));
-    return glm::mix(diffuse, gloss, glossShare(material, glm::dot(n, view)));
+        ggxDensity(ggxAlpha(material.roughness), cosHalf) * cosHalf / (4 * glm::max(glm::dot(wo, half), 1e-6f));
+    return glm::mix(diffuse, gloss, glossProbability(material, glm::dot(n, wo)));
 }
 
 /// A direction to where light may come from, distributed as surfacePdf; `choice` and `u` are independent numbers.
-PDR_HD inline vec3 surfaceSample(const Material& material, vec3 n, vec3 view, float choice, vec2 u) {
+PDR_HD inline vec3 surfaceSample(const Material& material, vec3 n, vec3 wo, float choice, vec2 u) {
     vec3 s, t;
-    basisAround(n, s, t);
+    orthonormalBasis(n, s, t);
     const float phi = 2 * kPi * u.y;
     const vec3 around = s * std::cos(phi) + t * std::sin(phi);
-    if (!isShiny(material) || choice >= glossShare(material, glm::dot(n, view)))
+    if (!isShiny(material) || choice >= glossProbability(material, glm::dot(n, wo)))
         return around * std::sqrt(u.x) + n * std::sqrt(1 - u.x);
     const float alpha = ggxAlpha(material.roughness);
     const float cosSquared = (1 - u.x) / (1 + (alpha * alpha - 1) * u.x);
     const vec3 half = around * std::sqrt(glm::max(1 - cosSquared, 0.0f)) + n * std::sqrt(cosSquared);
-    return half * (2 * glm::dot(view, half)) - view;
+    return half * (2 * glm::dot(wo, half)) - wo;
 }
 
 }  // namespace pdr

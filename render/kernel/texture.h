@@ -51,28 +51,28 @@ __device__ inline float textureValue(const FlatVolume& volume, vec3 position) {
 
 /// Along one axis: two voxels, and the share of the higher one in 256ths.
 struct TextureAxis {
-    int low, high, share;
+    int low, high, fraction;
 
     /// `position`: index space; any.
     TextureAxis(float position, int size) {
         const float place = glm::clamp((position + 0.5f) - 0.5f, -1.0f, float(size));  // rounded as on its way there
         const float whole = std::floor(place);
-        share = int(std::rint((place - whole) * 256));
+        fraction = int(std::rint((place - whole) * 256));
         low = glm::clamp(int(whole), 0, size - 1);
         high = glm::clamp(int(whole) + 1, 0, size - 1);
     }
 };
 
 /// At `position` (index space), computed as a texture unit does; [-1, 1]. Slow, and kept out of line: on the CPU only a
-/// GPU that is played by it (device/cpu/host_gpu.h) comes here.
+/// emulated GPU (device/cpu/host_gpu.h) comes here.
 [[gnu::noinline, gnu::cold]] inline float textureValue(const FlatVolume& volume, vec3 position) {
     const TextureAxis x(position.x, volume.size.x), y(position.y, volume.size.y), z(position.z, volume.size.z);
     std::int64_t sum = 0;  // exact
     for (int n = 0; n < 8; ++n) {
         const std::int64_t i = n & 1 ? x.high : x.low, j = n & 2 ? y.high : y.low, k = n & 4 ? z.high : z.low;
-        const std::int64_t share = std::int64_t(n & 1 ? x.share : 256 - x.share) * (n & 2 ? y.share : 256 - y.share) *
-                                   (n & 4 ? z.share : 256 - z.share);
-        sum += share * volume.voxels[(k * volume.size.y + j) * volume.size.x + i];
+        const std::int64_t fraction = std::int64_t(n & 1 ? x.fraction : 256 - x.fraction) * (n & 2 ? y.fraction : 256 - y.fraction) *
+                                   (n & 4 ? z.fraction : 256 - z.fraction);
+        sum += fraction * volume.voxels[(k * volume.size.y + j) * volume.size.x + i];
     }
     return float(double(sum) / (0x1p24 * double(kTextureFullHu)));
 }

@@ -1,10 +1,10 @@
 #pragma once
 /// Unbiased tracking through the medium: delta tracking for the next event, ratio tracking for what light survives.
-/// Each is a rule of what a tentative collision does to a ray; the flight between them is the same.
+/// Each is a estimator of what a tentative collision does to a ray; the flight between them is the same.
 
 #include <cmath>
 
-#include "render/kernel/flight.h"
+#include "render/kernel/majorant_traversal.h"
 
 namespace pdr {
 
@@ -17,10 +17,10 @@ inline constexpr int kMostSteps = 1 << 24;
 /// Result: the distance of the collision [mm], -1 where the ray leaves the volume, or NaN: see kMostSteps.
 template <class Real>
 struct DeltaTracking {
-    using Mask = typename Numbers<Real>::Mask;
+    using Mask = typename SimdTraits<Real>::Mask;
     Real result = Real{} - 1.0f;
 
-    PDR_HD Mask endsAt(Real t, const TentativeCollision<Real>& collision) {
+    PDR_HD Mask onCollision(Real t, const TentativeCollision<Real>& collision) {
         const Mask real = collision.happened & (collision.u * collision.majorant < collision.extinction);
         result = real ? t : result;
         return real;
@@ -31,11 +31,11 @@ struct DeltaTracking {
 /// roulette when little is left. Result: an unbiased estimate of the transmittance along the ray.
 template <class Real>
 struct RatioTracking {
-    using Mask = typename Numbers<Real>::Mask;
+    using Mask = typename SimdTraits<Real>::Mask;
     static constexpr float kRouletteBelow = 0.1f;
     Real result = Real{} + 1.0f;
 
-    PDR_HD Mask endsAt(Real, const TentativeCollision<Real>& collision) {
+    PDR_HD Mask onCollision(Real, const TentativeCollision<Real>& collision) {
         const Real left = result * (1.0f - collision.extinction / collision.majorant);
         result = collision.happened ? left : result;
         const Mask little = collision.happened & (result < kRouletteBelow);
@@ -47,33 +47,33 @@ struct RatioTracking {
 };
 
 /// One ray to its end. `overMajorant` is set where an extinction above its bound is met.
-template <template <class> class Rule, bool Dense>
+template <template <class> class Estimator, bool Dense>
 PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random, bool& overMajorant) {
-    Flight<float, Dense> flight;
+    MajorantTraversal<float, Dense> flight;
     flight.start(scene.majorants, {ray.origin.x, ray.origin.y, ray.origin.z},
                  {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length, random);
-    Rule<float> rule;
-    for (int steps = 0; flight.flying(); ++steps) {
+    Estimator<float> estimator;
+    for (int steps = 0; flight.isActive(); ++steps) {
         if (Dense && steps == kMostSteps)
             return NAN;
         const TentativeCollision<float> collision = flight.step(scene);
         overMajorant = overMajorant || (collision.happened && collision.extinction > collision.majorant);
-        if (rule.endsAt(flight.t, collision))
+        if (estimator.onCollision(flight.t, collision))
             break;
     }
-    return rule.result;
+    return estimator.result;
 }
 
-template <template <class> class Rule>
+template <template <class> class Estimator>
 PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random, bool& overMajorant) {
-    return scene.majorants.dense ? track<Rule, true>(scene, ray, random, overMajorant)
-                                 : track<Rule, false>(scene, ray, random, overMajorant);
+    return scene.majorants.dense ? track<Estimator, true>(scene, ray, random, overMajorant)
+                                 : track<Estimator, false>(scene, ray, random, overMajorant);
 }
 
-template <template <class> class Rule>
+template <template <class> class Estimator>
 PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random) {
     bool overMajorant = false;
-    return track<Rule>(scene, ray, random, overMajorant);
+    return track<Estimator>(scene, ray, random, overMajorant);
 }
 
 }  // namespace pdr

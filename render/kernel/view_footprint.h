@@ -1,5 +1,5 @@
 #pragma once
-/// What the cells of the volume cover on the film: from it comes where along a pixel's view matter lies.
+/// What the cells of the volume cover on the film: from it comes where along a pixel's view tissue lies.
 
 #include "render/base/cells.h"
 #include "render/kernel/flat_scene.h"

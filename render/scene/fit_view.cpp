@@ -19,8 +19,8 @@ std::array<dvec3, 8> cornersMm(const VolumeGeometry& geometry) {
 
 }  // namespace
 
-Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double aspect, double share) {
-    const double slopeUp = std::tan(glm::radians(camera.fovDegrees) / 2) * share;
+Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double aspect, double fraction) {
+    const double slopeUp = std::tan(glm::radians(camera.fovDegrees) / 2) * fraction;
     const double slopeRight = slopeUp * aspect;
     double distance = 0, height = 0;
     for (const dvec3& corner : cornersMm(geometry)) {
@@ -29,7 +29,7 @@ Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double a
         const double y = std::abs(glm::dot(offset, camera.imageUp()));
         const double depth = glm::dot(offset, camera.forward());
         distance = std::max({distance, x / slopeRight - depth, y / slopeUp - depth});
-        height = std::max({height, 2 * x / aspect / share, 2 * y / share});
+        height = std::max({height, 2 * x / aspect / fraction, 2 * y / fraction});
     }
     Camera result = camera;
     result.heightMm = height;

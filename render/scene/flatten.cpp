@@ -6,7 +6,7 @@
 
 #include "render/kernel/event.h"
 #include "render/kernel/features.h"
-#include "render/kernel/flight.h"
+#include "render/kernel/majorant_traversal.h"
 #include "render/kernel/view_footprint.h"
 #include "render/scene/flatten_lights.h"
 #include "render/scene/flatten_optics.h"

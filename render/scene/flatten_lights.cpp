@@ -44,7 +44,7 @@ FlatEnvironment flatEnvironment(const Environment& environment, const Environmen
     flat.turn = float(glm::radians(std::remainder(environment.rotationDegrees, 360.0)));
     flat.size = tables->image->size;
     flat.texels = tables->image->texels.data();
-    flat.density = tables->density.data();
+    flat.pdf = tables->density.data();
     flat.rowSums = tables->rowSums.data();
     flat.columnSums = tables->columnSums.data();
     return flat;

@@ -95,7 +95,7 @@ Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize) {
             for (int i = 0; i < size.x; ++i) {
                 const std::size_t at = (std::size_t(k) * size.y + j) * size.x + i;
                 const HuRange cell = ranges.cells()[at];
-                const float value = cell.empty() ? 0.0f : float(cell.highest + kHuLift);
+                const float value = cell.empty() ? 0.0f : float(cell.highest + kMipBias);
                 float& coarse =
                     highest
                         .coarse[(std::size_t(k / kFinePerCoarse) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x +

@@ -8,7 +8,7 @@ namespace pdr {
 /// Fills `prepared.flat.optics` and what it points into. After the pieces of the transfer function.
 void flattenOptics(PreparedScene& prepared, const Scene& scene);
 
-/// For maximumIntensity: the highest HU of each cell, lifted by kHuLift, in place of bounds on the extinction.
+/// For maximumIntensity: the highest HU of each cell, lifted by kMipBias, in place of bounds on the extinction.
 Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize);
 
 /// Share of a radiance by which it may be off so that no channel moves by more than `levels` of 255, whatever the

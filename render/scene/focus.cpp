@@ -18,15 +18,15 @@ std::optional<double> depthUnder(const PreparedScene& scene, ivec2 pixel) {
     const FlatScene& flat = scene.flat;
     if (glm::any(glm::lessThan(pixel, ivec2(0))) || glm::any(glm::greaterThanEqual(pixel, flat.camera.film)))
         return std::nullopt;
-    const Leg leg = cameraLeg(flat, vec2(pixel) + 0.5f, vec2(0), vec2(0, 1e30f));
-    const dvec3 start(localPosition(flat.volume, leg.ray.origin));
+    const PathSegment segment = generateCameraRay(flat, vec2(pixel) + 0.5f, vec2(0), vec2(0, 1e30f));
+    const dvec3 start(localPosition(flat.volume, segment.ray.origin));
     std::vector<double> depths;
-    for (int i = 0; i < kRays && leg.ray.length > 0; ++i) {
+    for (int i = 0; i < kRays && segment.ray.length > 0; ++i) {
         const Random random(flat.seed, 0, std::uint64_t(i));
-        const float t = track<DeltaTracking>(flat, leg.ray, random.stream(0, BounceDimension::flight));
+        const float t = track<DeltaTracking>(flat, segment.ray, random.stream(0, BounceDimension::distance));
         if (t >= 0)
             depths.push_back(
-                glm::dot(start + dvec3(leg.direction) * double(t) - flat.camera.localEye, flat.camera.forward));
+                glm::dot(start + dvec3(segment.direction) * double(t) - flat.camera.localEye, flat.camera.forward));
     }
     if (depths.size() <= kRays / 2)
         return std::nullopt;

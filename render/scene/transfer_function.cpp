@@ -12,13 +12,13 @@ namespace pdr {
 namespace {
 
 TransferNode between(const TransferNode& a, const TransferNode& b, float hu) {
-    const float share = (hu - a.hu) / (b.hu - a.hu);
+    const float fraction = (hu - a.hu) / (b.hu - a.hu);
     return {hu,
-            glm::mix(a.opacity, b.opacity, share),
-            glm::mix(a.albedo, b.albedo, share),
-            glm::mix(a.emission, b.emission, share),
-            glm::mix(a.specular, b.specular, share),
-            glm::mix(a.roughness, b.roughness, share)};
+            glm::mix(a.opacity, b.opacity, fraction),
+            glm::mix(a.albedo, b.albedo, fraction),
+            glm::mix(a.emission, b.emission, fraction),
+            glm::mix(a.specular, b.specular, fraction),
+            glm::mix(a.roughness, b.roughness, fraction)};
 }
 
 std::vector<TransferNode>::const_iterator firstAfter(const std::vector<TransferNode>& nodes, float hu) {

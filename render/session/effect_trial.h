@@ -43,7 +43,7 @@ class TrialPicture {
 
     Scene scene_;
     Device& device_;
-    std::unique_ptr<LiveFilm> film_;
+    std::unique_ptr<Accumulator> film_;
 };
 
 struct EffectTrial {

@@ -4,7 +4,7 @@
 
 namespace pdr {
 
-std::string spoken(const DeviceInfo& device) {
+std::string deviceLabel(const DeviceInfo& device) {
     return device.hostMemory ? "the CPU" : "the GPU " + device.name;
 }
 
@@ -32,7 +32,7 @@ Result<void> FilmOnDevice::emptyFilm(const Schedule& schedule) {
         return film_->restart({0, 0, size().x, size().y}, revision());
     film_.reset();
     schedule_ = schedule;
-    Result<std::unique_ptr<LiveFilm>> film = device_->film(size(), revision(), schedule);
+    Result<std::unique_ptr<Accumulator>> film = device_->film(size(), revision(), schedule);
     if (!film)
         return film.error();
     film_ = *std::move(film);
@@ -45,11 +45,11 @@ void FilmOnDevice::close() {
 }
 
 Result<void> FilmOnDevice::moveTo(std::unique_ptr<Device> device, const Film* from) {
-    std::unique_ptr<LiveFilm> moved;
+    std::unique_ptr<Accumulator> moved;
     if (scene_) {
         if (Result<void> uploaded = device->upload(*scene_); !uploaded)
             return uploaded;
-        Result<std::unique_ptr<LiveFilm>> film = device->film(size(), revision(), schedule_);
+        Result<std::unique_ptr<Accumulator>> film = device->film(size(), revision(), schedule_);
         if (!film)
             return film.error();
         moved = *std::move(film);

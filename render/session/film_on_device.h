@@ -10,7 +10,7 @@
 namespace pdr {
 
 /// A device in a sentence: "the CPU", "the GPU cuda:1".
-std::string spoken(const DeviceInfo& device);
+std::string deviceLabel(const DeviceInfo& device);
 
 class FilmOnDevice {
   public:
@@ -18,7 +18,7 @@ class FilmOnDevice {
 
     const DeviceInfo& info() const { return info_; }
     /// Null: nothing is being rendered.
-    LiveFilm* film() const { return torn_ ? nullptr : film_.get(); }
+    Accumulator* film() const { return torn_ ? nullptr : film_.get(); }
     bool hasScene() const { return scene_.has_value(); }
     // Of the scene:
     ivec2 size() const { return scene_->film; }
@@ -51,7 +51,7 @@ class FilmOnDevice {
     std::optional<Scene> scene_;
     Schedule schedule_;
     bool torn_ = false;
-    std::unique_ptr<LiveFilm> film_;  ///< after device_: it must not outlive it
+    std::unique_ptr<Accumulator> film_;  ///< after device_: it must not outlive it
 };
 
 }  // namespace pdr

@@ -15,14 +15,14 @@ namespace {
 constexpr double kCoarseSeconds = 1.0 / 15;  ///< what a coarse frame may take
 constexpr int kCoarsest = 8;                         ///< at most this many pixels of the film to one that is rendered
 
-std::string capital(std::string text) {
+std::string capitalized(std::string text) {
     if (!text.empty())
         text.front() = char(std::toupper(static_cast<unsigned char>(text.front())));
     return text;
 }
 
 /// With a full stop at its end.
-std::string ended(std::string text) {
+std::string withFullStop(std::string text) {
     if (!text.empty() && text.back() != '.')
         text += '.';
     return text;
@@ -37,11 +37,11 @@ Session::Loop::Loop(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener
 
 Session::Loop::~Loop() {
     thread_.request_stop();
-    orders.cancel();
+    commands.cancel();
 }
 
 void Session::Loop::run(std::stop_token stop) {
-    while (const std::optional<Orders::Step> step = orders.next(situation(), stop)) {
+    while (const std::optional<RenderCommands::Iteration> step = commands.next(state(), stop)) {
         try {
             take(*step);
         } catch (...) {
@@ -50,7 +50,7 @@ void Session::Loop::run(std::stop_token stop) {
     }
 }
 
-void Session::Loop::take(const Orders::Step& step) {
+void Session::Loop::take(const RenderCommands::Iteration& step) {
     if (step.clear)
         clear();
     answer(step);
@@ -66,14 +66,14 @@ void Session::Loop::take(const Orders::Step& step) {
         work(step);
 }
 
-Orders::Situation Session::Loop::situation() const {
+RenderCommands::LoopState Session::Loop::state() const {
     const bool film = place_.film() != nullptr;
     return {.scene = place_.hasScene(),
             .film = film,
             .revision = place_.hasScene() ? place_.revision() : 0,
             .first = film && first_,
             .unshown = film && samples_ > 0 && (done_ > 0 || waiting_ > 0 || fresh_),
-            .lookable = film && !coarse_ && samples_ > 0};
+            .canSnapshot = film && !coarse_ && samples_ > 0};
 }
 
 void Session::Loop::clear() {
@@ -83,18 +83,18 @@ void Session::Loop::clear() {
 }
 
 /// To those who ask for a film that is not there.
-void Session::Loop::answer(const Orders::Step& step) const {
+void Session::Loop::answer(const RenderCommands::Iteration& step) const {
     const Error reason =
         step.clear ? Error{"the picture was closed", "", "Open the series again."}
         : step.order || place_.film() != nullptr
             ? Error{"another picture has taken its place", "", "Wait until the picture that you want is there."}
             : Error{"the picture could not be made", "", "Change the view or the look first."};
-    for (const Orders::LookOrder& order : step.unanswerable)
+    for (const RenderCommands::SnapshotRequest& order : step.unanswerable)
         order.look(reason);
 }
 
-/// Takes a new scene. A hand that comes to rest on a picture that was seen needs no second first look.
-void Session::Loop::begin(const Orders::SceneOrder& order) {
+/// Takes a new scene. When interaction ends on a picture that was seen, no second coarse one is needed.
+void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
     const bool seen = place_.film() != nullptr && coarse_ && !first_ && order.scene.revision == scene_.revision;
     if (const Result<void> fits = order.scene.check(); !fits) {
         place_.forget();
@@ -137,7 +137,7 @@ Scene Session::Loop::coarseScene() const {
 }
 
 void Session::Loop::switchTo(const DeviceOpener& open) {
-    const std::string old = spoken(place_.info());
+    const std::string old = deviceLabel(place_.info());
     std::shared_ptr<const Film> from = checkpoint_;
     std::optional<Error> lost;  // when the old device does not hand out its film
     if (place_.film() != nullptr && samples_ > 0) {
@@ -154,7 +154,7 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
     }
     if (lost)
         return stopped(*lost);
-    notify("The other device cannot be used: " + ended(moved.error().text()) + " The picture goes on on " + old + ".");
+    notify("The other device cannot be used: " + withFullStop(moved.error().text()) + " The picture goes on on " + old + ".");
 }
 
 /// Of another scene, or the same from its beginning.
@@ -178,7 +178,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
 }
 
 void Session::Loop::recover(const std::string& reason) {
-    const std::string what = ended(capital(reason));
+    const std::string what = withFullStop(capitalized(reason));
     if (onFallback_ || !fallback_)
         return fail(what);
     Result<std::unique_ptr<Device>> device = fallback_();
@@ -187,7 +187,7 @@ void Session::Loop::recover(const std::string& reason) {
         return fail(what + " Nor can the picture go on elsewhere: " + moved.error().text());
     onFallback_ = true;
     goOnFrom(std::exchange(checkpoint_, nullptr));
-    notify(what + " The picture goes on on " + spoken(place_.info()) + ".");
+    notify(what + " The picture goes on on " + deviceLabel(place_.info()) + ".");
 }
 
 /// In a catch block: ends as any other fault does. The film's memory is given back first; should there be too little to

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "render/session/film_on_device.h"
-#include "render/session/orders.h"
+#include "render/session/render_commands.h"
 #include "render/session/session.h"
 
 namespace pdr {
@@ -17,31 +17,31 @@ class Session::Loop {
     Loop(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback, SessionClock clock);
     ~Loop();
 
-    Orders orders;
+    RenderCommands commands;
 
   private:
     /// Of a coarse frame: fewer, calmer pixels are easier to follow.
     static constexpr std::uint32_t kCoarseSamples = 4;
 
     void run(std::stop_token stop);
-    void take(const Orders::Step& step);
-    Orders::Situation situation() const;
+    void take(const RenderCommands::Iteration& step);
+    RenderCommands::LoopState state() const;
 
     // What a step may ask for. Each leaves either a film that can go on, or none and a frame that says why.
     void clear();
-    void answer(const Orders::Step& step) const;
+    void answer(const RenderCommands::Iteration& step) const;
     void switchTo(const DeviceOpener& open);
-    void begin(const Orders::SceneOrder& order);
+    void begin(const RenderCommands::SceneOrder& order);
     void restart(const Schedule& schedule);
-    void work(const Orders::Step& step);
+    void work(const RenderCommands::Iteration& step);
 
     // Parts of work(). Errors: the device's.
-    Result<void> iterate(const Orders::Step& step);
-    Result<void> show(const Orders::Step& step);
+    Result<void> iterate(const RenderCommands::Iteration& step);
+    Result<void> show(const RenderCommands::Iteration& step);
     Result<std::vector<Picture>> takeAllBut(int left);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
     Result<void> keepCheckpoint();
-    Result<void> letOthersLook();
+    Result<void> takeSnapshots();
     void send(std::vector<Picture> pictures, std::uint32_t n);
 
     // Beginnings.
@@ -53,13 +53,13 @@ class Session::Loop {
 
     // When a device fails or refuses.
     void recover(const std::string& reason);
-    void stopped(const Error& error) { recover(spoken(place_.info()) + " stopped answering: " + error.text()); }
-    void refused(const Error& error) { recover(spoken(place_.info()) + " cannot make this picture: " + error.text()); }
+    void stopped(const Error& error) { recover(deviceLabel(place_.info()) + " stopped answering: " + error.text()); }
+    void refused(const Error& error) { recover(deviceLabel(place_.info()) + " cannot make this picture: " + error.text()); }
     void threw() noexcept;
     void fail(const std::string& sentence);
     void notify(const std::string& sentences);
 
-    std::uint32_t wanted(const Pace& pace) const;
+    std::uint32_t wanted(const FrameBudget& pace) const;
     std::uint32_t launch(std::uint32_t wanted) const;
 
     double secondsSince(double moment) const { return clock_() - moment; }
@@ -84,7 +84,7 @@ class Session::Loop {
     double frameSeconds_ = 0;    ///< of the frame in the making
     double seconds_ = 0;         ///< of all of them
 
-    PaceMeter meter_;
+    FrameTimer meter_;
     bool measuring_ = false;  ///< the frame in the making, with nothing behind it
     double measuredAt_ = 0;   ///< when one was last
 

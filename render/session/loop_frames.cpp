@@ -12,12 +12,12 @@ namespace {
 /// A launch at most, so that a change of devices, a pause or a look need not wait for a long frame.
 constexpr double kLaunchSeconds = 0.25;
 constexpr double kCheckpointSeconds = 2;   ///< between two of them, at least, ...
-constexpr double kCheckpointShare = 0.01;  ///< ... and the part of the time that they may take, at most
+constexpr double kCheckpointFraction = 0.01;  ///< ... and the part of the time that they may take, at most
 constexpr double kMeasureSeconds = 2;      ///< between two frames whose display is measured alone
 
 }  // namespace
 
-void Session::Loop::work(const Orders::Step& step) {
+void Session::Loop::work(const RenderCommands::Iteration& step) {
     Result<void> done;
     if (step.render)
         done = iterate(step);
@@ -29,7 +29,7 @@ void Session::Loop::work(const Orders::Step& step) {
     if (done && samples_ > 0 && frameEnds)
         done = show(step);
     if (done && samples_ > 0 && !coarse_)
-        done = letOthersLook();
+        done = takeSnapshots();
     if (done && samples_ > 0 && !coarse_ && !place_.info().hostMemory)
         done = keepCheckpoint();
     if (!done)
@@ -38,7 +38,7 @@ void Session::Loop::work(const Orders::Step& step) {
         beginFilm(false);
 }
 
-std::uint32_t Session::Loop::wanted(const Pace& pace) const {
+std::uint32_t Session::Loop::wanted(const FrameBudget& pace) const {
     return coarse_ ? kCoarseSamples : meter_.iterations(pace);
 }
 
@@ -50,9 +50,9 @@ std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
     return std::uint32_t(std::clamp(speed * kLaunchSeconds, 1.0, double(left)));
 }
 
-Result<void> Session::Loop::iterate(const Orders::Step& step) {
+Result<void> Session::Loop::iterate(const RenderCommands::Iteration& step) {
     const double start = clock_();
-    LiveFilm& film = *place_.film();
+    Accumulator& film = *place_.film();
     if (done_ == 0) {  // a frame begins
         const bool due = fresh_ || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
         measuring_ = film.ahead() > 1 && !coarse_ && due;
@@ -73,11 +73,11 @@ Result<void> Session::Loop::iterate(const Orders::Step& step) {
     return {};
 }
 
-/// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing goes
+/// RenderCommands a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing goes
 /// on behind.
-Result<void> Session::Loop::show(const Orders::Step& step) {
-    LiveFilm& film = *place_.film();
-    const Display display = orders.display();
+Result<void> Session::Loop::show(const RenderCommands::Iteration& step) {
+    Accumulator& film = *place_.film();
+    const Display display = commands.display();
     const bool atOnce = fresh_ || coarse_ || measuring_ || !step.render;
     const double start = clock_();
     if (Result<void> ordered = film.show(display); !ordered)
@@ -131,19 +131,19 @@ Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t
     return {};
 }
 
-Result<void> Session::Loop::letOthersLook() {
-    if (!orders.lookAsked(place_.revision()))
+Result<void> Session::Loop::takeSnapshots() {
+    if (!commands.snapshotRequested(place_.revision()))
         return {};
     const Result<std::shared_ptr<const Film>> film = place_.film()->film();
     if (!film)
         return film.error();
-    for (const Orders::LookOrder& order : orders.takeLooks(place_.revision()))
+    for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
         order.look(FilmView{**film, scene_, schedule_, seconds_ + frameSeconds_});
     return {};
 }
 
 Result<void> Session::Loop::keepCheckpoint() {
-    if (secondsSince(checkpointAt_) < std::max(kCheckpointSeconds, checkpointSeconds_ / kCheckpointShare))
+    if (secondsSince(checkpointAt_) < std::max(kCheckpointSeconds, checkpointSeconds_ / kCheckpointFraction))
         return {};
     const double start = clock_();
     Result<std::shared_ptr<const Film>> film = place_.film()->film();

@@ -17,39 +17,39 @@ Session::Session(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fa
 Session::~Session() = default;
 
 void Session::submit(Scene scene, bool moving) {
-    loop_->orders.submit(std::move(scene), moving);
+    loop_->commands.submit(std::move(scene), moving);
 }
 
 void Session::setDisplay(const Display& display) {
-    loop_->orders.setDisplay(display);
+    loop_->commands.setDisplay(display);
 }
 
-void Session::setPace(const Pace& pace) {
-    loop_->orders.setPace(pace);
+void Session::setPace(const FrameBudget& pace) {
+    loop_->commands.setPace(pace);
 }
 
 void Session::setIterationsPerFrame(int n) {
-    loop_->orders.setPace({.iterations = n});
+    loop_->commands.setPace({.iterations = n});
 }
 
 void Session::setSchedule(const Schedule& schedule) {
-    loop_->orders.setSchedule(schedule);
+    loop_->commands.setSchedule(schedule);
 }
 
 void Session::setDevice(DeviceOpener open) {
-    loop_->orders.setDevice(std::move(open));
+    loop_->commands.setDevice(std::move(open));
 }
 
 void Session::setPaused(bool paused) {
-    loop_->orders.setPaused(paused);
+    loop_->commands.setPaused(paused);
 }
 
 void Session::clear() {
-    loop_->orders.clear();
+    loop_->commands.clear();
 }
 
-void Session::inspect(std::uint64_t revision, FilmLook look) {
-    loop_->orders.inspect(revision, std::move(look));
+void Session::requestSnapshot(std::uint64_t revision, SnapshotObserver look) {
+    loop_->commands.requestSnapshot(revision, std::move(look));
 }
 
 }  // namespace pdr

@@ -12,7 +12,7 @@
 #include "render/film/display.h"
 #include "render/film/film.h"
 #include "render/scene/scene.h"
-#include "render/session/pace.h"
+#include "render/session/frame_budget.h"
 
 namespace pdr {
 
@@ -23,7 +23,7 @@ struct Frame {
     Camera camera;
     std::string look;
     Estimator estimator = Estimator::unbiased;
-    bool coarse = false;  ///< a first look, or one of a moving hand; when the hand rests, better ones follow
+    bool coarse = false;  ///< a first picture, or one during interaction; better ones follow when it ends
     ivec2 size{0};        ///< pixels; fewer than scene.film where it is coarse: stretch it
     std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top; empty with an error or a notice
     FilmStatus status;
@@ -49,7 +49,7 @@ struct FilmView {
 };
 
 /// Called on the render thread: with the film, or with the reason why there is none.
-using FilmLook = std::function<void(const Result<FilmView>&)>;
+using SnapshotObserver = std::function<void(const Result<FilmView>&)>;
 
 /// Opens a device; called on the render thread, so it may take its time.
 using DeviceOpener = std::function<Result<std::unique_ptr<Device>>()>;
@@ -68,13 +68,13 @@ class Session {
     ~Session();  ///< stops within one launch
 
     /// Renders `scene` from now on; a running launch for an older one is cancelled. The first frame comes soon and
-    /// coarse, unless the device makes a full one as soon. `moving`: the hand still drags, so all of them do; submit
+    /// coarse, unless the device makes a full one as soon. `moving`: the user still drags, so all of them do; submit
     /// again with false when it rests.
     void submit(Scene scene, bool moving);
     /// Shows what is there with other display settings, without a restart.
     void setDisplay(const Display& display);
     /// How many iterations a displayed frame gets.
-    void setPace(const Pace& pace);
+    void setPace(const FrameBudget& pace);
     /// n, the iterations per displayed frame, by hand; [1, 10000].
     void setIterationsPerFrame(int n);
     /// The picture begins anew, made in this way.
@@ -86,9 +86,9 @@ class Session {
     void setPaused(bool paused);
     /// Shows nothing: scene, film and what the device keeps of them are given back soon.
     void clear();
-    /// Calls `look` once, between two launches, as soon as the scene of `revision` has samples and the hand rests.
+    /// Calls `look` once, between two launches, as soon as the scene of `revision` has samples and interaction has ended.
     /// Errors: another scene has taken its place, it was closed, or it could not be rendered.
-    void inspect(std::uint64_t revision, FilmLook look);
+    void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
 
   private:
     class Loop;

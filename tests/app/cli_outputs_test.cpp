@@ -43,14 +43,14 @@ class CliOutputsTest : public QObject {
         process_.setChildProcessModifier(before);
         process_.start(PDR_BINARY_DIR "/bin/pdrender-cli", arguments);
     }
-    int ended() {
+    int withFullStop() {
         if (!process_.waitForFinished(120'000))
             qFatal("pdrender-cli did not end");
         return process_.exitStatus() == QProcess::NormalExit ? process_.exitCode() : -1;
     }
     int run(const QStringList& arguments, const std::function<void()>& before = {}) {
         start(arguments, before);
-        return ended();
+        return withFullStop();
     }
 
     /// Until the first samples were taken.
@@ -67,7 +67,7 @@ class CliOutputsTest : public QObject {
         waitForRendering();
         change();
         ::kill(pid_t(process_.processId()), signal);
-        return ended();
+        return withFullStop();
     }
 
   private slots:
@@ -134,7 +134,7 @@ class CliOutputsTest : public QObject {
         ::kill(pid_t(process_.processId()), SIGHUP);
         QVERIFY(!process_.waitForFinished(500));
         ::kill(pid_t(process_.processId()), SIGINT);
-        QCOMPARE(ended(), 1);
+        QCOMPARE(withFullStop(), 1);
     }
 
     void aReaderOfMessagesThatIsGoneLosesNoPicture() {
@@ -142,7 +142,7 @@ class CliOutputsTest : public QObject {
         waitForRendering();
         process_.closeReadChannel(QProcess::StandardError);
         ::kill(pid_t(process_.processId()), SIGINT);
-        QCOMPARE(ended(), 1);
+        QCOMPARE(withFullStop(), 1);
         QVERIFY(isPicture(at("a.png")));
     }
 

@@ -157,7 +157,7 @@ void TestDesktop::aDragIsSeenWhileTheHandMoves() {
         QCoreApplication::sendEvent(&viewport, &move);
         QTest::qWait(8);  // a mouse tells 125 times a second
     }
-    QVERIFY2(seen.size() >= 3, qPrintable(QString("%1 pictures while the hand moved").arg(seen.size())));
+    QVERIFY2(seen.size() >= 3, qPrintable(QString("%1 pictures while the user moved").arg(seen.size())));
     QVERIFY(std::is_sorted(seen.begin(), seen.end()));
     QTest::mouseRelease(&viewport, Qt::LeftButton, {}, QPoint(320, 200));
     trial.waitForNewest();
@@ -387,13 +387,13 @@ void TestDesktop::theDeviceAndThePaceAreKept() {
     {
         Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
         QCOMPARE(Settings(file).device(), "auto");
-        QVERIFY(desktop.window().rendering().pace() == ui::PaceChoice{});
+        QVERIFY(desktop.window().rendering().pace() == ui::FrameBudgetChoice{});
         emit desktop.window().rendering().deviceChosen("cpu");
         emit desktop.window().rendering().paceChosen({false, 12, 3.5});
     }
     Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
     QCOMPARE(Settings(file).device(), "cpu");
-    QVERIFY((desktop.window().rendering().pace() == ui::PaceChoice{false, 12, 3.5}));
+    QVERIFY((desktop.window().rendering().pace() == ui::FrameBudgetChoice{false, 12, 3.5}));
 }
 
 void TestDesktop::aRealChestIsShown() {

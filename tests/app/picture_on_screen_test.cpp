@@ -115,7 +115,7 @@ void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
     QCOMPARE(statusOf(trial), status);
 }
 
-/// For every frame that is shown, while the hand does all it can, faster than the device.
+/// For every frame that is shown, while the user does all that is possible, faster than the device.
 void TestPictureOnScreen::theLettersAreThoseOfTheFrame() {
     Trial trial(test::failing(slow(0.02)));
     trial.openAndWait(series_);

@@ -164,8 +164,8 @@ class BenchPaperTest : public QObject {
         QCOMPARE(text(tile.size), std::string("60x34"));
         QCOMPARE(tile.way, kPd100);
         const FrameWork work{2040, 100, 10};
-        QVERIFY(std::fabs(tile.share - sampleShare(kTruth, work)) < 1e-6);
-        QVERIFY(tile.manyNodes > tile.share + 0.2);
+        QVERIFY(std::fabs(tile.fraction - sampleShare(kTruth, work)) < 1e-6);
+        QVERIFY(tile.manyNodes > tile.fraction + 0.2);
         QVERIFY(markdown(report).find("eq. 5 is optimistic here") != std::string::npos);
     }
 
@@ -244,8 +244,8 @@ class BenchPaperTest : public QObject {
         QCOMPARE(digits(-0.5), std::string("-0.5000"));
         QCOMPARE(digits(0), std::string("0.000"));
         QCOMPARE(digits({}), std::string("-"));
-        QCOMPARE(share(0.723), std::string("0.723"));
-        QCOMPARE(share(0.99896), std::string("0.9990"));
+        QCOMPARE(fraction(0.723), std::string("0.723"));
+        QCOMPARE(fraction(0.99896), std::string("0.9990"));
         QCOMPARE(milliseconds(0.09268), std::string("92.68"));
         QCOMPARE(percent(0.976), std::string("98 %"));
     }

@@ -26,7 +26,7 @@ struct Diary {
     }
 };
 
-class SlowFilm final : public LiveFilm {
+class SlowFilm final : public Accumulator {
   public:
     explicit SlowFilm(Diary& diary) : diary_(diary) {}
 
@@ -66,10 +66,10 @@ class SlowDevice final : public Device {
     DeviceInfo info() const override { return {"slow", ""}; }
     Result<void> upload(const Scene&) override { return {}; }
     Result<void> unload() override { return {}; }
-    Result<std::unique_ptr<LiveFilm>> film(const Tile&, std::uint64_t, const Schedule& schedule) override {
+    Result<std::unique_ptr<Accumulator>> film(const Tile&, std::uint64_t, const Schedule& schedule) override {
         if (refusesKroes_ && schedule.kind == Schedule::Kind::kroes)
             return Error{"there is no room", "", ""};
-        return std::unique_ptr<LiveFilm>(std::make_unique<SlowFilm>(diary_));
+        return std::unique_ptr<Accumulator>(std::make_unique<SlowFilm>(diary_));
     }
 
   private:

@@ -69,7 +69,7 @@ class AccumulationTest : public QObject {
     /// Cases 2 and 3.
     void floatRunningMeanDriftsByPercentsInTenMillionSamples_data() {
         QTest::addColumn<quint64>("count");
-        QTest::addColumn<float>("share");
+        QTest::addColumn<float>("fraction");
         QTest::addColumn<float>("often");
         QTest::addColumn<float>("seldom");
         QTest::addColumn<double>("naiveError");
@@ -79,11 +79,11 @@ class AccumulationTest : public QObject {
     }
     void floatRunningMeanDriftsByPercentsInTenMillionSamples() {
         QFETCH(quint64, count);
-        QFETCH(float, share);
+        QFETCH(float, fraction);
         QFETCH(float, often);
         QFETCH(float, seldom);
         QFETCH(double, naiveError);
-        const Means got = means(count, [=](std::uint64_t i) { return uniform(i) < share ? often : seldom; });
+        const Means got = means(count, [=](std::uint64_t i) { return uniform(i) < fraction ? often : seldom; });
         qInfo("naive %.1e, ours %.1e", got.naiveError(), got.ourError());
         QVERIFY(got.naiveError() > naiveError);
         QVERIFY(got.ourError() < 1e-12);

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "render/kernel/camera_ray.h"
-#include "render/kernel/density.h"
+#include "render/kernel/volume_sampling.h"
 #include "tests/support/pictures.h"
 #include "tests/support/statistics.h"
 
@@ -71,7 +71,7 @@ class CamerasTest : public QObject {
                 const vec2 place(float(i % 10) * 3 + 1.5f, float(i / 10) * 3 + 1.5f);
                 const dvec3 towards = glm::normalize(camera.forward + camera.right * (place.x / 32.0 - 0.5) -
                                                      camera.up * (place.y / 32.0 - 0.5));
-                const Ray ray = cameraLeg(prepared->flat, place, vec2(0), {0, 1e30f}).ray;
+                const Ray ray = generateCameraRay(prepared->flat, place, vec2(0), {0, 1e30f}).ray;
                 if (!(ray.length > 0))
                     continue;
                 const auto offLine = [&](dvec3 p) { return glm::length(glm::cross(p - camera.eye, towards)); };
@@ -94,9 +94,9 @@ class CamerasTest : public QObject {
             QVERIFY(bool(scene.check()));
             const auto prepared = Flattener().prepare(scene);
             for (const vec2 place : {vec2(0), vec2(32), vec2(0, 32), vec2(16), vec2(16, 16.001f)}) {
-                const Leg leg = cameraLeg(prepared->flat, place, vec2(0), {0, 1e30f});
-                QVERIFY(std::fabs(glm::length(leg.direction) - 1) < 1e-6);
-                QVERIFY(!std::isnan(leg.ray.length) && glm::dot(dvec3(leg.direction), scene.camera.forward()) > 0);
+                const PathSegment segment = generateCameraRay(prepared->flat, place, vec2(0), {0, 1e30f});
+                QVERIFY(std::fabs(glm::length(segment.direction) - 1) < 1e-6);
+                QVERIFY(!std::isnan(segment.ray.length) && glm::dot(dvec3(segment.direction), scene.camera.forward()) > 0);
             }
             QCOMPARE(test::render(scene, 4).status().health.rejected(), std::uint64_t(0));
         }
@@ -162,10 +162,10 @@ class CamerasTest : public QObject {
                     return glm::length(glm::cross(sharp - from, glm::normalize(direction)));
                 };
                 naiveWorst = std::max(naiveWorst, miss(onLens, glm::normalize(towards) * camera.focus - onLens));
-                const Leg leg = cameraLeg(prepared->flat, place, lens, {0, 1e30f});
-                QVERIFY(leg.ray.length > 0);
-                const dvec3 entry(localPosition(prepared->flat.volume, leg.ray.origin));
-                worst = std::max(worst, miss(entry - camera.localEye, dvec3(leg.direction)));
+                const PathSegment segment = generateCameraRay(prepared->flat, place, lens, {0, 1e30f});
+                QVERIFY(segment.ray.length > 0);
+                const dvec3 entry(localPosition(prepared->flat.volume, segment.ray.origin));
+                worst = std::max(worst, miss(entry - camera.localEye, dvec3(segment.direction)));
             }
         QVERIFY2(worst < 1e-4 && naiveWorst > 0.05, qPrintable(QString("%1, %2").arg(worst).arg(naiveWorst)));
     }

@@ -95,7 +95,7 @@ class EstimatorsTest : public QObject {
             const int draws = throughput < 1e-3f ? 1 << 20 : 1 << 14;
             for (int i = 0; i < draws; ++i) {  // u evenly, as the generator can give it
                 vec3 kept(throughput, 0.5f * throughput, 0);
-                if (survives(kept, (float(i) + 0.5f) / float(draws))) {
+                if (russianRoulette(kept, (float(i) + 0.5f) / float(draws))) {
                     QVERIFY(kept.x >= throughput && kept.y == 0.5f * kept.x && kept.x >= 0.2499f);
                     mean += kept.x / draws;
                 }
@@ -103,8 +103,8 @@ class EstimatorsTest : public QObject {
             QVERIFY(std::fabs(mean - throughput) <= 2e-3 * throughput + 0.25 / draws);
         }
         vec3 nothing(0), noNumber(NAN);
-        QVERIFY(!survives(nothing, 0x1p-24f));
-        QVERIFY(survives(noNumber, 0.9f));  // it is met again at the pixel, and counted there
+        QVERIFY(!russianRoulette(nothing, 0x1p-24f));
+        QVERIFY(russianRoulette(noNumber, 0.9f));  // it is met again at the pixel, and counted there
     }
 
     /// Case 54, the negative control: the test that our tracker passes must fail for a marcher.

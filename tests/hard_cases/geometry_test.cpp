@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "render/kernel/flight.h"
+#include "render/kernel/majorant_traversal.h"
 #include "tests/support/scenes.h"
 
 using namespace pdr;
@@ -49,11 +49,11 @@ struct Walk {
 };
 
 Walk walked(const FlatScene& scene, vec3 origin, vec3 direction) {
-    Flight<float, true> flight;
+    MajorantTraversal<float, true> flight;
     flight.start(scene.majorants, {origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, 1e30f,
-                 Random(1, 2, 3).stream(0, BounceDimension::flight));
+                 Random(1, 2, 3).stream(0, BounceDimension::distance));
     Walk walk;
-    while (flight.flying() && walk.steps < 1000) {
+    while (flight.isActive() && walk.steps < 1000) {
         const float from = flight.t;
         const float bound = flight.step(scene).majorant;
         walk.length += double(flight.t) - from;

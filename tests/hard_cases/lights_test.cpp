@@ -39,8 +39,8 @@ double brought(const FlatLight& light, vec3 place) {
     std::mt19937 random(5);
     double sum = 0;
     for (int i = 0; i < 4000; ++i) {
-        const LightSample sample = light.type == LightType::sphere ? sampleBall(light, place, pair(random))
-                                                                   : samplePanel(light, place, pair(random));
+        const LightSample sample = light.type == LightType::sphere ? sampleSphere(light, place, pair(random))
+                                                                   : sampleRectangle(light, place, pair(random));
         if (!(sample.radiance.x >= 0 && std::isfinite(sample.radiance.x)))
             return NAN;
         sum += sample.radiance.x / 4000;
@@ -93,9 +93,9 @@ class LightsTest : public QObject {
         QCOMPARE(brought(panel, {0, 0, -20}), 0.0);  // behind
         QVERIFY(brought(panel, {20, 0, 1e-30f}) < 1e-20);
         for (const float facing : {0.0f, -0.0f, 1e-45f, 1e-38f, 1e-20f, -1e-20f}) {
-            const LightHit hit = panelSeen(panel, {20, 0, 1}, {-1, 0, -facing});
+            const LightHit hit = intersectRectangle(panel, {20, 0, 1}, {-1, 0, -facing});
             // Met or not, what is found along such a ray counts for nothing beside the panel's own samples.
-            QVERIFY(!hit.met || powerShare(1, hit.density) < 1e-12f);
+            QVERIFY(!hit.met || powerHeuristic(1, hit.pdf) < 1e-12f);
         }
         Scene scene = test::slab(1, {0, 0, -1}, 1);
         for (const dvec3 centre : {kMiddle, dvec3(200.5, 200.5, 60), dvec3(260, 200.5, 5)}) {
@@ -123,8 +123,8 @@ class LightsTest : public QObject {
         for (int i = 0; i < 200'000; ++i) {
             const vec3 p(place(random), place(random), place(random));
             naive.push_back(1 / double(glm::dot(p, p)));
-            const float bright = sampleBall(ball, p, pair(random)).radiance.x;
-            QVERIFY(std::isfinite(bright) && std::isfinite(samplePanel(panel, p, pair(random)).radiance.x));
+            const float bright = sampleSphere(ball, p, pair(random)).radiance.x;
+            QVERIFY(std::isfinite(bright) && std::isfinite(sampleRectangle(panel, p, pair(random)).radiance.x));
             most = std::max(most, double(bright));
         }
         QVERIFY2(tailIndex(naive) < 1.8, qPrintable(QString::number(tailIndex(naive))));
@@ -221,19 +221,19 @@ class LightsTest : public QObject {
         double whole = 0, expectedBright = 0;
         for (int i = 0; i < width * height; ++i) {
             const int row = i / width;
-            const double share = flat.density[i] * 2 * M_PI / width *
+            const double fraction = flat.pdf[i] * 2 * M_PI / width *
                                  (std::cos(M_PI * row / height) - std::cos(M_PI * (row + 1) / height));
-            whole += share;
-            expectedBright += i == bright ? share : 0;
+            whole += fraction;
+            expectedBright += i == bright ? fraction : 0;
         }
         QVERIFY(std::fabs(whole - (bright < 0 ? 0 : 1)) < 1e-4);
         std::mt19937 random(9);
         double found = 0;
         for (int i = 0; i < 20'000; ++i) {
             const LightSample sample = sampleEnvironment(flat, pair(random), pair(random));
-            QVERIFY(std::isfinite(sample.radiance.x) && std::fabs(glm::length(sample.towards) - 1) < 1e-5f);
+            QVERIFY(std::isfinite(sample.radiance.x) && std::fabs(glm::length(sample.wi) - 1) < 1e-5f);
             QCOMPARE(sample.radiance == vec3(0), bright < 0);
-            found += bright >= 0 && sample.density == flat.density[bright];
+            found += bright >= 0 && sample.pdf == flat.pdf[bright];
         }
         const double spread = std::sqrt(20'000 * expectedBright * (1 - expectedBright));
         QVERIFY(std::fabs(found - 20'000 * expectedBright) <= test::allowedZ(4) * spread + 1e-9);
@@ -266,10 +266,10 @@ class LightsTest : public QObject {
         QVERIFY(std::isnan(naive(1e38f, 1e38f)) && std::isnan(naive(0, 0)) && std::isnan(naive(1e-30f, 1e-30f)));
         for (const float own : {1e-38f, 1e-30f, 1e-3f, 1.0f, 1e3f, 1e30f, 1e38f})
             for (const float other : {1e-38f, 1e-30f, 1e-3f, 1.0f, 1e3f, 1e30f, 1e38f})
-                QVERIFY(std::fabs(powerShare(own, other) + powerShare(other, own) - 1) < 1e-6f);
-        QCOMPARE(powerShare(0, 0), 1.0f);  // light that nobody else can find
-        QCOMPARE(powerShare(5, 0), 1.0f);
-        QCOMPARE(powerShare(5, INFINITY), 0.0f);
+                QVERIFY(std::fabs(powerHeuristic(own, other) + powerHeuristic(other, own) - 1) < 1e-6f);
+        QCOMPARE(powerHeuristic(0, 0), 1.0f);  // light that nobody else can find
+        QCOMPARE(powerHeuristic(5, 0), 1.0f);
+        QCOMPARE(powerHeuristic(5, INFINITY), 0.0f);
     }
 
     /// Case 50. A shadow march that begins one step of 3 voxels away, so as not to shadow itself, misses that much.

@@ -19,7 +19,7 @@ using namespace pdr;
 namespace {
 
 RandomStream stream(int path) {
-    return Random(29, unsigned(path), 1).stream(0, BounceDimension::flight);
+    return Random(29, unsigned(path), 1).stream(0, BounceDimension::distance);
 }
 
 /// Mean transmittance of `rays` rays from `origin` (index space) along `direction` (local, unit), by ratio tracking.
@@ -56,7 +56,7 @@ class MediumTest : public QObject {
                 QVERIFY(std::fabs(got.z(std::exp(-0.4 * size[axis]))) < test::allowedZ(15));
             }
             QVERIFY(hounsfieldGradient(prepared->flat.volume, middle) == vec3(0));
-            QVERIFY(surfaceNormal(prepared->flat, middle, {0, 0, 1}, 7, 0) == vec3(0));  // the phase function holds
+            QVERIFY(surfaceNormal(prepared->flat, middle, {0, 0, -1}, 7, 0) == vec3(0));  // the phase function holds
         }
     }
 
@@ -94,10 +94,10 @@ class MediumTest : public QObject {
              {std::vector<TransferNode>{{.hu = 0, .opacity = 0}}, {{.hu = 1, .opacity = 0}, {.hu = 1, .opacity = 1}}}) {
             scene.transferFunction.nodes = nodes;
             const auto prepared = Flattener().prepare(scene);
-            Flight<float, true> flight;
+            MajorantTraversal<float, true> flight;
             flight.start(prepared->flat.majorants, {-0.5f, 20, 20}, {1, 0, 0}, 40, stream(1));
             int steps = 0;
-            for (; flight.flying(); ++steps)
+            for (; flight.isActive(); ++steps)
                 QVERIFY(!flight.step(prepared->flat).happened);
             QVERIFY(steps <= 40 / 4 + 3);
             QCOMPARE(track<RatioTracking>(prepared->flat, {{-0.5f, 20, 20}, {1, 0, 0}, 40}, stream(1)), 1.0f);

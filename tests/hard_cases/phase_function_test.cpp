@@ -77,7 +77,7 @@ class PhaseFunctionTest : public QObject {
         std::array<double, 64> bins{};
         RandomStream random = Random(4, 1, 0).stream(Dimension::filter);
         for (int i = 0; i < 100'000; ++i) {
-            const vec3 direction = phaseSample(g, travel, random.pair());
+            const vec3 direction = phaseSample(g, -travel, random.pair());
             QVERIFY(std::fabs(glm::length(dvec3(direction)) - 1) < 1e-6);
             const double x = oneMinusCos(peak, direction), cosine = 1 - x;
             first.add(cosine - std::fabs(double(g)));
@@ -106,7 +106,7 @@ class PhaseFunctionTest : public QObject {
             const vec3 towards = vec3(dvec3(sine, 0, 0) + dvec3(peak) * (1 - x));
             // Judged by the directions as they are, in single precision.
             const double truth = double(exactEval(std::fabs(g), oneMinusCos(peak, towards)));
-            const double found = phaseEval(g, travel, towards);
+            const double found = phaseEval(g, -travel, towards);
             QVERIFY2(std::fabs(found / truth - 1) < 2e-6,
                      qPrintable(QString("%1 instead of %2 at %3").arg(found).arg(truth).arg(x)));
         }
@@ -138,8 +138,8 @@ class PhaseFunctionTest : public QObject {
                 const float rest = std::sqrt(std::max(0.0f, 1 - z * z - x * x));
                 for (const vec3 n : {vec3(x, rest, z), vec3(-rest, x, z)})
                     QVERIFY2(
-                        error(n, basisAround) < 1e-6f,
-                        qPrintable(QString("%1 at %2 %3 %4").arg(error(n, basisAround)).arg(n.x).arg(n.y).arg(n.z)));
+                        error(n, orthonormalBasis) < 1e-6f,
+                        qPrintable(QString("%1 at %2 %3 %4").arg(error(n, orthonormalBasis)).arg(n.x).arg(n.y).arg(n.z)));
             }
     }
 };

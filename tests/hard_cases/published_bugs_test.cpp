@@ -15,7 +15,7 @@ using namespace pdr;
 namespace {
 
 RandomStream stream(int path) {
-    return Random(63, unsigned(path), 1).stream(0, BounceDimension::flight);
+    return Random(63, unsigned(path), 1).stream(0, BounceDimension::distance);
 }
 
 /// Tissue seen through a window: opaque in the middle of it, clear again above.
@@ -107,10 +107,10 @@ class PublishedBugsTest : public QObject {
             for (int i = 0; i < n * n; ++i) {  // midpoints in cosine and azimuth
                 const float z = -1 + 2 * (float(i % n) + 0.5f) / n, phi = 2 * kPi * (float(i / n) + 0.5f) / n;
                 const float sine = std::sqrt(1 - z * z);
-                const double share =
-                    phaseEval(g, travel, {sine * std::cos(phi), sine * std::sin(phi), z}) * 4 * M_PI / (n * n);
-                whole += share;
-                behind += z < 0 ? share : 0;
+                const double fraction =
+                    phaseEval(g, -travel, {sine * std::cos(phi), sine * std::sin(phi), z}) * 4 * M_PI / (n * n);
+                whole += fraction;
+                behind += z < 0 ? fraction : 0;
             }
             QVERIFY(std::fabs(whole - 1) < 1e-3 && behind > 0.02);
         }
@@ -194,11 +194,11 @@ class PublishedBugsTest : public QObject {
         for (const float zero : {0.0f, -0.0f})
             for (const vec3 direction : {vec3(1, zero, zero), vec3(zero, -1, zero), vec3(zero, 0.6f, 0.8f)})
                 for (const vec3 origin : {vec3(8), vec3(4, 8, 12), vec3(0, 0, 16)}) {
-                    Flight<float, true> flight;
+                    MajorantTraversal<float, true> flight;
                     flight.start(prepared->flat.majorants, {origin.x, origin.y, origin.z},
                                  {direction.x, direction.y, direction.z}, 1e30f, stream(1));
                     int steps = 0;
-                    for (; flight.flying() && steps < 100; ++steps)
+                    for (; flight.isActive() && steps < 100; ++steps)
                         flight.step(prepared->flat);
                     const float chord =
                         clipped(origin, direction, vec3(-0.5f), vec3(23.5f), Interval<float>{0, 1e30f}).leave;

@@ -19,7 +19,7 @@ namespace {
 constexpr double kAlarm = 1e-6;
 
 RandomStream stream(int path) {
-    return Random(17, unsigned(path), 1).stream(0, BounceDimension::flight);
+    return Random(17, unsigned(path), 1).stream(0, BounceDimension::distance);
 }
 
 /// Marsaglia's multiply-with-carry as Exposure Render uses it: 23 bits of two 16-bit generators.
@@ -96,13 +96,13 @@ class RandomNumbersTest : public QObject {
         const Material shiny{vec3(0.5f), vec3(0), vec3(0.04f), 0.1f};
         for (const vec2 u : {vec2(low, low), vec2(low, high), vec2(high, low), vec2(high, high)}) {
             for (const float g : {0.0f, 0.9999f, -0.9999f})
-                QVERIFY(std::fabs(glm::length(phaseSample(g, vec3(0, 0, -1), u)) - 1) < 1e-6f);
+                QVERIFY(std::fabs(glm::length(phaseSample(g, vec3(0, 0, 1), u)) - 1) < 1e-6f);
             for (const float choice : {low, high})
                 QVERIFY(std::fabs(glm::length(surfaceSample(shiny, {0, 0, 1}, {0, 0.6f, 0.8f}, choice, u)) - 1) <
                         1e-5f);
-            const LightSample light = samplePanel(panel, vec3(0, 0, -5), u);
+            const LightSample light = sampleRectangle(panel, vec3(0, 0, -5), u);
             QVERIFY(std::isfinite(light.radiance.x) && light.radiance.x > 0 && light.distance >= 5);
-            LightChoice choice;
+            LightReservoir choice;
             for (int i = 0; i < lights; ++i)
                 choice.offer({{vec3(float(i)), vec3(0), 1}, vec3(i < 9 ? 1.0f : 0.0f)}, u.x);
             QVERIFY(choice.path().radiance.x > 0 && choice.path().ray.origin.x < 9);  // never the dark one
@@ -270,7 +270,7 @@ class RandomNumbersTest : public QObject {
                 }) > draws);
         QCOMPARE(shared([](int path, std::vector<std::uint64_t>& seen) {
                      const Random random(1, path & 1, std::uint64_t((path >> 1) & 1));
-                     RandomStream numbers = random.stream(path >> 2, BounceDimension::flight);
+                     RandomStream numbers = random.stream(path >> 2, BounceDimension::distance);
                      for (int i = 0; i < draws; ++i) {
                          const vec2 u = numbers.pair();  // 46 of 64 bits: 0.005 chance meetings are expected
                          seen.push_back(std::uint64_t(u.x * 0x1p24f) << 32 | std::uint64_t(u.y * 0x1p24f));

@@ -20,7 +20,7 @@ inline bench::Measurement marchedReflectance(const bench::Case& slab, const Flat
     for (int i = 0; i < samples; ++i) {
         const Random random(3, std::uint32_t(i), 0);
         const float hit =
-            marchToCollision(scene, {top, down, thickness}, random.stream(0, BounceDimension::flight), step);
+            marchToCollision(scene, {top, down, thickness}, random.stream(0, BounceDimension::distance), step);
         const Ray shadow{top + down * hit, towards, hit / cosine};
         const float lit =
             hit >= 0 ? marchTransmittance(scene, shadow, random.stream(0, BounceDimension::shadow), step) : 0;
@@ -35,7 +35,7 @@ inline bench::Measurement marchedTransmittance(const FlatScene& scene, float thi
     const Ray ray{top, scene.volume.indexFromLocal * vec3(0, 0, -1), thickness};
     Sample through;
     for (int i = 0; i < samples; ++i) {
-        const RandomStream random = Random(3, std::uint32_t(i), 0).stream(0, BounceDimension::flight);
+        const RandomStream random = Random(3, std::uint32_t(i), 0).stream(0, BounceDimension::distance);
         through.add(pdr::marchTransmittance(scene, ray, random, step));
     }
     return {through.mean(), through.standardError()};

@@ -59,14 +59,14 @@ void verifyBothWaysAgree(const FlatLight& light, vec3 from) {
     int missed = 0;
     for (int i = 0; i < 20000; ++i) {
         const LightSample sample = sampled(light, from, random.pair());
-        const LightHit hit = lightSeen(light, from, sample.towards);
+        const LightHit hit = intersectLight(light, from, sample.wi);
         missed += !hit.met;  // rounding at the rim
         if (!hit.met)
             continue;
-        QVERIFY(std::fabs(sample.density / hit.density - 1) < 1e-4f);
+        QVERIFY(std::fabs(sample.pdf / hit.pdf - 1) < 1e-4f);
         const float rim = light.type == LightType::sphere ? 0.02f * light.radius : 0;
         QVERIFY(std::fabs(sample.distance - hit.distance) < 1e-4f * hit.distance + rim);
-        QVERIFY(std::fabs(sample.radiance.x * sample.density - 1) < 1e-5f);  // the light's own, which is 1
+        QVERIFY(std::fabs(sample.radiance.x * sample.pdf - 1) < 1e-5f);  // the light's own, which is 1
     }
     QVERIFY(missed < 20);
 }
@@ -82,8 +82,8 @@ double integralOfDensity(const FlatLight& light, vec3 from, dvec3 axis, double l
         for (int k = 0; k < kSteps; ++k) {
             const double angle = 2 * M_PI * (k + 0.5) / kSteps;
             const LightHit hit =
-                lightSeen(light, from, vec3(axis * cosine + (s * std::cos(angle) + t * std::sin(angle)) * sine));
-            sum += hit.met && hit.distance > 0 ? hit.density : 0;
+                intersectLight(light, from, vec3(axis * cosine + (s * std::cos(angle) + t * std::sin(angle)) * sine));
+            sum += hit.met && hit.distance > 0 ? hit.pdf : 0;
         }
     }
     return sum * 2 * M_PI * (1 - leastCosine) / kSteps / kSteps;
@@ -157,7 +157,7 @@ class LightSamplingTest : public QObject {
         const double cone = 1 - 0.8;  // 3, 4, 5
         std::vector<double> bins(256);
         overSamples(ball, vec3(from), [&](const LightSample& sample) {
-            const dvec3 towards(sample.towards);
+            const dvec3 towards(sample.wi);
             const double height = glm::dot(towards - axis, towards - axis) / 2 / cone;
             const double turn = std::atan2(towards.y, towards.x) / (2 * M_PI) + 0.5;
             ++bins[std::size_t(std::min(15, int(16 * height)) * 16 + std::min(15, int(16 * turn)))];
@@ -171,7 +171,7 @@ class LightSamplingTest : public QObject {
         const vec3 from(1, 3, 2);
         std::vector<double> bins(256);
         overSamples(panel, from, [&](const LightSample& sample) {
-            const vec3 place = from + sample.towards * sample.distance;
+            const vec3 place = from + sample.wi * sample.distance;
             const double u = place.x / 4 + 0.5, v = place.y / 2.4 + 0.5;
             ++bins[std::size_t(std::clamp(int(16 * u), 0, 15) * 16 + std::clamp(int(16 * v), 0, 15))];
             return u;
@@ -188,16 +188,16 @@ class LightSamplingTest : public QObject {
             const double sine2 = double(radius) * radius / 25, cosine = std::sqrt(1 - sine2);
             verifyMean(overSamples(ball, from,
                                    [&](const LightSample& s) {
-                                       return double(s.radiance.x) * std::max(0.0f, glm::dot(s.towards, normal));
+                                       return double(s.radiance.x) * std::max(0.0f, glm::dot(s.wi, normal));
                                    }),
                        M_PI * sine2 * 0.8);
             verifyMean(
                 overSamples(ball, from,
-                            [&](const LightSample& s) { return double(s.radiance.x) * s.towards.z * s.towards.z; }),
+                            [&](const LightSample& s) { return double(s.radiance.x) * s.wi.z * s.wi.z; }),
                 2 * M_PI * (1 - cosine * cosine * cosine) / 3);
             verifyMean(overSamples(ball, from,
                                    [&](const LightSample& s) {
-                                       return double(s.radiance.x) * s.towards.x * s.towards.x / sine2;
+                                       return double(s.radiance.x) * s.wi.x * s.wi.x / sine2;
                                    }),
                        M_PI * (2.0 / 3 - cosine + cosine * cosine * cosine / 3) / sine2);
         }
@@ -213,7 +213,7 @@ class LightSamplingTest : public QObject {
                 (A * std::atan(b / std::sqrt(1 + a * a)) + B * std::atan(a / std::sqrt(1 + b * b))) / 2;
             verifyMean(
                 overSamples(panel, from,
-                            [](const LightSample& s) { return double(s.radiance.x) * std::max(0.0f, s.towards.z); }),
+                            [](const LightSample& s) { return double(s.radiance.x) * std::max(0.0f, s.wi.z); }),
                 factor);  // over pi, times pi
         }
     }
@@ -256,7 +256,7 @@ class LightSamplingTest : public QObject {
         RandomStream random = Random(9, 1, 0).stream(0, BounceDimension::choice);
         test::Sample brought[5];
         for (int i = 0; i < kSamples; ++i) {
-            LightChoice choice;
+            LightReservoir choice;
             for (int light = 0; light < 5; ++light)
                 choice.offer({{vec3(float(light)), vec3(0), 1}, vec3(1, 2, 0.5f) * float(strengths[light])},
                              random.pair().x);

@@ -42,7 +42,7 @@ struct Ramp {
 };
 
 RandomStream stream(int i) {
-    return Random(99, std::uint32_t(i), 2).stream(0, BounceDimension::flight);
+    return Random(99, std::uint32_t(i), 2).stream(0, BounceDimension::distance);
 }
 
 /// Cumulative distribution of the Henyey-Greenstein cosine, from 1 - cos; straight on is 1.
@@ -194,7 +194,7 @@ class SamplingTest : public QObject {
         Bins bins{};
         test::Sample first, second, around;
         for (int i = 0; i < 200000; ++i) {
-            const vec3 onward = phaseSample(float(g), travel, random.pair());
+            const vec3 onward = phaseSample(float(g), -travel, random.pair());
             const dvec3 difference = dvec3(onward) - dvec3(travel);
             QVERIFY(std::fabs(glm::length(dvec3(onward)) - 1) < 1e-5);
             const double oneMinusCos = 0.5 * glm::dot(difference, difference);

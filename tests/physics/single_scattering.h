@@ -85,12 +85,12 @@ class SingleScattering {
         dvec3 place, travel;
         Tissue tissue;
         dvec3 normal;  ///< to the viewer's side
-        double share;  ///< probability of a surface
+        double fraction;  ///< probability of a surface
         double g;
 
         dvec3 response(dvec3 toLight) const {
             const dvec3 medium = tissue.albedo * henyeyGreenstein(g, glm::dot(travel, toLight));
-            return share > 0 ? share * surface(tissue, normal, -travel, toLight) + (1 - share) * medium : medium;
+            return fraction > 0 ? fraction * surface(tissue, normal, -travel, toLight) + (1 - fraction) * medium : medium;
         }
     };
 
@@ -101,7 +101,7 @@ class SingleScattering {
         const double steepness = glm::length(gradient);
         if (steepness > 0) {
             event.normal = gradient * ((glm::dot(gradient, travel) > 0 ? -1 : 1) / steepness);
-            event.share = surfaceProbability(event.tissue.opacity, scene_.gradientFactor, steepness);
+            event.fraction = surfaceProbability(event.tissue.opacity, scene_.gradientFactor, steepness);
         }
         return event;
     }

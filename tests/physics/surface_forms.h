@@ -12,9 +12,9 @@ namespace pdr::test {
 /// Towards the viewer per irradiance across the light's direction [1/sr].
 inline double surfaceResponse(const bench::CaseScene& s, dvec3 toViewer, dvec3 toLight) {
     const written::Tissue tissue{1, dvec3(s.albedo), dvec3(s.specular), s.roughness};
-    const double share = written::surfaceProbability(1, s.gradientFactor, 2048 / bench::extentMm(s));
-    return share * written::surface(tissue, {0, 0, 1}, toViewer, toLight).x +
-           (1 - share) * s.albedo * written::henyeyGreenstein(s.g, -glm::dot(toViewer, toLight));
+    const double fraction = written::surfaceProbability(1, s.gradientFactor, 2048 / bench::extentMm(s));
+    return fraction * written::surface(tissue, {0, 0, 1}, toViewer, toLight).x +
+           (1 - fraction) * s.albedo * written::henyeyGreenstein(s.g, -glm::dot(toViewer, toLight));
 }
 
 /// Lamps stand at right angles to the viewer.

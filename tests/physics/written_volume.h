@@ -35,18 +35,18 @@ class Grid {
     /// At an index; weights of the eight voxels around.
     double hu(dvec3 index) const {
         ivec3 low, high;
-        dvec3 share;
+        dvec3 fraction;
         for (int axis = 0; axis < 3; ++axis) {
             const double x = std::clamp(index[axis], 0.0, double(size_[axis] - 1));
             low[axis] = int(x);
             high[axis] = std::min(low[axis] + 1, size_[axis] - 1);
-            share[axis] = x - low[axis];
+            fraction[axis] = x - low[axis];
         }
         double sum = 0;
         for (int corner = 0; corner < 8; ++corner) {
             const bool i = corner & 1, j = corner & 2, k = corner & 4;
             const double weight =
-                (i ? share.x : 1 - share.x) * (j ? share.y : 1 - share.y) * (k ? share.z : 1 - share.z);
+                (i ? fraction.x : 1 - fraction.x) * (j ? fraction.y : 1 - fraction.y) * (k ? fraction.z : 1 - fraction.z);
             sum += weight * voxel(i ? high.x : low.x, j ? high.y : low.y, k ? high.z : low.z);
         }
         return sum;

@@ -22,8 +22,8 @@ Scene view(Camera::Type type) {
     return scene;
 }
 
-Leg through(const Scene& scene, vec2 place, vec2 lens = vec2(0)) {
-    return cameraLeg(test::prepared(scene)->flat, place, lens, vec2(0, 1e30f));
+PathSegment through(const Scene& scene, vec2 place, vec2 lens = vec2(0)) {
+    return generateCameraRay(test::prepared(scene)->flat, place, lens, vec2(0, 1e30f));
 }
 
 }  // namespace
@@ -52,10 +52,10 @@ class CameraTest : public QObject {
         const VolumeGeometry& geometry = scene.volume->geometry();
         for (const auto& [place, across, up] :
              {std::tuple(vec2(100, 40), 50.0, 50.0), {vec2(100, 4), 50.0, 77.0}, {vec2(150, 76), 87.5, 23.0}}) {
-            const Leg leg = through(scene, place);
-            const dvec3 entry(geometry.patientFromIndex * dvec4(dvec3(leg.ray.origin), 1));
+            const PathSegment segment = through(scene, place);
+            const dvec3 entry(geometry.patientFromIndex * dvec4(dvec3(segment.ray.origin), 1));
             QVERIFY(std::fabs(entry.x - across) < 1e-4 && std::fabs(entry.z - up) < 1e-4);
-            QVERIFY(glm::length(leg.direction - vec3(0, 1, 0)) < 1e-6f);
+            QVERIFY(glm::length(segment.direction - vec3(0, 1, 0)) < 1e-6f);
         }
     }
 
@@ -67,8 +67,8 @@ class CameraTest : public QObject {
         scene.camera.focusMm = 800;
         const VolumeGeometry& geometry = scene.volume->geometry();
         for (const vec2 lens : {vec2(1, 0), vec2(0, 1), vec2(-0.6f, 0.8f)}) {
-            const Leg leg = through(scene, vec2(100, 40), lens);
-            const dvec3 entry(geometry.patientFromIndex * dvec4(dvec3(leg.ray.origin), 1));
+            const PathSegment segment = through(scene, vec2(100, 40), lens);
+            const dvec3 entry(geometry.patientFromIndex * dvec4(dvec3(segment.ray.origin), 1));
             QVERIFY(std::fabs(entry.y) < 1e-3);
             QVERIFY(glm::length(dvec2(entry.x, entry.z) - dvec2(50) - dvec2(lens) * 3.0) < 1e-3);
         }
@@ -89,7 +89,7 @@ class CameraTest : public QObject {
     void pointsOfALensAreEvenOverTheDisc() {
         test::Sample squared, fourth, across, up;
         for (std::uint64_t i = 0; i < 200'000; ++i) {
-            const vec2 point = onDisc(Random(3, 1, i).stream(Dimension::lens).pair());
+            const vec2 point = sampleUniformDisk(Random(3, 1, i).stream(Dimension::lens).pair());
             const double square = glm::dot(dvec2(point), dvec2(point));
             squared.add(square);
             fourth.add(square * square);

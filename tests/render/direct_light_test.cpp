@@ -69,14 +69,14 @@ class DirectLightTest : public QObject {
         for (const auto& [light, truth, square] : {std::tuple(panel(), 2 * filled, true), {round, 4 * M_PI * cone, false}}) {
             test::Sample brought, aside, up, forwards;
             vec3 s, t;
-            basisAround(light.normal, s, t);
+            orthonormalBasis(light.normal, s, t);
             for (std::uint64_t i = 0; i < 100'000; ++i) {
                 const vec2 u = Random(5, 1, i).stream(Dimension::filter).pair();
                 const LightSample sample = sampleLight<kPlacedLights>(light, fromAhead(light), u);
                 brought.add(sample.radiance.x);
-                aside.add(sample.radiance.x * glm::dot(sample.towards, s));
-                up.add(sample.radiance.x * glm::dot(sample.towards, t));
-                forwards.add(-glm::dot(sample.towards, light.normal));
+                aside.add(sample.radiance.x * glm::dot(sample.wi, s));
+                up.add(sample.radiance.x * glm::dot(sample.wi, t));
+                forwards.add(-glm::dot(sample.wi, light.normal));
             }
             const double allowed = test::allowedZ(8);
             QVERIFY2(std::fabs(brought.mean() - truth) < allowed * brought.standardError() + 1e-5 * truth,
@@ -92,7 +92,7 @@ class DirectLightTest : public QObject {
             QVERIFY(sampleLight<kPlacedLights>(light, light.position - light.normal * 30.0f, u).radiance == vec3(0));
             QVERIFY(sampleLight<kPlacedLights>(round, round.position + vec3(1, 2, 3), u).radiance == vec3(0));
         }
-        QVERIFY(!lightSeen(light, -light.normal * 30.0f, light.normal).met);
+        QVERIFY(!intersectLight(light, -light.normal * 30.0f, light.normal).met);
     }
 
     /// The zenith lies towards the head.
@@ -142,13 +142,13 @@ class DirectLightTest : public QObject {
             for (int i = 0; i < 10'000; ++i) {
                 const vec3 place(20 * u(random) - 10, 20 * u(random) - 10, 20 * u(random) - 10);
                 const LightSample sample = sampleLight<kPlacedLights>(light, place, {u(random), u(random)});
-                const LightHit hit = lightSeen(light, place - light.position, sample.towards);
+                const LightHit hit = intersectLight(light, place - light.position, sample.wi);
                 QVERIFY(hit.met);
-                QVERIFY(std::fabs(hit.density / sample.density - 1) < 2e-3);
+                QVERIFY(std::fabs(hit.pdf / sample.pdf - 1) < 2e-3);
                 QVERIFY(std::fabs(hit.distance - sample.distance) < 0.05);
                 // Towards the other side it lies behind: there is no light in front.
-                QVERIFY(!(lightSeen(light, place - light.position, -sample.towards).met &&
-                          lightSeen(light, place - light.position, -sample.towards).distance > 0));
+                QVERIFY(!(intersectLight(light, place - light.position, -sample.wi).met &&
+                          intersectLight(light, place - light.position, -sample.wi).distance > 0));
             }
     }
 
@@ -160,8 +160,8 @@ class DirectLightTest : public QObject {
         for (int i = 0; i < 10'000; ++i) {
             const vec3 from(60 * u(random) + 30, 60 * u(random) - 30, 60 * u(random) - 30);
             const LightSample sample = sampleLight<kPlacedLights>(light, from + light.position, {u(random) * 0.99f, u(random)});
-            const double truth = firstMeeting(dvec3(from), dvec3(sample.towards), 25);
-            QVERIFY(std::fabs(lightSeen(light, from, sample.towards).distance - truth) < 0.02);
+            const double truth = firstMeeting(dvec3(from), dvec3(sample.wi), 25);
+            QVERIFY(std::fabs(intersectLight(light, from, sample.wi).distance - truth) < 0.02);
             QVERIFY(std::fabs(sample.distance - truth) < 0.02);
         }
     }

@@ -14,9 +14,9 @@ class DisplayErrorTest : public QObject {
   private slots:
     void theCurveBeforeRoundingIsTheCurve() {
         float worst = 0, last = 0;
-        for (double share = 1e-9; share < 1e3; share *= 1.0007) {
-            const float level = exactLevelOf(displayCurve(), float(share));
-            worst = std::max(worst, float(std::fabs(level - curve(share, 1))));
+        for (double fraction = 1e-9; fraction < 1e3; fraction *= 1.0007) {
+            const float level = exactLevelOf(displayCurve(), float(fraction));
+            worst = std::max(worst, float(std::fabs(level - curve(fraction, 1))));
             QVERIFY(level >= last && level <= 255);
             last = level;
         }
@@ -33,10 +33,10 @@ class DisplayErrorTest : public QObject {
         };
         for (const double exposure : {0.5, 4.0})
             for (const double mean : {1e-4, 0.003, 0.1, 0.7, 3.0, 20.0})
-                for (const double share : {1e-3, 0.03, 0.3, 0.49, 0.51, 2.0, 40.0}) {
-                    const double got = off(dvec3(mean), dvec3(share * mean), exposure);
-                    QVERIFY2(std::fabs(got - twoSided(mean, share * mean, exposure)) < 0.01,
-                             qPrintable(QString("%1 %2: %3").arg(mean).arg(share).arg(got)));
+                for (const double fraction : {1e-3, 0.03, 0.3, 0.49, 0.51, 2.0, 40.0}) {
+                    const double got = off(dvec3(mean), dvec3(fraction * mean), exposure);
+                    QVERIFY2(std::fabs(got - twoSided(mean, fraction * mean, exposure)) < 0.01,
+                             qPrintable(QString("%1 %2: %3").arg(mean).arg(fraction).arg(got)));
                 }
         const double slope = (curve(0.10001, 1) - curve(0.1, 1)) / 1e-5;
         QVERIFY(twoSided(0.1, 0.04, 1) > 2 * 0.04 * slope + 9);  // the slope alone is wrong by levels

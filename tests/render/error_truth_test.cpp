@@ -184,7 +184,7 @@ class ErrorTruthTest : public QObject {
                 truth += (long double)(radiance[i].x);
             }
             const TraceTarget target{{{0, 0, 1, 1}, {first, launch}}, radiance.data(), &health, &seen};
-            gpu.launch(AccumulateProgram{target, 1, &sums, &moments}, 1, GpuStream::compute);
+            gpu.launch(AccumulateKernel{target, 1, &sums, &moments}, 1, GpuStream::compute);
         }
         gpu.awaitAll();
         const Moments all = merged(moments, sums);

@@ -33,7 +33,7 @@ Scene someScene(std::uint64_t revision = 1) {
 Film filmOf(Session& session) {
     auto film = std::make_shared<std::promise<Film>>();
     auto future = film->get_future();
-    session.inspect(1, [film](const Result<FilmView>& view) { film->set_value(view->film); });
+    session.requestSnapshot(1, [film](const Result<FilmView>& view) { film->set_value(view->film); });
     if (future.wait_for(240s) != std::future_status::ready)
         qFatal("nobody looks at the film");
     return future.get();
@@ -140,7 +140,7 @@ class FaultsTest : public QObject {
             DeviceInfo info() const override { return {"host", "", true}; }
             Result<void> upload(const Scene& scene) override { return inner_.upload(scene); }
             Result<void> unload() override { return inner_.unload(); }
-            Result<std::unique_ptr<LiveFilm>> film(const Tile& area, std::uint64_t revision,
+            Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                                    const Schedule& schedule) override {
                 return inner_.film(area, revision, schedule);
             }
@@ -315,7 +315,7 @@ class FaultsTest : public QObject {
             std::this_thread::sleep_for(std::chrono::microseconds(i * 200));
             session.setDevice(kCpu);
             session.setSchedule({});
-            session.inspect(1, [](const Result<FilmView>&) {});
+            session.requestSnapshot(1, [](const Result<FilmView>&) {});
             std::this_thread::sleep_for(std::chrono::microseconds(i % 6 * 300));
         }
     }

@@ -242,7 +242,7 @@ class FilmOfRegionsTest : public QObject {
         const dvec3 centre = scene.volume->geometry().centreMm();
         scene.camera.eyeMm = centre + 20.0 * (scene.camera.eyeMm - centre);  // the film counts here, not the paths
         GpuDevice<CountingGpu> device(DeviceInfo{"counting", "", false});
-        const auto picture = [&](LiveFilm& film) {
+        const auto picture = [&](Accumulator& film) {
             return film.iterate(1, {}) && film.show({}) && bool(film.take());
         };
         QVERIFY(device.upload(scene));

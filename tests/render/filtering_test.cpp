@@ -7,7 +7,7 @@
 #include "render/device/cpu/host_gpu.h"
 #include "render/device/gpu/gpu_device.h"
 #include "render/film/tone_map.h"
-#include "render/kernel/density.h"
+#include "render/kernel/volume_sampling.h"
 #include "tests/support/faulty_gpu.h"
 #include "tests/support/pictures.h"
 #include "tests/support/random_scenes.h"

@@ -63,7 +63,7 @@ class Reel {
 /// What somebody who looks is told.
 struct Answer {
     std::promise<Result<Film>> film;
-    FilmLook look() {
+    SnapshotObserver look() {
         return [this](const Result<FilmView>& view) {
             film.set_value(view ? Result<Film>(view->film) : Result<Film>(view.error()));
         };
@@ -129,7 +129,7 @@ class FirstLookTest : public QObject {
         session.submit(largeScene(1), true);
         session.submit(largeScene(2), false);
         Answer answer;
-        session.inspect(2, answer.look());
+        session.requestSnapshot(2, answer.look());
         auto film = answer.film.get_future();
         QVERIFY(film.wait_for(240s) == std::future_status::ready);
         const Result<Film> seen = film.get();
@@ -169,12 +169,12 @@ class FirstLookTest : public QObject {
         Session session(test::failing(mishaps), reel.sink());
         session.submit(largeScene(1), true);  // it does not rest, so nobody can look
         Answer pending, late;
-        session.inspect(1, pending.look());
+        session.requestSnapshot(1, pending.look());
         QTest::qWait(100);
         session.submit(largeScene(2), false);
         const auto refusal = pending.refusal();
         QVERIFY(refusal && refusal->what.find("another picture") != std::string::npos && !refusal->hint.empty());
-        session.inspect(1, late.look());
+        session.requestSnapshot(1, late.look());
         QVERIFY(late.refusal());
     }
 
@@ -185,10 +185,10 @@ class FirstLookTest : public QObject {
         wrong.phaseG = 1;
         session.submit(wrong, false);
         Answer pending, late;
-        session.inspect(1, pending.look());
+        session.requestSnapshot(1, pending.look());
         const auto refusal = pending.refusal();
         QVERIFY(refusal && refusal->what.find("could not be made") != std::string::npos);
-        session.inspect(1, late.look());
+        session.requestSnapshot(1, late.look());
         QVERIFY(late.refusal());
     }
 
@@ -200,7 +200,7 @@ class FirstLookTest : public QObject {
         Session session(test::failing(mishaps), reel.sink());
         session.submit(largeScene(1), false);
         Answer pending;
-        session.inspect(1, pending.look());
+        session.requestSnapshot(1, pending.look());
         QVERIFY(pending.refusal());
     }
 
@@ -208,14 +208,14 @@ class FirstLookTest : public QObject {
         Reel reel;
         Session session(makeCpuDevice(1), reel.sink());
         Answer before, pending, late;
-        session.inspect(0, before.look());
+        session.requestSnapshot(0, before.look());
         QVERIFY(before.refusal());
         session.submit(largeScene(1), true);
-        session.inspect(1, pending.look());
+        session.requestSnapshot(1, pending.look());
         session.clear();
         const auto refusal = pending.refusal();
         QVERIFY(refusal && refusal->what.find("closed") != std::string::npos);
-        session.inspect(1, late.look());
+        session.requestSnapshot(1, late.look());
         QVERIFY(late.refusal());
     }
 

@@ -31,16 +31,16 @@ void verifyReplayShows(const PreparedScene& prepared, Fault fault, const FaultCo
     const ivec2 film = prepared.flat.camera.film;
     const Replay replay = replayed(prepared, {int(first.pixel) % film.x, int(first.pixel) / film.x}, first.sample);
     QVERIFY2(replay.faults.of(fault).count > 0,
-             qPrintable(QString("pixel %1 sample %2 of %3, radiance %4, legs %5, collision %6 light %7 T %8")
+             qPrintable(QString("pixel %1 sample %2 of %3, radiance %4, segments %5, collision %6 light %7 T %8")
                             .arg(first.pixel)
                             .arg(first.sample)
                             .arg(first.count)
                             .arg(replay.radiance.x)
-                            .arg(replay.legs.size())
-                            .arg(replay.legs[0].collision)
-                            .arg(replay.legs[0].direct.x)
-                            .arg(replay.legs[0].transmittance)));
-    QVERIFY(!replay.legs.empty());
+                            .arg(replay.segments.size())
+                            .arg(replay.segments[0].collision)
+                            .arg(replay.segments[0].direct.x)
+                            .arg(replay.segments[0].transmittance)));
+    QVERIFY(!replay.segments.empty());
 }
 
 }  // namespace

@@ -70,9 +70,9 @@ Compared compared(const FlatScene& scene, std::uint64_t samples) {
     for (int i = 0; i < film.x * film.y; ++i)
         for (std::uint64_t sample = 0; sample < samples; ++sample) {
             const ivec2 pixel(i % film.x, i / film.x);
-            const Path path = cameraStart(scene, pixel, sample, matterDepths(scene, pixel));
-            const Ray& ray = path.leg.ray;
-            const RandomStream flight = path.random.stream(0, BounceDimension::flight);
+            const Path path = startPath(scene, pixel, sample, depthBounds(scene, pixel));
+            const Ray& ray = path.segment.ray;
+            const RandomStream flight = path.random.stream(0, BounceDimension::distance);
             const RandomStream shadow = path.random.stream(0, BounceDimension::shadow);
             const float ends = marchToCollision(scene, ray, flight, step);
             const float truth = track<DeltaTracking>(scene, ray, flight);

@@ -26,8 +26,8 @@ double valueAt(const Cubic<float>& cubic, double s) {
     return r * r * r * cubic.b0 + 3 * r * r * s * cubic.b1 + 3 * r * s * s * cubic.b2 + s * s * s * cubic.b3;
 }
 
-OpticsAlong<float> along(const Cubic<float>& share, float extinction, float rise) {
-    return {share, share.mean(), extinction, rise, extinction + rise * share.mean()};
+OpticsAlong<float> along(const Cubic<float>& fraction, float extinction, float rise) {
+    return {fraction, fraction.mean(), extinction, rise, extinction + rise * fraction.mean()};
 }
 
 }  // namespace
@@ -115,28 +115,28 @@ class LayerTest : public QObject {
         std::uniform_real_distribution<float> unit(0, 1);
         double tightest = 0;
         for (int i = 0; i < 4000; ++i) {
-            const Cubic<float> share = randomCubic(random);
+            const Cubic<float> fraction = randomCubic(random);
             const float extinction = random() % 3 ? unit(random) : 0;
             const float rise = random() % 3 ? unit(random) - extinction : 0.0f;
-            const OpticsAlong<float> way = along(share, extinction, rise);
+            const OpticsAlong<float> way = along(fraction, extinction, rise);
             if (!(way.meanExtinction > 1e-4f))
                 continue;
             const float depth = std::pow(10.0f, 5 * unit(random) - 2);
             constexpr int kParts = 4000;
             double passed = 0, seen = 0, taken = 0, weighted = 0, total = 0;
             for (int k = 0; k < kParts; ++k) {
-                const double x = valueAt(share, (k + 0.5) / kParts), sigma = extinction + double(rise) * x;
+                const double x = valueAt(fraction, (k + 0.5) / kParts), sigma = extinction + double(rise) * x;
                 const double part = depth * sigma / way.meanExtinction / kParts;
                 const double here = std::exp(-passed) * -std::expm1(-part);
                 seen += here * x, taken += here, passed += part;
                 weighted += part * x, total += part;
             }
             const Layer<float> layer = layerAlong(way, depth);
-            const double off = std::fabs(layer.share - seen / taken);
+            const double off = std::fabs(layer.fraction - seen / taken);
             QVERIFY2(off <= layer.bound * 1.001 + 1e-5, qPrintable(QString("%1, bound %2").arg(off).arg(layer.bound)));
             if (layer.bound > 1e-3 && depth > 0.1f)
                 tightest = std::max(tightest, off / layer.bound);
-            QVERIFY(std::fabs(extinctionWeightedShare(way) - weighted / total) < 2e-6);
+            QVERIFY(std::fabs(extinctionWeightedFraction(way) - weighted / total) < 2e-6);
         }
         // A bound that is never approached costs steps.
         QVERIFY2(tightest > 0.3, qPrintable(QString::number(tightest)));

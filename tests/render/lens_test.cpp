@@ -45,17 +45,17 @@ class LensTest : public QObject {
         const FlatScene& flat = prepared->flat;
         // The volume is entered somewhere else by each ray, but all of them pass the same point at depth `focus`.
         const auto atFocus = [&](vec2 place, vec2 lens) {
-            const Leg leg = cameraLeg(flat, place, lens, vec2(0, 1e30f));
-            const dvec3 local = dvec3(localPosition(flat.volume, leg.ray.origin));
+            const PathSegment segment = generateCameraRay(flat, place, lens, vec2(0, 1e30f));
+            const dvec3 local = dvec3(localPosition(flat.volume, segment.ray.origin));
             const double depth = glm::dot(local - flat.camera.localEye, flat.camera.forward);
             return local +
-                   dvec3(leg.direction) * ((focus - depth) / glm::dot(dvec3(leg.direction), flat.camera.forward));
+                   dvec3(segment.direction) * ((focus - depth) / glm::dot(dvec3(segment.direction), flat.camera.forward));
         };
         int seen = 0;
         for (const vec2 place : {vec2(16, 16), vec2(9, 12), vec2(22, 20)})
             for (const vec2 lens : {vec2(1, 0), vec2(-0.6f, 0.8f), vec2(0, -1)}) {
-                if (cameraLeg(flat, place, lens, vec2(0, 1e30f)).ray.length < 0 ||
-                    cameraLeg(flat, place, vec2(0), vec2(0, 1e30f)).ray.length < 0)
+                if (generateCameraRay(flat, place, lens, vec2(0, 1e30f)).ray.length < 0 ||
+                    generateCameraRay(flat, place, vec2(0), vec2(0, 1e30f)).ray.length < 0)
                     continue;
                 QVERIFY(glm::length(atFocus(place, lens) - atFocus(place, vec2(0))) < 2e-3);
                 ++seen;
@@ -69,7 +69,7 @@ class LensTest : public QObject {
         test::Sample x, y, xx, yy, xy;
         RandomStream random = Random(3, 1, 0).stream(Dimension::lens);
         for (int i = 0; i < 1 << 20; ++i) {
-            const dvec2 p(onDisc(random.pair()));
+            const dvec2 p(sampleUniformDisk(random.pair()));
             const int ring = std::min(15, int(16 * glm::dot(p, p)));
             const double turn = std::atan2(p.y, p.x) / (2 * M_PI) + 0.5;
             ++bins[std::size_t(16 * ring + std::min(15, int(16 * turn)))];
@@ -98,7 +98,7 @@ class LensTest : public QObject {
         scene.film = {24, 24};
         const std::uint64_t samples = 8192;
         const Film film = test::render(scene, samples);
-        const double share = side * side / (M_PI * blur * blur), expected = share * samples;
+        const double fraction = side * side / (M_PI * blur * blur), expected = fraction * samples;
         double square = 0;
         int inside = 0;
         for (int y = 0; y < 24; ++y)
@@ -107,7 +107,7 @@ class LensTest : public QObject {
                 if (away > blur - 0.75 * (side + 1))
                     continue;
                 const double seen = film.pixel(x, y).mean.x * samples;
-                square += (seen - expected) * (seen - expected) / (expected * (1 - share));
+                square += (seen - expected) * (seen - expected) / (expected * (1 - fraction));
                 ++inside;
             }
         QVERIFY(inside > 150);

@@ -151,8 +151,8 @@ class LightTest : public QObject {
         int elsewhere = 0;
         for (int i = 0; i < 200000; ++i) {
             const LightSample sample = sampleEnvironment(flat, {u(random), u(random)}, {u(random), u(random)});
-            elsewhere += environmentDensity(flat, sample.towards) != sample.density;
-            solidAngle.add(1 / sample.density);
+            elsewhere += environmentPdf(flat, sample.wi) != sample.pdf;
+            solidAngle.add(1 / sample.pdf);
         }
         QVERIFY(elsewhere < 20);  // rounding at a texel's edge
         QVERIFY(std::fabs(solidAngle.z(lit)) < test::allowedZ(kComparisons));

@@ -14,7 +14,7 @@ namespace {
 constexpr float kFar = 1e30f;
 
 RandomStream stream(int i) {
-    return Random(23, unsigned(i), 1).stream(0, BounceDimension::flight);
+    return Random(23, unsigned(i), 1).stream(0, BounceDimension::distance);
 }
 
 /// A slab of 10 mm with its face at t = 0, met straight on.

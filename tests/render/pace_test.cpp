@@ -90,8 +90,8 @@ class PaceTest : public QObject {
 
   private slots:
     void medianFramesDecide() {
-        PaceMeter meter;
-        const Pace pace{.automatic = true, .framesPerSecond = 1, .efficiency = 0.9};
+        FrameTimer meter;
+        const FrameBudget pace{.automatic = true, .framesPerSecond = 1, .efficiency = 0.9};
         QCOMPARE(meter.iterations(pace), 1u);
         QCOMPARE(meter.efficiency(), 0.0);
         for (int i = 0; i < 9; ++i)
@@ -104,18 +104,18 @@ class PaceTest : public QObject {
     }
 
     void firstGuessesAreCareful() {
-        PaceMeter meter;
-        const Pace pace{.automatic = true, .framesPerSecond = 0.1, .efficiency = 0.98};
+        FrameTimer meter;
+        const FrameBudget pace{.automatic = true, .framesPerSecond = 0.1, .efficiency = 0.98};
         meter.addFrame(1, 0, 0.01);  // too short to be measured
         QCOMPARE(meter.iterations(pace), 4u);
     }
 
     void numbersStayInTheirRanges() {
-        const Pace wild = Pace{true, 0, 1e9, 2}.clamped();
+        const FrameBudget wild = FrameBudget{true, 0, 1e9, 2}.clamped();
         QCOMPARE(wild.iterations, 1);
         QCOMPARE(wild.framesPerSecond, 60.0);
         QVERIFY(wild.efficiency < 1);
-        QCOMPARE((Pace{false, 1 << 30, 0, -1}.clamped().iterations), 10000);
+        QCOMPARE((FrameBudget{false, 1 << 30, 0, -1}.clamped().iterations), 10000);
     }
 
     void theRateIsReached_data() {
@@ -175,7 +175,7 @@ class PaceTest : public QObject {
             const double moved = trial.clock->seconds();
             const auto ofRevision = [&](const Reel::Shot& shot) { return shot.frame->revision == revision; };
             const auto shots = trial.reel.shots([&](const auto& all) { return std::ranges::any_of(all, ofRevision); });
-            // 4 iterations, and what was under way when the hand moved.
+            // 4 iterations, and what was under way when the user moved.
             QVERIFY(std::ranges::find_if(shots, ofRevision)->at - moved < 0.45);
         }
     }
@@ -188,7 +188,7 @@ class PaceTest : public QObject {
         trial.reel.first(60);
         session->setPaused(true);
         std::promise<std::uint64_t> held;
-        session->inspect(1, [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
+        session->requestSnapshot(1, [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
         const std::uint64_t samples = held.get_future().get();
         const auto shots = trial.reel.shots(
             [&](const auto& all) { return all.back().frame->status.samplesPerPixel == samples; });

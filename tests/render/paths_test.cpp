@@ -21,8 +21,8 @@ Scene fog() {
 /// Counts the events of a path.
 struct Events {
     int count = 0;
-    void leg(const Path&, int, float collision) { count += collision >= 0; }
-    void light(const Arrival&, float) {}
+    void segment(const Path&, int, float collision) { count += collision >= 0; }
+    void light(const PathVertex&, float) {}
 };
 
 }  // namespace
@@ -39,7 +39,7 @@ class PathsTest : public QObject {
             int longest = 0;
             for (std::uint64_t i = 0; i < 400; ++i) {
                 Events events;
-                const Sampled path =
+                const PathSample path =
                     tracePath<kBounces | kEnvironment>(prepared->flat, {1, 1}, i, vec2(0, 1e30f), events);
                 QCOMPARE(path.cut, events.count == most);  // without absorption it ends at the cap or outside
                 longest = std::max(longest, events.count);
@@ -57,7 +57,7 @@ class PathsTest : public QObject {
         const Ray ray{vec3(2, 2, -0.5f), vec3(0, 0, 1), 300};  // depth 30: one in 1e13 gets through
         test::Sample distance;
         for (std::uint64_t i = 0; i < 4'000'000; ++i)
-            distance.add(track<DeltaTracking>(prepared->flat, ray, Random(1, 1, i).stream(0, BounceDimension::flight)));
+            distance.add(track<DeltaTracking>(prepared->flat, ray, Random(1, 1, i).stream(0, BounceDimension::distance)));
         QVERIFY2(std::fabs(distance.z(10)) < test::allowedZ(1),
                  qPrintable(QString("%1 +- %2").arg(distance.mean()).arg(distance.standardError())));
     }
@@ -74,10 +74,10 @@ class PathsTest : public QObject {
             test::Sample kept, forwards;
             for (std::uint64_t i = 0; i < 200'000; ++i) {
                 Path path{Random(1, 2, i), {}, vec3(before)};
-                const bool alive = goesOn<kBounces>(prepared->flat, path, event, 3);
+                const bool alive = sampleContinuation<kBounces>(prepared->flat, path, event, 3);
                 const double after = alive ? path.throughput.x : 0;
                 kept.add(after);
-                forwards.add(after * glm::dot(path.leg.direction, event.travel));
+                forwards.add(after * -glm::dot(path.segment.direction, event.wo));
             }
             const double truth = double(before) * double(kAlbedo), allowed = test::allowedZ(6);
             QVERIFY2(std::fabs(kept.mean() - truth) <= allowed * kept.standardError() + 1e-6 * truth,

@@ -15,7 +15,7 @@ namespace {
 /// What lies behind the volume, the same all around.
 template <FlatModel Model>
 vec3 behind(const PreparedScene& prepared) {
-    return backdrop<Model>(prepared.flat, Leg{});
+    return backdrop<Model>(prepared.flat, PathSegment{});
 }
 
 /// Rounding in single precision, relative; not part of the stated bound.
@@ -355,11 +355,11 @@ class QuadratureTest : public QObject {
             return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
         };
         for (const double levels : {1e-3, 0.25, 1.0, 16.0}) {
-            const double share = relativeTolerance(levels);
+            const double fraction = relativeTolerance(levels);
             double largest = 0;
             for (double radiance = 1e-5; radiance < 20; radiance *= 1.002)
-                largest = std::max({largest, display(radiance * (1 + share)) - display(radiance),
-                                    display(radiance) - display(radiance * (1 - share))});
+                largest = std::max({largest, display(radiance * (1 + fraction)) - display(radiance),
+                                    display(radiance) - display(radiance * (1 - fraction))});
             QVERIFY2(largest <= levels * (1 + 1e-3) && largest > 0.75 * levels, qPrintable(QString::number(largest)));
         }
     }

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/device/cpu/cpu_frame_sampler.h"
-#include "render/device/gpu/kroes_film.h"
+#include "render/device/gpu/kroes_accumulator.h"
 #include "tests/support/faulty_gpu.h"
 #include "tests/support/random_scenes.h"
 
@@ -31,9 +31,9 @@ struct Faulty {
     Faulty(const Scene& flat, std::shared_ptr<FaultPlan> wanted, std::size_t bytes = 0)
         : plan(std::move(wanted)), scene(Flattener().prepare(flat)), gpu(plan, bytes) {}
 
-    Result<std::unique_ptr<LiveFilm>> film(const Schedule& schedule) {
+    Result<std::unique_ptr<Accumulator>> film(const Schedule& schedule) {
         const ivec2 size = scene->flat.camera.film;
-        return KroesFilm<FaultyGpu>::make(gpu, {0, 0, size.x, size.y}, 1, schedule,
+        return KroesAccumulator<FaultyGpu>::make(gpu, {0, 0, size.x, size.y}, 1, schedule,
                                           std::make_unique<CpuFrameSampler>(tracer, gpu, scene));
     }
 
@@ -42,7 +42,7 @@ struct Faulty {
         auto made = film(schedule);
         if (!made)
             return made.error();
-        LiveFilm& film = **made;
+        Accumulator& film = **made;
         if (auto ok = film.iterate(2, {}); !ok)
             return ok;
         if (auto ok = film.show({.exposure = 3}); !ok)

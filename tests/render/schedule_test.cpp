@@ -5,7 +5,7 @@
 #include <random>
 
 #include "render/device/cpu/host_gpu.h"
-#include "render/device/gpu/kroes_film.h"
+#include "render/device/gpu/kroes_accumulator.h"
 #include "render/film/tone_map.h"
 #include "tests/support/pictures.h"
 #include "tests/support/random_scenes.h"
@@ -30,12 +30,12 @@ Scene someScene(Estimator estimator) {
     return scene;
 }
 
-void iterated(LiveFilm& film, std::uint32_t n) {
+void iterated(Accumulator& film, std::uint32_t n) {
     const Result<void> done = film.iterate(n, {});
     QVERIFY2(bool(done), done ? "" : done.error().text().c_str());
 }
 
-Picture shown(LiveFilm& film, const Display& display = {}) {
+Picture shown(Accumulator& film, const Display& display = {}) {
     if (!film.show(display))
         return {};
     Result<Picture> picture = film.take();
@@ -52,7 +52,7 @@ vec3& radianceOf(auto& light) {
 /// A device, its film, and what was uploaded.
 struct Made {
     std::unique_ptr<Device> device = makeCpuDevice();
-    std::unique_ptr<LiveFilm> film;
+    std::unique_ptr<Accumulator> film;
 
     Made(const Scene& scene, const Schedule& schedule) {
         (void)device->upload(scene);
@@ -86,12 +86,12 @@ class Painter final : public FrameSampler {
     Value value_;
 };
 
-std::unique_ptr<LiveFilm> painted(HostGpu& gpu, ivec2 size, const Schedule& schedule, Painter::Value value) {
-    return *KroesFilm<HostGpu>::make(gpu, {0, 0, size.x, size.y}, 1, schedule,
+std::unique_ptr<Accumulator> painted(HostGpu& gpu, ivec2 size, const Schedule& schedule, Painter::Value value) {
+    return *KroesAccumulator<HostGpu>::make(gpu, {0, 0, size.x, size.y}, 1, schedule,
                                      std::make_unique<Painter>(std::move(value)));
 }
 
-vec3 mean(LiveFilm& film, int x, int y) {
+vec3 mean(Accumulator& film, int x, int y) {
     return vec3((*film.film())->pixel(x, y).mean);
 }
 

@@ -119,7 +119,7 @@ class SessionTest : public QObject {
         QVERIFY(screen.await([](const Frame& f) { return f.status.samplesPerPixel >= 20; }));
         session.setPaused(true);
         std::promise<std::uint64_t> held;  // what was under way has come by then
-        session.inspect(1, [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
+        session.requestSnapshot(1, [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
         const std::uint64_t samples = held.get_future().get();
         const auto before = screen.await([&](const Frame& f) { return f.status.samplesPerPixel == samples; });
         QVERIFY(before);

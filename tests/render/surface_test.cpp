@@ -16,7 +16,7 @@ const vec3 kNormal = glm::normalize(vec3(0.3f, -0.5f, 0.8f));
 /// A unit vector at cosine `cosine` to the normal, turned by `angle` about it.
 vec3 at(float cosine, float angle) {
     vec3 s, t;
-    basisAround(kNormal, s, t);
+    orthonormalBasis(kNormal, s, t);
     return kNormal * cosine + (s * std::cos(angle) + t * std::sin(angle)) * std::sqrt(1 - cosine * cosine);
 }
 
@@ -24,8 +24,8 @@ Material shiny(float specular, float roughness, vec3 albedo = vec3(0.8f, 0.5f, 0
     return {.albedo = albedo, .specular = vec3(specular), .roughness = roughness};
 }
 
-bool close(double a, double b, double share) {
-    return std::fabs(a - b) <= share * std::fabs(b);
+bool close(double a, double b, double fraction) {
+    return std::fabs(a - b) <= fraction * std::fabs(b);
 }
 
 /// The HU rise by 100 a voxel along x up to voxel 10, and by 300 from there on; spacing 2 x 1 x 1 mm.
@@ -42,7 +42,7 @@ double surfaceShare(const Scene& scene, vec3 position) {
     const float hu = hounsfield(prepared->flat.volume, position);
     int count = 0;
     for (int i = 0; i < 10'000; ++i)
-        count += surfaceNormal(prepared->flat, position, vec3(1, 0, 0), hu, (float(i) + 0.5f) / 10'000) != vec3(0);
+        count += surfaceNormal(prepared->flat, position, vec3(-1, 0, 0), hu, (float(i) + 0.5f) / 10'000) != vec3(0);
     return count / 10'000.0;
 }
 
@@ -135,7 +135,7 @@ class SurfaceTest : public QObject {
         const auto prepared = test::prepared(scene);
         const vec3 gradient = glm::normalize(vec3(10, 20, 0));
         for (const vec3 travel : {vec3(0, 1, 0), vec3(0, -1, 0), vec3(1, 0, 0)}) {
-            const vec3 normal = surfaceNormal(prepared->flat, vec3(8), travel, 1500, 1e-3f);
+            const vec3 normal = surfaceNormal(prepared->flat, vec3(8), -travel, 1500, 1e-3f);
             QVERIFY(glm::dot(normal, travel) < 0);
             QVERIFY(glm::length(glm::abs(normal) - gradient) < 1e-4f);
         }

@@ -21,8 +21,8 @@ class ToneMapTest : public QObject {
   private slots:
     void levelsFollowTheFormula() {
         for (const float exposure : {0.01f, 1.0f, 250.0f})
-            for (double share = 1e-6; share < 100; share *= 1.001)
-                QCOMPARE(int(displayLevel(share * exposure, {exposure})), expected(share * exposure, exposure));
+            for (double fraction = 1e-6; fraction < 100; fraction *= 1.001)
+                QCOMPARE(int(displayLevel(fraction * exposure, {exposure})), expected(fraction * exposure, exposure));
     }
 
     void theEndsOfTheScale() {

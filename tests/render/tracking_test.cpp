@@ -12,7 +12,7 @@ using namespace pdr;
 namespace {
 
 RandomStream stream(int i) {
-    return Random(17, unsigned(i), 1).stream(0, BounceDimension::flight);
+    return Random(17, unsigned(i), 1).stream(0, BounceDimension::distance);
 }
 
 /// A ray along +x through the middle of a volume of unit voxels, from the box's border.
@@ -107,12 +107,12 @@ class TrackingTest : public QObject {
             if (random() % 2)  // on borders between cells and voxels
                 origin = glm::clamp(glm::floor(origin), low, high - 0.01f);
             const Interval<float> inside = clipped(origin, direction, low, high, Interval<float>{0, 1e30f});
-            Flight<float, true> flight;
+            MajorantTraversal<float, true> flight;
             flight.start(prepared->flat.majorants, {origin.x, origin.y, origin.z},
                          {direction.x, direction.y, direction.z}, 1e30f, stream(i));
             int steps = 0, collisions = 0;
             float last = 0;
-            while (flight.flying() && ++steps < 10000) {
+            while (flight.isActive() && ++steps < 10000) {
                 collisions += flight.step(prepared->flat).happened;
                 QVERIFY(flight.t >= last);
                 last = flight.t;
@@ -210,7 +210,7 @@ class TrackingTest : public QObject {
         scene.transferFunction.nodes = {{.hu = 100, .opacity = 0}, {.hu = 200, .opacity = 1}};
         const auto prepared = Flattener().prepare(scene);
         QCOMPARE(track<RatioTracking>(prepared->flat, alongX(*prepared, 40), stream(1)), 1.0f);
-        QVERIFY(showsNothing(prepared->flat, matterDepths(prepared->flat, {16, 16})));
+        QVERIFY(isBackgroundOnly(prepared->flat, depthBounds(prepared->flat, {16, 16})));
     }
 };
 

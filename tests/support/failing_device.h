@@ -33,7 +33,7 @@ struct Mishaps {
     std::atomic<double> goneAt = 1e300;        ///< on that clock
 
     std::atomic<bool> gone = false;
-    std::atomic<int> filmsRead = 0;  ///< calls of LiveFilm::film()
+    std::atomic<int> filmsRead = 0;  ///< calls of Accumulator::film()
 
     /// Called first by each verb, with its name: "upload", "film", "resume", "iterate", "show", "take", "read". It may
     /// throw. Set before the device is handed over.
@@ -54,12 +54,12 @@ struct Mishaps {
     }
 };
 
-class FailingFilm final : public LiveFilm {
+class FailingAccumulator final : public Accumulator {
   public:
-    FailingFilm(std::unique_ptr<LiveFilm> film, std::shared_ptr<Mishaps> mishaps)
+    FailingAccumulator(std::unique_ptr<Accumulator> film, std::shared_ptr<Mishaps> mishaps)
         : film_(std::move(film)), mishaps_(std::move(mishaps)) {}
 
-    using LiveFilm::iterate;
+    using Accumulator::iterate;
 
     Tile area() const override { return film_->area(); }
 
@@ -125,7 +125,7 @@ class FailingFilm final : public LiveFilm {
             mishaps_->wait(busyUntil_, stop);
     }
 
-    std::unique_ptr<LiveFilm> film_;
+    std::unique_ptr<Accumulator> film_;
     std::shared_ptr<Mishaps> mishaps_;
     double busyUntil_ = 0;                             ///< when all that was ordered is done
     std::deque<std::pair<double, Picture>> pictures_;  ///< and when they arrive
@@ -152,13 +152,13 @@ class FailingDevice final : public Device {
         return inner_.unload();
     }
 
-    Result<std::unique_ptr<LiveFilm>> film(const Tile& area, std::uint64_t revision,
+    Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                            const Schedule& schedule) override {
         mishaps_->before("film");
-        Result<std::unique_ptr<LiveFilm>> film = inner_.film(area, revision, schedule);
+        Result<std::unique_ptr<Accumulator>> film = inner_.film(area, revision, schedule);
         if (!film)
             return film;
-        return std::unique_ptr<LiveFilm>(std::make_unique<FailingFilm>(*std::move(film), mishaps_));
+        return std::unique_ptr<Accumulator>(std::make_unique<FailingAccumulator>(*std::move(film), mishaps_));
     }
 
   private:

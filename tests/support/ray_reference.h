@@ -20,9 +20,9 @@ inline double huAt(const Volume& volume, dvec3 position) {
     double sum = 0;
     for (int n = 0; n < 8; ++n) {
         const ivec3 corner = glm::min(low + ivec3(n & 1, (n >> 1) & 1, n >> 2), size - 1);
-        const dvec3 share = p - dvec3(low);
+        const dvec3 fraction = p - dvec3(low);
         const double weight =
-            (n & 1 ? share.x : 1 - share.x) * (n & 2 ? share.y : 1 - share.y) * (n & 4 ? share.z : 1 - share.z);
+            (n & 1 ? fraction.x : 1 - fraction.x) * (n & 2 ? fraction.y : 1 - fraction.y) * (n & 4 ? fraction.z : 1 - fraction.z);
         sum += weight * volume.voxels()[(std::size_t(corner.z) * size.y + corner.y) * size.x + corner.x];
     }
     return sum;
@@ -41,9 +41,9 @@ struct Optics {
 };
 inline Optics opticsAt(const TransferFunction& function, double hu) {
     const auto& nodes = function.nodes;
-    const auto of = [&](const TransferNode& a, const TransferNode& b, double share) {
-        return Optics{function.extinctionPerMm * (a.opacity + share * (double(b.opacity) - a.opacity)),
-                      glm::mix(dvec3(a.albedo) + dvec3(a.emission), dvec3(b.albedo) + dvec3(b.emission), share)};
+    const auto of = [&](const TransferNode& a, const TransferNode& b, double fraction) {
+        return Optics{function.extinctionPerMm * (a.opacity + fraction * (double(b.opacity) - a.opacity)),
+                      glm::mix(dvec3(a.albedo) + dvec3(a.emission), dvec3(b.albedo) + dvec3(b.emission), fraction)};
     };
     std::size_t after = 0;
     while (after < nodes.size() && nodes[after].hu <= hu)

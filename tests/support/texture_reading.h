@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "render/device/gpu/gpu_scene.h"
-#include "render/kernel/density.h"
+#include "render/kernel/volume_sampling.h"
 
 namespace pdr::test {
 
 /// For each place (index space): the HU there.
-struct ReadProgram {
+struct ReadKernel {
     FlatVolume volume;
     const vec3* places;
     float* hu;
@@ -27,12 +27,12 @@ Result<std::vector<float>> readOn(G& gpu, std::shared_ptr<const PreparedScene> s
     GpuArray<G, vec3> from(gpu);
     GpuArray<G, float> to(gpu, places.size());
     from.assign(places);
-    gpu.launch(ReadProgram{there.flat().volume, from.data(), to.data()}, std::int64_t(places.size()),
+    gpu.launch(ReadKernel{there.flat().volume, from.data(), to.data()}, std::int64_t(places.size()),
                GpuStream::compute);
     std::vector<float> hu(places.size());
     to.copyTo(hu.data());
     gpu.awaitAll();
-    if (Result<void> done = outcome(gpu); !done)
+    if (Result<void> done = takeStatus(gpu); !done)
         return done.error();
     return hu;
 }

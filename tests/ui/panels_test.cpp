@@ -91,9 +91,9 @@ void TestPanels::theListShowsAllSeriesAndTheirVerdicts() {
     panel.setScan(threeSeries());
     const QAbstractItemModel& model = *panel.list().model();
     QCOMPARE(model.rowCount(), 3);
-    const QString spoken = model.index(1, 0).data(Qt::AccessibleTextRole).toString();
+    const QString deviceLabel = model.index(1, 0).data(Qt::AccessibleTextRole).toString();
     for (const char* part : {"Head", "a slice is missing", "10 mm apart"})
-        QVERIFY2(spoken.contains(part), part);
+        QVERIFY2(deviceLabel.contains(part), part);
     QVERIFY(model.index(1, 0).data(Qt::ToolTipRole).toString().contains("10 mm apart"));
 }
 

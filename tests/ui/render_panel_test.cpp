@@ -50,16 +50,16 @@ void TestRenderPanel::choosingADeviceAsksForItsName() {
 
 void TestRenderPanel::thePaceIsEmittedWhole() {
     RenderPanel panel;
-    QList<PaceChoice> chosen;
-    connect(&panel, &RenderPanel::paceChosen, [&](const PaceChoice& pace) { chosen << pace; });
-    QVERIFY((panel.pace() == PaceChoice{true, 1, 10}));
+    QList<FrameBudgetChoice> chosen;
+    connect(&panel, &RenderPanel::paceChosen, [&](const FrameBudgetChoice& pace) { chosen << pace; });
+    QVERIFY((panel.pace() == FrameBudgetChoice{true, 1, 10}));
     named<QDoubleSpinBox>(panel, "Pictures per second")->setValue(25);
     named<QCheckBox>(panel, "As many iterations as fit")->click();
     named<QSpinBox>(panel, "Iterations per picture")->setValue(100);
     QCOMPARE(chosen.size(), 3);
-    QVERIFY((chosen[0] == PaceChoice{true, 1, 25}));
-    QVERIFY((chosen[1] == PaceChoice{false, 1, 25}));
-    QVERIFY((chosen[2] == PaceChoice{false, 100, 25}));
+    QVERIFY((chosen[0] == FrameBudgetChoice{true, 1, 25}));
+    QVERIFY((chosen[1] == FrameBudgetChoice{false, 1, 25}));
+    QVERIFY((chosen[2] == FrameBudgetChoice{false, 100, 25}));
 }
 
 void TestRenderPanel::onlyWhatCountsCanBeChanged() {
@@ -122,7 +122,7 @@ void TestRenderPanel::settersAreSilent() {
     panel.setSchedule({ScheduleChoice::Way::k0, false});
     panel.setEstimator(Estimator::kroesMarch);
     QCOMPARE(named<QComboBox>(panel, "Device")->currentData().toString(), "cuda");
-    QVERIFY((panel.pace() == PaceChoice{false, 77, 0.5}));
+    QVERIFY((panel.pace() == FrameBudgetChoice{false, 77, 0.5}));
     QVERIFY((panel.schedule() == ScheduleChoice{ScheduleChoice::Way::k0, false}));
     QCOMPARE(named<QComboBox>(panel, "Estimator")->currentIndex(), 1);
     QCOMPARE(device.count() + pace.count() + schedule.count() + estimator.count(), 0);
@@ -131,7 +131,7 @@ void TestRenderPanel::settersAreSilent() {
 void TestRenderPanel::numbersOutOfRangeStayAtTheEnds() {
     RenderPanel panel;
     panel.setPace({true, 0, 1e9});
-    QVERIFY((panel.pace() == PaceChoice{true, 1, 60}));
+    QVERIFY((panel.pace() == FrameBudgetChoice{true, 1, 60}));
 }
 
 }  // namespace pdr::ui

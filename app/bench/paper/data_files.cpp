@@ -78,7 +78,7 @@ Json fitJson(const Figures& figures) {
                                  {"height", tile.size.y},
                                  {"iterations", kWays[tile.way].iterations},
                                  {"manyNodes", tile.manyNodes},
-                                 {"share", parameter(tile.share, tile.interval)}});
+                                 {"share", parameter(tile.fraction, tile.interval)}});
     return json;
 }
 

@@ -36,7 +36,7 @@ struct TileEfficiency {
     ivec2 size;
     WayPlace way;
     double manyNodes;   ///< eq. 5
-    double share;       ///< n alpha R FPS
+    double fraction;       ///< n alpha R FPS
     Interval interval;  ///< of share, from that of alpha, 95 %
 };
 

@@ -6,7 +6,7 @@ namespace pdr::bench::paper {
 
 namespace {
 
-Result<void> order(LiveFilm& film, std::uint32_t n, const Display& display, std::stop_token stop) {
+Result<void> order(Accumulator& film, std::uint32_t n, const Display& display, std::stop_token stop) {
     if (Result<void> taken = film.iterate(n, stop); !taken)
         return taken;
     return film.show(display);
@@ -18,7 +18,7 @@ double sampleNoise(const FilmStatus& status) {
 
 }  // namespace
 
-Result<Lap> timeFrames(LiveFilm& film, std::uint32_t n, const Display& display, double seconds, const WorkClock& now,
+Result<Lap> timeFrames(Accumulator& film, std::uint32_t n, const Display& display, double seconds, const WorkClock& now,
                        std::stop_token stop) {
     const double began = now();
     double first = began;

@@ -6,7 +6,7 @@
 #include <stop_token>
 
 #include "app/bench/paper/work_clock.h"
-#include "render/device/live_film.h"
+#include "render/device/accumulator.h"
 
 namespace pdr::bench::paper {
 
@@ -21,7 +21,7 @@ struct Lap {
 /// Frames of n iterations each, for at least `seconds`, with as many ordered ahead as the film allows: a frame's time
 /// is that from one take to the next. The first frame warms up and is not counted, unless it takes `seconds` alone.
 /// After a stop request: what was whole before it.
-Result<Lap> timeFrames(LiveFilm& film, std::uint32_t n, const Display& display, double seconds, const WorkClock& now,
+Result<Lap> timeFrames(Accumulator& film, std::uint32_t n, const Display& display, double seconds, const WorkClock& now,
                        std::stop_token stop);
 
 }  // namespace pdr::bench::paper

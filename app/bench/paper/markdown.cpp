@@ -106,7 +106,7 @@ std::string figureThree(const Figures& figures) {
     for (const SizeFigures& size : figures.sizes) {
         std::vector<std::string> row{text(size.size)};
         for (const auto& efficiency : size.efficiency)
-            row.push_back(share(efficiency));
+            row.push_back(fraction(efficiency));
         table.add(row);
     }
     return "\n## Figure 3. Efficiency, E (eq. 1)\n\n" + table.text();
@@ -150,9 +150,9 @@ std::string parameters(const FrameTimeFit& fit) {
 std::string optimism(const Figures& figures) {
     const TileEfficiency& tile = figures.tiles.back();
     std::string text = "\nAt " + paper::text(tile.size) + " with n=" + std::to_string(kWays[tile.way].iterations) +
-                       " a node's E would be " + share(tile.manyNodes) +
-                       " by eq. 5; measured against full speed it is " + share(tile.share) + " (" +
-                       share(tile.interval.low) + " to " + share(tile.interval.high) + "):\n";
+                       " a node's E would be " + fraction(tile.manyNodes) +
+                       " by eq. 5; measured against full speed it is " + fraction(tile.fraction) + " (" +
+                       fraction(tile.interval.low) + " to " + fraction(tile.interval.high) + "):\n";
     if (tile.manyNodes > tile.interval.high)
         return text + "eq. 5 is optimistic here, for it takes T_p to shrink with the tile.\n";
     return text + "here eq. 5 is not optimistic beyond the error.\n";
@@ -175,8 +175,8 @@ std::string model(const Report& report) {
         const auto size = std::ranges::find(figures.sizes, tile.size, &SizeFigures::size);
         const FrameWork work{size->pixels(), way.iterations, report.plan.samplesPerLaunch(way, tile.size)};
         const PredictedFrame fitted = fit.predict(work);
-        table.add({paper::text(tile.size), std::to_string(way.iterations), share(tile.manyNodes), share(tile.share),
-                   share(tile.interval.low), share(tile.interval.high),
+        table.add({paper::text(tile.size), std::to_string(way.iterations), fraction(tile.manyNodes), fraction(tile.fraction),
+                   fraction(tile.interval.low), fraction(tile.interval.high),
                    milliseconds(1 / *size->framesPerSecond[tile.way]), milliseconds(fitted.seconds),
                    milliseconds(fitted.interval.low), milliseconds(fitted.interval.high)});
     }

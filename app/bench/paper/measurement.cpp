@@ -10,8 +10,8 @@ namespace pdr::bench::paper {
 namespace {
 
 /// Between the ordered values, `share` of the way from the first to the last.
-double quantile(const std::vector<double>& ordered, double share) {
-    const double place = share * double(ordered.size() - 1);
+double quantile(const std::vector<double>& ordered, double fraction) {
+    const double place = fraction * double(ordered.size() - 1);
     const std::size_t below = std::size_t(place);
     const std::size_t above = std::min(below + 1, ordered.size() - 1);
     return ordered[below] + (place - double(below)) * (ordered[above] - ordered[below]);
@@ -71,7 +71,7 @@ class Experiment {
 
   private:
     bool spent(const Cell& cell) const { return cell.measured() && cell.seconds() >= plan_.seconds; }
-    double share() const { return plan_.seconds / plan_.rounds; }
+    double fraction() const { return plan_.seconds / plan_.rounds; }
 
     Result<void> run(Cell& cell, std::uint64_t revision) {
         const Way& way = kWays[cell.way];
@@ -79,7 +79,7 @@ class Experiment {
         if (!film)
             return film.error();
         load_.start();
-        const Result<Lap> lap = timeFrames(**film, way.iterations, display_, share(), now_, stop_);
+        const Result<Lap> lap = timeFrames(**film, way.iterations, display_, fraction(), now_, stop_);
         const std::optional<double> load = load_.stop();
         if (!lap)
             return lap.error();
@@ -101,8 +101,8 @@ class Experiment {
                 if (cell.measured())
                     secondsPerSample = cell.spread().median / samples(cell);
                 const double frame = frameSeconds(cell, secondsPerSample);
-                const double visit = frame >= share() ? frame : share() + frame;
-                const double visits = std::ceil((plan_.seconds - cell.seconds()) / std::max(frame, share()) - 1e-9);
+                const double visit = frame >= fraction() ? frame : fraction() + frame;
+                const double visits = std::ceil((plan_.seconds - cell.seconds()) / std::max(frame, fraction()) - 1e-9);
                 const int rounds = plan_.rounds - round + (int(cell.runs.size()) < round ? 1 : 0);
                 left += visit * std::clamp(visits, cell.measured() ? 0.0 : 1.0, double(rounds));
             }

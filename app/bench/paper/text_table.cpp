@@ -60,7 +60,7 @@ std::string plain(double value) {
     return text;
 }
 
-std::string share(std::optional<double> value) {
+std::string fraction(std::optional<double> value) {
     if (!value || !std::isfinite(*value))
         return kNothing;
     return fixed(*value, *value > 0.99 && *value < 1 ? 4 : 3);

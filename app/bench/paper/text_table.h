@@ -27,7 +27,7 @@ std::string digits(std::optional<double> value);
 /// As short as it can be said: "3", "0.05".
 std::string plain(double value);
 /// Three digits after the point, four where it is nearly 1: "0.723", "0.9990".
-std::string share(std::optional<double> value);
+std::string fraction(std::optional<double> value);
 /// "98 %"
 std::string percent(std::optional<double> value);
 /// Seconds as milliseconds, digits().

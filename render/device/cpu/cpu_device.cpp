@@ -1,10 +1,10 @@
 #include <utility>
 
-#include "render/device/cpu/cpu_film.h"
+#include "render/device/cpu/cpu_accumulator.h"
 #include "render/device/cpu/cpu_frame_sampler.h"
 #include "render/device/cpu/host_gpu.h"
 #include "render/device/device.h"
-#include "render/device/gpu/kroes_film.h"
+#include "render/device/gpu/kroes_accumulator.h"
 
 namespace pdr {
 
@@ -28,12 +28,12 @@ class CpuDevice final : public Device {
         return {};
     }
 
-    Result<std::unique_ptr<LiveFilm>> film(const Tile& area, std::uint64_t revision,
+    Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                            const Schedule& schedule) override {
         if (schedule.kind == Schedule::Kind::kroes)
-            return KroesFilm<HostGpu>::make(gpu_, area, revision, schedule,
+            return KroesAccumulator<HostGpu>::make(gpu_, area, revision, schedule,
                                             std::make_unique<CpuFrameSampler>(tracer_, gpu_, scene_));
-        return std::unique_ptr<LiveFilm>(std::make_unique<CpuFilm>(tracer_, scene_, area, revision));
+        return std::unique_ptr<Accumulator>(std::make_unique<CpuAccumulator>(tracer_, scene_, area, revision));
     }
 
   private:

@@ -7,7 +7,7 @@ namespace pdr {
 
 std::unique_ptr<Device> makeEmulatedGpu(int threads) {
     constexpr std::size_t kAllMemory = 0;
-    return std::make_unique<GpuDevice<HostGpu>>(DeviceInfo{"emulated", "a GPU played by the CPU", false}, kAllMemory,
+    return std::make_unique<GpuDevice<HostGpu>>(DeviceInfo{"emulated", "a GPU emulated on the CPU", false}, kAllMemory,
                                                 threads);
 }
 

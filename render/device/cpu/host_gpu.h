@@ -23,7 +23,7 @@ class HostGpu {
     struct Event {};
 
     /// One program with all effects: it need not be fast.
-    static constexpr std::uint32_t kToldApart = 0;
+    static constexpr std::uint32_t kSpecializedFeatures = 0;
 
     /// A program is sent to a GPU by value, in so many bytes at most.
     static constexpr std::size_t kLargestProgram = 4096;
@@ -90,14 +90,14 @@ class HostGpu {
         static_assert(std::is_trivially_copyable_v<Program> && sizeof(Program) <= kLargestProgram);
         if (failed() || count <= 0)
             return;
-        share(count, order, [&each](std::int64_t begin, std::int64_t end) {
+        distribute(count, order, [&each](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i != end; ++i)
                 each(i);
         });
     }
 
     /// Calls piece(begin, end) from all threads so that [0, count) is covered.
-    void share(std::int64_t count, Order order, const std::function<void(std::int64_t, std::int64_t)>& piece);
+    void distribute(std::int64_t count, Order order, const std::function<void(std::int64_t, std::int64_t)>& piece);
 
     /// The memory, or null where the machine has none left.
     void* taken(std::size_t bytes);

@@ -6,26 +6,26 @@ namespace pdr {
 
 namespace {
 
-/// kLanes rays on their way, and what the rule made of them so far.
-template <template <class> class Rule, bool Dense>
+/// kLanes rays on their way, and what the estimator made of them so far.
+template <template <class> class Estimator, bool Dense>
 struct TrackingWalk {
-    Flight<FloatLanes, Dense> flight{};
-    Rule<FloatLanes> rule;
+    MajorantTraversal<FloatLanes, Dense> flight{};
+    Estimator<FloatLanes> estimator;
     IntLanes overMajorant{};  ///< has met an extinction above its bound
     IntLanes steps{};         ///< of its ray so far; see kMostSteps
 
-    IntLanes going() const { return flight.flying(); }
+    IntLanes going() const { return flight.isActive(); }
     PDR_HD_INLINE void step(const FlatScene& scene) {
         const TentativeCollision<FloatLanes> collision = flight.step(scene);
         overMajorant = overMajorant | (collision.happened & (collision.extinction > collision.majorant));
-        flight.stop(rule.endsAt(flight.t, collision));
+        flight.stop(estimator.onCollision(flight.t, collision));
         if constexpr (Dense)
             endWhatNeverEnds();
     }
     PDR_HD_INLINE void endWhatNeverEnds() {
         steps = steps + 1;
-        const IntLanes endless = (steps >= kMostSteps) & flight.flying();
-        rule.result = endless ? FloatLanes{} + NAN : rule.result;
+        const IntLanes endless = (steps >= kMostSteps) & flight.isActive();
+        estimator.result = endless ? FloatLanes{} + NAN : estimator.result;
         flight.stop(endless);
     }
     void take(IntLanes fresh, const TrackingWalk& other, IntLanes from) {
@@ -33,16 +33,16 @@ struct TrackingWalk {
         overMajorant = overMajorant & ~fresh;
         if constexpr (Dense)
             steps = steps & ~fresh;
-        rule.result = fresh ? Rule<FloatLanes>().result : rule.result;
+        estimator.result = fresh ? Estimator<FloatLanes>().result : estimator.result;
     }
 };
 
 }  // namespace
 
 /// The batch as a list of rays for lanes.
-template <template <class> class Rule, bool Dense>
+template <template <class> class Estimator, bool Dense>
 struct RayBatch::Tracked {
-    using Walk = TrackingWalk<Rule, Dense>;
+    using Walk = TrackingWalk<Estimator, Dense>;
     RayBatch& batch;
 
     int size() const { return batch.size_; }
@@ -56,28 +56,28 @@ struct RayBatch::Tracked {
         return walk;
     }
     void keep(const FlatScene&, const Walk& walk, int lane, int ray) {
-        batch.result_[ray] = walk.rule.result[lane];
+        batch.result_[ray] = walk.estimator.result[lane];
         if (walk.overMajorant[lane]) [[unlikely]]
             batch.overMajorant_.push_back(ray);
     }
 };
 
-template <template <class> class Rule, bool Dense>
+template <template <class> class Estimator, bool Dense>
 void RayBatch::trackInLanes(const FlatScene& scene) {
-    Tracked<Rule, Dense> rays{*this};
-    walkInLanes<TrackingWalk<Rule, Dense>>(rays, scene);
+    Tracked<Estimator, Dense> rays{*this};
+    walkInLanes<TrackingWalk<Estimator, Dense>>(rays, scene);
 }
 
-template <template <class> class Rule>
+template <template <class> class Estimator>
 void RayBatch::track(const FlatScene& scene) {
     if (lanesCanRead(scene.volume) && scene.majorants.dense)
-        trackInLanes<Rule, true>(scene);
+        trackInLanes<Estimator, true>(scene);
     else if (lanesCanRead(scene.volume))
-        trackInLanes<Rule, false>(scene);
+        trackInLanes<Estimator, false>(scene);
     else
         for (int row = 0; row < size_; ++row) {
             bool over = false;
-            result_[row] = pdr::track<Rule>(scene, rays_.at(row), {{counter_[row], key_[row]}}, over);
+            result_[row] = pdr::track<Estimator>(scene, rays_.at(row), {{counter_[row], key_[row]}}, over);
             if (over)
                 overMajorant_.push_back(row);
         }

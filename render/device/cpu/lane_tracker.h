@@ -32,14 +32,14 @@ class RayBatch {
         ++size_;
     }
 
-    /// Rule: DeltaTracking or RatioTracking. Compiled apart from the kernels: it is the same for all of them.
-    template <template <class> class Rule>
+    /// Estimator: DeltaTracking or RatioTracking. Compiled apart from the kernels: it is the same for all of them.
+    template <template <class> class Estimator>
     void track(const FlatScene& scene);
 
   private:
-    template <template <class> class Rule, bool Dense>
+    template <template <class> class Estimator, bool Dense>
     struct Tracked;
-    template <template <class> class Rule, bool Dense>
+    template <template <class> class Estimator, bool Dense>
     void trackInLanes(const FlatScene& scene);
 
     alignas(64) RayColumns<kCapacity> rays_;

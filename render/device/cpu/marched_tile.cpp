@@ -9,12 +9,12 @@ void renderMarched(const FlatScene& scene, const Tile& tile, SampleRange samples
     for (int y = 0; y < tile.height; ++y)
         for (int x = 0; x < tile.width; ++x) {
             const ivec2 pixel(tile.x + x, tile.y + y);
-            const vec2 depths = matterDepths(scene, pixel);
-            const bool nothing = showsNothing(scene, depths);
+            const vec2 depths = depthBounds(scene, pixel);
+            const bool nothing = isBackgroundOnly(scene, depths);
             SampleOrigin origin(sums.pixels[std::ptrdiff_t(y) * sums.stride + x], scene, pixel, samples.first);
             origin.see(seenAtFirst(scene, depths));
             for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
-                const Sampled found = nothing ? Sampled{.radiance = plainBackground(scene)}
+                const PathSample found = nothing ? PathSample{.radiance = plainBackground(scene)}
                                               : kroesSample(scene, pixel, origin.sample, depths);
                 origin.add(found.radiance, *sums.health);
                 origin.see(found.tissue ? kSeenTissue : 0);

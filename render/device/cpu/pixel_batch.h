@@ -24,8 +24,8 @@ class PixelBatch {
   private:
     template <std::uint32_t F>
     void startPixel(const FlatScene& scene, ivec2 pixel, SampleRange samples, PixelSums& target) {
-        const vec2 depths = matterDepths(scene, pixel);
-        const bool nothing = showsNothing(scene, depths);
+        const vec2 depths = depthBounds(scene, pixel);
+        const bool nothing = isBackgroundOnly(scene, depths);
         const vec3 background = plainBackground(scene);
         target.seen |= seenAtFirst(scene, depths);
         SampleOrigin origin(target, scene, pixel, samples.first);
@@ -42,11 +42,11 @@ class PixelBatch {
 
     PDR_HD_INLINE void start(const FlatScene& scene, ivec2 pixel, vec2 depths, const SampleOrigin& origin) {
         const int path = rays_.size();
-        paths_[path] = cameraStart(scene, pixel, origin.sample, depths);
+        paths_[path] = startPath(scene, pixel, origin.sample, depths);
         radiance_[path] = vec3(0);
         origins_[path] = origin;
         pathOf_[path] = path;
-        rays_.add(paths_[path].leg.ray, paths_[path].random.stream(0, BounceDimension::flight));
+        rays_.add(paths_[path].segment.ray, paths_[path].random.stream(0, BounceDimension::distance));
     }
 
     /// Takes all started paths to their end and adds them up, in the order in which they were started.
@@ -54,53 +54,53 @@ class PixelBatch {
     void finish(const FlatScene& scene) {
         const int started = rays_.size();
         for (int bounce = 0; rays_.size() > 0; ++bounce)
-            takeLegs<F>(scene, bounce);
+            traceSegments<F>(scene, bounce);
         for (int path = 0; path < started; ++path)
             origins_[path].add(radiance_[path], *health_);
     }
 
-    /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next legs.
+    /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next segments.
     template <std::uint32_t F>
-    void takeLegs(const FlatScene& scene, int bounce) {
+    void traceSegments(const FlatScene& scene, int bounce) {
         rays_.track<DeltaTracking>(scene);
         for (const int row : rays_.overMajorant())
             origins_[pathOf_[row]].note(Fault::overMajorant, *health_);
         lights_.clear();
-        const int legs = rays_.size();
-        for (int row = 0; row < legs; ++row)
-            arrive<F>(scene, row, bounce);
+        const int segments = rays_.size();
+        for (int row = 0; row < segments; ++row)
+            shade<F>(scene, row, bounce);
         lights_.track<RatioTracking>(scene);
         for (const int row : lights_.overMajorant())
             origins_[pathOfLight_[row]].note(Fault::overMajorant, *health_);
         rays_.clear();
-        for (int row = 0; row < legs; ++row) {
+        for (int row = 0; row < segments; ++row) {
             const int path = pathOf_[row];
             if (lightRow_[row] != kDark && lights_.result(lightRow_[row]) != 0)
                 radiance_[path] += scattered_[row] * lights_.result(lightRow_[row]);
-            if (has(F, kBounces) && goesOn_[row]) {
+            if (has(F, kBounces) && continues_[row]) {
                 pathOf_[rays_.size()] = path;
-                rays_.add(paths_[path].leg.ray, paths_[path].random.stream(bounce + 1, BounceDimension::flight));
+                rays_.add(paths_[path].segment.ray, paths_[path].random.stream(bounce + 1, BounceDimension::distance));
             }
         }
     }
 
-    /// The end of one leg: what is known of the radiance, and the light path that is still to be followed.
+    /// The end of one segment: what is known of the radiance, and the light path that is still to be followed.
     template <std::uint32_t F>
-    void arrive(const FlatScene& scene, int row, int bounce) {
+    void shade(const FlatScene& scene, int row, int bounce) {
         const int path = pathOf_[row];
         lightRow_[row] = kDark;
-        goesOn_[row] = false;
+        continues_[row] = false;
         const float collision = rays_.result(row);
         if (!(collision >= 0)) {
             if (bounce == 0 || collision != collision)
-                radiance_[path] = missed(scene, paths_[path].leg, collision);
+                radiance_[path] = missed(scene, paths_[path].segment, collision);
             return;
         }
         if (bounce == 0)
             origins_[path].see(kSeenTissue);
-        const Arrival met = arrival<F>(scene, paths_[path], collision, bounce);
+        const PathVertex met = shadeVertex<F>(scene, paths_[path], collision, bounce);
         radiance_[path] += met.emitted;
-        goesOn_[row] = met.goesOn;
+        continues_[row] = met.continues;
         if (met.cut)
             origins_[path].note(Fault::cutPath, *health_);
         if (isDark(met.scattered))
@@ -117,11 +117,11 @@ class PixelBatch {
     std::array<Path, RayBatch::kCapacity> paths_;
     std::array<SampleOrigin, RayBatch::kCapacity> origins_;
     std::array<vec3, RayBatch::kCapacity> radiance_;
-    // by leg, which has the row of its ray
+    // by segment, which has the row of its ray
     std::array<int, RayBatch::kCapacity> pathOf_;
     std::array<vec3, RayBatch::kCapacity> scattered_;
     std::array<int, RayBatch::kCapacity> lightRow_;
-    std::array<bool, RayBatch::kCapacity> goesOn_;
+    std::array<bool, RayBatch::kCapacity> continues_;
     std::array<int, RayBatch::kCapacity> pathOfLight_;  ///< by light path
     RayBatch rays_, lights_;
     Health* health_ = nullptr;

@@ -67,9 +67,9 @@ void ProjectionBatch::render(const FlatScene& scene, const Tile& tile, SampleRan
     for (int y = 0; y < tile.height; ++y)
         for (int x = 0; x < tile.width; ++x) {
             const ivec2 pixel(tile.x + x, tile.y + y);
-            const vec2 depths = matterDepths(scene, pixel);
-            const bool nothing = showsNothing(scene, depths);
-            const Projected miss = nothing ? projectedMiss<Model>(scene, backdrop<Model>(scene, Leg{})) : Projected{};
+            const vec2 depths = depthBounds(scene, pixel);
+            const bool nothing = isBackgroundOnly(scene, depths);
+            const Projected miss = nothing ? projectedMiss<Model>(scene, backdrop<Model>(scene, PathSegment{})) : Projected{};
             SampleOrigin origin(sums.pixels[std::ptrdiff_t(y) * sums.stride + x], scene, pixel, samples.first);
             for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
                 if (nothing) {
@@ -78,9 +78,9 @@ void ProjectionBatch::render(const FlatScene& scene, const Tile& tile, SampleRan
                 }
                 if (size_ == kCapacity)
                     finish<Model>(scene, *sums.health);
-                const Leg leg = cameraStart(scene, pixel, origin.sample, depths).leg;
+                const PathSegment segment = startPath(scene, pixel, origin.sample, depths).segment;
                 origins_[size_] = origin;
-                add(leg.ray, backdrop<Model>(scene, leg));
+                add(segment.ray, backdrop<Model>(scene, segment));
             }
         }
     finish<Model>(scene, *sums.health);

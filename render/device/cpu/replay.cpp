@@ -10,37 +10,37 @@ namespace {
 constexpr std::uint32_t kAll = kFeatureMasks - 1;
 
 /// Writes down what tracePath() tells.
-class Witness {
+class PathRecorder {
   public:
-    Witness(const FlatScene& scene, dvec3 centreMm, std::vector<ReplayedLeg>& legs)
-        : scene_(scene), centreMm_(centreMm), legs_(legs) {}
+    PathRecorder(const FlatScene& scene, dvec3 centreMm, std::vector<ReplayedSegment>& segments)
+        : scene_(scene), centreMm_(centreMm), segments_(segments) {}
 
-    void leg(const Path& path, int bounce, float collision) {
+    void segment(const Path& path, int bounce, float collision) {
         path_ = &path;
-        const Ray& ray = path.leg.ray;
-        ReplayedLeg& leg = legs_.emplace_back();
-        leg.startMm = patientPlace(ray.origin);
-        leg.direction = path.leg.direction;
-        leg.length = ray.length;
-        leg.collision = collision;
+        const Ray& ray = path.segment.ray;
+        ReplayedSegment& segment = segments_.emplace_back();
+        segment.startMm = patientPlace(ray.origin);
+        segment.direction = path.segment.direction;
+        segment.length = ray.length;
+        segment.collision = collision;
         if (!(collision >= 0))
             return;
         const vec3 place = ray.origin + ray.direction * collision;
-        leg.eventMm = patientPlace(place);
-        leg.hu = hounsfield(scene_.volume, place);
-        leg.extinction = extinction(scene_, place);
-        leg.event =
-            eventAt<kAll>(scene_, place, path.leg.direction, path.random.stream(bounce, BounceDimension::event));
+        segment.eventMm = patientPlace(place);
+        segment.hu = hounsfield(scene_.volume, place);
+        segment.extinction = extinction(scene_, place);
+        segment.event =
+            eventAt<kAll>(scene_, place, -path.segment.direction, path.random.stream(bounce, BounceDimension::event));
     }
 
-    void light(const Arrival& met, float transmittance) {
-        ReplayedLeg& leg = legs_.back();
-        leg.emitted = met.emitted;
-        leg.direct = met.scattered.radiance;
-        leg.lightDirection = scene_.volume.localFromIndex * met.scattered.ray.direction;
-        leg.lightDistance = met.scattered.ray.length;
-        leg.transmittance = transmittance;
-        leg.throughput = path_->throughput;
+    void light(const PathVertex& met, float transmittance) {
+        ReplayedSegment& segment = segments_.back();
+        segment.emitted = met.emitted;
+        segment.direct = met.scattered.radiance;
+        segment.lightDirection = scene_.volume.localFromIndex * met.scattered.ray.direction;
+        segment.lightDistance = met.scattered.ray.length;
+        segment.transmittance = transmittance;
+        segment.throughput = path_->throughput;
     }
 
   private:
@@ -48,7 +48,7 @@ class Witness {
 
     const FlatScene& scene_;
     dvec3 centreMm_;
-    std::vector<ReplayedLeg>& legs_;
+    std::vector<ReplayedSegment>& segments_;
     const Path* path_ = nullptr;
 };
 
@@ -58,8 +58,8 @@ Replay replayed(const PreparedScene& scene, ivec2 pixel, std::uint64_t sample) {
     const FlatScene& flat = scene.flat;
     const std::uint32_t number = std::uint32_t(pixel.y * flat.camera.film.x + pixel.x);
     Replay replay;
-    Witness witness(flat, scene.volume->geometry().centreMm(), replay.legs);
-    const Sampled traced = tracePath<kAll>(flat, pixel, sample, matterDepths(flat, pixel), witness);
+    PathRecorder witness(flat, scene.volume->geometry().centreMm(), replay.segments);
+    const PathSample traced = tracePath<kAll>(flat, pixel, sample, depthBounds(flat, pixel), witness);
     replay.radiance = traced.radiance;
     if (PixelSums sums; !addSample(sums, traced.radiance, 0))
         replay.faults.add(faultOf(traced.radiance), sample, number);

@@ -1,5 +1,5 @@
 #pragma once
-/// One sample of one pixel traced again, alone, and told leg by leg: how a fault came about.
+/// One sample of one pixel traced again, alone, and told segment by segment: how a fault came about.
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 namespace pdr {
 
 /// A way of the path, and what it met at its end.
-struct ReplayedLeg {
+struct ReplayedSegment {
     dvec3 startMm{0};         ///< patient space
     vec3 direction{0};        ///< unit, patient axes
     float length = 0;         ///< mm that it may go; <= 0: it misses the volume
@@ -28,7 +28,7 @@ struct ReplayedLeg {
 };
 
 struct Replay {
-    std::vector<ReplayedLeg> legs;
+    std::vector<ReplayedSegment> segments;
     vec3 radiance{0.0f};  ///< the sample's, linear Rec. 709
     Health faults;
 };

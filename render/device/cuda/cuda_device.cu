@@ -66,7 +66,7 @@ Result<std::unique_ptr<Device>> makeCudaDevice(int index) {
         return Error{"there is no such GPU", "cuda:" + std::to_string(index),
                      "The last one is cuda:" + std::to_string(known->size() - 1) + "."};
     auto device = std::make_unique<GpuDevice<CudaGpu>>((*known)[std::size_t(index)], index);
-    if (Result<void> works = outcome(device->gpu()); !works)
+    if (Result<void> works = takeStatus(device->gpu()); !works)
         return works.error();
     return Result<std::unique_ptr<Device>>(std::move(device));
 }

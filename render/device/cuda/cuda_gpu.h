@@ -65,7 +65,7 @@ class CudaGpu {
         cudaEvent_t event_ = nullptr;
     };
 
-    static constexpr std::uint32_t kToldApart = kFeatureMasks - 1;
+    static constexpr std::uint32_t kSpecializedFeatures = kFeatureMasks - 1;
 
     /// GPU number `index`, from 0.
     explicit CudaGpu(int index);

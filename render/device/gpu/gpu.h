@@ -12,7 +12,7 @@
 ///   bool start(std::int64_t index, Walk&) const  false: it is done already
 ///   bool step(Walk&) const                       false: it is done
 ///
-/// The first error is kept, and after it nothing is done any more until it is taken: whoever finishes a step asks.
+/// The first error is kept, and after it nothing is done any more until it is taken: whoever completes a step calls takeStatus().
 
 #include <concepts>
 #include <cstddef>
@@ -37,7 +37,7 @@ concept Gpu = requires(G gpu, const G known, void* memory, const void* host, std
                        typename G::Event event, std::int64_t count, const std::int16_t* voxels, ivec3 size,
                        std::uint64_t texture) {
     /// Effects (kernel/features.h) that programs are compiled with and without.
-    { G::kToldApart } -> std::convertible_to<std::uint32_t>;
+    { G::kSpecializedFeatures } -> std::convertible_to<std::uint32_t>;
 
     { known.name() } -> std::convertible_to<std::string>;
     { known.memory() } -> std::same_as<GpuMemory>;

@@ -13,7 +13,7 @@ namespace pdr {
 
 /// Success, or the error that the GPU has kept.
 template <Gpu G>
-Result<void> outcome(G& gpu) {
+Result<void> takeStatus(G& gpu) {
     if (std::optional<Error> error = gpu.takeError())
         return *std::move(error);
     return {};

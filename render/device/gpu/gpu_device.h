@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "render/device/device.h"
-#include "render/device/gpu/gpu_film.h"
+#include "render/device/gpu/gpu_accumulator.h"
 #include "render/device/gpu/gpu_frame_sampler.h"
-#include "render/device/gpu/kroes_film.h"
+#include "render/device/gpu/kroes_accumulator.h"
 
 namespace pdr {
 
@@ -29,7 +29,7 @@ class GpuDevice final : public Device {
         return scene_.close();
     }
     using Device::film;
-    Result<std::unique_ptr<LiveFilm>> film(const Tile& area, std::uint64_t revision, const Schedule& schedule) override;
+    Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision, const Schedule& schedule) override;
 
     G& gpu() { return gpu_; }
 
@@ -41,14 +41,14 @@ class GpuDevice final : public Device {
 };
 
 template <Gpu G>
-Result<std::unique_ptr<LiveFilm>> GpuDevice<G>::film(const Tile& area, std::uint64_t revision,
+Result<std::unique_ptr<Accumulator>> GpuDevice<G>::film(const Tile& area, std::uint64_t revision,
                                                      const Schedule& schedule) {
     if (schedule.kind == Schedule::Kind::kroes)
-        return KroesFilm<G>::make(gpu_, area, revision, schedule, std::make_unique<GpuFrameSampler<G>>(gpu_, scene_));
-    auto film = std::make_unique<GpuFilm<G>>(gpu_, scene_);
+        return KroesAccumulator<G>::make(gpu_, area, revision, schedule, std::make_unique<GpuFrameSampler<G>>(gpu_, scene_));
+    auto film = std::make_unique<GpuAccumulator<G>>(gpu_, scene_);
     if (Result<void> room = film->restart(area, revision); !room)
         return room.error();
-    return std::unique_ptr<LiveFilm>(std::move(film));
+    return std::unique_ptr<Accumulator>(std::move(film));
 }
 
 }  // namespace pdr

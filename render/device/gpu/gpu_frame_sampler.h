@@ -10,7 +10,7 @@
 namespace pdr {
 
 /// For each pixel: its one sample, and whether it counts.
-struct KeepSampleProgram {
+struct KeepSampleKernel {
     TraceTarget from;
     SampledPixel* frame;
 
@@ -46,8 +46,8 @@ class GpuFrameSampler final : public FrameSampler {
             return scene;
         const TraceTarget target{{area_, {number, 1}}, radiance_.data(), health_.data(), seen_.data(), area_.width};
         traceLaunchFor<G>(scene_.flat())(gpu_, scene_.flat(), target);
-        gpu_.launch(KeepSampleProgram{target, frame}, target.grid.pixels(), GpuStream::compute);
-        return outcome(gpu_);
+        gpu_.launch(KeepSampleKernel{target, frame}, target.grid.pixels(), GpuStream::compute);
+        return takeStatus(gpu_);
     }
 
     Result<Health> takeHealth() override {
@@ -56,7 +56,7 @@ class GpuFrameSampler final : public FrameSampler {
         gpu_.awaitAll();
         const GpuHealth perfect;
         health_.copyFrom(&perfect);
-        if (Result<void> done = outcome(gpu_); !done)
+        if (Result<void> done = takeStatus(gpu_); !done)
             return done.error();
         return toHealth(counted);
     }

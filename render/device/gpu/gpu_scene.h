@@ -1,14 +1,14 @@
 #pragma once
-/// A scene in a GPU's memory. What did not change since the last one is not sent again; what rays are led by is made
+/// A scene in a GPU's memory. What did not change since the last one is not sent again; its acceleration structure is made
 /// there.
 
 #include <memory>
 
-#include "render/device/gpu/bounds_programs.h"
+#include "render/device/gpu/bounds_kernels.h"
 #include "render/device/gpu/gpu_array.h"
 #include "render/device/gpu/gpu_texture.h"
 #include "render/device/gpu/memory_error.h"
-#include "render/kernel/flight.h"
+#include "render/kernel/majorant_traversal.h"
 #include "render/scene/flatten.h"
 
 namespace pdr {
@@ -36,7 +36,7 @@ class GpuScene {
     /// The scene with all its pointers into the GPU's memory.
     const FlatScene& flat() const { return flat_; }
 
-    /// Device memory for a volume of that many voxels and what rays are led by in it, without its texture.
+    /// Device memory for a volume of that many voxels and its acceleration structure, without its texture.
     static std::size_t bytesFor(ivec3 voxels);
 
   private:
@@ -103,7 +103,7 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     else if (Result<void> bounded = bound(*scene); !bounded)
         return bounded;
     boundView(*scene);
-    if (Result<void> done = outcome(gpu_); !done) {
+    if (Result<void> done = takeStatus(gpu_); !done) {
         forget();
         return done;
     }
@@ -146,9 +146,9 @@ Result<void> GpuScene<G>::takeVolume(const PreparedScene& scene) {
     ranges_.resize(coarseCount * 64);
     fine_.resize(coarseCount * 64);
     coarse_.resize(coarseCount);
-    gpu_.launch(RangesProgram{voxels_.data(), volume.size(), fine, ranges_.data()}, std::int64_t(ranges_.size()),
+    gpu_.launch(BuildRangesKernel{voxels_.data(), volume.size(), fine, ranges_.data()}, std::int64_t(ranges_.size()),
                 GpuStream::compute);
-    return outcome(gpu_);
+    return takeStatus(gpu_);
 }
 
 /// It is kept as long as the volume is, and no longer than it is asked for.
@@ -164,7 +164,7 @@ Result<void> GpuScene<G>::takeTexture(const PreparedScene& scene) {
     if (Result<void> fits = room(scene, GpuTexture<G>::bytesFor(volume.size())); !fits)
         return fits;
     texture_.make(volume.voxels().data(), volume.size());
-    return outcome(gpu_);
+    return takeStatus(gpu_);
 }
 
 template <Gpu G>
@@ -191,13 +191,13 @@ void GpuScene<G>::sendEnvironment(const PreparedScene& scene) {
     if (environment_ != scene.environment) {
         const std::size_t texels = std::size_t(flat.size.x) * flat.size.y;
         texels_.assign({flat.texels, texels});
-        density_.assign({flat.density, texels});
+        density_.assign({flat.pdf, texels});
         rowSums_.assign({flat.rowSums, std::size_t(flat.size.y) + 1});
         columnSums_.assign({flat.columnSums, (std::size_t(flat.size.x) + 1) * flat.size.y});
         environment_ = scene.environment;
     }
     flat.texels = texels_.data();
-    flat.density = density_.data();
+    flat.pdf = density_.data();
     flat.rowSums = rowSums_.data();
     flat.columnSums = columnSums_.data();
 }
@@ -210,12 +210,12 @@ Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
     BoundsSummary summary;
     summary_.resize(1);
     summary_.copyFrom(&summary);
-    gpu_.launch(MajorantsProgram{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
+    gpu_.launch(BuildMajorantsKernel{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
                                  coarse, fine_.data(), coarse_.data(), summary_.data()},
                 std::int64_t(coarse_.size()), GpuStream::compute);
     summary_.copyTo(&summary);
     gpu_.awaitAll();
-    if (Result<void> done = outcome(gpu_); !done) {
+    if (Result<void> done = takeStatus(gpu_); !done) {
         forget();
         return done;
     }
@@ -243,11 +243,11 @@ void GpuScene<G>::boundView(const PreparedScene& scene) {
     wide_.resize(1);
     wide_.clear();
     wideCells_.resize(WideCells::kRoom);
-    gpu_.launch(ClearDepthsProgram{orderedDepths_.data()}, std::int64_t(count), GpuStream::compute);
-    gpu_.launch(CoverProgram{flat_.majorants, ViewProjection(flat_), flat_.clip, film, blocks, orderedDepths_.data(),
+    gpu_.launch(ClearDepthsKernel{orderedDepths_.data()}, std::int64_t(count), GpuStream::compute);
+    gpu_.launch(ProjectCellsKernel{flat_.majorants, ViewProjection(flat_), flat_.clip, film, blocks, orderedDepths_.data(),
                              wide_.data(), wideCells_.data()},
                 std::int64_t(coarse_.size()), GpuStream::compute);
-    gpu_.launch(ViewDepthsProgram{orderedDepths_.data(), wide_.data(), wideCells_.data(), blocks, depths_.data()},
+    gpu_.launch(ViewDepthsKernel{orderedDepths_.data(), wide_.data(), wideCells_.data(), blocks, depths_.data()},
                 std::int64_t(count), GpuStream::compute);
     flat_.viewBounds = {depths_.data(), blocks.x};
 }
@@ -283,7 +283,7 @@ Result<void> GpuScene<G>::close() {
     wide_.free();
     wideCells_.free();
     depths_.free();
-    return outcome(gpu_);
+    return takeStatus(gpu_);
 }
 
 }  // namespace pdr

@@ -1,11 +1,11 @@
 #pragma once
-/// What Exposure Render sends to the GPU for each iteration although nothing has changed; see gpu/kroes_film.h. None of
+/// What Exposure Render sends to the GPU for each iteration although nothing has changed; see gpu/kroes_accumulator.h. None of
 /// it is read by ours: it is there for the time that it takes.
 
 #include <array>
 
 #include "render/device/gpu/gpu_array.h"
-#include "render/device/gpu/kroes_programs.h"
+#include "render/device/gpu/kroes_kernels.h"
 #include "render/kernel/medium.h"
 
 namespace pdr::kroes {

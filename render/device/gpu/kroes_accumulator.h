@@ -19,24 +19,24 @@
 #include <vector>
 
 #include "render/device/gpu/kroes_resend.h"
-#include "render/device/live_film.h"
+#include "render/device/accumulator.h"
 #include "render/device/schedule.h"
 
 namespace pdr {
 
 template <Gpu G>
-class KroesFilm final : public LiveFilm {
+class KroesAccumulator final : public Accumulator {
   public:
     /// An empty film of that area; `gpu` must outlive it. Errors: no room for it.
-    static Result<std::unique_ptr<LiveFilm>> make(G& gpu, const Tile& area, std::uint64_t revision,
+    static Result<std::unique_ptr<Accumulator>> make(G& gpu, const Tile& area, std::uint64_t revision,
                                                   const Schedule& schedule, std::unique_ptr<FrameSampler> sampler) {
-        std::unique_ptr<LiveFilm> film(new KroesFilm(gpu, schedule, std::move(sampler)));
+        std::unique_ptr<Accumulator> film(new KroesAccumulator(gpu, schedule, std::move(sampler)));
         if (Result<void> room = film->restart(area, revision); !room)
             return room.error();
-        return Result<std::unique_ptr<LiveFilm>>(std::move(film));  // nvcc needs it said
+        return Result<std::unique_ptr<Accumulator>>(std::move(film));  // nvcc needs it said
     }
 
-    using LiveFilm::iterate;
+    using Accumulator::iterate;
 
     Tile area() const override { return area_; }
 
@@ -150,7 +150,7 @@ class KroesFilm final : public LiveFilm {
     }
 
   private:
-    KroesFilm(G& gpu, const Schedule& schedule, std::unique_ptr<FrameSampler> sampler)
+    KroesAccumulator(G& gpu, const Schedule& schedule, std::unique_ptr<FrameSampler> sampler)
         : gpu_(gpu), schedule_(schedule), sampler_(std::move(sampler)), thresholds_(gpu, kThresholds) {
         thresholds_.copyFrom(displayThresholds().data());
         if (schedule.redundant)

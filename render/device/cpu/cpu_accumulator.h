@@ -5,19 +5,19 @@
 #include <memory>
 
 #include "render/device/cpu/cpu_tracer.h"
-#include "render/device/live_film.h"
+#include "render/device/accumulator.h"
 #include "render/scene/flatten.h"
 
 namespace pdr {
 
-class CpuFilm final : public LiveFilm {
+class CpuAccumulator final : public Accumulator {
   public:
     /// `scene`: where its device keeps what was uploaded last. Both must outlive it.
-    CpuFilm(CpuTracer& tracer, const std::shared_ptr<const PreparedScene>& scene, const Tile& area,
+    CpuAccumulator(CpuTracer& tracer, const std::shared_ptr<const PreparedScene>& scene, const Tile& area,
             std::uint64_t revision)
         : tracer_(tracer), scene_(scene), film_(area, revision) {}
 
-    using LiveFilm::iterate;
+    using Accumulator::iterate;
 
     Tile area() const override { return film_.area(); }
     Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override;

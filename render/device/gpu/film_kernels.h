@@ -1,7 +1,7 @@
 #pragma once
 /// From the film to what is carried to the host: levels, and the sums that its status is made from.
 
-#include "render/device/gpu/trace_programs.h"
+#include "render/device/gpu/trace_kernels.h"
 #include "render/film/levels.h"
 #include "render/film/status_sums.h"
 
@@ -33,7 +33,7 @@ struct FrameLayout {
 };
 
 /// For each kPixelsPerSum pixels: their levels, and their share of the status.
-struct DevelopProgram {
+struct ResolveKernel {
     FrameLayout layout;
     const PixelSums* block;
     const Moments* moments;
@@ -65,7 +65,7 @@ struct DevelopProgram {
 };
 
 /// For each bin of the errors: its count from all places, which are then empty again.
-struct CountErrorsProgram {
+struct CountErrorsKernel {
     ErrorCounts* errors;
     std::byte* frame;
 
@@ -80,7 +80,7 @@ struct CountErrorsProgram {
 };
 
 /// For each kSumsPerTotal sums: their total; and once, when all else is there, both ends of the frame.
-struct SealProgram {
+struct FinalizeKernel {
     FrameLayout layout;
     const StatusSums* sums;
     const GpuHealth* health;

@@ -1,4 +1,4 @@
-#include "render/session/pace.h"
+#include "render/session/frame_budget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,28 +16,28 @@ constexpr std::uint32_t kGrowth = 4;
 
 }  // namespace
 
-Pace Pace::clamped() const {
+FrameBudget FrameBudget::clamped() const {
     return {automatic, int(allowedIterations(iterations)), std::clamp(framesPerSecond, 0.1, 60.0),
             std::clamp(efficiency, 0.01, 0.9999)};
 }
 
-void PaceMeter::addFrame(std::uint32_t n, double iterationSeconds, double displaySeconds) {
+void FrameTimer::addFrame(std::uint32_t n, double iterationSeconds, double displaySeconds) {
     keep(iterationSeconds_, iterationSeconds / n);
     keep(displaySeconds_, displaySeconds);
     lastMeasured_ = n;
     addPeriod(n, iterationSeconds + displaySeconds);
 }
 
-void PaceMeter::addPeriod(std::uint32_t n, double seconds) {
+void FrameTimer::addPeriod(std::uint32_t n, double seconds) {
     if (seconds > 0)
         keep(rates_, n / seconds);
 }
 
-bool PaceMeter::settled() const {
+bool FrameTimer::settled() const {
     return displaySeconds_.size() == kRecentFrames;
 }
 
-std::uint32_t PaceMeter::iterations(const Pace& pace) const {
+std::uint32_t FrameTimer::iterations(const FrameBudget& pace) const {
     if (!pace.automatic)
         return std::uint32_t(pace.iterations);
     const double iteration = median(iterationSeconds_), display = median(displaySeconds_);
@@ -47,17 +47,17 @@ std::uint32_t PaceMeter::iterations(const Pace& pace) const {
     return std::min(n, kGrowth * lastMeasured_);
 }
 
-double PaceMeter::efficiency() const {
+double FrameTimer::efficiency() const {
     return std::min(median(iterationSeconds_) * median(rates_), 1.0);
 }
 
-void PaceMeter::keep(Recent& recent, double value) {
+void FrameTimer::keep(Recent& recent, double value) {
     recent.push_back(value);
     if (recent.size() > kRecentFrames)
         recent.pop_front();
 }
 
-double PaceMeter::median(const Recent& recent) {
+double FrameTimer::median(const Recent& recent) {
     if (recent.empty())
         return 0;
     std::vector<double> sorted(recent.begin(), recent.end());

@@ -8,25 +8,25 @@
 #include <chrono>
 #include <cstring>
 
-#include "render/device/gpu/film_programs.h"
+#include "render/device/gpu/film_kernels.h"
 #include "render/device/gpu/gpu_scene.h"
 #include "render/device/gpu/launch_size.h"
 #include "render/device/gpu/tracer.h"
-#include "render/device/live_film.h"
+#include "render/device/accumulator.h"
 
 namespace pdr {
 
 template <Gpu G>
-class GpuFilm final : public LiveFilm {
+class GpuAccumulator final : public Accumulator {
   public:
     /// `gpu` and `scene` must outlive it. restart() comes first.
-    GpuFilm(G& gpu, const GpuScene<G>& scene) : gpu_(gpu), scene_(scene) {}
-    ~GpuFilm() override {
+    GpuAccumulator(G& gpu, const GpuScene<G>& scene) : gpu_(gpu), scene_(scene) {}
+    ~GpuAccumulator() override {
         gpu_.awaitAll();
         gpu_.takeError();  // nobody is left to be told
     }
 
-    using LiveFilm::iterate;
+    using Accumulator::iterate;
 
     Tile area() const override { return progress_.area(); }
     Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
@@ -83,7 +83,7 @@ class GpuFilm final : public LiveFilm {
 };
 
 template <Gpu G>
-Result<void> GpuFilm<G>::restart(const Tile& area, std::uint64_t revision) {
+Result<void> GpuAccumulator<G>::restart(const Tile& area, std::uint64_t revision) {
     gpu_.awaitAll();  // nothing may be on its way to what is emptied
     progress_ = TileProgress(area);
     revision_ = revision;
@@ -109,11 +109,11 @@ Result<void> GpuFilm<G>::restart(const Tile& area, std::uint64_t revision) {
         thresholds_.assign(displayThresholds());
         curve_.assign({displayCurve(), std::size_t(kCurveEntries)});
     }
-    return outcome(gpu_);
+    return takeStatus(gpu_);
 }
 
 template <Gpu G>
-void GpuFilm<G>::launch(const Tile& tile, SampleRange samples) {
+void GpuAccumulator<G>::launch(const Tile& tile, SampleRange samples) {
     const SampleGrid grid{tile, samples};
     radiance_.resize(std::size_t(grid.pixels()) * samples.count);
     const int stride = area().width;
@@ -125,7 +125,7 @@ void GpuFilm<G>::launch(const Tile& tile, SampleRange samples) {
 
 /// One launch is under way while the next is ordered, and no more, so that a stop comes within a launch.
 template <Gpu G>
-Result<void> GpuFilm<G>::iterate(const Tile& region, std::uint32_t n, std::stop_token stop) {
+Result<void> GpuAccumulator<G>::iterate(const Tile& region, std::uint32_t n, std::stop_token stop) {
     if (Result<void> scene = scene_.isThere(); !scene)
         return scene;
     for (const EvenTile& even : progress_.evenTiles(progress_.cellsAround(region)))
@@ -138,22 +138,22 @@ Result<void> GpuFilm<G>::iterate(const Tile& region, std::uint32_t n, std::stop_
             gpu_.await(launched_[launches_ % 2]);
             launchSize_.ended(samples);
         }
-    return outcome(gpu_);
+    return takeStatus(gpu_);
 }
 
 template <Gpu G>
-Result<void> GpuFilm<G>::show(const Display& display) {
+Result<void> GpuAccumulator<G>::show(const Display& display) {
     assert(shown_ - taken_ < kAhead);
     Slot& slot = slots_[shown_ % kAhead];
     slot.id = ++shown_;
     slot.samples = progress_.counts();
     slot.exposure = double(display.exposure);
     std::byte* frame = slot.onDevice.data();
-    gpu_.launch(DevelopProgram{layout_, block_.data(), moments_.data(), thresholds_.data(), curve_.data(),
+    gpu_.launch(ResolveKernel{layout_, block_.data(), moments_.data(), thresholds_.data(), curve_.data(),
                                slot.exposure, frame, sums_.data(), errors_.data()},
                 layout_.sums(), GpuStream::compute);
-    gpu_.launch(CountErrorsProgram{errors_.data(), frame}, kErrorBins, GpuStream::compute);
-    gpu_.launch(SealProgram{layout_, sums_.data(), health_.data(), slot.id, frame}, layout_.totals(),
+    gpu_.launch(CountErrorsKernel{errors_.data(), frame}, kErrorBins, GpuStream::compute);
+    gpu_.launch(FinalizeKernel{layout_, sums_.data(), health_.data(), slot.id, frame}, layout_.totals(),
                 GpuStream::compute);
     std::memset(slot.onHost.data(), 0,
                 sizeof slot.id);  // what an earlier picture left there must not pass for this one
@@ -162,15 +162,15 @@ Result<void> GpuFilm<G>::show(const Display& display) {
     gpu_.wait(GpuStream::copy, slot.developed);
     gpu_.copyToHost(slot.onHost.data(), frame, std::size_t(layout_.bytes()), GpuStream::copy);
     gpu_.record(slot.arrived, GpuStream::copy);
-    return outcome(gpu_);
+    return takeStatus(gpu_);
 }
 
 template <Gpu G>
-Result<Picture> GpuFilm<G>::take() {
+Result<Picture> GpuAccumulator<G>::take() {
     assert(taken_ < shown_);
     Slot& slot = slots_[taken_++ % kAhead];
     gpu_.await(slot.arrived);
-    if (Result<void> done = outcome(gpu_); !done)
+    if (Result<void> done = takeStatus(gpu_); !done)
         return done.error();
     std::uint64_t head, tail;
     std::memcpy(&head, slot.onHost.data(), sizeof head);
@@ -182,7 +182,7 @@ Result<Picture> GpuFilm<G>::take() {
 }
 
 template <Gpu G>
-Picture GpuFilm<G>::pictureIn(const Slot& slot) const {
+Picture GpuAccumulator<G>::pictureIn(const Slot& slot) const {
     const std::byte* bytes = slot.onHost.data();
     FrameLayout::Head head;
     std::memcpy(&head, bytes, sizeof head);
@@ -199,7 +199,7 @@ Picture GpuFilm<G>::pictureIn(const Slot& slot) const {
 }
 
 template <Gpu G>
-Result<std::shared_ptr<const Film>> GpuFilm<G>::film() {
+Result<std::shared_ptr<const Film>> GpuAccumulator<G>::film() {
     FilmContent content{
         progress_, std::vector<Moments>(std::size_t(pixels())), std::vector<PixelSums>(std::size_t(pixels())), {}};
     GpuHealth health;
@@ -207,14 +207,14 @@ Result<std::shared_ptr<const Film>> GpuFilm<G>::film() {
     block_.copyTo(content.block.data());
     health_.copyTo(&health);
     gpu_.awaitAll();
-    if (Result<void> done = outcome(gpu_); !done)
+    if (Result<void> done = takeStatus(gpu_); !done)
         return done.error();
     content.health = toHealth(health);
     return std::make_shared<const Film>(revision_, std::move(content));
 }
 
 template <Gpu G>
-Result<void> GpuFilm<G>::resume(const Film& film) {
+Result<void> GpuAccumulator<G>::resume(const Film& film) {
     assert(film.area() == area());
     FilmContent content = film.content();
     const GpuHealth health = toGpuHealth(content.health);
@@ -224,7 +224,7 @@ Result<void> GpuFilm<G>::resume(const Film& film) {
     health_.copyFrom(&health);
     gpu_.awaitAll();
     progress_ = std::move(content.progress);
-    return outcome(gpu_);
+    return takeStatus(gpu_);
 }
 
 }  // namespace pdr

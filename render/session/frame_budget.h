@@ -6,20 +6,20 @@
 
 namespace pdr {
 
-struct Pace {
+struct FrameBudget {
     bool automatic = false;
     int iterations = 1;           ///< by hand; [1, 10000]
     double framesPerSecond = 10;  ///< automatic: at least so many where the device can; [0.1, 60]
     double efficiency = 0.98;     ///< automatic: the part of the time that should go into iterations; (0, 1)
 
     /// With every number in its range.
-    Pace clamped() const;
-    bool operator==(const Pace&) const = default;
+    FrameBudget clamped() const;
+    bool operator==(const FrameBudget&) const = default;
 };
 
 /// What one displayed frame costs on a device, from recent frames. Medians: a frame that another program delayed does
 /// not count.
-class PaceMeter {
+class FrameTimer {
   public:
     void clear() { *this = {}; }
     /// A frame of n iterations that took that long, and its display, one after the other; seconds.
@@ -30,7 +30,7 @@ class PaceMeter {
     /// Whether there are as many measured frames as medians are taken of.
     bool settled() const;
     /// n for the next frame; 1 as long as nothing is known.
-    std::uint32_t iterations(const Pace& pace) const;
+    std::uint32_t iterations(const FrameBudget& pace) const;
     /// The part of the time that goes into iterations, (0, 1]; 0 as long as nothing is known.
     double efficiency() const;
     double iterationsPerSecond() const { return median(rates_); }

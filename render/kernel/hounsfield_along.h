@@ -56,7 +56,7 @@ PDR_HD_INLINE CellCorners<FloatLanes> cornersOf(const FlatVolume& volume, IntLan
 template <class Real>
 PDR_HD_INLINE Cubic<Real> hounsfieldAlong(const CellCorners<Real>& corners, const Vec3<Real>& from,
                                           const Vec3<Real>& to) {
-    const auto mix = [](Real a, Real b, Real share) { return a + (b - a) * share; };
+    const auto mix = [](Real a, Real b, Real fraction) { return a + (b - a) * fraction; };
     Real x[2][2][2];  // [from or to][z][y]
     for (int z = 0; z < 2; ++z)
         for (int y = 0; y < 2; ++y) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What rays are led by, made on the device: ranges, bounds on the extinction, and where matter lies in the view. The
+/// The acceleration structure, made on the device: ranges, majorants, and the depth bounds of the view. The
 /// same numbers, bit by bit, as scene/majorants and scene/view_bounds make on the host.
 
 #include <climits>
@@ -12,7 +12,7 @@
 namespace pdr {
 
 /// For each fine cell.
-struct RangesProgram {
+struct BuildRangesKernel {
     const std::int16_t* voxels;
     ivec3 size, fine;
     HuRange* ranges;
@@ -28,18 +28,18 @@ struct BoundsSummary {
 };
 
 /// For each coarse cell: its own bound and those of its fine cells.
-struct MajorantsProgram {
+struct BuildMajorantsKernel {
     const HuRange* ranges;
     FlatTransferFunction function;
     float highestOfCurve;
-    bool highestHu;  ///< for maximumIntensity: the highest HU, lifted by kHuLift
+    bool highestHu;  ///< for maximumIntensity: the highest HU, lifted by kMipBias
     ivec3 coarseGrid;
     float *fine, *coarse;
     BoundsSummary* summary;
 
     PDR_HD float bound(HuRange range) const {
         if (highestHu)
-            return range.empty() ? 0.0f : float(range.highest + kHuLift);
+            return range.empty() ? 0.0f : float(range.highest + kMipBias);
         return extinctionBound(function.extinctionPerMm, highestOpacity(function, range), highestOfCurve);
     }
 
@@ -98,7 +98,7 @@ struct WideCells {
 };
 
 /// For each block: nothing is there yet.
-struct ClearDepthsProgram {
+struct ClearDepthsKernel {
     OrderedDepths* depths;
 
     PDR_HD void operator()(std::int64_t index) const {
@@ -107,7 +107,7 @@ struct ClearDepthsProgram {
 };
 
 /// For each coarse cell: its fine cells are added to the blocks that they cover.
-struct CoverProgram {
+struct ProjectCellsKernel {
     FlatMajorants grid;
     ViewProjection projection;
     FlatClip clip;
@@ -151,7 +151,7 @@ struct CoverProgram {
 };
 
 /// For each block: the wide cells are added, and the depths are as the kernel reads them.
-struct ViewDepthsProgram {
+struct ViewDepthsKernel {
     const OrderedDepths* ordered;
     const WideCells* wide;
     const CoveredBlocks* wideCells;

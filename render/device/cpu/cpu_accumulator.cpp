@@ -1,11 +1,11 @@
-#include "render/device/cpu/cpu_film.h"
+#include "render/device/cpu/cpu_accumulator.h"
 
 #include <cassert>
 #include <utility>
 
 namespace pdr {
 
-Result<void> CpuFilm::iterate(const Tile& region, std::uint32_t n, std::stop_token stop) {
+Result<void> CpuAccumulator::iterate(const Tile& region, std::uint32_t n, std::stop_token stop) {
     const TileProgress& progress = film_.progress();
     for (const EvenTile& even : progress.evenTiles(progress.cellsAround(region)))
         for (std::uint32_t left = n; left > 0;) {
@@ -19,25 +19,25 @@ Result<void> CpuFilm::iterate(const Tile& region, std::uint32_t n, std::stop_tok
     return {};
 }
 
-Result<void> CpuFilm::show(const Display& display) {
+Result<void> CpuAccumulator::show(const Display& display) {
     shown_.push_back(pictureOf(film_, display));
     return {};
 }
 
-Result<Picture> CpuFilm::take() {
+Result<Picture> CpuAccumulator::take() {
     assert(!shown_.empty());
     Picture oldest = std::move(shown_.front());
     shown_.pop_front();
     return oldest;
 }
 
-Result<void> CpuFilm::resume(const Film& film) {
+Result<void> CpuAccumulator::resume(const Film& film) {
     assert(film.area() == film_.area());
     film_ = Film(film_.revision(), film.content());
     return {};
 }
 
-Result<void> CpuFilm::restart(const Tile& area, std::uint64_t revision) {
+Result<void> CpuAccumulator::restart(const Tile& area, std::uint64_t revision) {
     shown_.clear();
     film_.restart(area, revision);
     return {};

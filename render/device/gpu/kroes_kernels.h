@@ -1,5 +1,5 @@
 #pragma once
-/// The stages of an iteration of Exposure Render (Kroes, Post & Botha 2012), as programs; see gpu/kroes_film.h. Index i
+/// The stages of an iteration of Exposure Render (Kroes, Post & Botha 2012), as programs; see gpu/kroes_accumulator.h. Index i
 /// is the pixel y * width + x.
 
 #include <cstdint>
@@ -116,11 +116,11 @@ struct Autofocus {
     float* distance;
 
     PDR_HD void operator()(std::int64_t) const {
-        const Leg leg = cameraLeg(scene, vec2(scene.camera.film) * 0.5f, vec2(0), vec2(0, kFarAway));
+        const PathSegment segment = generateCameraRay(scene, vec2(scene.camera.film) * 0.5f, vec2(0), vec2(0, kFarAway));
         const float step = marchStep(scene.volume, kExposureRenderStep);
         *distance = -1;
-        for (int i = 0; float(i) * step < leg.ray.length; ++i) {
-            const vec3 place = leg.ray.origin + leg.ray.direction * (float(i) * step);
+        for (int i = 0; float(i) * step < segment.ray.length; ++i) {
+            const vec3 place = segment.ray.origin + segment.ray.direction * (float(i) * step);
             if (!(opacity(scene.transferFunction, hounsfield(scene.volume, place)) > 0))
                 continue;
             *distance = float(i) * step;

@@ -94,7 +94,7 @@ struct SampleAddress {
 };
 
 template <class Take>
-struct TraceProgram {
+struct TraceKernel {
     FlatScene scene;
     TraceTarget target;
 
@@ -131,7 +131,7 @@ struct TraceProgram {
             target.health->note(fault, walk.from.sample, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x));
         };
         target.radiance[walk.place] = Take::end(walk.taken, note);
-        const std::uint32_t seen = seenAtFirst(scene, matterDepths(scene, walk.from.pixel));
+        const std::uint32_t seen = seenAtFirst(scene, depthBounds(scene, walk.from.pixel));
         const Tile& tile = target.grid.tile;
         const ivec2 place = walk.from.pixel - ivec2(tile.x, tile.y);
         if (const std::uint32_t all = seen | (Take::metTissue(walk.taken) ? kSeenTissue : 0); all != 0)
@@ -139,29 +139,29 @@ struct TraceProgram {
     }
 };
 
-/// By Monte Carlo, with the effects F; a step is a leg of the path.
+/// By Monte Carlo, with the effects F; a step is a segment of the path.
 template <std::uint32_t F>
-struct TakePath {
+struct PathSampler {
     struct Walk {
         Path path;
-        Sampled result;
+        PathSample result;
         int bounce;
     };
 
     PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
-        const vec2 depths = matterDepths(scene, from.pixel);
-        walk.result = Sampled{};
+        const vec2 depths = depthBounds(scene, from.pixel);
+        walk.result = PathSample{};
         walk.bounce = 0;
-        if (showsNothing(scene, depths)) {
+        if (isBackgroundOnly(scene, depths)) {
             walk.result.radiance = plainBackground(scene);
             return false;
         }
-        walk.path = cameraStart(scene, from.pixel, from.sample, depths);
+        walk.path = startPath(scene, from.pixel, from.sample, depths);
         return true;
     }
     PDR_HD static bool metTissue(const Walk& walk) { return walk.result.tissue; }
     PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
-        return takeLeg<F>(scene, walk.path, walk.bounce++, walk.result, Unwatched());
+        return traceSegment<F>(scene, walk.path, walk.bounce++, walk.result, NullVisitor());
     }
     template <class Note>
     PDR_HD static vec3 end(const Walk& walk, Note&& note) {
@@ -174,7 +174,7 @@ struct TakePath {
 };
 
 /// As Exposure Render does, in one step.
-struct TakeMarch {
+struct MarchSampler {
     struct Walk {
         SampleAddress from;
         vec3 radiance;
@@ -183,11 +183,11 @@ struct TakeMarch {
 
     PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
         walk = {from, plainBackground(scene), false};
-        return !showsNothing(scene, matterDepths(scene, from.pixel));
+        return !isBackgroundOnly(scene, depthBounds(scene, from.pixel));
     }
     PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
         const ivec2 pixel = walk.from.pixel;
-        const Sampled found = kroesSample(scene, pixel, walk.from.sample, matterDepths(scene, pixel));
+        const PathSample found = kroesSample(scene, pixel, walk.from.sample, depthBounds(scene, pixel));
         walk.radiance = found.radiance;
         walk.tissue = found.tissue;
         return false;
@@ -201,7 +201,7 @@ struct TakeMarch {
 
 /// A sum along the ray, in one step.
 template <FlatModel Model>
-struct TakeProjection {
+struct ProjectionSampler {
     struct Walk {
         SampleAddress from;
         Projected found;
@@ -209,15 +209,15 @@ struct TakeProjection {
 
     PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
         walk.from = from;
-        if (!showsNothing(scene, matterDepths(scene, from.pixel)))
+        if (!isBackgroundOnly(scene, depthBounds(scene, from.pixel)))
             return true;
-        walk.found = projectedMiss<Model>(scene, backdrop<Model>(scene, Leg{}));
+        walk.found = projectedMiss<Model>(scene, backdrop<Model>(scene, PathSegment{}));
         return false;
     }
     PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
         const ivec2 pixel = walk.from.pixel;
-        const Leg leg = cameraStart(scene, pixel, walk.from.sample, matterDepths(scene, pixel)).leg;
-        walk.found = project<Model>(scene, leg.ray, backdrop<Model>(scene, leg));
+        const PathSegment segment = startPath(scene, pixel, walk.from.sample, depthBounds(scene, pixel)).segment;
+        walk.found = project<Model>(scene, segment.ray, backdrop<Model>(scene, segment));
         return false;
     }
     PDR_HD static bool metTissue(const Walk& walk) { return walk.found.tissue; }
@@ -230,7 +230,7 @@ struct TakeProjection {
 };
 
 /// For each pixel of the tile: its samples are added in order.
-struct AccumulateProgram {
+struct AccumulateKernel {
     TraceTarget from;
     int filmWidth;
     PixelSums* sums;   ///< of the tile, from.stride pixels to the next row

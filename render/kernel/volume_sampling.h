@@ -46,14 +46,14 @@ PDR_HD inline float hounsfield(const FlatVolume& volume, const Vec3<float>& posi
 /// The same in step, bit by bit. For volumes of at least two voxels along x and fewer than 2^31 in all.
 PDR_HD_INLINE FloatLanes hounsfield(const FlatVolume& volume, const Vec3<FloatLanes>& position) {
     const auto clamped = [](FloatLanes value, float high) {
-        return smaller(larger(value, FloatLanes{}), FloatLanes{} + high);
+        return min(max(value, FloatLanes{}), FloatLanes{} + high);
     };
     const FloatLanes x = clamped(position.x, volume.lastIndex.x);
     const FloatLanes y = clamped(position.y, volume.lastIndex.y);
     const FloatLanes z = clamped(position.z, volume.lastIndex.z);
-    const IntLanes i = toInt(smaller(x, FloatLanes{} + volume.lastCorner.x));
-    const IntLanes j = toInt(smaller(y, FloatLanes{} + volume.lastCorner.y));
-    const IntLanes k = toInt(smaller(z, FloatLanes{} + volume.lastCorner.z));
+    const IntLanes i = toInt(min(x, FloatLanes{} + volume.lastCorner.x));
+    const IntLanes j = toInt(min(y, FloatLanes{} + volume.lastCorner.y));
+    const IntLanes k = toInt(min(z, FloatLanes{} + volume.lastCorner.z));
     const FloatLanes a = x - toFloat(i), b = y - toFloat(j), c = z - toFloat(k);
     const IntLanes index = (k * volume.size.y + j) * volume.size.x + i;
     const auto along = [a, index](const std::int16_t* row) {
@@ -118,9 +118,9 @@ PDR_HD_INLINE Cube<FloatLanes> cubeAt(const FlatVolume& volume, IntLanes i, IntL
 /// HU at `position`, which lies in the cube or, by rounding, just beside it.
 template <class Real>
 PDR_HD_INLINE Real hounsfield(const Cube<Real>& cube, const Vec3<Real>& position) {
-    const auto share = [](Real place, Real lowest) { return smaller(larger(place - lowest, Real{}), Real{} + 1.0f); };
-    const Real a = share(position.x, cube.lowest.x), b = share(position.y, cube.lowest.y);
-    const Real c = share(position.z, cube.lowest.z);
+    const auto fraction = [](Real place, Real lowest) { return min(max(place - lowest, Real{}), Real{} + 1.0f); };
+    const Real a = fraction(position.x, cube.lowest.x), b = fraction(position.y, cube.lowest.y);
+    const Real c = fraction(position.z, cube.lowest.z);
     const auto along = [&](int n) { return cube.hu[n] + (cube.hu[n + 1] - cube.hu[n]) * a; };
     const Real v00 = along(0), v10 = along(2), v01 = along(4), v11 = along(6);
     const Real low = v00 + (v10 - v00) * b;

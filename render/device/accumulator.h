@@ -14,9 +14,9 @@
 
 namespace pdr {
 
-class LiveFilm {
+class Accumulator {
   public:
-    virtual ~LiveFilm() = default;
+    virtual ~Accumulator() = default;
 
     /// The part of the image that it holds.
     virtual Tile area() const = 0;
@@ -26,7 +26,7 @@ class LiveFilm {
     virtual Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) = 0;
     /// Of the whole area.
     Result<void> iterate(std::uint32_t n, std::stop_token stop) { return iterate(area(), n, std::move(stop)); }
-    /// Orders a picture of what is there, tone mapped. At most ahead() may be waiting to be taken.
+    /// RenderCommands a picture of what is there, tone mapped. At most ahead() may be waiting to be taken.
     virtual Result<void> show(const Display& display) = 0;
     /// The oldest picture that was ordered; waits for it. One must have been ordered.
     virtual Result<Picture> take() = 0;

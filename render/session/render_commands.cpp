@@ -1,0 +1,128 @@
+#include "render/session/render_commands.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pdr {
+
+namespace {
+
+/// Takes the looks out that `wanted` holds for.
+template <class Wanted>
+std::vector<RenderCommands::SnapshotRequest> taken(std::vector<RenderCommands::SnapshotRequest>& looks, Wanted&& wanted) {
+    const auto first = std::stable_partition(looks.begin(), looks.end(), [&](const auto& look) { return !wanted(look); });
+    std::vector<RenderCommands::SnapshotRequest> out(std::make_move_iterator(first), std::make_move_iterator(looks.end()));
+    looks.erase(first, looks.end());
+    return out;
+}
+
+}  // namespace
+
+void RenderCommands::submit(Scene scene, bool moving) {
+    const std::lock_guard lock(mutex_);
+    scene_ = SceneOrder{std::move(scene), moving};
+    running_.request_stop();
+    changed_.notify_one();
+}
+
+void RenderCommands::setDisplay(const Display& display) {
+    const std::lock_guard lock(mutex_);
+    display_ = display;
+    displayChanged_ = true;
+    changed_.notify_one();
+}
+
+Display RenderCommands::display() {
+    const std::lock_guard lock(mutex_);
+    return display_;
+}
+
+void RenderCommands::setPace(const FrameBudget& pace) {
+    const std::lock_guard lock(mutex_);
+    pace_ = pace.clamped();
+}
+
+void RenderCommands::setSchedule(const Schedule& schedule) {
+    const std::lock_guard lock(mutex_);
+    schedule_ = schedule;
+    running_.request_stop();
+    changed_.notify_one();
+}
+
+// The running step is not cancelled: its samples are to go along.
+void RenderCommands::setDevice(DeviceOpener open) {
+    const std::lock_guard lock(mutex_);
+    device_ = std::move(open);
+    changed_.notify_one();
+}
+
+void RenderCommands::setPaused(bool paused) {
+    const std::lock_guard lock(mutex_);
+    paused_ = paused;
+    changed_.notify_one();
+}
+
+void RenderCommands::clear() {
+    const std::lock_guard lock(mutex_);
+    scene_.reset();
+    clear_ = true;
+    running_.request_stop();
+    changed_.notify_one();
+}
+
+void RenderCommands::requestSnapshot(std::uint64_t revision, SnapshotObserver look) {
+    const std::lock_guard lock(mutex_);
+    looks_.push_back({revision, std::move(look)});
+    changed_.notify_one();
+}
+
+void RenderCommands::cancel() {
+    const std::lock_guard lock(mutex_);
+    running_.request_stop();
+}
+
+bool RenderCommands::somethingToDo(const LoopState& state) const {
+    const bool look = std::any_of(looks_.begin(), looks_.end(), [&](const SnapshotRequest& look) {
+        return !state.film || state.canSnapshot || look.revision != state.revision;
+    });
+    const bool asked = clear_ || scene_ || schedule_ || device_ || displayChanged_ || look;
+    return asked || (state.film && (!paused_ || state.first || state.unshown));
+}
+
+std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& state, std::stop_token stop) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, stop, [&] { return somethingToDo(state); });
+    if (stop.stop_requested())
+        return std::nullopt;
+    running_ = std::stop_source();
+    Iteration step;
+    step.clear = std::exchange(clear_, false);
+    step.device = std::exchange(device_, nullptr);
+    step.schedule = std::exchange(schedule_, std::nullopt);
+    step.order = std::exchange(scene_, std::nullopt);
+    step.render = !paused_ || state.first || step.order || step.schedule;
+    step.pace = pace_;
+    step.stop = running_.get_token();
+    step.unanswerable = takeUnanswerable(state, step);
+    displayChanged_ = false;
+    return step;
+}
+
+/// Scenes are submitted before they are looked at: what is neither there nor in this step will not come.
+std::vector<RenderCommands::SnapshotRequest> RenderCommands::takeUnanswerable(const LoopState& state, const Iteration& step) {
+    const bool stays = !step.clear && (state.film || (state.scene && (step.schedule || step.device)));
+    const std::uint64_t revision = step.order ? step.order->scene.revision : state.revision;
+    return taken(looks_, [&](const SnapshotRequest& look) { return !(step.order || stays) || look.revision != revision; });
+}
+
+bool RenderCommands::snapshotRequested(std::uint64_t revision) {
+    const std::lock_guard lock(mutex_);
+    return std::any_of(looks_.begin(), looks_.end(), [&](const SnapshotRequest& look) { return look.revision == revision; });
+}
+
+std::vector<RenderCommands::SnapshotRequest> RenderCommands::takeSnapshotRequests(std::uint64_t revision) {
+    const std::lock_guard lock(mutex_);
+    return taken(looks_, [&](const SnapshotRequest& look) { return look.revision == revision; });
+}
+
+}  // namespace pdr
