@@ -1,6 +1,7 @@
 /// What a session shows of a scene, in which order, to whom, and that nothing of it stays when it is closed.
 
 #include <QTest>
+#include <atomic>
 #include <ctime>
 #include <future>
 #include <mutex>
@@ -139,13 +140,26 @@ class FirstLookTest : public QObject {
 
     /// The picture of the last move was a first look already.
     void aHandAtRestNeedsNoSecondFirstLook() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        std::mutex gate;
+        std::atomic<bool> atTheGate = false;
+        mishaps->before = [&](const std::string& verb) {
+            if (verb != "iterate")
+                return;
+            atTheGate = true;
+            const std::lock_guard through(gate);
+            atTheGate = false;
+        };
         Reel reel;
-        Session session(makeCpuDevice(1), reel.sink());
+        Session session(test::failing(mishaps), reel.sink());
         session.submit(largeScene(1), true);
         QTRY_VERIFY_WITH_TIMEOUT(!reel.of(1).empty(), 240000);
+        std::unique_lock closed(gate);
+        QTRY_VERIFY_WITH_TIMEOUT(atTheGate, 240000);
+        const std::size_t before = reel.of(1).size() + 1;  // the launch that is on its way is shown
         session.setPaused(true);
-        QTest::qWait(200);  // the launch that was on its way has been shown
-        const std::size_t before = reel.of(1).size();
+        closed.unlock();
+        QTRY_COMPARE_WITH_TIMEOUT(reel.of(1).size(), before, 240000);
         session.submit(largeScene(1), false);
         QTRY_VERIFY_WITH_TIMEOUT(reel.of(1).size() > before, 240000);
         QVERIFY(!reel.of(1)[before]->coarse);
