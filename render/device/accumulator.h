@@ -26,7 +26,7 @@ class Accumulator {
     virtual Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) = 0;
     /// Of the whole area.
     Result<void> iterate(std::uint32_t n, std::stop_token stop) { return iterate(area(), n, std::move(stop)); }
-    /// RenderCommands a picture of what is there, tone mapped. At most ahead() may be waiting to be taken.
+    /// Orders a picture of what is there, tone mapped. At most ahead() may be waiting to be taken.
     virtual Result<void> show(const Display& display) = 0;
     /// The oldest picture that was ordered; waits for it. One must have been ordered.
     virtual Result<Picture> take() = 0;

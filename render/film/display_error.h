@@ -53,7 +53,7 @@ struct ErrorCounts {
     }
 };
 
-/// The error [levels] that `share` of the pixels do not exceed, evenly spread inside a bin; 0 without pixels.
+/// The error [levels] that `fraction` of the pixels do not exceed, evenly spread inside a bin; 0 without pixels.
 double errorQuantile(const ErrorCounts& counts, double fraction);
 
 }  // namespace pdr

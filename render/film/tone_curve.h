@@ -16,8 +16,8 @@ inline constexpr int kCurveEntries = (kCurveTo - kCurveFrom) * kCurvePerOctave +
 /// kCurveEntries levels.
 const float* displayCurve();
 
-/// The level of `share`, a radiance in units of the exposure: [0, 255], off by less than 0.005. 0 for what is not above
-/// 0.
+/// The level of `fraction`, a radiance in units of the exposure: [0, 255], off by less than 0.005. 0 for what is not
+/// above 0.
 PDR_HD inline float exactLevelOf(const float* curve, float fraction) {
     constexpr int kShift = 23 - kCurveBits;
     constexpr std::uint32_t kFirst = std::uint32_t(127 + kCurveFrom) << kCurveBits;

@@ -7,8 +7,8 @@
 namespace pdr {
 
 /// `camera` with its eye on the same line through the target, as near as possible with every corner of the volume's box
-/// inside the middle `share` of an image `aspect` = width / height. Orthographic: with its height made so.
-/// `aspect` > 0; `share` in (0, 1]; 0.9 leaves a margin.
+/// inside the middle `fraction` of an image `aspect` = width / height. Orthographic: with its height made so.
+/// `aspect` > 0; `fraction` in (0, 1]; 0.9 leaves a margin.
 Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double aspect, double fraction);
 
 }  // namespace pdr

@@ -73,8 +73,8 @@ Result<void> Session::Loop::iterate(const RenderCommands::Iteration& step) {
     return {};
 }
 
-/// RenderCommands a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing goes
-/// on behind.
+/// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing
+/// goes on behind.
 Result<void> Session::Loop::show(const RenderCommands::Iteration& step) {
     Accumulator& film = *place_.film();
     const Display display = commands.display();

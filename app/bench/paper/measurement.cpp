@@ -9,7 +9,7 @@ namespace pdr::bench::paper {
 
 namespace {
 
-/// Between the ordered values, `share` of the way from the first to the last.
+/// Between the ordered values, `fraction` of the way from the first to the last.
 double quantile(const std::vector<double>& ordered, double fraction) {
     const double place = fraction * double(ordered.size() - 1);
     const std::size_t below = std::size_t(place);

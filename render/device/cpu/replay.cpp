@@ -58,8 +58,8 @@ Replay replayed(const PreparedScene& scene, ivec2 pixel, std::uint64_t sample) {
     const FlatScene& flat = scene.flat;
     const std::uint32_t number = std::uint32_t(pixel.y * flat.camera.film.x + pixel.x);
     Replay replay;
-    PathRecorder witness(flat, scene.volume->geometry().centreMm(), replay.segments);
-    const PathSample traced = tracePath<kAll>(flat, pixel, sample, depthBounds(flat, pixel), witness);
+    PathRecorder recorder(flat, scene.volume->geometry().centreMm(), replay.segments);
+    const PathSample traced = tracePath<kAll>(flat, pixel, sample, depthBounds(flat, pixel), recorder);
     replay.radiance = traced.radiance;
     if (PixelSums sums; !addSample(sums, traced.radiance, 0))
         replay.faults.add(faultOf(traced.radiance), sample, number);

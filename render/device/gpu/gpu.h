@@ -12,7 +12,8 @@
 ///   bool start(std::int64_t index, Walk&) const  false: it is done already
 ///   bool step(Walk&) const                       false: it is done
 ///
-/// The first error is kept, and after it nothing is done any more until it is taken: whoever completes a step calls takeStatus().
+/// The first error is kept, and after it nothing is done any more until it is taken: whoever completes a
+/// step calls takeStatus().
 
 #include <concepts>
 #include <cstddef>
