@@ -1,7 +1,7 @@
 #include "app/provenance.h"
 
 #include "render/base/version.h"
-#include "render/scene/warnings.h"
+#include "render/prepare/warnings.h"
 
 namespace pdr::app {
 

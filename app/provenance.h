@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "render/device/schedule.h"
+#include "render/device/baseline/schedule.h"
 #include "render/film/image_file.h"
 #include "render/scene/scene.h"
 

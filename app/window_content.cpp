@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/render_choices.h"
-#include "render/scene/warnings.h"
+#include "render/prepare/warnings.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
 #include "ui/to_qt.h"

@@ -4,12 +4,6 @@
 
 namespace pdr::bench {
 
-Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene, const Schedule& schedule) {
-    if (const auto uploaded = device.upload(scene); !uploaded)
-        return uploaded.error();
-    return device.film(scene.film, scene.revision, schedule);
-}
-
 Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads, const Schedule& schedule) {
     auto opened = openDevice(device, threads);
     if (!opened)

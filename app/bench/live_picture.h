@@ -17,7 +17,4 @@ struct LivePicture {
 Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads = 0,
                           const Schedule& schedule = {});
 
-/// The same on a device that somebody else keeps.
-Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene, const Schedule& schedule = {});
-
 }  // namespace pdr::bench

@@ -13,7 +13,7 @@
 #include "app/bench/load_scene.h"
 #include "app/bench/options.h"
 #include "render/device/device_list.h"
-#include "render/scene/flatten.h"
+#include "render/prepare/flatten.h"
 #include "render/volume/phantom.h"
 
 namespace pdr::bench {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/cli/batch_render.h"
+#include "render/session/batch_render.h"
 
 namespace pdr::app {
 

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <new>
 
-#include "app/cli/batch_render.h"
 #include "app/cli/film_room.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/picture_files.h"
@@ -13,7 +12,8 @@
 #include "app/cli/run_command.h"
 #include "app/provenance.h"
 #include "render/device/device_list.h"
-#include "render/scene/flatten.h"
+#include "render/prepare/flatten.h"
+#include "render/session/batch_render.h"
 
 namespace pdr::app {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/batch_render.h"
 #include "app/cli/scene_input.h"
 #include "render/base/result.h"
+#include "render/session/batch_render.h"
 
 namespace pdr::app {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/batch_render.h"
 #include "render/base/portable.h"
 #include "render/device/device.h"
-#include "render/scene/warnings.h"
+#include "render/prepare/warnings.h"
+#include "render/session/batch_render.h"
 
 namespace pdr::app {
 

@@ -6,6 +6,7 @@
 #include "app/cli/run_command.h"
 #include "render/device/cpu/replay.h"
 #include "render/film/health_text.h"
+#include "render/prepare/flatten.h"
 
 namespace pdr::app {
 namespace {

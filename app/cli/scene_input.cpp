@@ -7,8 +7,9 @@
 #include "app/environment_picture.h"
 #include "app/presets.h"
 #include "app/scene_volume.h"
+#include "render/prepare/flatten.h"
+#include "render/prepare/focus.h"
 #include "render/scene/fit_view.h"
-#include "render/scene/focus.h"
 
 namespace pdr::app {
 namespace {

@@ -16,6 +16,11 @@ struct Tile {
     bool operator==(const Tile&) const = default;
 };
 
+/// All pixels of an image of `size`.
+inline Tile wholeImage(ivec2 size) {
+    return {0, 0, size.x, size.y};
+}
+
 /// Whether all pixels of `inner` are `outer`'s.
 inline bool isInside(const Tile& inner, const Tile& outer) {
     return inner.x >= outer.x && inner.y >= outer.y && inner.width >= 0 && inner.height >= 0 &&

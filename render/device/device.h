@@ -7,7 +7,7 @@
 #include "render/base/result.h"
 #include "render/base/tile.h"
 #include "render/device/accumulator.h"
-#include "render/device/schedule.h"
+#include "render/device/baseline/schedule.h"
 #include "render/scene/scene.h"
 
 namespace pdr {
@@ -35,9 +35,12 @@ class Device {
                                                    const Schedule& schedule) = 0;
     /// For whole pictures of that size.
     Result<std::unique_ptr<Accumulator>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) {
-        return film(Tile{0, 0, size.x, size.y}, revision, schedule);
+        return film(wholeImage(size), revision, schedule);
     }
 };
+
+/// `scene`, which must have passed Scene::check(), is uploaded to `device`, and an empty film is made of it.
+Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene, const Schedule& schedule = {});
 
 /// The CPU with `threads` threads; 0 = one per core.
 std::unique_ptr<Device> makeCpuDevice(int threads = 0);

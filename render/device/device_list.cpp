@@ -3,7 +3,7 @@
 #include <charconv>
 #include <optional>
 
-#include "render/device/cpu/emulated_gpu.h"
+#include "render/device/emulated/emulated_gpu.h"
 
 #if defined(PDR_HAS_CUDA)
 #include "render/device/cuda/cuda_device.h"

@@ -56,7 +56,7 @@ class Film {
     /// Empty; the first sample of each pixel is to have the number `first`.
     Film(const Tile& area, std::uint64_t revision, std::uint64_t first = 0);
     /// Of a whole image.
-    Film(ivec2 size, std::uint64_t revision) : Film(Tile{0, 0, size.x, size.y}, revision) {}
+    Film(ivec2 size, std::uint64_t revision) : Film(wholeImage(size), revision) {}
     /// `content` of as many pixels as its progress speaks of.
     Film(std::uint64_t revision, FilmContent content);
 

@@ -12,7 +12,7 @@
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
-#include "render/scene/needs.h"
+#include "render/prepare/needs.h"
 
 namespace pdr {
 

@@ -29,7 +29,7 @@ Result<void> FilmOnDevice::restart(const Schedule& schedule) {
 
 Result<void> FilmOnDevice::emptyFilm(const Schedule& schedule) {
     if (film_ && schedule == schedule_)
-        return film_->restart({0, 0, size().x, size().y}, revision());
+        return film_->restart(wholeImage(size()), revision());
     film_.reset();
     schedule_ = schedule;
     Result<std::unique_ptr<Accumulator>> film = device_->film(size(), revision(), schedule);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/accuracy/iterations.h"
+#include "render/timing/iterations.h"
 
 namespace pdr {
 

@@ -13,8 +13,8 @@
 #include "tests/support/desktop_trial.h"
 #include "tests/support/failing_device.h"
 #include "tests/support/phantom_series.h"
-#include "tests/support/shared_data.h"
 #include "tests/support/processor_time.h"
+#include "tests/support/shared_data.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {

@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <cmath>
 
-#include "app/bench/filtering_price.h"
+#include "app/bench/filtering/price.h"
 #include "render/kernel/pixel.h"
 #include "tests/support/places.h"
 #include "tests/support/scenes.h"

@@ -13,7 +13,7 @@
 #include "app/bench/paper/report.h"
 #include "app/bench/paper/settings.h"
 #include "app/bench/paper/text_table.h"
-#include "render/accuracy/efficiency.h"
+#include "render/timing/efficiency.h"
 #include "tests/support/places.h"
 
 using namespace pdr;

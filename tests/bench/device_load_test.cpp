@@ -4,7 +4,7 @@
 #include <cmath>
 #include <thread>
 
-#include "app/bench/device_load.h"
+#include "app/bench/paper/device_load.h"
 #include "render/base/processor_time.h"
 
 using namespace pdr::bench;

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "render/kernel/camera_ray.h"
+#include "render/kernel/transport/camera_ray.h"
 #include "render/kernel/volume_sampling.h"
 #include "tests/support/pictures.h"
 #include "tests/support/statistics.h"

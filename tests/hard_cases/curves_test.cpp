@@ -7,7 +7,7 @@
 #include <random>
 
 #include "render/film/tone_map.h"
-#include "render/kernel/event.h"
+#include "render/kernel/transport/event.h"
 #include "tests/support/pictures.h"
 #include "tests/support/screen.h"
 

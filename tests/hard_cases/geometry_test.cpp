@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "render/kernel/majorant_traversal.h"
+#include "render/kernel/transport/majorant_traversal.h"
 #include "tests/support/scenes.h"
 
 using namespace pdr;

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "render/kernel/integrator.h"
+#include "render/kernel/transport/integrator.h"
 #include "tests/physics/gauss_legendre.h"
 #include "tests/support/pictures.h"
 #include "tests/support/statistics.h"

@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "render/kernel/integrator.h"
-#include "render/scene/environment_tables.h"
+#include "render/kernel/transport/integrator.h"
+#include "render/prepare/environment_tables.h"
 #include "tests/support/pictures.h"
 #include "tests/support/statistics.h"
 

@@ -9,7 +9,7 @@
 #include <cstdio>
 
 #include "render/device/cpu/lane_tracker.h"
-#include "render/kernel/event.h"
+#include "render/kernel/transport/event.h"
 #include "render/volume/raw_file.h"
 #include "tests/support/pictures.h"
 #include "tests/support/statistics.h"

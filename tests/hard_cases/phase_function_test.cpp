@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "render/kernel/phase.h"
 #include "render/kernel/random.h"
+#include "render/kernel/transport/phase.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "render/kernel/integrator.h"
+#include "render/kernel/transport/integrator.h"
 #include "tests/support/one_pixel.h"
 #include "tests/support/pictures.h"
 #include "tests/support/statistics.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-#include "render/kernel/integrator.h"
+#include "render/kernel/transport/integrator.h"
 #include "tests/support/fake_clock.h"
 #include "tests/support/pictures.h"
 #include "tests/support/screen.h"

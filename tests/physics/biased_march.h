@@ -2,15 +2,15 @@
 /// The negative control: a slab seen straight on as Exposure Render estimates it (Kroes, Post & Botha 2012), which the
 /// self-test must find wrong: marched to the event, and from there to the light.
 
-#include "app/bench/selftest_verdict.h"
-#include "render/kernel/march.h"
+#include "app/bench/selftest/verdict.h"
+#include "render/kernel/baseline/march.h"
 #include "tests/support/statistics.h"
 
 namespace pdr::test {
 
 /// `samples` marches straight down into a slab of `thickness` mm in steps of `step` mm, and from there up to the beam:
 /// its reflectance factor.
-inline bench::Measurement marchedReflectance(const bench::Case& slab, const FlatScene& scene, float thickness,
+inline selftest::Measurement marchedReflectance(const selftest::Case& slab, const FlatScene& scene, float thickness,
                                              float step, int samples) {
     const float cosine = float(slab.scene.beam.value());
     const vec3 top = vec3(0.5f, 0.5f, 1) * scene.volume.lastIndex + vec3(0, 0, 0.5f);
@@ -30,7 +30,7 @@ inline bench::Measurement marchedReflectance(const bench::Case& slab, const Flat
 }
 
 /// The same for what gets straight through.
-inline bench::Measurement marchedTransmittance(const FlatScene& scene, float thickness, float step, int samples) {
+inline selftest::Measurement marchedTransmittance(const FlatScene& scene, float thickness, float step, int samples) {
     const vec3 top = vec3(0.5f, 0.5f, 1) * scene.volume.lastIndex + vec3(0, 0, 0.5f);
     const Ray ray{top, scene.volume.indexFromLocal * vec3(0, 0, -1), thickness};
     Sample through;

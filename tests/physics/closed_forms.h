@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/bench/selftest_case.h"
+#include "app/bench/selftest/case.h"
 #include "tests/physics/adding_doubling.h"
 #include "tests/physics/surface_forms.h"
 
@@ -33,7 +33,7 @@ inline double chandrasekharH(double albedo, double mu) {
 
 /// Radiance of a slab, one order of scattering, under a beam of irradiance 1 from above (cosine m0 > 0) or below, seen
 /// from above (m > 0) or below, one of the two straight on.
-inline double singleScattering(const bench::CaseScene& s, double m0, double m) {
+inline double singleScattering(const selftest::CaseScene& s, double m0, double m) {
     const bool back = m0 * m > 0;
     const double p = written::henyeyGreenstein(s.g, -m0 * m), a = std::fabs(m0), b = std::fabs(m), t = s.depth;
     if (back)
@@ -62,11 +62,11 @@ inline double singleScatteringInARoom(double albedo, double depth) {
     return std::exp(-depth) + albedo / 2 * sum / (3 * kPieces);
 }
 
-inline double sphereValue(const bench::Case& c) {
+inline double sphereValue(const selftest::Case& c) {
     const double x = c.scene.depth, lost = 1 - (1 + 2 * x) * std::exp(-2 * x);
-    if (c.quantity == bench::Quantity::discTransmittance)
+    if (c.quantity == selftest::Quantity::discTransmittance)
         return lost / (2 * x * x);
-    if (c.quantity == bench::Quantity::escapeProbability)
+    if (c.quantity == selftest::Quantity::escapeProbability)
         return 3 / (8 * x * x * x) * (2 * x * x - lost);
     const double strength = c.scene.albedo / (4 * M_PI), beam = c.scene.beam.value();
     if (beam == 1)
@@ -79,7 +79,7 @@ inline double sphereValue(const bench::Case& c) {
 }
 
 /// All orders of scattering in a slab that is deep, or in a room, or under a perpendicular beam.
-inline double multipleScatteringValue(const bench::CaseScene& s) {
+inline double multipleScatteringValue(const selftest::CaseScene& s) {
     const double view = std::fabs(s.view);
     if (s.depth >= 1000) {
         const double h = chandrasekharH(s.albedo, view);
@@ -89,11 +89,11 @@ inline double multipleScatteringValue(const bench::CaseScene& s) {
         return s.emission > 0 ? absorbed : 1 - absorbed;
     }
     const AddingDoubling slab(s.albedo, s.g, s.depth, {view, 1});
-    if (s.roomKind == bench::CaseScene::Room::gradient)
+    if (s.roomKind == selftest::CaseScene::Room::gradient)
         return slab.scattered(
                    0, [](double mu) { return (1 + mu) / 2; }, [](double mu) { return (1 - mu) / 2; }) +
                std::exp(-s.depth / view) * (1 - view) / 2;
-    if (s.roomKind == bench::CaseScene::Room::sky)
+    if (s.roomKind == selftest::CaseScene::Room::sky)
         return s.view > 0 ? slab.reflectance(0) : slab.transmittance(0);
     if (s.beam)
         return s.view > 0 ? slab.reflected(0, 1) : slab.transmitted(0, 1);
@@ -102,9 +102,9 @@ inline double multipleScatteringValue(const bench::CaseScene& s) {
     return slab.reflectance(0) + slab.transmittance(0);
 }
 
-inline double slabValue(const bench::Case& c) {
-    const bench::CaseScene& s = c.scene;
-    const bool balanced = s.room == 1 && s.roomKind == bench::CaseScene::Room::even && !s.bed &&
+inline double slabValue(const selftest::Case& c) {
+    const selftest::CaseScene& s = c.scene;
+    const bool balanced = s.room == 1 && s.roomKind == selftest::CaseScene::Room::even && !s.bed &&
                           std::fabs(s.albedo + s.emission - 1) < 1e-12;
     if (balanced && (s.multiple || s.albedo == 0))
         return 1;
@@ -118,8 +118,8 @@ inline double slabValue(const bench::Case& c) {
 }
 
 /// What `c.expected` should be.
-inline double truth(const bench::Case& c) {
-    using bench::Quantity;
+inline double truth(const selftest::Case& c) {
+    using selftest::Quantity;
     const double g = c.scene.g;
     if (c.quantity == Quantity::freeFlights)
         return 64;
@@ -130,11 +130,11 @@ inline double truth(const bench::Case& c) {
     const bool white = c.scene.albedo == 1 && c.scene.multiple && c.scene.room == 1 && !c.scene.bed;
     if (white)
         return 1;
-    if (c.scene.shape == bench::CaseScene::Shape::sphere)
+    if (c.scene.shape == selftest::CaseScene::Shape::sphere)
         return sphereValue(c);
-    if (c.scene.shape == bench::CaseScene::Shape::surface)
+    if (c.scene.shape == selftest::CaseScene::Shape::surface)
         return surfaceValue(c);
-    if (c.scene.shape == bench::CaseScene::Shape::slit)
+    if (c.scene.shape == selftest::CaseScene::Shape::slit)
         return slitValue(c.scene.blur) * c.scene.room;
     return slabValue(c);  // a ramp too: only the optical depth counts
 }

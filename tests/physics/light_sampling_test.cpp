@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "render/kernel/direct_light.h"
+#include "render/kernel/transport/direct_light.h"
 #include "tests/physics/gauss_legendre.h"
 #include "tests/support/statistics.h"
 

@@ -4,16 +4,16 @@
 #include <QTest>
 
 #include "app/bench/commands.h"
-#include "app/bench/selftest_measure.h"
-#include "app/bench/selftest_scene.h"
-#include "render/scene/flatten.h"
+#include "app/bench/selftest/measure.h"
+#include "app/bench/selftest/scene.h"
+#include "render/prepare/flatten.h"
 #include "tests/physics/biased_march.h"
 #include "tests/physics/closed_forms.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tested_device.h"
 
 using namespace pdr;
-using namespace pdr::bench;
+using namespace pdr::selftest;
 
 namespace {
 
@@ -104,8 +104,8 @@ class PhysicsTest : public QObject {
     }
 
     void anUnknownDeviceIsAnError() {
-        QCOMPARE(selftest({"--device", "abacus"}), kExplained);
-        QCOMPARE(selftest({"--slow"}), 2);
+        QCOMPARE(bench::selftest({"--device", "abacus"}), bench::kExplained);
+        QCOMPARE(bench::selftest({"--slow"}), 2);
     }
 
     void verdictsAreWhatTheySay() {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "render/device/cpu/lane_tracker.h"
-#include "render/kernel/phase.h"
+#include "render/kernel/transport/phase.h"
 #include "tests/support/scenes.h"
 #include "tests/support/statistics.h"
 

@@ -3,23 +3,23 @@
 /// depth d is seen at cosine m through exp(-d / m) and lit at m0 through exp(-d / m0), so that a share m0 / (m + m0) of
 /// all light that would meet a bare surface is left.
 
-#include "app/bench/selftest_scene.h"
+#include "app/bench/selftest/scene.h"
 #include "tests/physics/gauss_legendre.h"
 #include "tests/physics/written_optics.h"
 
 namespace pdr::test {
 
 /// Towards the viewer per irradiance across the light's direction [1/sr].
-inline double surfaceResponse(const bench::CaseScene& s, dvec3 toViewer, dvec3 toLight) {
+inline double surfaceResponse(const selftest::CaseScene& s, dvec3 toViewer, dvec3 toLight) {
     const written::Tissue tissue{1, dvec3(s.albedo), dvec3(s.specular), s.roughness};
-    const double fraction = written::surfaceProbability(1, s.gradientFactor, 2048 / bench::extentMm(s));
+    const double fraction = written::surfaceProbability(1, s.gradientFactor, 2048 / selftest::extentMm(s));
     return fraction * written::surface(tissue, {0, 0, 1}, toViewer, toLight).x +
            (1 - fraction) * s.albedo * written::henyeyGreenstein(s.g, -glm::dot(toViewer, toLight));
 }
 
 /// Lamps stand at right angles to the viewer.
-inline double surfaceValue(const bench::Case& c) {
-    const bench::CaseScene& s = c.scene;
+inline double surfaceValue(const selftest::Case& c) {
+    const selftest::CaseScene& s = c.scene;
     const dvec3 toViewer(0, std::sqrt(1 - s.view * s.view), s.view);
     if (s.beam) {
         const double m0 = *s.beam;

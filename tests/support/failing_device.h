@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-#include "render/device/cpu/host_gpu.h"
+#include "render/device/emulated/host_gpu.h"
 #include "render/device/gpu/gpu_device.h"
 #include "tests/support/fake_clock.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "render/device/cpu/host_gpu.h"
+#include "render/device/emulated/host_gpu.h"
 
 namespace pdr::test {
 

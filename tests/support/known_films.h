@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/device/cpu/host_gpu.h"
+#include "render/device/emulated/host_gpu.h"
 #include "render/device/gpu/gpu_device.h"
 #include "render/film/tone_map.h"
 #include "render/kernel/pixel.h"
@@ -18,7 +18,7 @@ inline std::size_t pixelsOf(const Film& film) {
 /// Goes on to `count` samples: radiance value(pixel, sample) where seen(pixel) is kSeen...
 template <class Value, class Seen>
 void grow(Film& film, std::uint64_t count, Value&& value, Seen&& seen) {
-    const Tile whole{0, 0, film.size().x, film.size().y};
+    const Tile whole = wholeImage(film.size());
     while (film.samplesPerPixel() < count) {
         const SampleRange range = film.nextSamples(std::uint32_t(std::min<std::uint64_t>(
             64, count - film.samplesPerPixel())));

@@ -8,7 +8,7 @@
 #include "render/device/cpu/cpu_tracer.h"
 #include "render/device/device.h"
 #include "render/film/film.h"
-#include "render/scene/flatten.h"
+#include "render/prepare/flatten.h"
 #include "render/scene/scene.h"
 #include "tests/support/tested_device.h"
 
@@ -83,7 +83,7 @@ inline Film render(const Scene& scene, std::uint64_t samples, Device& device, st
     const ivec2 size = scene.film;
     (void)device.upload(scene);
     FilmContent content = Film(size, scene.revision).content();
-    content.progress.advance({0, 0, size.x, size.y}, samples);
+    content.progress.advance(wholeImage(size), samples);
     for (int y = 0; y < size.y; y += tile)
         for (int x = 0; x < size.x; x += tile) {
             const Tile area{x, y, std::min(tile, size.x - x), std::min(tile, size.y - y)};

@@ -19,16 +19,23 @@ class WallsTest : public QObject {
     inline static const QList<Wall> kOwn{
         {"render/base/", "^render/base/"},
         {"render/volume/", "^render/(base|volume)/"},
-        {"render/kernel/", "^render/(base|kernel)/"},
+        {"render/kernel/", "^render/(base|kernel/[^/]*$)"},
+        {"render/kernel/transport/", "^render/(base|kernel/([^/]*$|transport))"},
+        {"render/kernel/quadrature/", "^render/(base|kernel/([^/]*$|transport|quadrature))"},
+        {"render/kernel/bounds/", "^render/(base|kernel/([^/]*$|bounds))"},
+        {"render/kernel/baseline/", "^render/(base|kernel/([^/]*$|transport|baseline))"},
         {"render/film/", "^render/(base|film)/"},
         {"render/accuracy/", "^render/(base|film|scene|accuracy)/"},
-        {"render/scene/", "^render/(base|volume|kernel|scene)/|^render/film/display.h"},
-        {"render/device/", "^render/(base|kernel|film|device)/|^render/scene/(flatten|scene).h"},
-        {"render/session/", "^render/(base|kernel|film|scene|device|tiles|accuracy|session)/"},
+        {"render/timing/", "^render/(base|accuracy|timing)/"},
+        {"render/scene/", "^render/(base|volume|scene)/|^render/film/display.h"},
+        {"render/prepare/", "^render/(base|volume|kernel|scene|prepare)/"},
+        {"render/device/", "^render/(base|kernel|film|prepare|device)/|^render/scene/scene.h"},
+        {"render/session/", "^render/(base|kernel|film|scene|prepare|device|accuracy|timing|session)/"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
         {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy)/|^dicom/series.h"},
         {"app/program/", "^app/program/"},
         {"app/bench/", "^app/(bench|program)/|^render/"},
+        {"app/bench/selftest/", "^app/bench/selftest/|^render/"},
         {"app/", "^(app|ui|dicom|render)/"},
     };
 
@@ -49,10 +56,11 @@ class WallsTest : public QObject {
             return QRegularExpression(pattern).match(text).hasMatch();
         };
         if (ours.match(include).hasMatch()) {
+            const Wall* room = nullptr;
             for (const Wall& wall : kOwn)
-                if (file.startsWith(wall.room))
-                    return !matches(wall.include, include);
-            return true;
+                if (file.startsWith(wall.room) && (!room || qstrlen(wall.room) > qstrlen(room->room)))
+                    room = &wall;
+            return !room || !matches(room->include, include);
         }
         if (matches("^(Q[A-Z]|Qt)", include) || include.startsWith("q"))
             return matches("^(render|dicom|app/bench)/", file);

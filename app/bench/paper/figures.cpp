@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/accuracy/efficiency.h"
 #include "render/accuracy/error_against_time.h"
+#include "render/timing/efficiency.h"
 
 namespace pdr::bench::paper {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/bench/paper/measurement.h"
-#include "render/accuracy/frame_time_fit.h"
+#include "render/timing/frame_time_fit.h"
 
 namespace pdr::bench::paper {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/scene/flatten.h"
+#include "render/prepare/flatten.h"
 
 namespace pdr::bench::paper {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/device_load.h"
+#include "app/bench/paper/device_load.h"
 #include "app/bench/paper/frame_clock.h"
 #include "app/bench/paper/plan.h"
 #include "render/device/device.h"

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "app/bench/device_load.h"
+#include "app/bench/paper/device_load.h"
 #include "render/base/processor_time.h"
 
 namespace pdr::bench::paper {

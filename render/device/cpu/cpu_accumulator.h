@@ -4,9 +4,9 @@
 #include <deque>
 #include <memory>
 
-#include "render/device/cpu/cpu_tracer.h"
 #include "render/device/accumulator.h"
-#include "render/scene/flatten.h"
+#include "render/device/cpu/cpu_tracer.h"
+#include "render/prepare/flatten.h"
 
 namespace pdr {
 

@@ -1,10 +1,10 @@
 #include <utility>
 
+#include "render/device/baseline/cpu_frame_sampler.h"
+#include "render/device/baseline/kroes_accumulator.h"
 #include "render/device/cpu/cpu_accumulator.h"
-#include "render/device/cpu/cpu_frame_sampler.h"
-#include "render/device/cpu/host_gpu.h"
 #include "render/device/device.h"
-#include "render/device/gpu/kroes_accumulator.h"
+#include "render/device/emulated/host_gpu.h"
 
 namespace pdr {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/device/cpu/lane_group.h"
-#include "render/kernel/tracking.h"
+#include "render/kernel/transport/tracking.h"
 
 namespace pdr {
 

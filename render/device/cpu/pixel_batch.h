@@ -3,7 +3,7 @@
 
 #include "render/device/cpu/lane_tracker.h"
 #include "render/device/cpu/sample_origin.h"
-#include "render/kernel/integrator.h"
+#include "render/kernel/transport/integrator.h"
 
 namespace pdr {
 

@@ -5,7 +5,7 @@
 
 #include "render/device/cpu/lane_group.h"
 #include "render/device/cpu/sample_origin.h"
-#include "render/kernel/projection.h"
+#include "render/kernel/quadrature/projection.h"
 
 namespace pdr {
 

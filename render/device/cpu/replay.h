@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "render/base/health.h"
-#include "render/kernel/integrator.h"
-#include "render/scene/flatten.h"
+#include "render/kernel/transport/integrator.h"
+#include "render/prepare/prepared_scene.h"
 
 namespace pdr {
 

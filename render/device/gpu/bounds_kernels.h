@@ -5,9 +5,9 @@
 #include <climits>
 
 #include "render/device/gpu/atomic.h"
-#include "render/kernel/cell_bound.h"
-#include "render/kernel/ray_maximum.h"
-#include "render/kernel/view_footprint.h"
+#include "render/kernel/bounds/cell_bound.h"
+#include "render/kernel/bounds/view_footprint.h"
+#include "render/kernel/quadrature/ray_maximum.h"
 
 namespace pdr {
 

@@ -8,11 +8,11 @@
 #include <chrono>
 #include <cstring>
 
+#include "render/device/accumulator.h"
 #include "render/device/gpu/film_kernels.h"
 #include "render/device/gpu/gpu_scene.h"
 #include "render/device/gpu/launch_size.h"
 #include "render/device/gpu/tracer.h"
-#include "render/device/accumulator.h"
 
 namespace pdr {
 

@@ -3,10 +3,10 @@
 
 #include <utility>
 
+#include "render/device/baseline/gpu_frame_sampler.h"
+#include "render/device/baseline/kroes_accumulator.h"
 #include "render/device/device.h"
 #include "render/device/gpu/gpu_accumulator.h"
-#include "render/device/gpu/gpu_frame_sampler.h"
-#include "render/device/gpu/kroes_accumulator.h"
 
 namespace pdr {
 

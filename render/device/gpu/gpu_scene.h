@@ -8,8 +8,8 @@
 #include "render/device/gpu/gpu_array.h"
 #include "render/device/gpu/gpu_texture.h"
 #include "render/device/gpu/memory_error.h"
-#include "render/kernel/majorant_traversal.h"
-#include "render/scene/flatten.h"
+#include "render/kernel/transport/majorant_traversal.h"
+#include "render/prepare/flatten.h"
 
 namespace pdr {
 

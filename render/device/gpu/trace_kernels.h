@@ -4,10 +4,10 @@
 
 #include "render/device/gpu/atomic.h"
 #include "render/film/moments.h"
-#include "render/kernel/integrator.h"
-#include "render/kernel/kroes_path.h"
+#include "render/kernel/baseline/kroes_path.h"
 #include "render/kernel/pixel.h"
-#include "render/kernel/projection.h"
+#include "render/kernel/quadrature/projection.h"
+#include "render/kernel/transport/integrator.h"
 
 namespace pdr {
 

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "app/bench/commands.h"
+#include "app/bench/live_picture.h"
+#include "app/bench/load_scene.h"
+#include "app/bench/options.h"
+#include "app/bench/parity/scenes.h"
+
+namespace pdr::bench {
+
+namespace {
+
+constexpr std::uint32_t kSamples = 16;
+constexpr double kPixelTolerance = 1e-4, kPixelFraction = 0.999, kMeanTolerance = 1e-6;
+
+using Shot = Result<std::shared_ptr<const Film>>;
+
+Shot shot(Device& device, const Scene& scene, std::uint32_t samples, const Schedule& schedule = {}) {
+    const auto live = startFilm(device, scene, schedule);
+    if (!live)
+        return live.error();
+    if (const auto iterated = (*live)->iterate(samples, {}); !iterated)
+        return iterated.error();
+    return (*live)->film();
+}
+
+bool identical(const Film& a, const Film& b) {
+    return sameBits(a.content(), b.content());
+}
+
+/// The table on standard output, line by line, and whether all of it held.
+class Verdicts {
+  public:
+    void line(const std::string& what, bool holds, const std::string& figures = "") {
+        std::printf("%-44s %-6s %s\n", what.c_str(), holds ? "holds" : "FAILS", figures.c_str());
+        std::fflush(stdout);
+        all_ = all_ && holds;
+    }
+    void failed(const std::string& what, const Error& error) { line(what, false, error.text()); }
+    bool all() const { return all_; }
+
+  private:
+    bool all_ = true;
+};
+
+/// The same samples on both: nearly all pixels agree, and so do the means.
+void compareWithCpu(Verdicts& verdicts, Device& device, Device& cpu, const ParityScene& one) {
+    const Shot theirs = shot(cpu, one.scene, kSamples), ours = shot(device, one.scene, kSamples);
+    if (!theirs || !ours)
+        return verdicts.failed(one.name, theirs ? ours.error() : theirs.error());
+    const ivec2 size = one.scene.film;
+    int agree = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const double a = luminance((*theirs)->pixel(x, y).mean), b = luminance((*ours)->pixel(x, y).mean);
+            agree += std::fabs(a - b) <= kPixelTolerance * std::max(a, b);
+        }
+    const double fraction = double(agree) / (double(size.x) * size.y);
+    const double truth = (*theirs)->status().meanLuminance;
+    const double mean = (*ours)->status().meanLuminance / truth - 1;
+    char figures[120];
+    std::snprintf(figures, sizeof figures, "%.3f %% of the pixels agree, mean %+.1e%s", 100 * fraction, mean,
+                  identical(**theirs, **ours) ? ", bit by bit" : "");
+    verdicts.line(one.name, truth > 0 && fraction >= kPixelFraction && std::fabs(mean) <= kMeanTolerance, figures);
+}
+
+/// 100 samples tile by tile, some tiles far ahead of others on the way.
+bool renderedByTiles(Device& device, const Scene& scene, const Film& whole) {
+    const auto live = startFilm(device, scene);
+    if (!live)
+        return false;
+    for (const std::uint32_t n : {70, 30})
+        for (int y = 0; y < scene.film.y; y += 3 * kFilmCell)
+            if (!(*live)->iterate({0, y, scene.film.x, std::min(3 * kFilmCell, scene.film.y - y)}, n, {}))
+                return false;
+    const Shot tiled = (*live)->film();
+    return tiled && identical(whole, **tiled);
+}
+
+/// However the work is cut, a device gives one picture: n at a time, by tiles, and in Exposure Render's order of work.
+void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
+    const Shot whole = shot(device, scene, 100);
+    if (!whole)
+        return verdicts.failed("one picture", whole.error());
+    const Schedule plain{.kind = Schedule::Kind::kroes, .redundant = true, .filter = false, .runningMean = false};
+    const Shot old = shot(device, scene, 100, plain);
+    verdicts.line("Exposure Render's schedule, bit by bit", old && identical(**whole, **old));
+    verdicts.line("by tiles, bit by bit", renderedByTiles(device, scene, **whole));
+}
+
+/// Pictures that are carried while the next samples are taken arrive whole: take() looks at both ends of each.
+void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
+    const auto live = startFilm(device, scene);
+    if (!live)
+        return verdicts.failed("1000 pictures arrive whole", live.error());
+    Result<void> done;
+    int waiting = 0;
+    std::uint64_t arrived = 0;
+    for (int i = 0; i < 1000 && done; ++i) {
+        done = (*live)->iterate(1, {});
+        done = done ? (*live)->show({}) : done;
+        for (++waiting; done && waiting >= (*live)->ahead(); --waiting) {
+            const auto picture = (*live)->take();
+            done = picture ? Result<void>() : picture.error();
+            arrived += picture && picture->status.samplesPerPixel == arrived + 1;
+        }
+    }
+    verdicts.line("1000 pictures arrive whole, in order", done && arrived + std::uint64_t(waiting) == 1000,
+                  done ? "" : done.error().text());
+}
+
+/// After 1000 loads and unloads as much memory is free as before.
+void returnMemory(Verdicts& verdicts, Device& device, Scene scene) {
+    const Scene other = scene;
+    scene.volume = std::make_shared<Volume>(*scene.volume);  // another one to the device
+    scene.film = {64, 64};
+    const auto load = [&](int i) { return bool(shot(device, i % 2 ? scene : other, 1)); };
+    bool loaded = load(0) && load(1) && load(0);
+    const std::size_t before = device.info().freeBytes;
+    for (int i = 1; i <= 1000; ++i)
+        loaded = loaded && load(i);
+    const std::size_t after = device.info().freeBytes;
+    char figures[80];
+    std::snprintf(figures, sizeof figures, "free before %zu, after %zu bytes", before, after);
+    verdicts.line("memory returns after 1000 loads", loaded && before == after, figures);
+}
+
+}  // namespace
+
+int parity(const Arguments& arguments) {
+    const auto options = Options::read(arguments, {"--device"}, {"--quick"});
+    if (!options)
+        return 2;
+    const std::vector<ParityScene> scenes = parityScenes();
+    for (const std::string& name : options->files)
+        if (std::ranges::count(scenes, name, &ParityScene::name) == 0)
+            return fail({"there is no such scene", name, "Without a name all are compared; the table names them."});
+    const auto device = openDevice(options->word("--device", "cuda"));
+    if (!device)
+        return fail(device.error());
+    const DeviceInfo info = (*device)->info();
+    std::printf("%s (%s) against the CPU: %u samples a pixel; %.1f %% of the pixels within %g, means within %g\n",
+                info.name.c_str(), info.details.c_str(), kSamples, 100 * kPixelFraction, kPixelTolerance, kMeanTolerance);
+    const auto cpu = makeCpuDevice();
+    Verdicts verdicts;
+    for (const ParityScene& one : scenes)
+        if (options->files.empty() || std::ranges::count(options->files, one.name) > 0)
+            compareWithCpu(verdicts, **device, *cpu, one);
+    if (!options->named.contains("--quick")) {
+        compareWays(verdicts, **device, scenes[3].scene);
+        carryPictures(verdicts, **device, scenes[3].scene);
+        returnMemory(verdicts, **device, scenes[3].scene);
+    }
+    return verdicts.all() ? 0 : 1;
+}
+
+}  // namespace pdr::bench

@@ -1,0 +1,265 @@
+#pragma once
+/// A film that is made as Exposure Render (Kroes, Post & Botha 2012) makes its picture, the way that `pd` replaces: for
+/// each iteration, one after the other and the host waiting after each,
+///   [K0] all parameters sent again -> one sample of every pixel -> [filter along x -> along y] -> mean -> tone map ->
+///   copy to pageable memory
+/// A show() after one iteration is the old frame; n iterations make n copies, of which the last is shown. Left out, in
+/// its favour: the filter on the 8-bit picture that runs for its first 86 iterations.
+///
+/// Schedule::runningMean tells nothing about its error: status() then has an infinite relative error and no mean
+/// luminance (0), and film() infinite standard errors. Without it show() copies the sums to the host to know them: not
+/// what is to be timed.
+
+#include <cassert>
+#include <deque>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "render/device/accumulator.h"
+#include "render/device/baseline/kroes_resend.h"
+#include "render/device/baseline/schedule.h"
+
+namespace pdr {
+
+template <Gpu G>
+class KroesAccumulator final : public Accumulator {
+  public:
+    /// An empty film of that area; `gpu` must outlive it. Errors: no room for it.
+    static Result<std::unique_ptr<Accumulator>> make(G& gpu, const Tile& area, std::uint64_t revision,
+                                                  const Schedule& schedule, std::unique_ptr<FrameSampler> sampler) {
+        std::unique_ptr<Accumulator> film(new KroesAccumulator(gpu, schedule, std::move(sampler)));
+        if (Result<void> room = film->restart(area, revision); !room)
+            return room.error();
+        return Result<std::unique_ptr<Accumulator>>(std::move(film));  // nvcc needs it said
+    }
+
+    using Accumulator::iterate;
+
+    Tile area() const override { return area_; }
+
+    Result<void> restart(const Tile& area, std::uint64_t revision) override {
+        area_ = area;
+        revision_ = revision;
+        done_ = 0;
+        health_ = {};
+        stale_ = true;
+        pictures_.clear();
+        rgba_.resize(4 * pixels());
+        frame_.resize(pixels());
+        rgbaOnDevice_.resize(4 * pixels());
+        if (schedule_.filter)
+            blurred_.resize(pixels());
+        if (schedule_.runningMean) {
+            mean_.resize(pixels());
+            mean_.clear();
+        } else {
+            moments_.resize(pixels());
+            block_.resize(pixels());
+            moments_.clear();
+            block_.clear();
+        }
+        sampler_->restart(area);
+        gpu_.awaitAll();
+        if (std::optional<Error> error = gpu_.takeError())
+            return *std::move(error);
+        return {};
+    }
+
+    Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
+        if (!(region == area_))
+            return Error{"Exposure Render's schedule takes whole pictures only", "", "Choose the schedule of PD-Render."};
+        for (; n > 0 && !stop.stop_requested(); --n)
+            if (Result<void> done = iterateOnce(stop); !done)
+                return done;
+        return {};
+    }
+
+    Result<void> show(const Display& display) override {
+        if (stale_ || display != display_) {
+            display_ = display;
+            stale_ = true;
+            toneMap();
+            if (std::optional<Error> error = gpu_.takeError())
+                return *std::move(error);
+            stale_ = false;
+        }
+        Result<FilmStatus> known = status();
+        if (!known)
+            return known.error();
+        pictures_.push_back({rgba_, *known});
+        return {};
+    }
+
+    Result<Picture> take() override {
+        assert(!pictures_.empty());
+        Picture oldest = std::move(pictures_.front());
+        pictures_.pop_front();
+        return oldest;
+    }
+
+    int ahead() const override { return 1; }
+
+    Result<std::shared_ptr<const Film>> film() override {
+        const Result<Health> health = allHealth();
+        if (!health)
+            return health.error();
+        TileProgress progress(area_);
+        progress.advance(area_, done_);
+        FilmContent content{std::move(progress), std::vector<Moments>(pixels()), std::vector<PixelSums>(pixels()), *health};
+        if (schedule_.runningMean) {
+            std::vector<SampledPixel> mean(pixels());
+            mean_.copyTo(mean.data());
+            for (std::size_t i = 0; i < pixels(); ++i) {
+                content.moments[i] = momentsOf(mean[i]);
+                content.block[i].seen = mean[i].seen;
+            }
+        } else {
+            moments_.copyTo(content.moments.data());
+            block_.copyTo(content.block.data());
+        }
+        if (std::optional<Error> error = gpu_.takeError())
+            return *std::move(error);
+        return std::make_shared<const Film>(revision_, std::move(content));
+    }
+
+    Result<void> resume(const Film& film) override {
+        assert(film.area() == area_);
+        const FilmContent content = film.content();
+        if (schedule_.runningMean) {
+            std::vector<SampledPixel> mean(pixels());
+            for (std::size_t i = 0; i < pixels(); ++i) {
+                const Moments known = merged(content.moments[i], content.block[i]);
+                mean[i] = {vec3(known.mean), std::uint16_t(known.count > 0), std::uint16_t(content.block[i].seen)};
+            }
+            mean_.copyFrom(mean.data());
+        } else {
+            moments_.copyFrom(content.moments.data());
+            block_.copyFrom(content.block.data());
+        }
+        if (std::optional<Error> error = gpu_.takeError())
+            return *std::move(error);
+        if (const Result<Health> dropped = sampler_->takeHealth(); !dropped)
+            return dropped.error();
+        done_ = content.progress.counts().least;
+        health_ = content.health;
+        stale_ = true;
+        return {};
+    }
+
+  private:
+    KroesAccumulator(G& gpu, const Schedule& schedule, std::unique_ptr<FrameSampler> sampler)
+        : gpu_(gpu), schedule_(schedule), sampler_(std::move(sampler)), thresholds_(gpu, kThresholds) {
+        thresholds_.copyFrom(displayThresholds().data());
+        if (schedule.redundant)
+            constants_.emplace(gpu);
+    }
+
+    std::size_t pixels() const { return std::size_t(area_.width) * std::size_t(area_.height); }
+
+    /// A launch over all pixels, and the wait for it.
+    template <class Program>
+    void stage(const Program& program) {
+        gpu_.launch(program, std::int64_t(pixels()), GpuStream::compute);
+        gpu_.awaitAll();
+    }
+
+    Result<void> iterateOnce(std::stop_token stop) {
+        stale_ = true;
+        std::optional<kroes::Resend<G>> resend;
+        if (constants_ && sampler_->scene())
+            resend.emplace(gpu_, *constants_, *sampler_);
+        if (Result<void> sampled = sampler_->sample(done_, frame_.data(), stop); !sampled)
+            return sampled;
+        gpu_.awaitAll();
+        if (stop.stop_requested())
+            return {};
+        if (schedule_.filter) {
+            stage(kroes::Blur{frame_.data(), blurred_.data(), {area_.width, area_.height}, 0});
+            stage(kroes::Blur{blurred_.data(), frame_.data(), {area_.width, area_.height}, 1});
+        }
+        accumulate();
+        toneMap();
+        if (std::optional<Error> error = gpu_.takeError())
+            return *std::move(error);
+        ++done_;
+        stale_ = false;
+        return {};
+    }
+
+    void accumulate() {
+        if (schedule_.runningMean)
+            return stage(kroes::RunningMean{frame_.data(), mean_.data(), done_});
+        stage(kroes::AddToBlock{frame_.data(), block_.data(), done_});
+        if ((done_ + 1) % kSamplesPerBlock == 0)
+            stage(kroes::MergeBlock{block_.data(), moments_.data()});
+    }
+
+    void toneMap() {
+        const kroes::Levels levels{thresholds_.data(), display_.exposure, rgbaOnDevice_.data()};
+        if (schedule_.runningMean)
+            stage(kroes::ShowMean{mean_.data(), levels});
+        else
+            stage(kroes::ShowSums{moments_.data(), block_.data(), levels});
+        rgbaOnDevice_.copyTo(rgba_.data());
+        gpu_.awaitAll();
+    }
+
+    Result<Health> allHealth() {
+        const Result<Health> fresh = sampler_->takeHealth();
+        if (!fresh)
+            return fresh.error();
+        health_.add(*fresh);
+        return health_;
+    }
+
+    Result<FilmStatus> status() {
+        if (!schedule_.runningMean) {
+            const Result<std::shared_ptr<const Film>> known = film();
+            if (!known)
+                return known.error();
+            return pictureOf(**known, display_).status;
+        }
+        const Result<Health> health = allHealth();
+        if (!health)
+            return health.error();
+        return FilmStatus{.samplesPerPixel = done_,
+                          .meanSamplesPerPixel = double(done_),
+                          .mostSamplesPerPixel = done_,
+                          .health = *health,
+                          .relativeError = std::numeric_limits<double>::infinity()};
+    }
+
+    /// Of the iterations done the first is not in the mean, unless it is alone.
+    Moments momentsOf(const SampledPixel& mean) const {
+        if (mean.counts == 0)
+            return {};
+        return {dvec3(mean.radiance), dvec3(std::numeric_limits<double>::infinity()), done_ > 1 ? done_ - 1 : done_};
+    }
+
+    G& gpu_;
+    Tile area_;
+    std::uint64_t revision_ = 0;
+    Schedule schedule_;
+    std::unique_ptr<FrameSampler> sampler_;
+    std::uint64_t done_ = 0;  ///< iterations
+    Health health_;
+    Display display_;    ///< that of rgba_
+    bool stale_ = true;  ///< rgba_ is not the picture of what is there
+
+    // on the device
+    std::optional<kroes::Constants<G>> constants_;  ///< of K0
+    GpuArray<G, SampledPixel> frame_{gpu_}, blurred_{gpu_};
+    GpuArray<G, SampledPixel> mean_{gpu_};  ///< of runningMean, else ...
+    GpuArray<G, Moments> moments_{gpu_};
+    GpuArray<G, PixelSums> block_{gpu_};
+    GpuArray<G, std::uint8_t> rgbaOnDevice_{gpu_};
+    GpuArray<G, double> thresholds_;
+
+    std::vector<std::uint8_t> rgba_;  ///< the last picture
+    std::deque<Picture> pictures_;
+};
+
+}  // namespace pdr

@@ -1,0 +1,11 @@
+#include "render/device/device.h"
+
+namespace pdr {
+
+Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene, const Schedule& schedule) {
+    if (const auto uploaded = device.upload(scene); !uploaded)
+        return uploaded.error();
+    return device.film(scene.film, scene.revision, schedule);
+}
+
+}  // namespace pdr

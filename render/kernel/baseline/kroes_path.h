@@ -1,0 +1,78 @@
+#pragma once
+/// One sample as Exposure Render (Kroes, Post & Botha 2012) takes it: BIASED, to be compared with, see march.h.
+///   kept   a march in steps of 3 voxels to the one event, and again from there to the light, seen or not seen; of all
+///          lights one, picked evenly and counted as often as there are lights
+///   ours   the transfer function and its extinction, surfaces and the phase function, lights and camera, random
+///          numbers: so that what differs between two pictures is the estimator and nothing else
+///   left   its second light sample along the scattered direction, and with it the wrong weights between the two; its
+///          phase function, which is twice too bright
+
+#include "render/kernel/baseline/march.h"
+#include "render/kernel/transport/integrator.h"
+
+namespace pdr {
+
+namespace kroes {
+
+/// With all effects compiled in: those that a scene does not call for change nothing.
+inline constexpr std::uint32_t kAll = kFeatureMasks - 1;
+
+PDR_HD inline bool isLight(const FlatEnvironment& environment) {
+    return environment.zenith != vec3(0) || environment.nadir != vec3(0);
+}
+
+/// From a picture by its light; else from all sides alike.
+PDR_HD inline LightSample sampleSurroundings(const FlatEnvironment& environment, RandomStream random) {
+    const vec2 u = random.pair();
+    if (environment.texels != nullptr)
+        return sampleEnvironment(environment, u, random.pair());
+    const vec3 wi = phaseSample(0, vec3(0, 0, -1), u);
+    return {wi, kFarAway, environmentRadiance(environment, wi) / kInverseFourPi, kInverseFourPi};
+}
+
+/// Light that reaches the event from one of the lights.
+PDR_HD inline LightPath lightOfOne(const FlatScene& scene, const Event& event, const Random& random) {
+    const int lights = scene.lightCount + (isLight(scene.environment) ? 1 : 0);
+    if (lights == 0)
+        return {{event.position, vec3(0), 0}, vec3(0)};
+    const float choice = random.stream(0, BounceDimension::choice).pair().x;
+    const int picked = glm::min(int(choice * float(lights)), lights - 1);
+    const LightSample light =
+        picked < scene.lightCount
+            ? sampleLight<kAll>(scene.lights[picked], localPosition(scene.volume, event.position),
+                                random.stream(0, BounceDimension::light).pair())
+            : sampleSurroundings(scene.environment, random.stream(0, BounceDimension::environment));
+    const vec3 wi = scene.volume.indexFromLocal * light.wi;
+    const bool cutAway = scene.clip.count > 0 && !scene.clip.shadows;
+    const float distance = cutAway ? cutLength(scene.clip, event.position, wi, light.distance) : light.distance;
+    return {{event.position, wi, scene.unshadowed ? 0 : distance},
+            scatterEval<kAll>(scene, event, light.wi) * light.radiance * float(lights)};
+}
+
+}  // namespace kroes
+
+/// `depths`: where tissue lies along the pixel's view; see FlatViewBounds. Where it begins does not change what a march
+/// finds: the first step is jittered by a whole one.
+PDR_HD inline PathSample kroesSample(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
+    const Path path = startPath(scene, pixel, sample, depths);
+    const float step = marchStep(scene.volume, kExposureRenderStep);
+    const float collision = marchToCollision(scene, path.segment.ray, path.random.stream(0, BounceDimension::distance), step);
+    PathSample result;
+    if (!(collision >= 0)) {
+        result.radiance = collision < 0 ? background(scene, path.segment) : vec3(collision);
+        return result;
+    }
+    result.tissue = true;
+    const Event event = eventAt<kroes::kAll>(scene, path.segment.ray.origin + path.segment.ray.direction * collision,
+                                             -path.segment.direction, path.random.stream(0, BounceDimension::event));
+    result.radiance = event.material.emission;
+    const LightPath light = kroes::lightOfOne(scene, event, path.random);
+    if (isDark(light))
+        return result;
+    const float left = marchTransmittance(scene, light.ray, path.random.stream(0, BounceDimension::shadow), step);
+    if (left != 0)  // in full shadow not even infinite light counts
+        result.radiance += light.radiance * left;
+    return result;
+}
+
+}  // namespace pdr

@@ -1,0 +1,49 @@
+#pragma once
+/// A way through one piece of the transfer function, as a layer that shines and is seen through itself.
+///
+/// In w, the share of its optical depth D that is passed, a layer of source c(w) shines with
+///   int_0^1 c(w) D exp(-D w) dw = (1 - exp(-D)) c_seen.
+/// c is linear in x, the HU's share of the piece, and the mean of x over w is known exactly. With
+///   x(w) = mean + (x_end - x_begin) (w - 1/2) + g(w) - mean of g
+/// all but g can be integrated. g is left out; with s the share of the way in mm,
+///   g = d(s) + (x_end - x_begin) (s - w),   |g| <= bend = max|d| + |x_end - x_begin| max|s - w|,
+/// where d is what the cubic x(s) differs from a straight line. g minus its mean has mean 0, so what is lost is at most
+/// bend * int |D exp(-D w) - (1 - exp(-D))| dw, and that integral is at most min(D / 4, 2) (1 - exp(-D)): it is twice
+/// the largest distance of the concave 1 - exp(-D w) from its chord. With a = D / 2 that distance is largest where
+/// exp(a (1 - 2 w)) = sinh(a) / a, and ln(sinh(a) / a) <= a^2 / 6 makes it at most (D / 8) (1 - exp(-D)).
+
+#include "render/kernel/quadrature/attenuation.h"
+#include "render/kernel/quadrature/optics.h"
+
+namespace pdr {
+
+template <class Real>
+struct Layer {
+    Attenuation<Real> behind;
+    Real fraction;  ///< where in the piece the source is that the layer shines with, over all its depth
+    Real bound;  ///< on the error of `fraction`
+};
+
+/// d has the Bernstein coefficients (0, d1, d2, 0), whose weights are at most 3/4 together. w - s has those of degree
+/// four (0, w1, w2, w3, 0), at most 7/8 together, where w1, w1 + w2 .. are sums of (extinction - mean) / mean / 4.
+template <class Real>
+PDR_HD_INLINE Real bendOf(const OpticsAlong<Real>& along) {
+    const Cubic<Real>& fraction = along.fraction;
+    const Real d1 = fraction.b1 - (1.0f / 3) * (2.0f * fraction.b0 + fraction.b3);
+    const Real d2 = fraction.b2 - (1.0f / 3) * (fraction.b0 + 2.0f * fraction.b3);
+    const Real e0 = fraction.b0 - along.meanFraction, e1 = fraction.b1 - along.meanFraction, e3 = fraction.b3 - along.meanFraction;
+    const Real furthest = max(max(abs(e0), abs(e0 + e1)), abs(e3));
+    const Real uneven =
+        along.meanExtinction > 0.0f ? furthest * abs(along.extinctionRise) / along.meanExtinction : Real{};
+    return 0.75f * max(abs(d1), abs(d2)) + (7.0f / 32) * abs(fraction.b3 - fraction.b0) * uneven;
+}
+
+template <class Real>
+PDR_HD_INLINE Layer<Real> layerAlong(const OpticsAlong<Real>& along, Real depth) {
+    const Attenuation<Real> behind = attenuation(depth);
+    const Real early = (along.fraction.b3 - along.fraction.b0) * absorbedBeforeMiddle(depth, behind);
+    return {behind, extinctionWeightedFraction(along) - (depth > 0.0f ? early : Real{}),
+            bendOf(along) * min(0.25f * depth, Real{} + 2.0f)};
+}
+
+}  // namespace pdr

@@ -1,0 +1,79 @@
+#pragma once
+/// The transfer function for models without scattering: piece by piece, extinction and source linear in the HU.
+
+#include "render/kernel/flat_scene.h"
+#include "render/kernel/quadrature/cubic.h"
+
+namespace pdr {
+
+template <class Real>
+struct OpticsPiece {
+    using Int = typename SimdTraits<Real>::Int;
+
+    Int index;
+    Real start, end;  ///< HU
+};
+
+template <class Real>
+PDR_HD_INLINE Real opticsColumn(const FlatOptics& optics, int column, typename SimdTraits<Real>::Int index) {
+    return tableLookup(optics.table + column * optics.stride, optics.stride, index);
+}
+
+/// The piece that a way begins in: at a border the one that it goes on in.
+template <class Real>
+PDR_HD_INLINE OpticsPiece<Real> pieceAtBegin(const FlatScene& scene, const Cubic<Real>& hu) {
+    using Int = typename SimdTraits<Real>::Int;
+    using Mask = typename SimdTraits<Real>::Mask;
+    const FlatOptics& optics = scene.optics;
+    const Mask falls = hu.b3 < hu.b0;
+    Int index{};
+    for (int i = 1; i < scene.transferFunction.pieceCount; ++i) {
+        const float start = optics.table[int(OpticsColumn::start) * optics.stride + i];
+        const Mask reached = falls ? hu.b0 > start : hu.b0 >= start;
+        index = reached ? Int{} + i : index;
+    }
+    return {index, opticsColumn<Real>(optics, int(OpticsColumn::start), index),
+            opticsColumn<Real>(optics, int(OpticsColumn::end), index)};
+}
+
+/// A way through one piece: HU as shares of the piece, so that extinction and source are linear in them.
+template <class Real>
+struct OpticsAlong {
+    Cubic<Real> fraction;  ///< in [0, 1]
+    Real meanFraction;
+    Real extinction, extinctionRise;  ///< where the share is 0, and from there to 1 [1/mm]
+    Real meanExtinction;              ///< along the way
+};
+
+template <class Real>
+PDR_HD_INLINE OpticsAlong<Real> opticsAlong(const FlatOptics& optics, const OpticsPiece<Real>& piece,
+                                            const Cubic<Real>& hu) {
+    const auto column = [&](OpticsColumn which) { return opticsColumn<Real>(optics, int(which), piece.index); };
+    const Real perHu = column(OpticsColumn::perHu);
+    // The first piece starts at -infinity: there all shares are 0.
+    const auto fraction = [&](Real value) {
+        const Real from = perHu > 0.0f ? value - piece.start : Real{};
+        return max(min(from * perHu, Real{} + 1.0f), Real{});
+    };
+    OpticsAlong<Real> along;
+    along.fraction = {fraction(hu.b0), fraction(hu.b1), fraction(hu.b2), fraction(hu.b3)};
+    along.meanFraction = along.fraction.mean();
+    along.extinction = column(OpticsColumn::extinction);
+    along.extinctionRise = column(OpticsColumn::extinctionRise);
+    along.meanExtinction = max(along.extinction + along.extinctionRise * along.meanFraction, Real{});
+    return along;
+}
+
+/// The mean share where each place counts as much as it extinguishes: mean + rise * variance / mean extinction, exact.
+/// The variance of a cubic is a quadratic form of its coefficients' distances from their mean.
+template <class Real>
+PDR_HD_INLINE Real extinctionWeightedFraction(const OpticsAlong<Real>& along) {
+    const Real a = along.fraction.b0 - along.meanFraction, b = along.fraction.b1 - along.meanFraction,
+               c = along.fraction.b2 - along.meanFraction, d = along.fraction.b3 - along.meanFraction;
+    const Real variance = (1.0f / 7) * (a * a + d * d + 0.6f * (b * b + c * c) + a * b + c * d +
+                                        0.4f * (a * c + b * d) + 0.1f * a * d + 0.9f * b * c);
+    const Real shift = along.meanExtinction > 0.0f ? along.extinctionRise * variance / along.meanExtinction : Real{};
+    return max(min(along.meanFraction + shift, Real{} + 1.0f), Real{});
+}
+
+}  // namespace pdr

@@ -1,0 +1,79 @@
+#pragma once
+/// The optical models without scattering, from a ray to the radiance that the camera sees. No random numbers: the same
+/// ray gives the same radiance.
+
+#include "render/kernel/quadrature/ray_maximum.h"
+#include "render/kernel/transport/integrator.h"
+
+namespace pdr {
+
+/// One ray of a model, or several in step: start, going, step, take, result.
+template <class Real, FlatModel Model>
+struct RayWalkOf {
+    using Type = RayIntegral<Real, Model>;
+};
+template <class Real>
+struct RayWalkOf<Real, FlatModel::maximumIntensity> {
+    using Type = RayMaximum<Real>;
+};
+template <class Real, FlatModel Model>
+using RayWalk = typename RayWalkOf<Real, Model>::Type;
+
+struct Projected {
+    vec3 radiance;         ///< linear Rec. 709
+    bool withinTolerance;  ///< the bound on its error keeps FlatOptics::quadrature and cutOff
+    bool tissue;           ///< the ray met some that shows
+};
+
+/// What lies behind the volume. Absorption needs a light to take from: white, where the camera sees no environment.
+template <FlatModel Model>
+PDR_HD inline vec3 backdrop(const FlatScene& scene, const PathSegment& segment) {
+    const FlatEnvironment& environment = scene.environment;
+    if constexpr (Model == FlatModel::absorption)
+        return !environment.visible || (environment.zenith == vec3(0) && environment.nadir == vec3(0))
+                   ? vec3(1)
+                   : environmentRadiance(environment, segment.direction);
+    return background(scene, segment);
+}
+
+/// The radiance that the tone map shows, at exposure 1, as a grey that grows in even steps with the HU: sRGB
+/// (IEC 61966-2-1) and 1 - exp(-L), inverted. White is kept half a display level below infinity.
+PDR_HD inline float windowed(const FlatOptics& optics, float hu) {
+    const float place = (hu - optics.windowLow) / (optics.windowHigh - optics.windowLow);
+    const float grey = glm::clamp(place, 0.0f, 254.5f / 255);
+    const float light = grey <= 0.04045f ? grey / 12.92f : std::pow((grey + 0.055f) / 1.055f, 2.4f);
+    return -std::log1p(-light);
+}
+
+template <FlatModel Model>
+PDR_HD inline Projected projected(const FlatScene& scene, const RayResult<float>& found, vec3 behind) {
+    const bool kept = found.exceeded == 0;
+    if constexpr (Model == FlatModel::maximumIntensity) {
+        const float light = windowed(scene.optics, found.value[0]);
+        return {vec3(light), kept, light > 0};
+    }
+    const vec3 gathered(found.value[0], found.value[1], found.value[2]);
+    return {gathered + found.left * behind, kept, found.left < 1 || gathered != vec3(0)};
+}
+
+/// What is seen where a ray meets nothing.
+template <FlatModel Model>
+PDR_HD inline Projected projectedMiss(const FlatScene& scene, vec3 behind) {
+    RayResult<float> nothing;
+    if constexpr (Model == FlatModel::maximumIntensity)
+        nothing.value[0] = -float(kMipBias);
+    return projected<Model>(scene, nothing, behind);
+}
+
+/// One ray to its end.
+template <FlatModel Model>
+PDR_HD inline Projected project(const FlatScene& scene, const Ray& ray, vec3 behind) {
+    RayWalk<float, Model> walk;
+    walk.start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
+               ray.length);
+    while (walk.going())
+        walk.step(scene);
+    return projected<Model>(scene, walk.result(), behind);
+}
+
+}  // namespace pdr

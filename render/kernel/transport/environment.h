@@ -1,0 +1,70 @@
+#pragma once
+/// Light from all around: the same everywhere, a gradient from the zenith (towards the head) to the nadir, or a
+/// picture. A picture is latitude-longitude: rows from the zenith down, the middle of a row towards the back (+y), its
+/// right end by way of the patient's left (+x). A texel's radiance is the same all over it.
+
+#include "render/kernel/flat_scene.h"
+#include "render/kernel/transport/lights.h"
+
+namespace pdr {
+
+/// Index of the texel that lies in `direction` (unit, local).
+PDR_HD inline int environmentTexel(const FlatEnvironment& environment, vec3 direction) {
+    const float turns = (std::atan2(direction.x, direction.y) - environment.turn) / (2 * kPi) + 0.5f;
+    const float across = turns - std::floor(turns);
+    const float down = std::acos(glm::clamp(direction.z, -1.0f, 1.0f)) / kPi;
+    const ivec2 size = environment.size;
+    const int column = glm::min(int(across * float(size.x)), size.x - 1);
+    const int row = glm::min(int(down * float(size.y)), size.y - 1);
+    return row * size.x + column;
+}
+
+/// Radiance that comes from `direction` (unit, local).
+PDR_HD inline vec3 environmentRadiance(const FlatEnvironment& environment, vec3 direction) {
+    if (environment.texels != nullptr)
+        return environment.texels[environmentTexel(environment, direction)] * environment.zenith;
+    return environment.nadir + (environment.zenith - environment.nadir) * (0.5f + 0.5f * direction.z);
+}
+
+/// The density with which sampleEnvironment finds `direction` [1/sr]; 0 where there is no picture.
+PDR_HD inline float environmentPdf(const FlatEnvironment& environment, vec3 direction) {
+    return environment.texels != nullptr ? environment.pdf[environmentTexel(environment, direction)] : 0;
+}
+
+/// Index of the interval of ascending `sums` [0 .. count] that holds u * sums[count]; one of positive width.
+PDR_HD inline int intervalOf(const float* sums, int count, float u) {
+    const float wanted = u * sums[count];
+    int low = 0, high = count - 1;  // the last interval with sums[low] <= wanted
+    while (low < high) {
+        const int middle = (low + high + 1) / 2;
+        if (sums[middle] <= wanted)
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    while (low > 0 && !(sums[low + 1] > sums[low]))  // only where rounding led past the last of positive width
+        --low;
+    return low;
+}
+
+/// A direction in proportion to the light of the picture's texels, uniform within a texel's solid angle.
+PDR_HD inline LightSample sampleEnvironment(const FlatEnvironment& environment, vec2 choice, vec2 place) {
+    const ivec2 size = environment.size;
+    const int row = intervalOf(environment.rowSums, size.y, choice.x);
+    const int column = intervalOf(environment.columnSums + std::ptrdiff_t(row) * (size.x + 1), size.x, choice.y);
+    const float top = std::cos(kPi * float(row) / float(size.y));
+    const float bottom = std::cos(kPi * float(row + 1) / float(size.y));
+    const float z = top + (bottom - top) * place.y;
+    const float sine = std::sqrt(glm::max((1 - z) * (1 + z), 0.0f));
+    const float angle = 2 * kPi * ((float(column) + place.x) / float(size.x) - 0.5f) + environment.turn;
+    const int texel = row * size.x + column;
+    const float density = environment.pdf[texel];
+    if (!(density > 0))
+        return dark();
+    return {{sine * std::sin(angle), sine * std::cos(angle), z},
+            kFarAway,
+            environment.texels[texel] * environment.zenith / density,
+            density};
+}
+
+}  // namespace pdr

@@ -1,0 +1,92 @@
+#pragma once
+/// A collision in the medium: where it is and how it sends light on, by a surface or by the phase function.
+
+#include "render/kernel/features.h"
+#include "render/kernel/medium.h"
+#include "render/kernel/random.h"
+#include "render/kernel/transport/phase.h"
+#include "render/kernel/transport/surface.h"
+
+namespace pdr {
+
+struct Event {
+    vec3 position;  ///< index space
+    vec3 wo;        ///< unit, local: to where the path came from
+    Material material;
+    vec3 normal;  ///< local, unit, on the side that the path came from; zero: the phase function holds
+};
+
+/// FlatScene::surfaceFactor [mm/HU] of a gradient factor: 25 gradientFactor^3 / range. The range is that of 12-bit CT
+/// and not the volume's own, so that one metal clip does not change how the rest of the picture looks.
+PDR_HD inline float surfaceFactorOf(float gradientFactor) {
+    constexpr float kHuScale = 4096;
+    return 25 * gradientFactor * gradientFactor * gradientFactor / kHuScale;
+}
+
+/// A surface is the more likely the denser and the steeper the tissue: P = opacity (1 - exp(-surfaceFactor |grad|)),
+/// Kroes, Post & Botha 2012. No gradient, no surface. P is never above the opacity, so the gradient, which costs 48
+/// voxels, is looked at only where the number lies below that.
+PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
+    const float most = opacity(scene.transferFunction, hu);
+    if (u >= most)
+        return vec3(0);
+    const vec3 gradient = hounsfieldGradient(scene.volume, position);
+    const float steepness = glm::length(gradient);
+    if (!(steepness > 0))
+        return vec3(0);
+    const float probability = most * -std::expm1(-scene.surfaceFactor * steepness);
+    if (u >= probability)
+        return vec3(0);
+    const vec3 normal = gradient / steepness;
+    return glm::dot(normal, wo) < 0 ? -normal : normal;
+}
+
+template <std::uint32_t F>
+PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 wo, RandomStream random) {
+    const float hu = hounsfield(scene.volume, position);
+    Event event{position, wo, materialAt(scene.transferFunction, hu), vec3(0)};
+    if constexpr (has(F, kSurface))
+        event.normal = surfaceNormal(scene, position, wo, hu, random.pair().x);
+    return event;
+}
+
+template <std::uint32_t F>
+PDR_HD inline bool isSurface(const Event& event) {
+    return has(F, kSurface) && event.normal != vec3(0);
+}
+
+/// Light scattered back along the path per radiance from direction `wi` (unit, local) [1/sr].
+template <std::uint32_t F>
+PDR_HD inline vec3 scatterEval(const FlatScene& scene, const Event& event, vec3 wi) {
+    if (isSurface<F>(event))
+        return surfaceEval(event.material, event.normal, event.wo, wi);
+    return event.material.albedo * phaseEval(scene.phaseG, event.wo, wi);
+}
+
+/// The pdf with which scatterSample finds `wi` [1/sr].
+template <std::uint32_t F>
+PDR_HD inline float scatterPdf(const FlatScene& scene, const Event& event, vec3 wi) {
+    if (isSurface<F>(event))
+        return surfacePdf(event.material, event.normal, event.wo, wi);
+    return phaseEval(scene.phaseG, event.wo, wi);
+}
+
+/// A direction and the light scattered back per radiance from there, already divided by the direction's pdf.
+struct Scattered {
+    vec3 wi;
+    vec3 weight;
+};
+
+template <std::uint32_t F>
+PDR_HD inline Scattered scatterSample(const FlatScene& scene, const Event& event, RandomStream random) {
+    const vec2 u = random.pair();
+    if (!isSurface<F>(event))
+        return {phaseSample(scene.phaseG, event.wo, u), event.material.albedo};
+    const vec3 wi = surfaceSample(event.material, event.normal, event.wo, random.pair().x, u);
+    const float pdf = surfacePdf(event.material, event.normal, event.wo, wi);
+    if (!(pdf > 0))
+        return {wi, vec3(0)};
+    return {wi, surfaceEval(event.material, event.normal, event.wo, wi) / pdf};
+}
+
+}  // namespace pdr

@@ -1,0 +1,161 @@
+#pragma once
+/// The whole transport on one page, by Monte Carlo, without bias. It estimates the radiance that the camera sees along
+/// a ray x(t) = x - t w (the volume rendering equation, Chandrasekhar 1950),
+///
+///   L(x, w) = int_0^d T(t) sigma_t(x(t)) [ c_e + a int_S2 f(w, w') L(x(t), w') dw' ] dt + T(d) L_background
+///
+///   T(t)      transmittance, exp(-int_0^t sigma_t ds)            track<RatioTracking>     Novak et al. 2014
+///   sigma_t   extinction; T sigma_t is the pdf of the collision   track<DeltaTracking>     Woodcock et al. 1965
+///   c_e       emission per optical depth: its weight is 1, since the collision's pdf is T sigma_t    shadeVertex
+///   a f       albedo and phase function, or a surface's BRDF with its cosine                  scatterEval, event.h
+///   int_S2    next-event estimation of light from the lights, one light path by resampling (Talbot et al. 2005) with
+///             multiple importance sampling (Veach & Guibas 1995)                              directLight
+///             and, with kBounces, one continuation of the path; Russian roulette keeps its mean    sampleContinuation
+///
+///   startPath -> traceSegment (track, shadeVertex, track towards the light) -> traceSegment -> ...
+/// A path is a value that goes through these steps; a GPU's thread takes one at a time (traceSegment), the CPU many in
+/// step (device/cpu/pixel_batch.h). All light comes in by next-event estimation: a path that leaves the volume after an
+/// event adds nothing more.
+
+#include "render/kernel/transport/camera_ray.h"
+#include "render/kernel/transport/direct_light.h"
+#include "render/kernel/transport/event.h"
+#include "render/kernel/transport/tracking.h"
+
+namespace pdr {
+
+/// One sample of one pixel, on its way to its next event.
+struct Path {
+    Random random;
+    PathSegment segment;
+    vec3 throughput{1.0f};  ///< of radiance from the next event to the camera
+};
+
+/// `depths`: where tissue lies along the pixel's view; see FlatViewBounds.
+PDR_HD_INLINE Path startPath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
+    const Random random(scene.seed, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x), sample);
+    const vec2 filter = random.stream(Dimension::filter).pair();
+    const vec2 lens = scene.camera.focus > 0 ? sampleUniformDisk(random.stream(Dimension::lens).pair()) : vec2(0);
+    return {random, generateCameraRay(scene, vec2(pixel) + filter, lens, depths)};
+}
+
+/// What the camera sees along a segment that meets no event.
+PDR_HD inline vec3 background(const FlatScene& scene, const PathSegment& segment) {
+    if (segment.light >= 0)
+        return scene.lights[segment.light].radiance;
+    return scene.environment.visible ? environmentRadiance(scene.environment, segment.direction) : vec3(0);
+}
+
+/// What a segment that meets no event brings: the background, or no number where its ray came to no end (kMostSteps).
+PDR_HD inline vec3 missed(const FlatScene& scene, const PathSegment& segment, float collision) {
+    return collision < 0 ? background(scene, segment) : vec3(collision);
+}
+
+/// The same without looking, where it looks the same everywhere.
+PDR_HD inline vec3 plainBackground(const FlatScene& scene) {
+    return scene.environment.visible ? scene.environment.zenith : vec3(0);
+}
+
+/// Exact Russian roulette: little throughput goes on rarely and then counts for more, so that its mean stays.
+PDR_HD inline bool russianRoulette(vec3& throughput, float u) {
+    constexpr float kRouletteBelow = 0.25f;
+    const float most = glm::max(glm::max(throughput.x, throughput.y), throughput.z);
+    if (!(most < kRouletteBelow))  // what is not a number goes on, to be met and counted
+        return true;
+    if (u * kRouletteBelow >= most)
+        return false;
+    throughput *= kRouletteBelow / most;
+    return true;
+}
+
+/// The path's next segment, away from `event`; false where it ends.
+template <std::uint32_t F>
+PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const Event& event, int bounce) {
+    const Scattered scattered = scatterSample<F>(scene, event, path.random.stream(bounce, BounceDimension::continuation));
+    path.throughput *= scattered.weight;
+    const vec3 direction = scene.volume.indexFromLocal * scattered.wi;
+    path.segment = {{event.position, direction, cutLength(scene.clip, event.position, direction, kFarAway)},
+                scattered.wi};
+    return russianRoulette(path.throughput, path.random.stream(bounce, BounceDimension::roulette).pair().x);
+}
+
+/// What happens at the end of a segment: light that starts there, light that is scattered there, and whether the path,
+/// now on its next segment, goes on.
+struct PathVertex {
+    vec3 emitted;  ///< radiance, linear Rec. 709
+    LightPath scattered;
+    bool continues;
+    bool cut;  ///< it would have gone on, but may not
+};
+
+/// `collision` is the distance of the event [mm]. Its pdf is T sigma_t and emission is counted per optical depth, so
+/// emission has the weight 1.
+template <std::uint32_t F>
+PDR_HD inline PathVertex shadeVertex(const FlatScene& scene, Path& path, float collision, int bounce) {
+    const Event event = eventAt<F>(scene, path.segment.ray.origin + path.segment.ray.direction * collision,
+                                   -path.segment.direction, path.random.stream(bounce, BounceDimension::event));
+    PathVertex met{has(F, kEmission) ? event.material.emission : vec3(0),
+                directLight<F>(scene, event, path.random, bounce), false, false};
+    if constexpr (has(F, kBounces)) {
+        met.emitted *= path.throughput;
+        met.scattered.radiance *= path.throughput;
+        const bool alive = scene.maxBounces > 1 && sampleContinuation<F>(scene, path, event, bounce);
+        met.cut = alive && bounce + 1 >= scene.maxBounces;
+        met.continues = alive && !met.cut;
+    }
+    return met;
+}
+
+/// The result of a path.
+struct PathSample {
+    vec3 radiance{0.0f};        ///< linear Rec. 709
+    bool overMajorant = false;  ///< see Fault
+    bool cut = false;           ///< see Fault::cutPath
+    bool tissue = false;        ///< it met some
+};
+
+/// A visitor that records nothing.
+struct NullVisitor {
+    PDR_HD void segment(const Path&, int, float) {}
+    PDR_HD void light(const PathVertex&, float) {}
+};
+
+/// One segment of a path, and what is met at its end; false where the path ends. `bounce`: segments before it.
+template <std::uint32_t F, class Visitor>
+PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, PathSample& result, Visitor&& visitor) {
+    const float collision = track<DeltaTracking>(
+        scene, path.segment.ray, path.random.stream(bounce, BounceDimension::distance), result.overMajorant);
+    visitor.segment(path, bounce, collision);
+    if (!(collision >= 0)) {
+        if (bounce == 0 || collision != collision)
+            result.radiance = missed(scene, path.segment, collision);
+        return false;
+    }
+    result.tissue = true;
+    const PathVertex met = shadeVertex<F>(scene, path, collision, bounce);
+    result.radiance += met.emitted;
+    float transmittance = 0;
+    if (!isDark(met.scattered)) {
+        transmittance = track<RatioTracking>(scene, met.scattered.ray,
+                                             path.random.stream(bounce, BounceDimension::shadow), result.overMajorant);
+        if (transmittance != 0)  // in full shadow not even infinite light counts
+            result.radiance += met.scattered.radiance * transmittance;
+    }
+    visitor.light(met, transmittance);
+    result.cut = met.cut;
+    return met.continues;
+}
+
+/// One sample of the radiance that the camera sees through `pixel` (x, y). `visitor` is told each segment with the distance
+/// of its event (-1: none), and then what was met there with the transmittance of the way to the light.
+template <std::uint32_t F, class Visitor>
+PDR_HD inline PathSample tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths, Visitor&& visitor) {
+    Path path = startPath(scene, pixel, sample, depths);
+    PathSample result;
+    int bounce = 0;
+    while (traceSegment<F>(scene, path, bounce, result, visitor))
+        ++bounce;
+    return result;
+}
+
+}  // namespace pdr

@@ -1,0 +1,116 @@
+#pragma once
+/// Lights with a place, and parallel light. Two verbs: a sample of a light as seen from a point (sampleLight), and what
+/// of a light a ray meets (intersectLight). Pdfs are per solid angle [1/sr].
+
+#include "render/kernel/features.h"
+#include "render/kernel/flat_scene.h"
+#include "render/kernel/random.h"
+#include "render/kernel/transport/phase.h"
+
+namespace pdr {
+
+inline constexpr float kFarAway = 1e30f;
+
+/// radiance is already divided by the pdf of the sample; 0: the light does not shine there.
+struct LightSample {
+    vec3 wi;    ///< unit, local
+    float distance;  ///< mm
+    vec3 radiance;
+    float pdf;  ///< of `wi`; 0: no other way of sampling finds it
+};
+
+/// Where a ray meets a light, and with which pdf sampleLight would have chosen that direction.
+struct LightHit {
+    bool met;
+    float distance;  ///< mm; may be negative: behind the ray's origin
+    float pdf;
+};
+
+inline constexpr LightHit kNoLight{false, 0, 0};
+PDR_HD inline LightSample dark() {
+    return {vec3(0, 0, 1), 0, vec3(0), 0};
+}
+
+// ---- rectangle
+
+/// A point of the rectangle, uniform over its area. `from`: the place that it shines on, from its centre.
+PDR_HD inline LightSample sampleRectangle(const FlatLight& light, vec3 from, vec2 u) {
+    const vec3 path = light.halfU * (2 * u.x - 1) + light.halfV * (2 * u.y - 1) - from;
+    const float squared = glm::dot(path, path);
+    const float distance = std::sqrt(squared);
+    const float facing = -glm::dot(light.normal, path);
+    if (!(facing > 0))
+        return dark();
+    const float solidAngle = light.area * facing / (distance * squared);
+    return {path / distance, distance, light.radiance * solidAngle, 1 / solidAngle};
+}
+
+PDR_HD inline LightHit intersectRectangle(const FlatLight& light, vec3 from, vec3 direction) {
+    const float facing = -glm::dot(light.normal, direction);
+    if (!(facing > 0))
+        return kNoLight;
+    const float distance = glm::dot(light.normal, from) / facing;
+    const vec3 place = from + direction * distance;
+    if (std::fabs(glm::dot(place, light.halfU)) > glm::dot(light.halfU, light.halfU) ||
+        std::fabs(glm::dot(place, light.halfV)) > glm::dot(light.halfV, light.halfV))
+        return kNoLight;
+    return {true, distance, distance * distance / (light.area * facing)};
+}
+
+// ---- sphere
+
+/// 1 - cosine of the half angle under which the sphere is seen; no cancellation for small or far ones.
+PDR_HD inline float sphereOneMinusCosine(float radius, float distanceSquared) {
+    const float sineSquared = radius * radius / distanceSquared;
+    return sineSquared / (1 + std::sqrt(1 - sineSquared));
+}
+
+/// A direction into the cone that the sphere fills, uniform over its solid angle. Inside the sphere it is dark.
+PDR_HD inline LightSample sampleSphere(const FlatLight& light, vec3 from, vec2 u) {
+    const float squared = glm::dot(from, from), radius = light.radius;
+    if (!(squared > radius * radius))
+        return dark();
+    const float cone = sphereOneMinusCosine(radius, squared);
+    const float oneMinusCosine = u.x * cone;
+    const float sineSquared = oneMinusCosine * (2 - oneMinusCosine), cosine = 1 - oneMinusCosine;
+    const float distance = std::sqrt(squared);
+    const vec3 axis = -from / distance;
+    vec3 s, t;
+    orthonormalBasis(axis, s, t);
+    const float phi = 2 * kPi * u.y;
+    const vec3 wi = axis * cosine + (s * std::cos(phi) + t * std::sin(phi)) * std::sqrt(sineSquared);
+    const float inside = std::sqrt(glm::max(radius * radius - squared * sineSquared, 0.0f));
+    const float solidAngle = 2 * kPi * cone;
+    return {wi, distance * cosine - inside, light.radiance * solidAngle, 1 / solidAngle};
+}
+
+PDR_HD inline LightHit intersectSphere(const FlatLight& light, vec3 from, vec3 direction) {
+    const float squared = glm::dot(from, from), radius = light.radius;
+    const float closest = -glm::dot(from, direction);
+    const vec3 aside = from + direction * closest;
+    const float inside = radius * radius - glm::dot(aside, aside);
+    if (!(squared > radius * radius) || !(inside > 0))
+        return kNoLight;
+    return {true, closest - std::sqrt(inside), 1 / (2 * kPi * sphereOneMinusCosine(radius, squared))};
+}
+
+// ---- any
+
+/// `place`: what it shines on, local [mm].
+template <std::uint32_t F>
+PDR_HD inline LightSample sampleLight(const FlatLight& light, vec3 place, vec2 u) {
+    if (has(F, kPlacedLights) && light.type == LightType::rectangle)
+        return sampleRectangle(light, place - light.position, u);
+    if (has(F, kPlacedLights) && light.type == LightType::sphere)
+        return sampleSphere(light, place - light.position, u);
+    return {light.normal, kFarAway, light.radiance, 0};
+}
+
+/// `from`: the ray's origin, from the light's position; `direction`: unit; both local.
+PDR_HD inline LightHit intersectLight(const FlatLight& light, vec3 from, vec3 direction) {
+    if (light.type == LightType::rectangle)
+        return intersectRectangle(light, from, direction);
+    return light.type == LightType::sphere ? intersectSphere(light, from, direction) : kNoLight;
+}
+
+}  // namespace pdr

@@ -1,0 +1,146 @@
+#include "render/prepare/flatten.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/kernel/bounds/view_footprint.h"
+#include "render/kernel/features.h"
+#include "render/kernel/transport/event.h"
+#include "render/kernel/transport/majorant_traversal.h"
+#include "render/prepare/flatten_lights.h"
+#include "render/prepare/flatten_optics.h"
+#include "render/prepare/needs.h"
+#include "render/prepare/view_bounds.h"
+
+namespace pdr {
+
+namespace {
+
+void flattenVolume(FlatVolume& flat, const Volume& volume) {
+    const ivec3 size = volume.size();
+    const glm::dmat3 localFromIndex(volume.geometry().patientFromIndex);
+    flat.voxels = volume.voxels().data();
+    flat.size = size;
+    flat.lastIndex = vec3(size - 1);
+    flat.lastCorner = glm::max(vec3(size - 2), vec3(0));
+    flat.stepX = size.x > 1 ? 1 : 0;
+    flat.stepY = size.y > 1 ? size.x : 0;
+    flat.stepZ = size.z > 1 ? std::int64_t(size.x) * size.y : 0;
+    flat.exactIndexFromLocal = glm::inverse(localFromIndex);
+    flat.indexFromLocal = mat3(flat.exactIndexFromLocal);
+    flat.localFromIndex = mat3(localFromIndex);
+}
+
+void flattenMajorants(PreparedScene& prepared) {
+    const Majorants& majorants = *prepared.majorants;
+    const float highest = *std::max_element(majorants.coarse.begin(), majorants.coarse.end());
+    prepared.flat.majorants = {.fine = majorants.fine.data(),
+                               .coarse = majorants.coarse.data(),
+                               .fineSize = prepared.ranges->fineSize(),
+                               .coarseSize = prepared.ranges->coarseSize(),
+                               .occupiedLow = majorants.occupiedLow,
+                               .occupiedHigh = majorants.occupiedHigh,
+                               .dense = mayBeDense(prepared.flat.volume, highest)};
+}
+
+void flattenCamera(FlatCamera& flat, const Camera& camera, const VolumeGeometry& geometry, ivec2 film) {
+    const double aspect = double(film.x) / film.y;
+    const bool perspective = camera.type == Camera::Type::perspective;
+    const double height = perspective ? 2 * std::tan(glm::radians(camera.fovDegrees) / 2) : camera.heightMm;
+    flat.eye = dvec3(glm::inverse(geometry.patientFromIndex) * dvec4(camera.eyeMm, 1.0));
+    flat.forward = camera.forward();
+    flat.right = camera.right() * (height * aspect);
+    flat.up = camera.imageUp() * height;
+    flat.perspective = perspective ? 1 : 0;
+    flat.film = film;
+    flat.perPixel = 1.0 / dvec2(film);
+    flat.localEye = camera.eyeMm - geometry.centreMm();
+    const double radius = camera.apertureMm / 2;
+    flat.lensRight = camera.right() * radius;
+    flat.lensUp = camera.imageUp() * radius;
+    flat.focus = radius > 0 ? camera.focusDistanceMm() : 0;
+}
+
+/// The planes that cut the volume, in index space.
+void flattenClip(PreparedScene& prepared, const Scene& scene) {
+    const dmat4& patientFromIndex = scene.volume->geometry().patientFromIndex;
+    for (const ClipPlane& plane : scene.clip.planesThrough(scene.volume->geometry())) {
+        const dvec3 normal = glm::normalize(plane.normal);
+        const dvec3 inIndex = glm::transpose(glm::dmat3(patientFromIndex)) * normal;
+        const double offset = glm::dot(normal, plane.pointMm - dvec3(patientFromIndex[3]));
+        prepared.clipPlanes.push_back({vec3(inIndex), float(offset)});
+    }
+    prepared.flat.clip = {prepared.clipPlanes.data(), int(prepared.clipPlanes.size()), scene.clip.shadows};
+}
+
+bool shines(const std::vector<FlatLight>& lights) {
+    return std::ranges::any_of(lights, [](const FlatLight& light) { return light.radiance != vec3(0); });
+}
+
+}  // namespace
+
+bool sameMajorants(const PreparedScene& a, const PreparedScene& b) {
+    const auto highestHu = [](const PreparedScene& scene) {
+        return scene.flat.optics.model == FlatModel::maximumIntensity;
+    };
+    return a.volume == b.volume && a.tables.sameOpacity(b.tables) && highestHu(a) == highestHu(b);
+}
+
+std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
+    std::shared_ptr<PreparedScene> prepared = flattened(scene);
+    bound(*prepared);
+    last_ = prepared;
+    return prepared;
+}
+
+std::shared_ptr<const PreparedScene> Flattener::flatten(const Scene& scene) {
+    last_ = flattened(scene);
+    return last_;
+}
+
+std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
+    auto prepared = std::make_shared<PreparedScene>();
+    prepared->revision = scene.revision;
+    prepared->volume = scene.volume;
+    prepared->tables = TransferTables(scene.transferFunction);
+    prepared->flat.transferFunction = prepared->tables.flat();
+    flattenVolume(prepared->flat.volume, *scene.volume);
+    if (scene.environment.image)
+        prepared->environment = last_ && last_->environment && last_->environment->image == scene.environment.image
+                                    ? last_->environment
+                                    : std::make_shared<const EnvironmentTables>(scene.environment.image);
+    flattenOptics(*prepared, scene);
+    flattenCamera(prepared->flat.camera, scene.camera, scene.volume->geometry(), scene.film);
+    flattenLights(*prepared, scene);
+    flattenClip(*prepared, scene);
+
+    FlatScene& flat = prepared->flat;
+    flat.fastFiltering = scene.filtering == Filtering::fast && !isProjection(scene.model);
+    flat.marched = scene.estimator == Estimator::kroesMarch;
+    flat.phaseG = scene.phaseG;
+    flat.surfaceFactor = surfaceFactorOf(scene.gradientFactor);
+    flat.unshadowed = scene.unshadowed;
+    flat.features = neededFeatures(needs(scene));
+    flat.maxBounces = has(flat.features, kBounces) ? scene.maxBounces : 1;  // for programs that hold all effects, too
+    flat.sampleDirections = searchesAlongScatter(scene);
+    flat.lit = !isProjection(scene.model) && (shines(prepared->lights) || !scene.environment.isBlack() ||
+                                              (flat.features & kEmission) != 0);
+    flat.seed = scene.seed;
+    return prepared;
+}
+
+void Flattener::bound(PreparedScene& prepared) const {
+    const bool highest = prepared.flat.optics.model == FlatModel::maximumIntensity;
+    const bool sameVolume = last_ && last_->ranges && last_->volume == prepared.volume;
+    const ivec3 size = prepared.volume->size();
+    prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
+    prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants
+                         : highest ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size))
+                                    : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size);
+    flattenMajorants(prepared);
+    prepared.viewDepths = viewDepths(prepared.flat);
+    prepared.flat.viewBounds = {prepared.viewDepths.data(), viewBlocks(prepared.flat.camera.film).x};
+}
+
+}  // namespace pdr

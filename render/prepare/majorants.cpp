@@ -1,0 +1,58 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "render/prepare/majorants.h"
+#include "render/prepare/opacity_maximum.h"
+
+namespace pdr {
+
+namespace {
+
+/// Index-space box of all fine cells with a bound above 0; empty (low > high) if there is none.
+struct Box {
+    vec3 low{1e30f}, high{-1e30f};
+
+    void include(ivec3 cell) {
+        low = glm::min(low, lowCorner(cell));
+        high = glm::max(high, highCorner(cell));
+    }
+};
+
+}  // namespace
+
+Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize)
+    : fine(ranges.cells().size()),
+      coarse(std::size_t(ranges.coarseSize().x) * ranges.coarseSize().y * ranges.coarseSize().z) {
+    const OpacityMaximum maximum(tables.flat(), ranges.whole());
+    const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
+    const float highest = tables.highestOpacity();
+    const auto boundOver = [&](HuRange range) {
+        return extinctionBound(tables.extinctionPerMm, maximum.over(range), highest);
+    };
+    std::vector<Box> boxes(coarseSize.z);
+    tbb::parallel_for(0, coarseSize.z, [&](int slab) {
+        for (int k = slab * kFinePerCoarse; k < (slab + 1) * kFinePerCoarse; ++k)
+            for (int j = 0; j < size.y; ++j)
+                for (int i = 0; i < size.x; ++i) {
+                    const std::size_t at = (std::size_t(k) * size.y + j) * size.x + i;
+                    const float bound = boundOver(ranges.cells()[at]);
+                    fine[at] = bound;
+                    if (!(bound > 0))
+                        continue;
+                    const std::size_t above =
+                        (std::size_t(slab) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x + i / kFinePerCoarse;
+                    coarse[above] = std::max(coarse[above], bound);
+                    boxes[slab].include({i, j, k});
+                }
+    });
+    Box all;
+    for (const Box& box : boxes) {
+        all.low = glm::min(all.low, box.low);
+        all.high = glm::max(all.high, box.high);
+    }
+    occupiedLow = glm::max(all.low, vec3(-0.5f));
+    occupiedHigh = glm::min(all.high, vec3(volumeSize) - 0.5f);
+}
+
+}  // namespace pdr

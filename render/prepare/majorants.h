@@ -1,0 +1,20 @@
+#pragma once
+/// Upper bounds on the extinction, for free paths.
+
+#include <vector>
+
+#include "render/prepare/transfer_tables.h"
+#include "render/volume/ranges.h"
+
+namespace pdr {
+
+/// Bounds on the extinction for one volume under one transfer function.
+struct Majorants {
+    std::vector<float> fine, coarse;
+    vec3 occupiedLow{0}, occupiedHigh{0};
+
+    Majorants() = default;
+    Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize);
+};
+
+}  // namespace pdr

@@ -1,0 +1,299 @@
+#include "render/prepare/needs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/kernel/transport/event.h"
+#include "render/prepare/met_tissue.h"
+
+namespace pdr {
+namespace {
+
+constexpr float kSharpPhase = 0.5f;  ///< |g| from which on scattering is sharper than lights are large
+
+bool isBlack(vec3 colour) {
+    return colour == vec3(0);
+}
+
+bool cameraSees(const Light& light) {
+    return std::visit(
+        [](const auto& one) {
+            if constexpr (requires { one.visible; })
+                return one.visible;
+            return false;
+        },
+        light);
+}
+
+void hide(Light& light) {
+    std::visit(
+        [](auto& one) {
+            if constexpr (requires { one.visible; })
+                one.visible = false;
+        },
+        light);
+}
+
+bool shines(const Light& light) {
+    return std::visit(
+        [](const auto& one) {
+            if constexpr (requires { one.irradiance; })
+                return !isBlack(one.irradiance);
+            else
+                return !isBlack(one.radiance);
+        },
+        light);
+}
+
+bool isPlaced(const Light& light) {
+    return !std::holds_alternative<DirectionalLight>(light);
+}
+
+/// Whether a surface could be shiny for all that the curve says, whatever the volume holds: at or beside a node that is
+/// opaque.
+bool speaksOfHighlights(const Scene& scene) {
+    const std::vector<TransferNode>& nodes = scene.transferFunction.nodes;
+    const auto opaque = [&](std::size_t i) { return i < nodes.size() && nodes[i].opacity > 0; };
+    bool shiny = false;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        shiny = shiny || (!isBlack(nodes[i].specular) && (opaque(i) || opaque(i + 1) || (i > 0 && opaque(i - 1))));
+    return shiny && scene.gradientFactor > 0 && scene.transferFunction.extinctionPerMm > 0;
+}
+
+/// A scene and what of it can be met.
+struct Subject {
+    const Scene& scene;
+    MetTissue tissue;
+    bool lit;    ///< a light or the environment shines
+    bool glows;  ///< tissue that is met shines by itself
+
+    explicit Subject(const Scene& s)
+        : scene(s),
+          tissue(s.transferFunction, *s.volume),
+          lit(std::ranges::any_of(s.lights, shines) || !s.environment.isBlack()),
+          glows(tissue.anywhere([](const Material& m) { return m.emission; })) {}
+
+    bool scattersOften() const { return scene.model == Model::multipleScattering && scene.maxBounces > 1; }
+};
+
+/// Why nothing that happens to light at an event can show; empty where it can. `fromWithin`: light that tissue gives
+/// off counts, since it comes by on its way from event to event.
+std::string whyNothingScatters(const Subject& subject, bool fromWithin = true) {
+    if (!subject.tissue.any())
+        return "no tissue is opaque at the HU that the volume holds";
+    if (!subject.tissue.anywhere([](const Material& m) { return m.albedo + m.specular; }))
+        return "no tissue scatters light";
+    if (!subject.lit && !(fromWithin && subject.glows && subject.scattersOften()))
+        return subject.scene.lights.empty() ? "there is no light" : "no light shines";
+    return "";
+}
+
+/// "needed: YES" or "off: NO".
+Effect effect(std::string name, bool needed, std::string yes, std::string no, std::uint32_t features = 0,
+              void (*leaveOut)(Scene&) = nullptr) {
+    return {std::move(name), needed, needed ? std::move(yes) : std::move(no), features, leaveOut};
+}
+
+/// Of the models that are sums along straight rays.
+Effect off(std::string name, std::string reason) {
+    return effect(std::move(name), false, "", std::move(reason));
+}
+
+Effect shadows(const Subject& subject) {
+    if (isProjection(subject.scene.model))
+        return off("shadows", "the model has none");
+    if (const std::string why = whyNothingScatters(subject, false); !why.empty())
+        return off("shadows", why);
+    return effect("shadows", !subject.scene.unshadowed, "light crosses tissue on its way",
+                  "light is let through everything, to see what shadows do", 0, [](Scene& s) { s.unshadowed = true; });
+}
+
+/// Whether some random number makes an event a surface; see surfaceNormal(). The smallest one is 2^-24.
+bool surfacesCanShow(const Subject& subject) {
+    constexpr double kRounding = 1 + 1e-5;
+    const double highest = subject.tissue.highestOpacity() * double(surfaceFactorOf(subject.scene.gradientFactor)) *
+                           subject.tissue.steepest();
+    return highest * kRounding > 0x1p-24;
+}
+
+Effect surfaces(const Subject& subject) {
+    constexpr const char* kName = "surface reflection";
+    if (isProjection(subject.scene.model))
+        return off(kName, "the model has none");
+    if (subject.scene.gradientFactor == 0)
+        return off(kName, "the gradient factor is 0");
+    if (const std::string why = whyNothingScatters(subject); !why.empty())
+        return off(kName, why);
+    return effect(kName, surfacesCanShow(subject), "the gradient factor is above 0",
+                  "at this gradient factor no edge is ever steep enough", kSurface,
+                  [](Scene& s) { s.gradientFactor = 0; });
+}
+
+Effect highlights(const Subject& subject) {
+    if (!surfaces(subject).needed)
+        return off("highlights", "there are no surfaces");
+    const bool shiny = subject.tissue.anywhere([](const Material& m) { return m.specular; });
+    return effect(
+        "highlights", shiny, "a node is specular",
+        speaksOfHighlights(subject.scene) ? "the volume holds no HU that are specular" : "no node is specular", 0,
+        [](Scene& s) {
+            for (TransferNode& node : s.transferFunction.nodes)
+                node.specular = vec3(0);
+        });
+}
+
+Effect directedScattering(const Subject& subject) {
+    constexpr const char* kName = "directed scattering";
+    if (isProjection(subject.scene.model))
+        return off(kName, "the model does not scatter");
+    if (subject.scene.phaseG == 0)
+        return off(kName, "phase g is 0: the same to all sides");
+    const std::string why = whyNothingScatters(subject);
+    return effect(kName, why.empty(), "phase g is not 0", why, 0, [](Scene& s) { s.phaseG = 0; });
+}
+
+Effect emission(const Subject& subject) {
+    const Model model = subject.scene.model;
+    if (model == Model::absorption || model == Model::maximumIntensity)
+        return off("emission", "the model shows no light from within");
+    const bool deviceLabel = std::ranges::any_of(subject.scene.transferFunction.nodes,
+                                            [](const TransferNode& node) { return !isBlack(node.emission); });
+    const std::uint32_t features = isProjection(model) ? 0u : std::uint32_t(kEmission);
+    return effect("emission", subject.glows, "a node emits light",
+                  deviceLabel ? "no opaque tissue that the volume holds emits light" : "no node emits light", features,
+                  [](Scene& s) {
+                      for (TransferNode& node : s.transferFunction.nodes)
+                          node.emission = vec3(0);
+                  });
+}
+
+Effect placedLights(const Subject& subject) {
+    constexpr const char* kName = "lights with a place";
+    const Scene& scene = subject.scene;
+    if (isProjection(scene.model))
+        return off(kName, "the model asks for no light");
+    if (std::ranges::none_of(scene.lights, isPlaced))
+        return off(kName, "no light is a panel or a ball");
+    if (const std::string why = whyNothingScatters(subject, false); !why.empty())
+        return off(kName, why);
+    const auto remove = [](Scene& s) { std::erase_if(s.lights, isPlaced); };
+    if (std::ranges::any_of(scene.lights, [](const Light& light) { return isPlaced(light) && shines(light); }))
+        return effect(kName, true, "a light is a panel or a ball", "", kPlacedLights, remove);
+    if (scene.environment.isBlack())
+        return off(kName, "no panel and no ball shines");
+    // The environment is looked for last, by a number that depends on how many lights were asked before.
+    Effect dark = effect(kName, true, "no panel and no ball shines: could be left out", "", kPlacedLights, remove);
+    dark.couldBeLeftOut = true;
+    return dark;
+}
+
+Effect lightsInView(const Scene& scene) {
+    constexpr const char* kName = "lights in view";
+    if (isProjection(scene.model))
+        return off(kName, "the model asks for no light");
+    if (std::ranges::none_of(scene.lights, isPlaced))
+        return off(kName, "no light is a panel or a ball");
+    return effect(kName, std::ranges::any_of(scene.lights, cameraSees), "the camera sees a light",
+                  "all lights are hidden from the camera", 0, [](Scene& s) { std::ranges::for_each(s.lights, hide); });
+}
+
+Effect surroundings(const Subject& subject) {
+    constexpr const char* kName = "light from all around";
+    if (isProjection(subject.scene.model))
+        return off(kName, "the model asks for no light");
+    if (subject.scene.environment.isBlack())
+        return off(kName, "the environment is black");
+    const std::string why = whyNothingScatters(subject, false);
+    return effect(kName, why.empty(), "the environment shines", why, kEnvironment,
+                  [](Scene& s) { s.environment = {}; });
+}
+
+Effect alongScatter(const Subject& subject) {
+    constexpr const char* kName = "search along scattering";
+    const Scene& scene = subject.scene;
+    if (isProjection(scene.model))
+        return off(kName, "the model asks for no light");
+    if (const std::string why = whyNothingScatters(subject, false); !why.empty())
+        return off(kName, why);
+    if (!searchesAlongScatter(scene) || !(placedLights(subject).needed || surroundings(subject).needed))
+        return off(kName, "every light is best found by aiming at it");
+    if (!scene.environment.isBlack())
+        return effect(kName, true, "light comes from all around", "");
+    Effect search = effect(kName, true, "highlights or directed scattering are sharper than the lights", "");
+    search.couldBeLeftOut = std::fabs(scene.phaseG) < kSharpPhase && !highlights(subject).needed;
+    if (search.couldBeLeftOut)
+        search.reason = "for highlights, which cannot show: could be left out";
+    return search;
+}
+
+Effect background(const Scene& scene) {
+    if (scene.model == Model::maximumIntensity)
+        return off("visible background", "the model shows HU, not light");
+    const auto hideIt = [](Scene& s) { s.environment.visible = false; };
+    if (scene.model == Model::absorption && scene.environment.visible && !scene.environment.isBlack())
+        return effect("visible background", true, "tissue is seen against the environment, else against white", "", 0,
+                      hideIt);
+    if (scene.model == Model::absorption)
+        return effect("visible background", true, "tissue is seen against white: without it there is no picture", "");
+    if (scene.environment.isBlack())
+        return effect("visible background", false, "", "the environment is black");
+    return effect("visible background", scene.environment.visible, "the camera sees the environment",
+                  "the environment is hidden from the camera", 0, hideIt);
+}
+
+Effect depthOfField(const Scene& scene) {
+    return effect("depth of field", scene.camera.apertureMm > 0, "the lens is open", "the aperture is 0", 0,
+                  [](Scene& s) { s.camera.apertureMm = 0; });
+}
+
+Effect clipping(const Scene& scene) {
+    const bool cuts = !scene.clip.planesThrough(scene.volume->geometry()).empty();
+    return effect("clipping", cuts, "a box or a plane cuts into the volume",
+                  scene.clip.empty() ? "nothing is cut away" : "what is cut away lies outside the volume", 0,
+                  [](Scene& s) { s.clip = {}; });
+}
+
+Effect bounces(const Subject& subject) {
+    constexpr const char* kName = "multiple scattering";
+    const Scene& scene = subject.scene;
+    if (isProjection(scene.model))
+        return off(kName, "the model does not scatter");
+    if (scene.model == Model::singleScattering)
+        return off(kName, "the model has one event on a path");
+    if (scene.maxBounces == 1)
+        return off(kName, "a path may have one event only");
+    const std::string why = whyNothingScatters(subject);
+    return effect(kName, why.empty(), "light is scattered on from event to event", why, kBounces,
+                  [](Scene& s) { s.model = Model::singleScattering; });
+}
+
+}  // namespace
+
+std::vector<Effect> needs(const Scene& scene) {
+    const Subject subject(scene);
+    return {
+        shadows(subject),      surfaces(subject),   highlights(subject),   directedScattering(subject),
+        placedLights(subject), lightsInView(scene), surroundings(subject), alongScatter(subject),
+        background(scene),     emission(subject),   depthOfField(scene),   clipping(scene),
+        bounces(subject),
+    };
+}
+
+bool searchesAlongScatter(const Scene& scene) {
+    if (isProjection(scene.model))
+        return false;
+    if (!scene.environment.isBlack())
+        return true;
+    return std::ranges::any_of(scene.lights, isPlaced) &&
+           (speaksOfHighlights(scene) || std::fabs(scene.phaseG) >= kSharpPhase);
+}
+
+std::uint32_t neededFeatures(const std::vector<Effect>& effects) {
+    std::uint32_t features = 0;
+    for (const Effect& effect : effects)
+        if (effect.needed)
+            features |= effect.features;
+    return features;
+}
+
+}  // namespace pdr

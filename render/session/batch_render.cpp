@@ -1,0 +1,121 @@
+#include "render/session/batch_render.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "render/accuracy/prediction.h"
+
+namespace pdr {
+namespace {
+
+constexpr double kLaunchSeconds = 0.25;  ///< so that Ctrl-C and --seconds are obeyed soon
+constexpr double kReportSeconds = 0.5;
+constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two looks at the error; it costs time
+constexpr std::uint64_t kSamplesToStop = 64;  ///< before which no error counts as reached: too little is known of it
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+Result<BatchResult> BatchRender::run(std::stop_token stop, const Report& report) {
+    const auto start = std::chrono::steady_clock::now();
+    double elapsed = 0;
+    double reported = -kReportSeconds;
+    std::optional<StopReason> reason;
+    while (!reason) {
+        if (auto ok = takeSamples(elapsed, stop); !ok)
+            return ok.error();
+        elapsed = secondsSince(start);
+        const bool reports = elapsed - reported >= kReportSeconds;
+        if (reports || errorIsDue())
+            if (auto ok = look(); !ok)
+                return ok.error();
+        reason = stop.stop_requested() ? StopReason::interrupted : reached(elapsed);
+        if (reason && done_ > 0)
+            if (auto ok = look(); !ok)
+                return ok.error();
+        if (reason || reports) {
+            report(state(elapsed));
+            reported = elapsed;
+        }
+    }
+    return BatchResult{*reason, status_, elapsed};
+}
+
+bool BatchRender::errorIsDue() const {
+    return stopsByError() && done_ > 0 && done_ % kErrorEvery == 0;
+}
+
+Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
+    const std::uint32_t samples = wantedSamples(elapsed);
+    // A launch that is broken off leaves worthless sums: only the first one has nothing to lose.
+    const bool first = done_ == 0;
+    if (auto ok = film_.iterate(samples, first ? stop : std::stop_token()); !ok)
+        return ok;
+    if (!(first && stop.stop_requested()))
+        done_ += samples;
+    return {};
+}
+
+/// A film tells its status with a picture.
+Result<void> BatchRender::look() {
+    if (done_ == 0)
+        return {};
+    if (auto ok = film_.show(display_); !ok)
+        return ok;
+    const auto picture = film_.take();
+    if (!picture)
+        return picture.error();
+    status_ = picture->status;
+    return {};
+}
+
+std::uint32_t BatchRender::wantedSamples(double elapsed) const {
+    if (done_ == 0)
+        return 1;
+    double time = kLaunchSeconds;
+    if (stops_.seconds)
+        time = std::min(time, *stops_.seconds - elapsed);
+    double wanted = std::floor(time * double(done_) / std::max(elapsed, 1e-9));
+    if (stops_.samples)
+        wanted = std::min(wanted, double(*stops_.samples - done_));
+    if (stopsByError())
+        wanted = std::min(wanted, double(kErrorEvery - done_ % kErrorEvery));
+    return std::uint32_t(std::clamp(wanted, 1.0, double(kSamplesPerBlock)));
+}
+
+std::optional<StopReason> BatchRender::reached(double elapsed) const {
+    if (stops_.samples && done_ >= *stops_.samples)
+        return StopReason::samples;
+    if (errorIsDue() && done_ >= kSamplesToStop) {
+        if (stops_.relativeError && status_.relativeError <= *stops_.relativeError)
+            return StopReason::error;
+        if (stops_.levels && status_.displayError <= *stops_.levels)
+            return StopReason::levels;
+    }
+    if (stops_.seconds && elapsed >= *stops_.seconds)
+        return StopReason::seconds;
+    return std::nullopt;
+}
+
+BatchState BatchRender::state(double elapsed) const {
+    BatchState state{status_, elapsed, 0, std::nullopt};
+    if (stops_.samples)
+        state.fraction = std::max(state.fraction, double(done_) / double(*stops_.samples));
+    if (stops_.seconds)
+        state.fraction = std::max(state.fraction, elapsed / *stops_.seconds);
+    if (stops_.relativeError)
+        state.fraction = std::max(state.fraction,
+                                  double(done_) / samplesToReach(*stops_.relativeError, state.film));
+    if (stops_.levels)
+        state.fraction = std::max(state.fraction, double(done_) / samplesToReachLevels(*stops_.levels, state.film));
+    state.fraction = std::min(state.fraction, 1.0);
+    if (state.fraction > 0)
+        state.secondsLeft = elapsed * (1 - state.fraction) / state.fraction;
+    return state;
+}
+
+}  // namespace pdr

@@ -1,0 +1,299 @@
+#include <QTest>
+
+#include <random>
+
+#include "render/device/emulated/host_gpu.h"
+#include "render/device/gpu/gpu_device.h"
+#include "render/film/tone_map.h"
+#include "render/kernel/pixel.h"
+#include "tests/support/scenes.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tissue_scene.h"
+
+using namespace pdr;
+
+namespace {
+
+/// Counts what is taken of its memory and of the host's.
+struct CountingGpu : HostGpu {
+    using HostGpu::HostGpu;
+    int allocations = 0;
+
+    void* allocate(std::size_t bytes) {
+        ++allocations;
+        return HostGpu::allocate(bytes);
+    }
+    void* allocatePinned(std::size_t bytes) {
+        ++allocations;
+        return HostGpu::allocatePinned(bytes);
+    }
+};
+
+std::unique_ptr<Device> hostGpu() {
+    return std::make_unique<GpuDevice<HostGpu>>(DeviceInfo{"host", "", false});
+}
+
+Scene someScene() {
+    Scene scene = test::tissueScene();
+    scene.film = {70, 45};  // its right and lower cells are cut
+    scene.revision = 3;
+    return scene;
+}
+
+Tile wholeOf(const Scene& scene) {
+    return wholeImage(scene.film);
+}
+
+/// Of a tile, as a machine elsewhere makes it: the block's samples up to `end`.
+TileResult resultOf(const Scene& scene, const Tile& tile, std::uint64_t end) {
+    const std::uint64_t block = (end - 1) / kSamplesPerBlock * kSamplesPerBlock;
+    TileResult result{scene.revision, tile, {block, std::uint32_t(end - block)}, {}, {}};
+    result.sums.resize(std::size_t(tile.width) * std::size_t(tile.height));
+    CpuTracer().trace(Flattener().prepare(scene)->flat, tile, result.samples, {result.sums.data(), tile.width});
+    return result;
+}
+
+std::uint64_t pixelsIn(const std::vector<EvenTile>& tiles) {
+    std::uint64_t pixels = 0;
+    for (const EvenTile& even : tiles)
+        pixels += std::uint64_t(even.tile.width) * std::uint64_t(even.tile.height);
+    return pixels;
+}
+
+}  // namespace
+
+/// Parts of a picture may be further than others, and may be made elsewhere: what they become is the same to the bit.
+class FilmOfRegionsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void progressIsKeptByCells() {
+        const Tile area{100, 200, 70, 45};
+        TileProgress progress(area, 128);
+        QVERIFY((progress.evenTiles(area) == std::vector{EvenTile{area, 128}}));
+        QVERIFY((progress.counts() == SampleCounts{0, 0, 0}));
+        const Tile region{120, 210, 10, 10};
+        const Tile cells = progress.cellsAround(region);
+        QVERIFY((cells == Tile{116, 200, 16, 32}));
+        QVERIFY(progress.isWholeCells(cells) && !progress.isWholeCells(region));
+        QVERIFY((progress.cellsAround({165, 240, 5, 5}) == Tile{164, 232, 6, 13}));  // cut by the edges
+        progress.advance(cells, 138);
+        const std::vector<EvenTile> even = progress.evenTiles(area);
+        QVERIFY(even.size() <= 5);
+        QCOMPARE(pixelsIn(even), std::uint64_t(70 * 45));
+        QCOMPARE(progress.counts().least, std::uint64_t(0));
+        QCOMPARE(progress.counts().most, std::uint64_t(10));
+        QCOMPARE(progress.counts().mean, 10.0 * 16 * 32 / (70 * 45));
+        QVERIFY(progress.evenTiles({100, 200, 0, 0}).empty());
+    }
+
+    /// Tiles of equal progress cover their region once, whatever came before.
+    void evenTilesCoverTheirRegionOnce() {
+        std::mt19937 random(4);
+        const Tile area{0, 0, 150, 90};
+        TileProgress progress(area);
+        for (int step = 0; step < 200; ++step) {
+            const int x = int(random() % 150), y = int(random() % 90);
+            const Tile cells = progress.cellsAround(
+                {x, y, 1 + int(random() % unsigned(150 - x)), 1 + int(random() % unsigned(90 - y))});
+            std::vector<int> covered(150 * 90);
+            for (const EvenTile& even : progress.evenTiles(cells)) {
+                QVERIFY(isInside(even.tile, cells) && progress.isWholeCells(even.tile));
+                QCOMPARE(progress.evenTiles(even.tile).size(), std::size_t(1));
+                for (int py = even.tile.y; py < even.tile.y + even.tile.height; ++py)
+                    for (int px = even.tile.x; px < even.tile.x + even.tile.width; ++px)
+                        ++covered[std::size_t(py * 150 + px)];
+                progress.advance(even.tile, even.next + random() % 3);
+            }
+            QCOMPARE(std::count(covered.begin(), covered.end(), 1), std::ptrdiff_t(cells.width) * cells.height);
+            QCOMPARE(std::count(covered.begin(), covered.end(), 0),
+                     std::ptrdiff_t(150 * 90) - std::ptrdiff_t(cells.width) * cells.height);
+        }
+    }
+
+    /// A region may run ahead across blocks; when the rest has caught up the film is that of all pixels at once.
+    void regionsThatRunAheadChangeNoBit() {
+        const Scene scene = someScene();
+        for (const bool gpu : {false, true}) {
+            const auto device = gpu ? hostGpu() : makeCpuDevice();
+            QVERIFY(device->upload(scene));
+            const auto film = *device->film(scene.film, scene.revision, {});
+            const Tile region{20, 10, 30, 20}, cells{16, 0, 48, 32};
+            QVERIFY(film->iterate(region, 100, {}));
+            QVERIFY(film->iterate(7, {}));
+            const auto ahead = *film->film();
+            QCOMPARE(ahead->samples().least, std::uint64_t(7));
+            QCOMPARE(ahead->samples().most, std::uint64_t(107));
+            QCOMPARE(ahead->pixel(20, 10).count, std::uint64_t(107));
+            QCOMPARE(ahead->pixel(69, 44).count, std::uint64_t(7));
+            QVERIFY(film->show({}));
+            const Result<Picture> picture = film->take();
+            QVERIFY(picture);
+            QCOMPARE(picture->status.samplesPerPixel, std::uint64_t(7));
+            QCOMPARE(picture->status.mostSamplesPerPixel, std::uint64_t(107));
+            QCOMPARE(picture->status.meanSamplesPerPixel, ahead->samples().mean);
+            QVERIFY(std::isinf(picture->status.displayError));  // of all pixels, and some have seven samples
+            for (const EvenTile& even : ahead->progress().evenTiles(wholeOf(scene)))
+                if (!isInside(even.tile, cells))
+                    QVERIFY(film->iterate(even.tile, 100, {}));
+            QVERIFY(sameBits((*film->film())->content(), test::render(scene, 107).content()));
+        }
+    }
+
+    /// The halves are the means of even and odd samples, and both together the mean of all.
+    void halvesAreThoseOfEvenAndOddSamples() {
+        const auto value = [](std::uint64_t sample) { return float(1 + (sample * 2654435761u) % 1000) / 256; };
+        for (const std::uint64_t samples : {1ull, 2ull, 5ull, 64ull, 65ull, 1000ull}) {
+            Film film(Tile{0, 0, 1, 1}, 1);
+            dvec3 sums[2]{dvec3(0), dvec3(0)};
+            std::uint64_t counts[2]{};
+            while (film.samplesPerPixel() < samples) {
+                const SampleRange range = film.nextSamples(std::uint32_t(samples - film.samplesPerPixel()));
+                for (std::uint64_t sample = range.first; sample < range.end(); ++sample) {
+                    addSample(*film.sums(film.area()).pixels, vec3(value(sample)), sample);
+                    sums[sample % 2] += dvec3(value(sample));
+                    ++counts[sample % 2];
+                }
+                film.commit(range);
+            }
+            const PixelEstimate pixel = film.pixel(0, 0);
+            const double even = sums[0].x / double(counts[0]);
+            const double odd = counts[1] > 0 ? sums[1].x / double(counts[1]) : pixel.mean.x;
+            QVERIFY(std::fabs(pixel.halves.even.x - even) < 1e-6 * even);
+            QVERIFY(std::fabs(pixel.halves.odd.x - odd) < 1e-6 * odd);
+            const double both = (pixel.halves.even.x * double(counts[0]) + pixel.halves.odd.x * double(counts[1]));
+            QVERIFY(std::fabs(both / double(samples) - pixel.mean.x) < 1e-12);
+        }
+    }
+
+    /// Half the squared difference of the halves is the variance of the mean, pixel by pixel on average.
+    void theHalvesTellTheNoise() {
+        const Film film = test::render(someScene(), 256);
+        double halves = 0, errors = 0;
+        for (int y = 0; y < film.size().y; ++y)
+            for (int x = 0; x < film.size().x; ++x) {
+                const PixelEstimate pixel = film.pixel(x, y);
+                const double difference = pixel.halves.even.x - pixel.halves.odd.x;
+                halves += difference * difference / 4;
+                errors += pixel.standardError.x * pixel.standardError.x;
+            }
+        QVERIFY2(std::fabs(halves / errors - 1) < 0.15, qPrintable(QString::number(halves / errors)));
+    }
+
+    /// Tiles that were made elsewhere, in any order of tiles, block by block and with a part of a block before: the film
+    /// is that of one device.
+    void mergedTilesAreOneDevicesFilm() {
+        const Scene scene = someScene();
+        std::vector<Tile> tiles{{0, 0, 32, 32}, {32, 0, 38, 16}, {32, 16, 38, 16}, {0, 32, 70, 13}};
+        std::mt19937 random(5);
+        Film film(wholeOf(scene), scene.revision);
+        for (const std::uint64_t end : {3ull, 50ull, 64ull, 70ull, 128ull, 131ull}) {
+            std::ranges::shuffle(tiles, random);
+            for (const Tile& tile : tiles) {
+                const Result<void> merged = film.merge(resultOf(scene, tile, end));
+                QVERIFY2(merged, merged ? "" : merged.error().text().c_str());
+            }
+        }
+        QVERIFY(sameBits(film.content(), test::render(scene, 131).content()));
+    }
+
+    void whatDoesNotFitIsRefusedAndChangesNothing() {
+        const Scene scene = someScene();
+        const Tile tile{16, 16, 16, 16};
+        Film film(wholeOf(scene), scene.revision);
+        const TileResult good = resultOf(scene, tile, 10);
+        const auto refusal = [&](TileResult result) {
+            const FilmContent before = film.content();
+            const Result<void> merged = film.merge(result);
+            if (!sameBits(before, film.content()))
+                return std::string("the film changed");
+            return merged ? std::string() : merged.error().what;
+        };
+        const auto changed = [&](auto&& change) {
+            TileResult result = good;
+            change(result);
+            return refusal(result);
+        };
+        QVERIFY(changed([](TileResult& r) { r.revision = 2; }).ends_with("another scene"));
+        QVERIFY(changed([](TileResult& r) { r.tile.x = 17; }).ends_with("no such tile is asked for"));
+        QVERIFY(changed([](TileResult& r) { r.tile = {64, 32, 16, 16}; }).ends_with("no such tile is asked for"));
+        QVERIFY(changed([](TileResult& r) { r.tile = {-16, 0, 16, 16}; }).ends_with("no such tile is asked for"));
+        QVERIFY(changed([](TileResult& r) { r.tile.width = -16; }).ends_with("no such tile is asked for"));
+        QVERIFY(changed([](TileResult& r) { r.sums.pop_back(); }).ends_with("no such tile is asked for"));
+        QVERIFY(changed([](TileResult& r) { r.samples.first = 64; }).ends_with("not the next ones"));
+        QVERIFY(changed([](TileResult& r) { r.samples = {0, 65}; }).ends_with("not the next ones"));
+        QVERIFY(changed([](TileResult& r) { r.samples = {1, 9}; }).ends_with("not the next ones"));
+        QVERIFY(changed([](TileResult& r) { r.samples.count = 0; }).ends_with("there already"));
+        QVERIFY(changed([](TileResult& r) { r.sums[7].count = 11; }).ends_with("its sums are none"));
+        QVERIFY(changed([](TileResult& r) { r.sums[7].sum.y = NAN; }).ends_with("its sums are none"));
+        QVERIFY(changed([](TileResult& r) { r.sums[7].sum.y = -1; }).ends_with("its sums are none"));
+        QVERIFY(changed([](TileResult& r) { r.sums[7].sumOfSquares.z = INFINITY; }).ends_with("its sums are none"));
+        QVERIFY(film.merge(good));
+        QVERIFY(refusal(good).ends_with("there already"));
+        QVERIFY(refusal(resultOf(scene, tile, 5)).ends_with("there already"));
+        const TileResult beside = resultOf(scene, {0, 16, 32, 16}, 10);  // half of it is new
+        QVERIFY(refusal(beside).ends_with("not the next ones"));
+    }
+
+    /// The next scene's film is made in the memory of the last one.
+    void anEditAllocatesNothing() {
+        Scene scene = someScene();
+        scene.film = {1920, 1080};
+        const dvec3 centre = scene.volume->geometry().centreMm();
+        scene.camera.eyeMm = centre + 20.0 * (scene.camera.eyeMm - centre);  // the film counts here, not the paths
+        GpuDevice<CountingGpu> device(DeviceInfo{"counting", "", false});
+        const auto picture = [&](Accumulator& film) {
+            return film.iterate(1, {}) && film.show({}) && bool(film.take());
+        };
+        QVERIFY(device.upload(scene));
+        const auto film = *static_cast<Device&>(device).film(scene.film, scene.revision, {});
+        QVERIFY(picture(*film));
+        const auto allocations = [&](const auto& edit) {
+            const int before = device.gpu().allocations;
+            edit(scene);
+            ++scene.revision;
+            const bool shown = device.upload(scene) && film->restart(wholeOf(scene), scene.revision) && picture(*film);
+            return shown ? device.gpu().allocations - before : -1;
+        };
+        QVERIFY(allocations([](Scene&) {}) >= 0);  // both slots of its pictures have been used by now
+        QCOMPARE(allocations([](Scene& s) { s.camera.eyeMm.x += 5; }), 0);
+        QCOMPARE(allocations([](Scene& s) { s.transferFunction.nodes[1].albedo = vec3(0.3f); }), 0);
+        QCOMPARE(allocations([](Scene& s) { s.transferFunction.nodes[1].opacity = 0.4f; }), 0);
+        QCOMPARE(allocations([](Scene& s) { s.film = {240, 135}; }), 0);  // while something moves
+        QCOMPARE(allocations([](Scene& s) { s.film = {1920, 1080}; }), 0);
+        QVERIFY(sameBits((*film->film())->content(), test::render(scene, 1).content()));
+    }
+
+    void aFilmThatIsRestartedIsAFreshOne() {
+        Scene scene = someScene();
+        for (const bool gpu : {false, true}) {
+            const auto device = gpu ? hostGpu() : makeCpuDevice();
+            QVERIFY(device->upload(scene));
+            const auto film = *device->film(scene.film, scene.revision, {});
+            QVERIFY(film->iterate(70, {}) && film->show({}));
+            Scene next = scene;
+            next.camera.eyeMm.x += 20;
+            next.film = {64, 50};
+            next.revision = 8;
+            QVERIFY(device->upload(next) && film->restart(wholeOf(next), next.revision));
+            QVERIFY(film->iterate(66, {}));
+            QCOMPARE((*film->film())->revision(), std::uint64_t(8));
+            QVERIFY(sameBits((*film->film())->content(), test::render(next, 66).content()));
+            QVERIFY(film->show({}));
+            const Result<Picture> picture = film->take();  // not the one that was ordered before
+            QVERIFY(picture && picture->rgba == toneMap(**film->film(), {}));
+        }
+    }
+
+    void exposureRendersScheduleTakesWholePicturesOnly() {
+        const Scene scene = someScene();
+        const auto device = makeCpuDevice();
+        QVERIFY(device->upload(scene));
+        const auto film = *device->film(scene.film, scene.revision, {.kind = Schedule::Kind::kroes});
+        QVERIFY(!film->iterate({0, 0, 16, 16}, 1, {}));
+        QVERIFY(film->iterate(1, {}));
+    }
+};
+
+QTEST_GUILESS_MAIN(FilmOfRegionsTest)
+#include "film_of_regions_test.moc"

@@ -1,0 +1,215 @@
+#include <QtTest>
+
+#include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
+#include <ImfDoubleAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfStringAttribute.h>
+#include <sys/resource.h>
+#include <QImage>
+#include <QTemporaryDir>
+
+#include <csignal>
+#include <fstream>
+
+#include "render/film/image_file.h"
+#include "render/film/tone_map.h"
+
+using namespace pdr;
+
+static Health someFaults() {
+    Health health;
+    health.add(Fault::infinite, 7, 11);
+    health.add(Fault::infinite, 9, 2);
+    health.add(Fault::negative, 3, 4);
+    health.add(Fault::cutPath, 1, 1);
+    return health;
+}
+
+static const Provenance kFacts{
+    128, 1.5, 0.025, someFaults(), 18446744073709551615u, "singleScattering", 2.5, "PD-Render 0.1.0"};
+
+/// Two samples a pixel, so that means and standard errors are known.
+static Film exampleFilm(ivec2 size) {
+    Film film(size, 0);
+    TileSums sums = film.sums(wholeImage(size));
+    for (int i = 0; i < size.x * size.y; ++i) {
+        const dvec3 a(i, 0.5 * i, 1), b(i + 1, 0.5 * i + 2, 1);
+        sums.pixels[i] = {.sum = a + b, .sumOfSquares = a * a + b * b, .count = 2};
+    }
+    film.commit({0, 2});
+    return film;
+}
+
+static QByteArray contents(const std::filesystem::path& path) {
+    QFile file(QString::fromStdString(path.string()));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+class ImageFileTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    std::filesystem::path at(const char* name) const { return folder_.filePath(name).toStdString(); }
+    QStringList names() const {
+        return QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
+
+  private slots:
+    void cleanup() {
+        for (const QString& name : names())
+            std::filesystem::remove_all(at(name.toUtf8().constData()));
+    }
+
+    void pngHoldsTheToneMappedFilmAndItsProvenance() {
+        const Film film = exampleFilm({7, 5});
+        QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"))));
+        const QImage image(folder_.filePath("a.png"));
+        const auto rgba = toneMap(film, {4});
+        QCOMPARE(image.size(), QSize(7, 5));
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 7; ++x) {
+                const std::uint8_t* level = &rgba[std::size_t(y * 7 + x) * 4];
+                QCOMPARE(image.pixel(x, y), qRgb(level[0], level[1], level[2]));
+            }
+        QCOMPARE(image.text("pdrender/samplesPerPixel"), QString("128"));
+        QCOMPARE(image.text("pdrender/seconds"), QString("1.5"));
+        QCOMPARE(image.text("pdrender/relativeError"), QString("0.025"));
+        QCOMPARE(image.text("pdrender/seed"), QString("18446744073709551615"));
+        QCOMPARE(image.text("pdrender/model"), QString("singleScattering"));
+        QCOMPARE(image.text("pdrender/extinctionPerMm"), QString("2.5"));
+        QCOMPARE(image.text("Software"), QString("PD-Render 0.1.0"));
+    }
+
+    void aBiasedEstimatorIsSaid() {
+        const Film film = exampleFilm({2, 2});
+        QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"))));
+        QVERIFY(!QImage(folder_.filePath("a.png")).textKeys().contains("pdrender/estimator"));
+        Provenance biased = kFacts;
+        biased.estimator = "kroesMarch (biased)";
+        QVERIFY(bool(writePng(film, {4}, biased, at("a.png"))) && bool(writeExr(film, biased, at("a.exr"))));
+        QCOMPARE(QImage(folder_.filePath("a.png")).text("pdrender/estimator"), QString("kroesMarch (biased)"));
+        Imf::InputFile file(at("a.exr").c_str());
+        QCOMPARE(file.header().typedAttribute<Imf::StringAttribute>("pdrender/estimator").value(),
+                 "kroesMarch (biased)");
+    }
+
+    void exrComesBackAsItWasWritten() {
+        const Film film = exampleFilm({7, 5});
+        QVERIFY(bool(writeExr(film, kFacts, at("b.exr"))));
+        const auto image = readExr(at("b.exr"));
+        QVERIFY(image && image->size == ivec2(7, 5));
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 7; ++x)
+                QVERIFY(image->pixels[y * 7 + x] == vec3(film.pixel(x, y).mean));
+        QVERIFY(!readExr(at("no such file.exr")));
+        QFile file(QString::fromStdString(at("b.exr")));
+        QVERIFY(file.open(QIODevice::ReadWrite) && file.resize(file.size() / 2));
+        QVERIFY(!readExr(at("b.exr")));
+        QVERIFY(file.resize(0) && !readExr(at("b.exr")));
+    }
+
+    void exrHoldsMeanErrorAndProvenance() {
+        const Film film = exampleFilm({7, 5});
+        QVERIFY(bool(writeExr(film, kFacts, at("a.exr"))));
+        Imf::InputFile file(at("a.exr").c_str());
+        const Imf::Header& header = file.header();
+        QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/samplesPerPixel").value(), 128.0);
+        QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/relativeError").value(), 0.025);
+        QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/rejectedSamples").value(), 3.0);
+        QCOMPARE(header.typedAttribute<Imf::StringAttribute>("pdrender/health").value(),
+                 "notANumber 0, infinite 2 (pixel 11, sample 7), negative 1 (pixel 4, sample 3), overMajorant 0, "
+                 "cutPath 1 (pixel 1, sample 1), overTolerance 0");
+        QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("renderTimeSeconds").value(), 1.5);
+        QCOMPARE(header.typedAttribute<Imf::StringAttribute>("pdrender/seed").value(), "18446744073709551615");
+        QCOMPARE(header.typedAttribute<Imf::StringAttribute>("pdrender/program").value(), "PD-Render 0.1.0");
+        QCOMPARE(header.typedAttribute<Imf::ChromaticitiesAttribute>("chromaticities").value().red.x, 0.64f);
+
+        const char* channels[] = {"R", "G", "B", "error.R", "error.G", "error.B"};
+        std::vector<float> values(7 * 5 * 6);
+        Imf::FrameBuffer frame;
+        for (int c = 0; c < 6; ++c) {
+            QVERIFY(header.channels().findChannel(channels[c]));
+            frame.insert(channels[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&values[c]), 24, 24 * 7));
+        }
+        file.setFrameBuffer(frame);
+        file.readPixels(0, 4);
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 7; ++x) {
+                const PixelEstimate pixel = film.pixel(x, y);
+                for (int c = 0; c < 3; ++c) {
+                    QCOMPARE(values[(y * 7 + x) * 6 + c], float(pixel.mean[c]));
+                    QCOMPARE(values[(y * 7 + x) * 6 + 3 + c], float(pixel.standardError[c]));
+                }
+            }
+    }
+
+    void anotherRenderersScheduleIsSaid() {
+        const Film film = exampleFilm({2, 2});
+        QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"))));
+        QVERIFY(!QImage(folder_.filePath("a.png")).textKeys().contains("pdrender/schedule"));
+        Provenance compared = kFacts;
+        compared.schedule = "Exposure Render's K1, blurred";
+        QVERIFY(bool(writePng(film, {4}, compared, at("a.png"))) && bool(writeExr(film, compared, at("a.exr"))));
+        QCOMPARE(QImage(folder_.filePath("a.png")).text("pdrender/schedule"), "Exposure Render's K1, blurred");
+        Imf::InputFile file(at("a.exr").c_str());
+        QCOMPARE(file.header().typedAttribute<Imf::StringAttribute>("pdrender/schedule").value(),
+                 "Exposure Render's K1, blurred");
+    }
+
+    void sameFilmSameBytes() {
+        const Film film = exampleFilm({16, 16});
+        QVERIFY(bool(writeExr(film, kFacts, at("a.exr"))) && bool(writeExr(film, kFacts, at("b.exr"))));
+        QVERIFY(bool(writePng(film, {1}, kFacts, at("a.png"))) && bool(writePng(film, {1}, kFacts, at("b.png"))));
+        QCOMPARE(contents(at("a.exr")), contents(at("b.exr")));
+        QCOMPARE(contents(at("a.png")), contents(at("b.png")));
+    }
+
+    void anOldPictureIsReplaced() {
+        std::ofstream(at("a.png")) << "old";
+        QVERIFY(bool(writePng(exampleFilm({4, 4}), {1}, kFacts, at("a.png"))));
+        QVERIFY(!QImage(folder_.filePath("a.png")).isNull());
+        QCOMPARE(names(), QStringList{"a.png"});
+    }
+
+    void aMissingFolderIsNamed() {
+        const auto ok = writePng(exampleFilm({4, 4}), {1}, kFacts, at("none/a.png"));
+        QVERIFY(!ok);
+        QCOMPARE(ok.error().where, at("none/a.png").string());
+        QVERIFY(ok.error().hint.find("Create the folder") != std::string::npos);
+    }
+
+    void aFolderIsNoFile() {
+        std::filesystem::create_directory(at("a.png"));
+        QVERIFY(!writePng(exampleFilm({4, 4}), {1}, kFacts, at("a.png")));
+        QVERIFY(!writeExr(exampleFilm({4, 4}), kFacts, at("a.png")));
+        QCOMPARE(names(), QStringList{"a.png"});
+    }
+
+    /// A limit on the size of files fails the write as a full disk does.
+    void afterAFullDiskTheOldPictureIsStillThere() {
+        std::ofstream(at("a.png")) << "old";
+        std::ofstream(at("a.exr")) << "old";
+        const Film film = exampleFilm({300, 300});
+        rlimit before{};
+        getrlimit(RLIMIT_FSIZE, &before);
+        const auto oldHandler = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit small{2000, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+        const auto png = writePng(film, {3e4f}, kFacts, at("a.png"));
+        const auto exr = writeExr(film, kFacts, at("a.exr"));
+        setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, oldHandler);
+        QVERIFY(!png && !exr);
+        QVERIFY2(png.error().hint.find("Make room") != std::string::npos, png.error().text().c_str());
+        QVERIFY2(exr.error().hint.find("Make room") != std::string::npos, exr.error().text().c_str());
+        QCOMPARE(names(), (QStringList{"a.exr", "a.png"}));
+        QCOMPARE(contents(at("a.png")), QByteArray("old"));
+        QCOMPARE(contents(at("a.exr")), QByteArray("old"));
+    }
+};
+
+QTEST_APPLESS_MAIN(ImageFileTest)
+#include "image_file_test.moc"
