@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/render_choices.h"
 #include "app/wiring.h"
 #include "render/device/device_list.h"
 #include "ui/status_text.h"
@@ -40,7 +39,7 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     window_.look().setPresets(names);
     offerDevices(window_.rendering(), bridge_.firstDevice());
     window_.rendering().setPace(settings_.pace());
-    bridge_.setPace(paceOf(window_.rendering().pace()));
+    bridge_.setPace(window_.rendering().pace());
     window_.resize(1360, 860);
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());

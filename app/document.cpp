@@ -10,7 +10,7 @@
 namespace pdr::app {
 namespace {
 
-constexpr double kFilled = 0.92;  ///< share of the picture that the volume takes; the rest is for the letters
+constexpr double kFilled = 0.92;  ///< fraction of the picture that the volume takes; the rest is for the letters
 
 }  // namespace
 
@@ -22,43 +22,45 @@ ivec2 filmFor(ivec2 pixels) {
 
 Document::Document(std::vector<Preset> presets) : presets_(std::move(presets)) {
     assert(!presets_.empty());
+    setup_.look = presets_.front().look;
+    setup_.lookName = presets_.front().name;
 }
 
-Display Document::display() const {
-    Display display = presets_[std::size_t(now_.preset)].display;
-    display.exposure *= float(std::exp2(-now_.brightness));
-    return display;
+int Document::preset() const {
+    for (std::size_t i = 0; i < presets_.size(); ++i)
+        if (presets_[i].name == setup_.lookName && presets_[i].look == setup_.look)
+            return int(i);
+    return -1;
 }
 
 void Document::open(std::shared_ptr<const Volume> volume) {
-    past_.clear();
-    future_.clear();
-    gesture_ = Gesture::none;
-    now_.scene.volume = std::move(volume);
-    now_.scene.camera = cameraOf(StandardView::anterior);
-    applyPreset();
+    forgetSteps();
+    volume_ = std::move(volume);
+    setup_.camera = cameraOf(StandardView::anterior);
+    show(false);
+    emit displayChanged(display());
 }
 
 void Document::close() {
-    past_.clear();
-    future_.clear();
-    gesture_ = Gesture::none;
-    now_.scene.volume.reset();
+    forgetSteps();
+    volume_.reset();
+    scene_.volume.reset();
 }
 
 void Document::setCamera(const Camera& camera, bool moving) {
     if (!hasVolume())
         return;
-    if (camera == now_.scene.camera && !moving)
-        return rest();
-    remember(Gesture::camera, moving);
-    applyCamera(camera, moving);
+    if (camera == setup_.camera && !moving)
+        return rest(Gesture::camera);
+    PictureSetup setup = setup_;
+    setup.camera = camera;
+    edit(std::move(setup), Gesture::camera, moving);
 }
 
-/// Where the user is pointing: no other scene. Where it was not at the camera there is nothing new at all.
-void Document::rest() {
-    if (std::exchange(gesture_, Gesture::none) == Gesture::camera)
-        emit sceneChanged(now_.scene, false);
+/// A gesture ends where it has led: no other scene. Where it was another gesture there is nothing new at all.
+void Document::rest(Gesture gesture) {
+    if (std::exchange(gesture_, Gesture::none) == gesture)
+        emit sceneChanged(scene_, false);
 }
 
 void Document::setView(StandardView view) {
@@ -68,118 +70,131 @@ void Document::setView(StandardView view) {
 void Document::setPreset(int index) {
     if (index < 0 || index >= int(presets_.size()))
         return;
-    if (hasVolume())
-        remember();
-    now_.preset = index;
-    now_.brightness = 0;
-    applyPreset();
+    PictureSetup setup = setup_;
+    setup.look = presets_[std::size_t(index)].look;
+    setup.lookName = presets_[std::size_t(index)].name;
+    setup.stops = 0;
+    edit(std::move(setup));
+    emit displayChanged(display());
+}
+
+void Document::setLook(const Look& look, bool moving) {
+    if (look == setup_.look && !moving)
+        return rest(Gesture::look);
+    PictureSetup setup = setup_;
+    setup.look = look;
+    setup.lookName = nameOf(look);
+    edit(std::move(setup), Gesture::look, moving);
+    emit displayChanged(display());
+}
+
+/// A picture must not bear the name of a preset that it does not show.
+std::string Document::nameOf(const Look& look) const {
+    const std::string changed = tr(" (changed)").toStdString();
+    for (const Preset& preset : presets_)
+        if (preset.look == look)
+            return preset.name;
+    return setup_.lookName.ends_with(changed) ? setup_.lookName : setup_.lookName + changed;
 }
 
 void Document::setEstimator(Estimator estimator) {
-    if (estimator == now_.scene.estimator)
+    if (estimator == setup_.estimator)
         return;
-    State state = now_;
-    state.scene.estimator = estimator;
-    if (!hasVolume()) {
-        now_ = std::move(state);
+    PictureSetup setup = setup_;
+    setup.estimator = estimator;
+    edit(std::move(setup));
+}
+
+void Document::setSchedule(const Schedule& schedule) {
+    if (schedule == setup_.schedule)
         return;
-    }
-    remember();
-    edit(std::move(state), false);
+    PictureSetup setup = setup_;
+    setup.schedule = schedule;
+    edit(std::move(setup));
 }
 
 void Document::setBrightness(double stops, bool moving) {
-    if (stops == now_.brightness && gesture_ != Gesture::brightness)
+    if (stops == setup_.stops && gesture_ != Gesture::brightness)
         return;
-    if (hasVolume())
-        remember(Gesture::brightness, moving);
-    now_.brightness = stops;
+    remember(Gesture::brightness, moving);
+    setup_.stops = stops;
     emit displayChanged(display());
 }
 
 void Document::setViewSize(ivec2 pixels) {
     const ivec2 film = filmFor(pixels);
-    if (film == now_.scene.film)
+    if (film == film_)
         return;
-    now_.scene.film = film;
-    if (hasVolume())
-        show(now_, false);
+    film_ = film;
+    show(false);
 }
 
 void Document::undo() {
     if (!canUndo())
         return;
-    future_.push_back(now_);
-    State state = std::move(past_.back());
+    future_.push_back(setup_);
+    PictureSetup setup = std::move(past_.back());
     past_.pop_back();
-    comeBackTo(std::move(state));
+    comeBackTo(std::move(setup));
 }
 
 void Document::redo() {
     if (!canRedo())
         return;
-    past_.push_back(now_);
-    State state = std::move(future_.back());
+    past_.push_back(setup_);
+    PictureSetup setup = std::move(future_.back());
     future_.pop_back();
-    comeBackTo(std::move(state));
+    comeBackTo(std::move(setup));
 }
 
-/// What stands now becomes a step to undo, unless `gesture` goes on.
+/// What stands now becomes a step to undo, unless `gesture` goes on. Without a volume there is nothing to go back to.
 void Document::remember(Gesture gesture, bool moving) {
     const bool continues = gesture != Gesture::none && gesture == gesture_;
     gesture_ = moving ? gesture : Gesture::none;
-    if (continues)
+    if (continues || !hasVolume())
         return;
-    past_.push_back(now_);
+    past_.push_back(setup_);
     if (past_.size() > kSteps)
         past_.pop_front();
     future_.clear();
 }
 
-void Document::edit(State state, bool moving) {
-    state.edit = ++edits_;
-    show(std::move(state), moving);
-}
-
-/// The window's size and the revision are not undone: an earlier state comes back as a new value.
-void Document::show(State state, bool moving) {
-    const ivec2 film = now_.scene.film;
-    now_ = std::move(state);
-    now_.scene.film = film;
-    now_.scene.revision = ++revision_;
-    emit sceneChanged(now_.scene, moving);
-}
-
-void Document::comeBackTo(State state) {
+void Document::forgetSteps() {
+    past_.clear();
+    future_.clear();
     gesture_ = Gesture::none;
-    if (state.edit == now_.edit)
-        now_.brightness = state.brightness;
-    else
-        show(std::move(state), false);
+}
+
+void Document::edit(PictureSetup setup, Gesture gesture, bool moving) {
+    remember(gesture, moving);
+    setup_ = std::move(setup);
+    show(moving);
+}
+
+/// The revision is not undone: an earlier setup comes back as a new scene, unless only what is shown was another.
+void Document::comeBackTo(PictureSetup setup) {
+    gesture_ = Gesture::none;
+    setup_ = std::move(setup);
+    Scene scene = sceneOf(setup_, volume_, film_);
+    scene.revision = scene_.revision;
+    if (scene != scene_)
+        show(false);
     emit displayChanged(display());
 }
 
-/// Without a volume the choice waits for one.
-void Document::applyPreset() {
-    if (hasVolume()) {
-        State state = now_;
-        state.scene = withPreset(std::move(state.scene), presets_[std::size_t(state.preset)]);
-        edit(std::move(state), false);
-    }
-    emit displayChanged(display());
-}
-
-/// The lights hang on the camera, so they are made anew with it.
-void Document::applyCamera(const Camera& camera, bool moving) {
-    State state = now_;
-    state.scene.camera = camera;
-    state.scene.lights = lightRig(presets_[std::size_t(state.preset)], state.scene.volume->geometry(), camera);
-    edit(std::move(state), moving);
+/// Without a volume what was set up waits for one.
+void Document::show(bool moving) {
+    if (!hasVolume())
+        return;
+    const std::uint64_t revision = scene_.revision + 1;
+    scene_ = sceneOf(setup_, volume_, film_);
+    scene_.revision = revision;
+    emit sceneChanged(scene_, moving);
 }
 
 Camera Document::cameraOf(StandardView view) const {
-    const VolumeGeometry& geometry = now_.scene.volume->geometry();
-    const double aspect = double(now_.scene.film.x) / now_.scene.film.y;
+    const VolumeGeometry& geometry = volume_->geometry();
+    const double aspect = double(film_.x) / film_.y;
     return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, kFilled);
 }
 

@@ -1,15 +1,14 @@
 #pragma once
-/// What is shown and how: a Scene with its preset and display, and the way back to earlier ones. The one place where a
-/// scene's revision grows.
+/// What is shown and how: a volume, what the user has set up of its picture, and the way back to earlier setups. The one
+/// place where a scene's revision grows.
 
 #include <QObject>
 #include <deque>
 #include <memory>
 #include <vector>
 
-#include "render/film/display.h"
+#include "render/scene/picture_setup.h"
 #include "render/scene/preset.h"
-#include "render/scene/scene.h"
 
 namespace pdr::app {
 
@@ -26,12 +25,13 @@ class Document : public QObject {
     explicit Document(std::vector<Preset> presets);
 
     const std::vector<Preset>& presets() const { return presets_; }
-    const Scene& scene() const { return now_.scene; }
-    bool hasVolume() const { return now_.scene.volume != nullptr; }
-    int preset() const { return now_.preset; }
-    /// Brightness in stops against the preset's; one more is twice as bright.
-    double brightness() const { return now_.brightness; }
-    Display display() const;
+    const PictureSetup& setup() const { return setup_; }
+    bool hasVolume() const { return volume_ != nullptr; }
+    /// What is rendered; of no volume it holds nothing that counts.
+    const Scene& scene() const { return scene_; }
+    /// The preset whose look this is; -1: the user has changed it.
+    int preset() const;
+    Display display() const { return displayOf(setup_); }
     bool canUndo() const { return !past_.empty(); }
     bool canRedo() const { return !future_.empty(); }
 
@@ -45,7 +45,10 @@ class Document : public QObject {
     void setCamera(const pdr::Camera& camera, bool moving);
     void setView(pdr::StandardView view);
     void setPreset(int index);
+    /// The user's own; one gesture is one step to undo, as well.
+    void setLook(const pdr::Look& look, bool moving = false);
     void setEstimator(pdr::Estimator estimator);
+    void setSchedule(const pdr::Schedule& schedule);
     /// Only what is shown changes, not what is computed. A step to undo of its own, one for each gesture as well.
     void setBrightness(double stops, bool moving = false);
     /// The view's size in pixels; no step to undo. The picture begins anew where its film has another size.
@@ -59,34 +62,28 @@ class Document : public QObject {
     void displayChanged(const pdr::Display& display);
 
   private:
-    /// All that undo brings back.
-    struct State {
-        Scene scene;
-        int preset = 0;
-        double brightness = 0;
-        std::uint64_t edit = 0;  ///< number of the edit that made the scene; the same number: the same scene
-    };
     /// The gesture in progress.
-    enum class Gesture { none, camera, brightness };
+    enum class Gesture { none, camera, look, brightness };
     /// Steps that can be undone: more than anyone goes back, and little memory.
     static constexpr std::size_t kSteps = 300;
 
     void remember(Gesture gesture = Gesture::none, bool moving = false);
-    void edit(State state, bool moving);
-    void show(State state, bool moving);
-    void comeBackTo(State state);
-    void rest();
-    void applyPreset();
-    void applyCamera(const Camera& camera, bool moving);
+    void edit(PictureSetup setup, Gesture gesture = Gesture::none, bool moving = false);
+    void comeBackTo(PictureSetup setup);
+    void forgetSteps();
+    void show(bool moving);
+    void rest(Gesture gesture);
+    std::string nameOf(const Look& look) const;
     Camera cameraOf(StandardView view) const;
 
     std::vector<Preset> presets_;
-    State now_;
-    std::deque<State> past_;
-    std::vector<State> future_;
+    std::shared_ptr<const Volume> volume_;
+    PictureSetup setup_;  ///< all that undo brings back
+    ivec2 film_ = Scene{}.film;
+    Scene scene_;  ///< of the three
+    std::deque<PictureSetup> past_;
+    std::vector<PictureSetup> future_;
     Gesture gesture_ = Gesture::none;
-    std::uint64_t revision_ = 0;
-    std::uint64_t edits_ = 0;
 };
 
 }  // namespace pdr::app

@@ -12,7 +12,7 @@ std::string scheduleText(const Schedule& schedule) {
            (schedule.filter ? ", blurred" : "");
 }
 
-Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds, const Schedule& schedule) {
+Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds) {
     return {status.samplesPerPixel,
             seconds,
             status.relativeError,
@@ -22,7 +22,7 @@ Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double sec
             scene.transferFunction.extinctionPerMm,
             "PD-Render " PDR_VERSION,
             scene.estimator == Estimator::unbiased ? "" : "kroesMarch (biased)",
-            scheduleText(schedule),
+            scheduleText(scene.schedule),
             warningNames(warnings(scene)),
             scene.volume ? scene.volume->remarks() : std::string()};
 }

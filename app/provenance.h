@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "render/device/baseline/schedule.h"
 #include "render/film/image_file.h"
 #include "render/scene/scene.h"
 
@@ -13,6 +12,6 @@ namespace pdr::app {
 std::string scheduleText(const Schedule& schedule);
 
 /// `seconds`: spent on rendering it.
-Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds, const Schedule& schedule = {});
+Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds);
 
 }  // namespace pdr::app

@@ -12,7 +12,7 @@ namespace {
 
 Result<void> write(const FilmView& view, const Display& display, bool exr, const QString& file) {
     const Film& film = view.film;
-    const Provenance provenance = provenanceOf(view.scene, film.status(), view.seconds, view.schedule);
+    const Provenance provenance = provenanceOf(view.scene, film.status(), view.seconds);
     const std::filesystem::path path = ui::fromQt(file);
     return exr ? writeExr(film, provenance, path) : writePng(film, display, provenance, path);
 }
@@ -54,10 +54,6 @@ void RenderBridge::setDisplay(const Display& display) {
 
 void RenderBridge::setPace(const FrameBudget& pace) {
     session_.setPace(pace);
-}
-
-void RenderBridge::setSchedule(const Schedule& schedule) {
-    session_.setSchedule(schedule);
 }
 
 void RenderBridge::setDevice(const QString& name) {

@@ -30,7 +30,6 @@ class RenderBridge : public QObject {
     void submit(const pdr::Scene& scene, bool moving);
     void setDisplay(const pdr::Display& display);
     void setPace(const pdr::FrameBudget& pace);
-    void setSchedule(const pdr::Schedule& schedule);
     /// The picture goes on there. A device that cannot be used ends with noticed().
     void setDevice(const QString& name);
     void setPaused(bool paused);

@@ -1,24 +1,13 @@
 #include "app/scene_volume.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "app/series_choice.h"
 #include "dicom/import.h"
 #include "render/volume/clamp.h"
 
 namespace pdr::app {
 namespace {
-
-/// Why nothing of the scan can be loaded, in one sentence per series at most.
-Error nothingLoadable(const dicom::ScanResult& scan) {
-    std::string reasons;
-    for (const dicom::Series& series : scan.series)
-        reasons += (reasons.empty() ? "" : "; ") + series.verdict.reason;
-    if (reasons.empty() && !scan.problems.empty())
-        reasons = scan.problems.front().reason;
-    return {"no series here can be loaded" + (reasons.empty() ? "" : ": " + reasons), "",
-            "\"pdrender-cli info FOLDER\" lists all of them."};
-}
 
 /// Scanning takes the first tenth of the bar, decoding the rest.
 Progress part(const Progress& progress, double from, double to) {
@@ -28,17 +17,6 @@ Progress part(const Progress& progress, double from, double to) {
 }
 
 }  // namespace
-
-Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& id) {
-    const auto found = std::find_if(scan.series.begin(), scan.series.end(), [&](const dicom::Series& series) {
-        return id.empty() ? series.verdict.loadable() : series.series.id() == id;
-    });
-    if (found != scan.series.end())
-        return *found;
-    if (id.empty())
-        return nothingLoadable(scan);
-    return Error{"there is no series " + id + " here", "", "\"pdrender-cli info FOLDER\" lists those that there are."};
-}
 
 Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& progress) {
     if (!source.raw.path.empty()) {

@@ -12,10 +12,6 @@
 
 namespace pdr::app {
 
-/// The entry with this `id` (SeriesFacts::id), or the first loadable one for an empty `id`. Errors: none is there, with
-/// the reasons why.
-Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& id);
-
 struct FetchedVolume {
     std::shared_ptr<const Volume> volume;
     std::vector<dicom::Note> notes;  ///< what a user should know about them

@@ -30,8 +30,8 @@ QString Settings::device() const {
     return store_.value(kDevice, "auto").toString();
 }
 
-ui::FrameBudgetChoice Settings::pace() const {
-    const ui::FrameBudgetChoice usual;
+FrameBudget Settings::pace() const {
+    const FrameBudget usual{.automatic = true};
     return {store_.value(kAutomatic, usual.automatic).toBool(), store_.value(kIterations, usual.iterations).toInt(),
             store_.value(kFrames, usual.framesPerSecond).toDouble()};
 }
@@ -40,7 +40,7 @@ void Settings::keepDevice(const QString& name) {
     store_.setValue(kDevice, name);
 }
 
-void Settings::keepPace(const ui::FrameBudgetChoice& pace) {
+void Settings::keepPace(const FrameBudget& pace) {
     store_.setValue(kAutomatic, pace.automatic);
     store_.setValue(kIterations, pace.iterations);
     store_.setValue(kFrames, pace.framesPerSecond);

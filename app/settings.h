@@ -18,9 +18,9 @@ class Settings {
     QByteArray windowGeometry() const;
     QByteArray windowState() const;
     QString device() const;  ///< "auto" as long as none was chosen
-    ui::FrameBudgetChoice pace() const;
+    FrameBudget pace() const;
     void keepDevice(const QString& name);
-    void keepPace(const ui::FrameBudgetChoice& pace);
+    void keepPace(const FrameBudget& pace);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);
 
   private:

@@ -1,8 +1,6 @@
 #include "app/window_content.h"
 
-#include <algorithm>
-
-#include "app/render_choices.h"
+#include "app/series_choice.h"
 #include "render/prepare/warnings.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
@@ -29,13 +27,6 @@ void showNoPicture(const DesktopParts& parts, const QString& message) {
     parts.window.viewport().setMessage(message);
     parts.window.status().setText({});
     parts.window.setPictureAvailable(false);
-}
-
-Error nothingLoadable(const dicom::ScanResult& scan, const QString& folder) {
-    Error error{"no series in this folder can be shown", folder.toStdString(), "Open a folder with a CT series."};
-    if (!scan.series.empty() && !scan.series.front().verdict.reason.empty())
-        error.hint = scan.series.front().verdict.reason;
-    return error;
 }
 
 /// What the import remarked on the series and its voxels, one sentence a line.
@@ -68,12 +59,12 @@ void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QS
     parts.window.message().clear();
     parts.window.setLastFolder(folder);
     parts.window.series().setScan(scan);
-    const auto first = std::find_if(scan.series.begin(), scan.series.end(),
-                                    [](const dicom::Series& series) { return series.verdict.loadable(); });
-    if (first != scan.series.end())
-        return parts.import.loadSeries(int(first - scan.series.begin()));
+    if (const int first = firstLoadable(scan); first >= 0)
+        return parts.import.loadSeries(first);
     parts.window.series().setCurrent(scan.series.empty() ? -1 : 0);
-    parts.window.message().showError(nothingLoadable(scan, folder));
+    Error error = nothingLoadable(scan).in(folder.toStdString());
+    error.hint = "Open a folder with a CT series.";
+    parts.window.message().showError(error);
 }
 
 void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index) {
@@ -110,7 +101,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         showNoPicture(parts, ui::MainWindow::tr("No picture"));
         return showFailure(parts, {frame->error, "", ""});
     }
-    parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->look)});
+    parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->lookName)});
     parts.window.setPictureAvailable(true);
     showStatus(parts);
 }
@@ -125,7 +116,7 @@ void showStatus(const DesktopParts& parts) {
     else
         text << ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused())
              << ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency});
-    const QString comparison = ui::comparisonText(choiceOf(frame->schedule), frame->estimator);
+    const QString comparison = ui::comparisonText(frame->schedule, frame->estimator);
     if (!comparison.isEmpty())
         text.prepend(comparison);
     for (const Warning& warning : warnings(parts.document.scene()))
@@ -135,11 +126,12 @@ void showStatus(const DesktopParts& parts) {
 
 void showDocument(const DesktopParts& parts) {
     const Document& document = parts.document;
-    const auto camera = document.hasVolume() ? std::optional(document.scene().camera) : std::nullopt;
+    const auto camera = document.hasVolume() ? std::optional(document.setup().camera) : std::nullopt;
     parts.window.viewport().setCamera(camera);
     parts.window.look().setPreset(document.preset());
-    parts.window.look().setBrightness(document.brightness());
-    parts.window.rendering().setEstimator(document.scene().estimator);
+    parts.window.look().setBrightness(document.setup().stops);
+    parts.window.rendering().setEstimator(document.setup().estimator);
+    parts.window.rendering().setSchedule(document.setup().schedule);
     parts.window.setUndoAvailable(document.canUndo(), document.canRedo());
 }
 

@@ -1,7 +1,5 @@
 #include "app/wiring.h"
 
-#include "app/render_choices.h"
-
 namespace pdr::app {
 namespace {
 
@@ -41,6 +39,7 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&window.look(), &ui::LookPanel::presetChosen, &document, &Document::setPreset);
     QObject::connect(&window.look(), &ui::LookPanel::brightnessChosen, &document, &Document::setBrightness);
     QObject::connect(&window.rendering(), &ui::RenderPanel::estimatorChosen, &document, &Document::setEstimator);
+    QObject::connect(&window.rendering(), &ui::RenderPanel::scheduleChosen, &document, &Document::setSchedule);
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }
@@ -53,10 +52,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&document, &Document::displayChanged, &bridge, &RenderBridge::setDisplay);
     QObject::connect(&document, &Document::sceneChanged, &bridge, &RenderBridge::submit);
     const ui::RenderPanel& rendering = window.rendering();
-    QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &bridge,
-                     [&bridge](const ui::FrameBudgetChoice& pace) { bridge.setPace(paceOf(pace)); });
-    QObject::connect(&rendering, &ui::RenderPanel::scheduleChosen, &bridge,
-                     [&bridge](const ui::ScheduleChoice& schedule) { bridge.setSchedule(scheduleOf(schedule)); });
+    QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &bridge, &RenderBridge::setPace);
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
     QObject::connect(&window, &ui::MainWindow::minimisedChanged, &bridge, &RenderBridge::setUnseen);
@@ -88,7 +84,7 @@ void wireSettings(const DesktopParts& parts) {
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &parts.window,
                      [parts](const QString& name) { parts.settings.keepDevice(name); });
     QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &parts.window,
-                     [parts](const ui::FrameBudgetChoice& pace) { parts.settings.keepPace(pace); });
+                     [parts](const FrameBudget& pace) { parts.settings.keepPace(pace); });
 }
 
 }  // namespace

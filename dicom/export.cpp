@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "dicom/codecs.h"
+#include "render/base/errors.h"
 #include "render/base/version.h"
 
 namespace pdr::dicom {
@@ -169,7 +170,7 @@ std::optional<Error> writeAll(const Volume& volume, const ExportFacts& facts, co
     const int count = volume.size().z;
     for (int k = 0; k < count; ++k) {
         if (!progress(double(k) / count, "writing slices"))
-            return Error{"cancelled", "", ""};
+            return cancelled();
         if (std::optional<Error> error = writeSlice(volume, facts, identity, k, folder))
             return error;
     }

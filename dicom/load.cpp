@@ -10,6 +10,7 @@
 #include "dicom/import.h"
 #include "dicom/parallel.h"
 #include "dicom/pixels.h"
+#include "render/base/errors.h"
 
 namespace pdr::dicom {
 
@@ -27,17 +28,11 @@ std::optional<std::uint64_t> availableMemory() {
     return {};
 }
 
-std::string inGigabytes(std::uint64_t bytes) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f GB", double(bytes) / 1e9);
-    return text;
-}
-
 Error outOfMemory(const Series& series, std::uint64_t needed) {
     const std::optional<std::uint64_t> free = availableMemory();
-    return {"the volume needs " + inGigabytes(needed) + " of memory" +
-                (free ? ", and " + inGigabytes(*free) + " are free" : ", which could not be had"),
-            series.series.description, "Close other programs, or import fewer slices."};
+    return {"the volume needs " + bytesText(needed) + " of memory" +
+                (free ? ", and " + bytesText(*free) + " are free" : ", which could not be had"),
+            series.series.description, "Close other programs, or import fewer slices.", ErrorKind::memory};
 }
 
 /// The voxels while they are being filled, one slice at a time and from several threads.
@@ -128,7 +123,7 @@ Result<Volume> fill(const Series& series, Padding padding, const Progress& progr
     if (filling.failed())
         return filling.error();
     if (!complete)
-        return Error{"cancelled", "", ""};
+        return cancelled();
     if (notes) {
         for (Note& note : filling.notes())
             notes->push_back(std::move(note));

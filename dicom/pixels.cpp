@@ -11,6 +11,7 @@
 #include "dicom/compressed_picture.h"
 #include "dicom/refusal.h"
 #include "dicom/slice_header.h"
+#include "render/base/errors.h"
 
 namespace pdr::dicom {
 
@@ -169,7 +170,7 @@ Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding) {
     try {
         return decodeChecked(slice, padding);
     } catch (const std::bad_alloc&) {
-        return Error{"there is not enough memory to decode it", slice.file.string(), "Close other programs."};
+        return notEnoughMemory(" to decode it", slice.file.string(), "Close other programs.");
     }
 }
 

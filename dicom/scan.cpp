@@ -12,14 +12,13 @@
 #include "dicom/import.h"
 #include "dicom/parallel.h"
 #include "dicom/slice_header.h"
+#include "render/base/errors.h"
 
 namespace pdr::dicom {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-const Error kCancelled{"cancelled", "", ""};
 
 std::optional<Error> refuseFolder(const fs::path& folder) {
     std::error_code failure;
@@ -155,13 +154,13 @@ Result<ScanResult> scanFolder(const fs::path& folder, const Progress& progress) 
     ScanResult result;
     FileList list(folder, progress, result);
     if (!list.isComplete())
-        return kCancelled;
+        return cancelled();
     const std::vector<fs::path> files = list.take();
     result.filesSeen = int(files.size());
     std::vector<HeaderRead> reads(files.size());
     const auto readOne = [&](std::size_t i, const GoOn& goOn) { reads[i] = readWithinMemory(files[i], goOn); };
     if (!onAllCores(files.size(), readOne, progress, "reading headers"))
-        return kCancelled;
+        return cancelled();
     std::vector<SliceHeader> headers, damaged;
     sortOut(reads, headers, damaged, result);
     if (headers.empty() && result.problems.empty())
@@ -171,7 +170,7 @@ Result<ScanResult> scanFolder(const fs::path& folder, const Progress& progress) 
                      folder.string(), "Give the folder that holds the DICOM files."};
     result.series = groupIntoSeries(headers, damaged, folder, progress);
     if (!progress(1.0, "sorting slices"))
-        return kCancelled;
+        return cancelled();
     std::sort(result.problems.begin(), result.problems.end(),
               [](const Problem& a, const Problem& b) { return a.file < b.file; });
     return result;

@@ -7,6 +7,12 @@
 
 namespace pdr::ui {
 
+namespace {
+
+enum { kOurs, kK0, kK1 };  // in the list of schedules
+
+}  // namespace
+
 RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
     describeControls();
     // A click leaves the keyboard with the picture; Tab still reaches everything.
@@ -122,7 +128,7 @@ void RenderPanel::connectControls() {
 void RenderPanel::enableWhatCounts() {
     framesPerSecond_.setEnabled(automatic_.isChecked());
     iterations_.setEnabled(!automatic_.isChecked());
-    filter_.setEnabled(schedule().way != ScheduleChoice::Way::ours);
+    filter_.setEnabled(schedule().kind != Schedule::Kind::pd);
 }
 
 void RenderPanel::setDevices(const QStringList& names, const QStringList& texts) {
@@ -137,7 +143,7 @@ void RenderPanel::setDevice(const QString& name) {
     device_.setCurrentIndex(device_.findData(name));
 }
 
-void RenderPanel::setPace(const FrameBudgetChoice& pace) {
+void RenderPanel::setPace(const FrameBudget& pace) {
     const QSignalBlocker silent(this);
     automatic_.setChecked(pace.automatic);
     iterations_.setValue(pace.iterations);
@@ -145,9 +151,9 @@ void RenderPanel::setPace(const FrameBudgetChoice& pace) {
     enableWhatCounts();
 }
 
-void RenderPanel::setSchedule(const ScheduleChoice& schedule) {
+void RenderPanel::setSchedule(const Schedule& schedule) {
     const QSignalBlocker silent(this);
-    schedule_.setCurrentIndex(int(schedule.way));
+    schedule_.setCurrentIndex(schedule.kind == Schedule::Kind::pd ? kOurs : schedule.redundant ? kK0 : kK1);
     filter_.setChecked(schedule.filter);
     enableWhatCounts();
 }
@@ -157,12 +163,16 @@ void RenderPanel::setEstimator(Estimator estimator) {
     estimator_.setCurrentIndex(int(estimator));
 }
 
-FrameBudgetChoice RenderPanel::pace() const {
+FrameBudget RenderPanel::pace() const {
     return {automatic_.isChecked(), iterations_.value(), framesPerSecond_.value()};
 }
 
-ScheduleChoice RenderPanel::schedule() const {
-    return {ScheduleChoice::Way(std::max(schedule_.currentIndex(), 0)), filter_.isChecked()};
+Schedule RenderPanel::schedule() const {
+    if (schedule_.currentIndex() <= kOurs)
+        return {};
+    return {.kind = Schedule::Kind::kroes,
+            .redundant = schedule_.currentIndex() == kK0,
+            .filter = filter_.isChecked()};
 }
 
 }  // namespace pdr::ui

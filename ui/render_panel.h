@@ -10,24 +10,9 @@
 #include <QWidget>
 
 #include "render/scene/scene.h"
+#include "render/timing/frame_budget.h"
 
 namespace pdr::ui {
-
-/// How many iterations a displayed picture gets.
-struct FrameBudgetChoice {
-    bool automatic = true;
-    int iterations = 1;           ///< by hand; [1, 1000]
-    double framesPerSecond = 10;  ///< automatic; [0.1, 60]
-    bool operator==(const FrameBudgetChoice&) const = default;
-};
-
-/// How iterations become pictures.
-struct ScheduleChoice {
-    enum class Way { ours, k0, k1 };  ///< K0 and K1: Exposure Render's, as it is and without redundant uploads
-    Way way = Way::ours;
-    bool filter = true;  ///< of K0 and K1: each iteration is blurred
-    bool operator==(const ScheduleChoice&) const = default;
-};
 
 class RenderPanel : public QWidget {
     Q_OBJECT
@@ -38,18 +23,18 @@ class RenderPanel : public QWidget {
     /// `texts` are what the user reads for each name.
     void setDevices(const QStringList& names, const QStringList& texts);
     void setDevice(const QString& name);
-    void setPace(const FrameBudgetChoice& pace);
-    void setSchedule(const ScheduleChoice& schedule);
+    void setPace(const FrameBudget& pace);
+    void setSchedule(const Schedule& schedule);
     void setEstimator(Estimator estimator);
-    FrameBudgetChoice pace() const;
-    ScheduleChoice schedule() const;
+    FrameBudget pace() const;
+    Schedule schedule() const;
 
     QSize sizeHint() const override { return {240, QWidget::sizeHint().height()}; }
 
   signals:
     void deviceChosen(const QString& name);
-    void paceChosen(const pdr::ui::FrameBudgetChoice& pace);
-    void scheduleChosen(const pdr::ui::ScheduleChoice& schedule);
+    void paceChosen(const pdr::FrameBudget& pace);
+    void scheduleChosen(const pdr::Schedule& schedule);
     void estimatorChosen(pdr::Estimator estimator);
 
   private:

@@ -72,11 +72,10 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
     return parts.join(", ");
 }
 
-QString comparisonText(const ScheduleChoice& schedule, Estimator estimator) {
+QString comparisonText(const Schedule& schedule, Estimator estimator) {
     QStringList parts;
-    if (schedule.way != ScheduleChoice::Way::ours) {
-        const bool k0 = schedule.way == ScheduleChoice::Way::k0;
-        parts << translated("Exposure Render's schedule %1").arg(k0 ? "K0" : "K1");
+    if (schedule.kind != Schedule::Kind::pd) {
+        parts << translated("Exposure Render's schedule %1").arg(schedule.redundant ? "K0" : "K1");
         if (schedule.filter)
             parts << translated("blurred");
     }

@@ -24,7 +24,7 @@ struct Making {
 
 /// Why a picture is one to compare with, and not this program's own: "comparison: Exposure Render's schedule, blurred".
 /// Empty: it is its own.
-QString comparisonText(const ScheduleChoice& schedule, Estimator estimator);
+QString comparisonText(const Schedule& schedule, Estimator estimator);
 
 /// "10 iterations per frame on the CPU, efficiency 99 %"
 QString makingText(const Making& making);

@@ -4,11 +4,11 @@
 
 namespace pdr::bench {
 
-Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads, const Schedule& schedule) {
+Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads) {
     auto opened = openDevice(device, threads);
     if (!opened)
         return opened.error();
-    auto film = startFilm(**opened, scene, schedule);
+    auto film = startFilm(**opened, scene);
     if (!film)
         return film.error();
     return LivePicture{*std::move(opened), *std::move(film)};

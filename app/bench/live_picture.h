@@ -14,7 +14,6 @@ struct LivePicture {
 };
 
 /// `device`: its name; `threads` of the CPU, 0 = one per core. Errors: the device's.
-Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads = 0,
-                          const Schedule& schedule = {});
+Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads = 0);
 
 }  // namespace pdr::bench

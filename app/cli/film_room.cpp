@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "render/base/errors.h"
 #include "render/film/moments.h"
 
 namespace pdr::app {
@@ -66,12 +67,6 @@ std::uint64_t freeOfProcess() {
     return left(limit.rlim_cur, numberIn("/proc/self/statm", 0) * std::uint64_t(::sysconf(_SC_PAGESIZE)));
 }
 
-std::string gigabytes(std::uint64_t bytes) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f GB", double(bytes) / 1e9);
-    return text;
-}
-
 }  // namespace
 
 std::uint64_t filmBytes(ivec2 size, const DeviceInfo& device) {
@@ -87,12 +82,12 @@ Result<void> roomForFilm(ivec2 size, const DeviceInfo& device) {
     const std::uint64_t needed = filmBytes(size, device), free = freeBytes();
     const std::string pixels = std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels";
     if (needed > free)
-        return Error{"a picture of " + pixels + " needs " + gigabytes(needed) + " of memory, " + gigabytes(free) +
+        return Error{"a picture of " + pixels + " needs " + bytesText(needed) + " of memory, " + bytesText(free) +
                          " are free",
-                     "", "Take a smaller --size."};
+                     "", "Take a smaller --size.", ErrorKind::memory};
     if (needed >= kWorthSaying && free != kNoLimit)
         std::fprintf(stderr, "pdrender-cli: a picture of %s takes %s of memory, %s are free\n", pixels.c_str(),
-                     gigabytes(needed).c_str(), gigabytes(free).c_str());
+                     bytesText(needed).c_str(), bytesText(free).c_str());
     return {};
 }
 

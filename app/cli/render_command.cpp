@@ -11,6 +11,7 @@
 #include "app/cli/render_report.h"
 #include "app/cli/run_command.h"
 #include "app/provenance.h"
+#include "render/base/errors.h"
 #include "render/device/device_list.h"
 #include "render/prepare/flatten.h"
 #include "render/session/batch_render.h"
@@ -48,7 +49,7 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
         return ok.error();
     if (auto room = roomForFilm(work->scene.film, device.info()); !room)
         return room.error();
-    const auto film = device.film(work->scene.film, work->scene.revision, {});
+    const auto film = device.film(work->scene.film, work->scene.revision, work->scene.schedule);
     if (!film)
         return film.error();
     const auto result = BatchRender(**film, options.stops, work->display).run(stop, [&](const BatchState& state) {
@@ -85,8 +86,7 @@ int runRender(const QStringList& arguments) {
                 std::fprintf(stderr, "pdrender-cli: interrupted; the picture holds the samples taken until then.\n");
             return finished->reason != StopReason::interrupted && finished->allInPlace ? 0 : 1;
         } catch (const std::bad_alloc&) {
-            return failed(
-                {"there is not enough memory", options.scene.path.string(), "Take a smaller --size or volume."});
+            return failed(notEnoughMemory("", options.scene.path.string(), "Take a smaller --size or volume."));
         }
     });
 }

@@ -101,7 +101,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     if (input.view || !isFile(input))
         work.scene.camera = cameraFrom(input.view.value_or(StandardView::anterior), work.scene);
     if (*preset) {
-        work.display = (*preset)->display;
+        work.display = (*preset)->look.display;
         work.scene = withPreset(std::move(work.scene), **preset);
     }
     if (input.exposure)

@@ -10,7 +10,7 @@ namespace pdr {
 /// Of an unbiased picture: sigma^2 / n.
 double unbiasedError(double variance, double samples);
 
-/// The share of the variance that a separable filter leaves where its neighbours' noise is independent: (sum w^2)^2
+/// The fraction of the variance that a separable filter leaves where its neighbours' noise is independent: (sum w^2)^2
 /// over the weights of one direction, whose sum is 1.
 double remainingVariance(std::span<const double> weights);
 

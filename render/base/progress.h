@@ -8,7 +8,7 @@ namespace pdr {
 
 /// Called now and then from the thread that works.
 ///   fraction  done so far, [0, 1]        step  what is being done, for the user ("reading slices")
-/// Returns false to cancel: the step then ends soon with an Error whose `what` is "cancelled".
+/// Returns false to cancel: the step then ends soon with the Error cancelled() (base/errors.h).
 using Progress = std::function<bool(double fraction, std::string_view step)>;
 
 /// The Progress of somebody who does not care.

@@ -7,6 +7,15 @@
 
 namespace pdr {
 
+/// What a program can do about an Error.
+enum class ErrorKind {
+    failed,      ///< no more is known: it may work another time
+    refused,     ///< what was asked for is wrong or not possible here: the same would be refused again
+    memory,      ///< too little of it: less, or elsewhere
+    deviceLost,  ///< what should have done it does not answer: elsewhere
+    cancelled    ///< it was asked to stop: nothing to tell
+};
+
 /// A failure in three short parts, each a plain sentence or phrase in the user's words.
 ///   what    what went wrong                    "slices 41 and 42 are 6 mm apart, the others 2 mm"
 ///   where   the file, series or field          "/data/ct/series3"
@@ -15,7 +24,14 @@ struct Error {
     std::string what;
     std::string where;
     std::string hint;
+    ErrorKind kind = ErrorKind::failed;
 
+    /// The same, in something that holds its `where`.
+    Error in(const std::string& place) const {
+        Error error = *this;
+        error.where = where.empty() ? place : place + ", " + where;
+        return error;
+    }
     /// One line: "where: what. hint"
     std::string text() const {
         std::string line = where.empty() ? what : where + ": " + what;

@@ -5,7 +5,7 @@
 #include <new>
 #include <string>
 
-#include "render/base/result.h"
+#include "render/base/errors.h"
 
 namespace pdr {
 
@@ -14,7 +14,7 @@ inline Error thrownError() {
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        return {"there is not enough memory", "", "Close other programs, then try again."};
+        return notEnoughMemory("", "", "Close other programs, then try again.");
     } catch (const std::exception& exception) {
         return {std::string("something failed unexpectedly: ") + exception.what(), "", "Try again."};
     } catch (...) {

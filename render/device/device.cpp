@@ -2,10 +2,10 @@
 
 namespace pdr {
 
-Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene, const Schedule& schedule) {
+Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene) {
     if (const auto uploaded = device.upload(scene); !uploaded)
         return uploaded.error();
-    return device.film(scene.film, scene.revision, schedule);
+    return device.film(scene.film, scene.revision, scene.schedule);
 }
 
 }  // namespace pdr

@@ -7,8 +7,8 @@
 #include "render/base/result.h"
 #include "render/base/tile.h"
 #include "render/device/accumulator.h"
-#include "render/device/baseline/schedule.h"
 #include "render/scene/scene.h"
+#include "render/scene/schedule.h"
 
 namespace pdr {
 
@@ -40,7 +40,7 @@ class Device {
 };
 
 /// `scene`, which must have passed Scene::check(), is uploaded to `device`, and an empty film is made of it.
-Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene, const Schedule& schedule = {});
+Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene);
 
 /// The CPU with `threads` threads; 0 = one per core.
 std::unique_ptr<Device> makeCpuDevice(int threads = 0);

@@ -20,7 +20,7 @@ double relativeErrorOf(const StatusSums& sums, std::size_t pixels) {
     return error > 0 ? error / mean : 0;
 }
 
-/// How far a pixel that has seen tissue but no light may be off: a share 3 / n of its samples may be such as brought
+/// How far a pixel that has seen tissue but no light may be off: a fraction 3 / n of its samples may be such as brought
 /// light elsewhere.
 float unlitLevelsOff(const StatusSums& sums, const SampleCounts& samples, const Shown& shown) {
     const double bright = sums.tissuePower / sums.tissueLuminance;

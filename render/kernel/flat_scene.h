@@ -25,7 +25,8 @@ struct Material {
     float roughness;
 };
 
-/// pieces[pieceAt[(hu - INT16_MIN) / 16]] is the first piece that may hold hu; pieces cover all of float.
+/// pieces[pieceAt[(hu - INT16_MIN) / 16]] is the first piece that may hold hu. The first begins below any HU, the last
+/// has no end.
 struct FlatTransferFunction {
     const OpacityPiece* pieces;
     const Material* materials;  ///< two per piece: at its start and at its end
@@ -122,11 +123,11 @@ inline constexpr int kViewBlock = 4;
 /// The optical models as the kernel tells them apart. All but scattering are sums along one straight ray.
 enum class FlatModel : std::uint32_t { scattering, absorption, emission, emissionAbsorption, maximumIntensity };
 
-/// The columns of FlatOptics::table. Along a piece the HU are counted as a share, 0 at its start and 1 at its end.
+/// The columns of FlatOptics::table. Along a piece the HU are counted as a fraction, 0 at its start and 1 at its end.
 enum class OpticsColumn : int {
     start,           ///< HU; -infinity for the first piece
     end,             ///< HU; infinity for the last piece
-    perHu,           ///< share per HU; 0 for the outermost pieces, which are constant
+    perHu,           ///< fraction per HU; 0 for the outermost pieces, which are constant
     extinction,      ///< at the start [1/mm]
     extinctionRise,  ///< from the start to the end
     source,          ///< radiance per optical depth (albedo + emission) at the start: three columns
@@ -141,8 +142,8 @@ struct FlatOptics {
     int stride;                   ///< pieces, rounded up to a multiple of kLanes
     float clearUpTo, clearFrom;   ///< HU below the one, and at or above the other, have no extinction
     float rounding;               ///< HU: by how much interpolation in single precision may be off
-    float quadrature;             ///< share of a ray's radiance that the sum along it may be off
-    float cutOff;                 ///< share of a ray's radiance that may be left out at its end
+    float quadrature;             ///< fraction of a ray's radiance that the sum along it may be off
+    float cutOff;                 ///< fraction of a ray's radiance that may be left out at its end
     vec3 brightest;               ///< no source and nothing behind the volume is brighter
     float windowLow, windowHigh;  ///< HU shown black and white by maximumIntensity
 };

@@ -70,13 +70,15 @@ struct GridAxis {
         taken(up, other.up);
     }
 
-  private:
+    /// From finest cells to those of `edge` voxels.
     static constexpr int shiftOf(int edge) {
         int shift = 0;
         while (Finest << shift < edge)
             ++shift;
         return shift;
     }
+
+  private:
     PDR_HD static Int cellAt(Real position) { return toInt(position * (1.0f / Finest) + 4.0f / Finest); }
     PDR_HD static Int clamped(Int value, Int low, Int high) {
         value = value < low ? low : value;

@@ -156,11 +156,11 @@ Effect emission(const Subject& subject) {
     const Model model = subject.scene.model;
     if (model == Model::absorption || model == Model::maximumIntensity)
         return off("emission", "the model shows no light from within");
-    const bool deviceLabel = std::ranges::any_of(subject.scene.transferFunction.nodes,
+    const bool emits = std::ranges::any_of(subject.scene.transferFunction.nodes,
                                             [](const TransferNode& node) { return !isBlack(node.emission); });
     const std::uint32_t features = isProjection(model) ? 0u : std::uint32_t(kEmission);
     return effect("emission", subject.glows, "a node emits light",
-                  deviceLabel ? "no opaque tissue that the volume holds emits light" : "no node emits light", features,
+                  emits ? "no opaque tissue that the volume holds emits light" : "no node emits light", features,
                   [](Scene& s) {
                       for (TransferNode& node : s.transferFunction.nodes)
                           node.emission = vec3(0);

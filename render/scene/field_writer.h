@@ -25,6 +25,11 @@ class FieldWriter {
     void operator()(const Field& field, const T& value) {
         object_[std::string(field.name)] = json(value);
     }
+    /// An empty text is none: files do not hold it.
+    void operator()(const Field& field, const std::string& value) {
+        if (!value.empty() || field.required)
+            object_[std::string(field.name)] = value;
+    }
     template <class T>
     void operator()(const Field& field, const std::optional<T>& value) {
         if (value)

@@ -28,13 +28,13 @@ std::string numberText(double value, int digits) {
 Result<void> checkRange(double value, const Range& range, const std::string& where) {
     if (range.holds(value))
         return {};
-    return Error{"is " + numberText(value) + ", must be " + range.text(), where, ""};
+    return Error{"is " + numberText(value) + ", must be " + range.text(), where, "", ErrorKind::refused};
 }
 
 Result<void> checkRange(dvec3 value, const Range& range, const std::string& where) {
     for (int i = 0; i < 3; ++i)
         if (!range.holds(value[i]))
-            return Error{"holds " + numberText(value[i]) + ", each number must be " + range.text(), where, ""};
+            return Error{"holds " + numberText(value[i]) + ", each number must be " + range.text(), where, "", ErrorKind::refused};
     return {};
 }
 

@@ -11,6 +11,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/clip.h"
 #include "render/scene/light.h"
+#include "render/scene/schedule.h"
 #include "render/scene/transfer_function.h"
 #include "render/volume/volume.h"
 
@@ -73,6 +74,7 @@ struct Scene {
     TransferFunction transferFunction;
     Model model = Model::singleScattering;
     Estimator estimator = Estimator::unbiased;
+    Schedule schedule;
     Filtering filtering = Filtering::exact;
     HuWindow window;
     float toleranceLevels = 0.25f;  ///< largest error of a ray of a projection, display levels of 255; [1e-3, 16]
@@ -87,7 +89,7 @@ struct Scene {
     int maxBounces = 1000;   ///< multiple scattering: events on a path, at most; what is cut is counted; [1, 100000]
     std::uint64_t seed = 1;  ///< any
     std::uint64_t revision = 0;  ///< grows with each edit
-    std::string look;            ///< what the user calls the way it looks; no picture depends on it
+    std::string lookName;        ///< what the user calls the way it looks; no picture depends on it
 
     /// Every range above, and what cannot be rendered yet, with the field's name in `where`. The volume is not looked
     /// at.

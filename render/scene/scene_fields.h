@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/scene/field.h"
+#include "render/scene/picture_setup.h"
 #include "render/scene/preset.h"
 #include "render/scene/scene.h"
 #include "render/scene/scene_file.h"
@@ -14,7 +15,7 @@
 namespace pdr {
 
 inline constexpr Range kHounsfield{-32768, 32767};
-inline constexpr Range kShare{0, 1};
+inline constexpr Range kFraction{0, 1};
 inline constexpr Range kRadiance{0, 1e30f};  // as float has it: a little more
 inline constexpr Range kPlaceMm{-1e9, 1e9};
 inline constexpr Range kExtentMm{0, 1e9, false};
@@ -23,13 +24,13 @@ inline constexpr double kLeastMm = 1e-12;  ///< less is nothing, and its square 
 template <class Visit>
 void describe(Visit& visit, TransferNode& node) {
     visit({"hu", "Hounsfield units", kHounsfield, kRequired}, node.hu);
-    visit({"opacity", "share of `extinctionPerMm`", kShare, kRequired}, node.opacity);
-    visit({"albedo", "colour: the scattered share of what is extinguished", kShare}, node.albedo);
+    visit({"opacity", "fraction of `extinctionPerMm`", kFraction, kRequired}, node.opacity);
+    visit({"albedo", "colour: the scattered fraction of what is extinguished", kFraction}, node.albedo);
     visit({"emission", "colour: radiance given off per optical depth; emission coefficient = `emission` x extinction",
            {0, 1e6}},
           node.emission);
-    visit({"specular", "colour: reflectance of a surface seen straight on", kShare}, node.specular);
-    visit({"roughness", "of that surface; 0 mirror, 1 dull", kShare}, node.roughness);
+    visit({"specular", "colour: reflectance of a surface seen straight on", kFraction}, node.specular);
+    visit({"roughness", "of that surface; 0 mirror, 1 dull", kFraction}, node.roughness);
 }
 
 template <class Visit>
@@ -259,6 +260,23 @@ inline constexpr Words<Model, 6> kModelWords{{{"absorption", Model::absorption},
                                               {"maximumIntensity", Model::maximumIntensity}}};
 inline constexpr Words<Estimator, 2> kEstimatorWords{
     {{"unbiased", Estimator::unbiased}, {"kroesMarch", Estimator::kroesMarch}}};
+inline constexpr Words<Schedule::Kind, 2> kScheduleWords{
+    {{"pd", Schedule::Kind::pd}, {"kroes", Schedule::Kind::kroes}}};
+
+template <class Visit>
+void describe(Visit& visit, Schedule& schedule) {
+    visit.word({"kind",
+                "`pd`: iterations are added up as they are made, then shown; or `kroes`: Exposure Render's order of "
+                "work, there to be compared with; pictures say so"},
+               schedule.kind, kScheduleWords);
+    visit({"redundant", "`kroes` only: all is uploaded and allocated anew for each iteration, as there (K0); else K1"},
+          schedule.redundant);
+    visit({"filter", "`kroes` only: each iteration is blurred before it is added. It is biased"}, schedule.filter);
+    visit({"runningMean",
+           "`kroes` only: iterations are averaged as there; else summed as in `pd`, bit by bit where `filter` is off"},
+          schedule.runningMean);
+}
+
 inline constexpr Words<Filtering, 2> kFilteringWords{{{"exact", Filtering::exact}, {"fast", Filtering::fast}}};
 
 /// A Scene's own fields, but for the lights, which files list together with the environment.
@@ -274,6 +292,7 @@ void describe(Visit& visit, Scene& scene) {
                 "event and one light. It is biased and there to be compared with; only with `singleScattering`; "
                 "pictures say `kroesMarch (biased)`"},
                scene.estimator, kEstimatorWords);
+    visit.object({"schedule", "how iterations become displayed frames"}, scene.schedule);
     visit.word({"filtering",
                 "how the scattering models read the volume between its voxels: `exact`, or `fast`, which leaves it to a "
                 "GPU's texture units. They know 256 steps from voxel to voxel: a value may be off by 3/512 of the range "
@@ -298,32 +317,63 @@ void describe(Visit& visit, Scene& scene) {
     visit({"seed", "of the random numbers; another seed gives other noise"}, scene.seed);
 }
 
-// ---- presets
+// ---- looks: presets and sessions
 
+inline constexpr Words<LightRig::Follows, 2> kFollowsWords{
+    {{"camera", LightRig::Follows::camera}, {"patient", LightRig::Follows::patient}}};
+
+/// The rig and what lights the rest.
 struct RigFields {
-    Preset& preset;
+    LightRig& rig;
+    Environment& environment;
 };
 template <class Visit>
-void describe(Visit& visit, RigFields& rig) {
+void describe(Visit& visit, RigFields& fields) {
     constexpr Range kScale{0, 1e6};
-    visit({"key", "radiance scale of the main panel, upper left of the camera", kScale}, rig.preset.keyLight);
-    visit({"fill", "of the panel on the other side", kScale}, rig.preset.fillLight);
-    visit({"rim", "of the panel behind", kScale}, rig.preset.rimLight);
-    visit({"ambient", "radiance of the environment, which the camera does not see", kScale}, rig.preset.ambient);
+    visit({"key", "radiance scale of the main panel, upper left", kScale}, fields.rig.key);
+    visit({"fill", "of the panel on the other side", kScale}, fields.rig.fill);
+    visit({"rim", "of the panel behind", kScale}, fields.rig.rim);
+    visit.word({"follows",
+                "what the panels move with: the `camera`, so that each view is lit alike, or the `patient`, lit as in "
+                "the view from the front"},
+               fields.rig.follows, kFollowsWords);
+    visit({"ambient", "colour: radiance of the environment; with `nadir`: from straight above (towards the head)",
+           kScale},
+          fields.environment.radiance);
+    visit({"nadir", "colour from straight below; in between it changes evenly with the height", kScale},
+          fields.environment.nadir);
+    visit({"visible", "whether the camera sees the environment behind the volume"}, fields.environment.visible);
+}
+
+template <class Visit>
+void describe(Visit& visit, Look& look) {
+    PhaseField phase{look.phaseG};
+    SurfaceField surface{look.gradientFactor};
+    RigFields rig{look.rig, look.environment};
+    visit.object({"transferFunction", "how Hounsfield units become optics", {}, kRequired}, look.transferFunction);
+    visit.object({"window", "what `maximumIntensity` shows black and white"}, look.window);
+    visit.object({"phase", "how tissue scatters"}, phase);
+    visit.object({"surface", "how readily an edge reflects like a surface"}, surface);
+    visit.object({"lights", "the rig of lights, and the environment"}, rig);
+    visit({"exposure", "radiance that is shown as 1 - 1/e", {0, 1e30f, false}}, look.display.exposure);
 }
 
 template <class Visit>
 void describe(Visit& visit, Preset& preset) {
-    PhaseField phase{preset.phaseG};
-    SurfaceField surface{preset.gradientFactor};
-    RigFields rig{preset};
     visit({"name", "for the menu", {}, kRequired}, preset.name);
-    visit.object({"transferFunction", "how Hounsfield units become optics", {}, kRequired}, preset.transferFunction);
-    visit.object({"window", "what `maximumIntensity` shows black and white"}, preset.window);
-    visit.object({"phase", "how tissue scatters"}, phase);
-    visit.object({"surface", "how readily an edge reflects like a surface"}, surface);
-    visit.object({"lights", "the rig, which follows the camera"}, rig);
-    visit({"exposure", "radiance that is shown as 1 - 1/e", {0, 1e30f, false}}, preset.display.exposure);
+    describe(visit, preset.look);
+}
+
+template <class Visit>
+void describe(Visit& visit, PictureSetup& setup) {
+    visit.object({"look", "how tissue looks", {}, kRequired}, setup.look);
+    visit({"lookName", "what the user calls it"}, setup.lookName);
+    visit({"stops", "brightness against the look's; one more is twice as bright", {-64, 64}}, setup.stops);
+    visit.object({"camera", "from where it is seen", {}, kRequired}, setup.camera);
+    visit.object({"clip", "what is cut away"}, setup.clip);
+    visit.word({"model", "optical model"}, setup.model, kModelWords);
+    visit.word({"estimator", "`unbiased`, or `kroesMarch`, as in scene files"}, setup.estimator, kEstimatorWords);
+    visit.object({"schedule", "how iterations become displayed frames"}, setup.schedule);
 }
 
 }  // namespace pdr

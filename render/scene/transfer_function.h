@@ -14,8 +14,8 @@ namespace pdr {
 
 struct TransferNode {
     float hu = 0;            ///< Hounsfield units; [-32768, 32767]
-    float opacity = 0;       ///< share of extinctionPerMm; [0, 1]
-    vec3 albedo{0.8f};       ///< scattered share of what is extinguished, linear Rec. 709; [0, 1]
+    float opacity = 0;       ///< fraction of extinctionPerMm; [0, 1]
+    vec3 albedo{0.8f};       ///< scattered fraction of what is extinguished, linear Rec. 709; [0, 1]
     vec3 emission{0.0f};     ///< emitted radiance per optical depth, linear Rec. 709; [0, 1e6]
     vec3 specular{0.0f};     ///< reflectance at normal incidence, linear Rec. 709; [0, 1]
     float roughness = 0.5f;  ///< microfacet roughness; [0, 1]

@@ -81,7 +81,7 @@ Result<CostBand> addedCost(const Iterate& with, const Iterate& without, double b
 Result<void> TrialPicture::begin() {
     if (auto ok = device_.upload(scene_); !ok || film_)
         return ok;
-    auto film = device_.film(scene_.film, scene_.revision, {});
+    auto film = device_.film(scene_.film, scene_.revision, scene_.schedule);
     if (!film)
         return film.error();
     film_ = *std::move(film);

@@ -8,31 +8,29 @@ std::string deviceLabel(const DeviceInfo& device) {
     return device.hostMemory ? "the CPU" : "the GPU " + device.name;
 }
 
-Result<void> FilmOnDevice::begin(const Scene& scene, const Schedule& schedule) {
+Result<void> FilmOnDevice::begin(const Scene& scene) {
     torn_ = true;
     scene_ = scene;
-    Result<void> uploaded = device_->upload(*scene_);
-    if (!uploaded && film_) {  // its memory may be what is missing
+    Result<void> begun = device_->upload(*scene_);
+    if (!begun && film_) {  // its memory may be what is missing
         film_.reset();
-        uploaded = device_->upload(*scene_);
+        begun = device_->upload(*scene_);
     }
-    return uploaded ? restart(schedule) : uploaded;
-}
-
-Result<void> FilmOnDevice::restart(const Schedule& schedule) {
-    Result<void> emptied = emptyFilm(schedule);
-    if (!emptied)
+    if (!begun)
+        return begun;
+    begun = emptyFilm();
+    if (!begun)
         film_.reset();
     torn_ = false;
-    return emptied;
+    return begun;
 }
 
-Result<void> FilmOnDevice::emptyFilm(const Schedule& schedule) {
-    if (film_ && schedule == schedule_)
+Result<void> FilmOnDevice::emptyFilm() {
+    if (film_ && scene_->schedule == schedule_)
         return film_->restart(wholeImage(size()), revision());
     film_.reset();
-    schedule_ = schedule;
-    Result<std::unique_ptr<Accumulator>> film = device_->film(size(), revision(), schedule);
+    schedule_ = scene_->schedule;
+    Result<std::unique_ptr<Accumulator>> film = device_->film(size(), revision(), schedule_);
     if (!film)
         return film.error();
     film_ = *std::move(film);
@@ -47,9 +45,7 @@ void FilmOnDevice::close() {
 Result<void> FilmOnDevice::moveTo(std::unique_ptr<Device> device, const Film* from) {
     std::unique_ptr<Accumulator> moved;
     if (scene_) {
-        if (Result<void> uploaded = device->upload(*scene_); !uploaded)
-            return uploaded;
-        Result<std::unique_ptr<Accumulator>> film = device->film(size(), revision(), schedule_);
+        Result<std::unique_ptr<Accumulator>> film = startFilm(*device, *scene_);
         if (!film)
             return film.error();
         moved = *std::move(film);
@@ -59,6 +55,8 @@ Result<void> FilmOnDevice::moveTo(std::unique_ptr<Device> device, const Film* fr
     }
     torn_ = false;
     film_ = std::move(moved);
+    if (scene_)
+        schedule_ = scene_->schedule;
     device_ = std::move(device);
     info_ = device_->info();
     return {};

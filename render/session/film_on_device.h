@@ -25,9 +25,7 @@ class FilmOnDevice {
     std::uint64_t revision() const { return scene_->revision; }
 
     /// An empty film of `scene`. Errors: the device's; there is no film then.
-    Result<void> begin(const Scene& scene, const Schedule& schedule);
-    /// The same scene from the beginning.
-    Result<void> restart(const Schedule& schedule);
+    Result<void> begin(const Scene& scene);
     /// Goes on on `device`, from `from` where that is not null. Errors: the new device's; everything is as before then.
     Result<void> moveTo(std::unique_ptr<Device> device, const Film* from);
     /// The film is worthless after a stop; its memory is kept for the next one.
@@ -44,12 +42,12 @@ class FilmOnDevice {
 
   private:
     /// An empty film of the scene, in the memory of the last one where that is of the same schedule.
-    Result<void> emptyFilm(const Schedule& schedule);
+    Result<void> emptyFilm();
 
     std::unique_ptr<Device> device_;
     DeviceInfo info_;
     std::optional<Scene> scene_;
-    Schedule schedule_;
+    Schedule schedule_;  ///< of the film
     bool torn_ = false;
     std::unique_ptr<Accumulator> film_;  ///< after device_: it must not outlive it
 };

@@ -56,8 +56,6 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
     answer(step);
     if (step.device)
         switchTo(step.device);
-    if (step.schedule)
-        restart(*step.schedule);
     if (step.order) {
         revision_ = step.order->scene.revision;
         begin(*step.order);
@@ -109,17 +107,8 @@ void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
 void Session::Loop::beginFilm(bool coarse) {
     coarse_ = coarse;
     startOver();
-    if (const Result<void> begun = place_.begin(coarse ? coarseScene() : scene_, schedule_); !begun)
-        refused(begun.error());
-}
-
-void Session::Loop::restart(const Schedule& schedule) {
-    schedule_ = schedule;
-    if (!place_.hasScene())
-        return;
-    startOver();
-    if (const Result<void> begun = place_.restart(schedule_); !begun)
-        refused(begun.error());
+    if (const Result<void> begun = place_.begin(coarse ? coarseScene() : scene_); !begun)
+        failedOnDevice(begun.error());
 }
 
 /// How many pixels of the film become one, along each side, in a coarse frame. 1: a full one comes as soon.
@@ -153,7 +142,7 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
         return goOnFrom(std::move(from));
     }
     if (lost)
-        return stopped(*lost);
+        return failedOnDevice(*lost);
     notify("The other device cannot be used: " + withFullStop(moved.error().text()) + " The picture goes on on " + old + ".");
 }
 
@@ -175,6 +164,12 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     checkpoint_ = std::move(film);
     checkpointAt_ = clock_();
     checkpointSeconds_ = 0;
+}
+
+void Session::Loop::failedOnDevice(const Error& error) {
+    const bool lost = error.kind == ErrorKind::deviceLost;
+    recover(deviceLabel(place_.info()) + (lost ? " stopped answering: " : " cannot make this picture: ") +
+            error.text());
 }
 
 void Session::Loop::recover(const std::string& reason) {

@@ -32,7 +32,6 @@ class Session::Loop {
     void answer(const RenderCommands::Iteration& step) const;
     void switchTo(const DeviceOpener& open);
     void begin(const RenderCommands::SceneOrder& order);
-    void restart(const Schedule& schedule);
     void work(const RenderCommands::Iteration& step);
 
     // Parts of work(). Errors: the device's.
@@ -53,8 +52,7 @@ class Session::Loop {
 
     // When a device fails or refuses.
     void recover(const std::string& reason);
-    void stopped(const Error& error) { recover(deviceLabel(place_.info()) + " stopped answering: " + error.text()); }
-    void refused(const Error& error) { recover(deviceLabel(place_.info()) + " cannot make this picture: " + error.text()); }
+    void failedOnDevice(const Error& error);
     void threw() noexcept;
     void fail(const std::string& sentence);
     void notify(const std::string& sentences);
@@ -71,7 +69,6 @@ class Session::Loop {
     bool onFallback_ = false;
     Scene scene_;                 ///< as it was submitted
     std::uint64_t revision_ = 0;  ///< of the scene submitted last, whatever became of it
-    Schedule schedule_;
     bool moving_ = false;
     bool coarse_ = false;  ///< the film shows the scene in fewer pixels than it asks for
 

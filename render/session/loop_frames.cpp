@@ -33,7 +33,7 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     if (done && samples_ > 0 && !coarse_ && !place_.info().hostMemory)
         done = keepCheckpoint();
     if (!done)
-        return stopped(done.error());
+        return failedOnDevice(done.error());
     if (coarse_ && !moving_ && !first_)
         beginFilm(false);
 }
@@ -138,7 +138,7 @@ Result<void> Session::Loop::takeSnapshots() {
     if (!film)
         return film.error();
     for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
-        order.look(FilmView{**film, scene_, schedule_, seconds_ + frameSeconds_});
+        order.look(FilmView{**film, scene_, seconds_ + frameSeconds_});
     return {};
 }
 
@@ -160,7 +160,7 @@ void Session::Loop::send(std::vector<Picture> pictures, std::uint32_t n) {
         auto frame = std::make_shared<Frame>();
         frame->revision = place_.revision();
         frame->camera = scene_.camera;
-        frame->look = scene_.look;
+        frame->lookName = scene_.lookName;
         frame->estimator = scene_.estimator;
         frame->coarse = coarse_;
         frame->size = place_.size();
@@ -169,10 +169,10 @@ void Session::Loop::send(std::vector<Picture> pictures, std::uint32_t n) {
         frame->seconds = seconds_;
         frame->iterationsPerSecond = meter_.iterationsPerSecond();
         frame->iterations = n;
-        if (schedule_.kind == Schedule::Kind::pd)  // else iterations hold their own display
+        if (scene_.schedule.kind == Schedule::Kind::pd)  // else iterations hold their own display
             frame->efficiency = meter_.efficiency();
         frame->device = place_.info().name;
-        frame->schedule = schedule_;
+        frame->schedule = scene_.schedule;
         sink_(std::move(frame));
     }
 }

@@ -42,13 +42,6 @@ void RenderCommands::setPace(const FrameBudget& pace) {
     pace_ = pace.clamped();
 }
 
-void RenderCommands::setSchedule(const Schedule& schedule) {
-    const std::lock_guard lock(mutex_);
-    schedule_ = schedule;
-    running_.request_stop();
-    changed_.notify_one();
-}
-
 // The running step is not cancelled: its samples are to go along.
 void RenderCommands::setDevice(DeviceOpener open) {
     const std::lock_guard lock(mutex_);
@@ -85,7 +78,7 @@ bool RenderCommands::somethingToDo(const LoopState& state) const {
     const bool look = std::any_of(looks_.begin(), looks_.end(), [&](const SnapshotRequest& look) {
         return !state.film || state.canSnapshot || look.revision != state.revision;
     });
-    const bool asked = clear_ || scene_ || schedule_ || device_ || displayChanged_ || look;
+    const bool asked = clear_ || scene_ || device_ || displayChanged_ || look;
     return asked || (state.film && (!paused_ || state.first || state.unshown));
 }
 
@@ -98,9 +91,8 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     Iteration step;
     step.clear = std::exchange(clear_, false);
     step.device = std::exchange(device_, nullptr);
-    step.schedule = std::exchange(schedule_, std::nullopt);
     step.order = std::exchange(scene_, std::nullopt);
-    step.render = !paused_ || state.first || step.order || step.schedule;
+    step.render = !paused_ || state.first || step.order;
     step.pace = pace_;
     step.stop = running_.get_token();
     step.unanswerable = takeUnanswerable(state, step);
@@ -110,7 +102,7 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
 
 /// Scenes are submitted before they are looked at: what is neither there nor in this step will not come.
 std::vector<RenderCommands::SnapshotRequest> RenderCommands::takeUnanswerable(const LoopState& state, const Iteration& step) {
-    const bool stays = !step.clear && (state.film || (state.scene && (step.schedule || step.device)));
+    const bool stays = !step.clear && (state.film || (state.scene && step.device));
     const std::uint64_t revision = step.order ? step.order->scene.revision : state.revision;
     return taken(looks_, [&](const SnapshotRequest& look) { return !(step.order || stays) || look.revision != revision; });
 }

@@ -38,7 +38,6 @@ class RenderCommands {
         bool clear = false;                ///< forget the scene
         std::vector<SnapshotRequest> unanswerable;  ///< looks at what is not there and will not come
         DeviceOpener device;  ///< go on there; empty: as before
-        std::optional<Schedule> schedule;
         std::optional<SceneOrder> order;
         bool render = false;  ///< more iterations, if there is a film
         FrameBudget pace;
@@ -48,7 +47,6 @@ class RenderCommands {
     void submit(Scene scene, bool moving);
     void setDisplay(const Display& display);
     void setPace(const FrameBudget& pace);
-    void setSchedule(const Schedule& schedule);
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
     void clear();
@@ -71,7 +69,6 @@ class RenderCommands {
     std::mutex mutex_;  ///< of all that follows
     std::condition_variable_any changed_;
     std::optional<SceneOrder> scene_;
-    std::optional<Schedule> schedule_;
     DeviceOpener device_;
     Display display_;
     bool displayChanged_ = false;

@@ -32,10 +32,6 @@ void Session::setIterationsPerFrame(int n) {
     loop_->commands.setPace({.iterations = n});
 }
 
-void Session::setSchedule(const Schedule& schedule) {
-    loop_->commands.setSchedule(schedule);
-}
-
 void Session::setDevice(DeviceOpener open) {
     loop_->commands.setDevice(std::move(open));
 }

@@ -12,7 +12,7 @@
 #include "render/film/display.h"
 #include "render/film/film.h"
 #include "render/scene/scene.h"
-#include "render/session/frame_budget.h"
+#include "render/timing/frame_budget.h"
 
 namespace pdr {
 
@@ -21,7 +21,7 @@ struct Frame {
     std::uint64_t revision = 0;  ///< of the Scene that it shows
     // Of that Scene, so that nothing else is written beside the picture:
     Camera camera;
-    std::string look;
+    std::string lookName;
     Estimator estimator = Estimator::unbiased;
     bool coarse = false;  ///< a first picture, or one during interaction; better ones follow when it ends
     ivec2 size{0};        ///< pixels; fewer than scene.film where it is coarse: stretch it
@@ -44,7 +44,6 @@ using FrameSink = std::function<void(std::shared_ptr<const Frame>)>;
 struct FilmView {
     const Film& film;
     const Scene& scene;  ///< that it shows
-    const Schedule& schedule;
     double seconds;  ///< spent
 };
 
@@ -77,8 +76,6 @@ class Session {
     void setPace(const FrameBudget& pace);
     /// n, the iterations per displayed frame, by hand; [1, 10000].
     void setIterationsPerFrame(int n);
-    /// The picture begins anew, made in this way.
-    void setSchedule(const Schedule& schedule);
     /// The picture goes on on another device, from the samples that it has. One that cannot be opened or refuses the
     /// scene changes nothing; a notice says why.
     void setDevice(DeviceOpener open);

@@ -50,7 +50,7 @@ struct FrameTimeModel {
 };
 
 double frameSeconds(const FrameTimeModel& model, const FrameWork& work);
-/// The share of the time in which samples are taken at full speed: n alpha R / T. Floors count as lost.
+/// The fraction of the time in which samples are taken at full speed: n alpha R / T. Floors count as lost.
 double sampleShare(const FrameTimeModel& model, const FrameWork& work);
 /// By how much eq. 5 is above sampleShare(): (ceil(n / b) T0 + beta R) / T.
 double optimismOfManyNodes(const FrameTimeModel& model, const FrameWork& work);

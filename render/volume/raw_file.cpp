@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "render/base/errors.h"
+
 namespace pdr {
 namespace {
 
@@ -107,9 +109,8 @@ Result<Volume> loadRaw(const RawFile& file) {
             return voxels.error();
         return Volume(geometry, *std::move(voxels));
     } catch (const std::bad_alloc&) {
-        return Error{"there is not enough memory for " + count(file.size) + " voxels (" +
-                         std::to_string(geometry.voxelCount() * 2 >> 20) + " MiB)",
-                     file.path.string(), "Close other programs, or take a smaller volume."};
+        return notEnoughMemory(" for " + count(file.size) + " voxels (" + bytesText(geometry.voxelCount() * 2) + ")",
+                               file.path.string(), "Close other programs, or take a smaller volume.");
     }
 }
 

@@ -13,6 +13,7 @@
 #include <csignal>
 #include <functional>
 
+#include "tests/support/patience.h"
 #include "tests/support/places.h"
 
 /// What becomes of the pictures of `pdrender-cli render` when something goes wrong after hours.
@@ -43,20 +44,20 @@ class CliOutputsTest : public QObject {
         process_.setChildProcessModifier(before);
         process_.start(PDR_BINARY_DIR "/bin/pdrender-cli", arguments);
     }
-    int withFullStop() {
-        if (!process_.waitForFinished(120'000))
+    int exitCode() {
+        if (!process_.waitForFinished(pdr::test::kPatience))
             qFatal("pdrender-cli did not end");
         return process_.exitStatus() == QProcess::NormalExit ? process_.exitCode() : -1;
     }
     int run(const QStringList& arguments, const std::function<void()>& before = {}) {
         start(arguments, before);
-        return withFullStop();
+        return exitCode();
     }
 
     /// Until the first samples were taken.
     void waitForRendering() {
         QByteArray said;
-        while (!said.contains("rendering") && process_.waitForReadyRead(60'000))  // of standard error, see init()
+        while (!said.contains("rendering") && process_.waitForReadyRead(pdr::test::kPatience))  // of standard error, see init()
             said += process_.readAllStandardError();
     }
 
@@ -67,7 +68,7 @@ class CliOutputsTest : public QObject {
         waitForRendering();
         change();
         ::kill(pid_t(process_.processId()), signal);
-        return withFullStop();
+        return exitCode();
     }
 
   private slots:
@@ -134,7 +135,7 @@ class CliOutputsTest : public QObject {
         ::kill(pid_t(process_.processId()), SIGHUP);
         QVERIFY(!process_.waitForFinished(500));
         ::kill(pid_t(process_.processId()), SIGINT);
-        QCOMPARE(withFullStop(), 1);
+        QCOMPARE(exitCode(), 1);
     }
 
     void aReaderOfMessagesThatIsGoneLosesNoPicture() {
@@ -142,7 +143,7 @@ class CliOutputsTest : public QObject {
         waitForRendering();
         process_.closeReadChannel(QProcess::StandardError);
         ::kill(pid_t(process_.processId()), SIGINT);
-        QCOMPARE(withFullStop(), 1);
+        QCOMPARE(exitCode(), 1);
         QVERIFY(isPicture(at("a.png")));
     }
 

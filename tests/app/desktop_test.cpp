@@ -3,7 +3,6 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
-#include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -11,24 +10,12 @@
 #include <cmath>
 
 #include "tests/support/desktop_trial.h"
-#include "tests/support/failing_device.h"
+#include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
-#include "tests/support/processor_time.h"
 #include "tests/support/shared_data.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
-
-static const QComboBox* device(Trial& trial) {
-    for (const QComboBox* box : trial.desktop.window().rendering().findChildren<QComboBox*>())
-        if (box->accessibleName() == "Device")
-            return box;
-    return nullptr;
-}
-
-static QString statusText(Trial& trial) {
-    return trial.desktop.window().status().findChild<QLabel*>()->text();
-}
 
 /// Measures how long the event loop is busy with one thing at most, or blocked by it. The time in which this thread could
 /// have run and other programs held the processors is left out.
@@ -82,12 +69,6 @@ class TestDesktop : public QObject {
     void aFailedFolderIsSaidAndThePictureStays();
     void theTitleNamesTheSeriesButNotThePatient();
     void onlyTheWindowIsKept();
-    void aDeviceThatFailsIsSaidAndThePictureGoesOn();
-    void aDeviceThatIsNotThereIsSaidAndThePictureGoesOn();
-    void anotherDeviceGoesOnFromTheSamples();
-    void theStatusSaysWhatThePictureIsMadeBy();
-    void aComparisonIsSaidPlainly();
-    void theDeviceAndThePaceAreKept();
     void aRealChestIsShown();
 
   private:
@@ -106,7 +87,7 @@ void TestDesktop::aFolderBecomesAPictureThatGrowsBetter() {
     trial.openAndWait(series_);
     QCOMPARE(trial.desktop.window().series().current(), 0);
     const std::uint64_t first = trial.frames.back()->status.samplesPerPixel;
-    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel > first + 3, 120000);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel > first + 3, test::kPatience);
     const Frame& frame = *trial.frames.back();
     QVERIFY(frame.size == trial.desktop.parts().document.scene().film);
     QVERIFY(*std::max_element(frame.rgba.begin(), frame.rgba.end() - 1) > 60);
@@ -170,7 +151,7 @@ void TestDesktop::aPresetChangesThePicture() {
     // The mean colour of the picture: after some samples its noise is far below a display level.
     const auto colour = [&] {
         trial.waitForNewest();
-        if (!QTest::qWaitFor([&] { return trial.frames.back()->status.samplesPerPixel >= 8; }, 120000))
+        if (!QTest::qWaitFor([&] { return trial.frames.back()->status.samplesPerPixel >= 8; }, test::kPatience))
             return dvec3(0);
         const auto& rgba = trial.frames.back()->rgba;
         dvec3 sum(0);
@@ -199,7 +180,7 @@ void TestDesktop::brightnessWorksWithoutARestart() {
     const std::uint64_t samples = trial.frames.back()->status.samplesPerPixel;
     const std::uint64_t revision = trial.frames.back()->revision;
     trial.desktop.window().look().findChild<QSlider*>()->setValue(20);
-    QTRY_VERIFY_WITH_TIMEOUT(light() > 1.2 * before, 120000);
+    QTRY_VERIFY_WITH_TIMEOUT(light() > 1.2 * before, test::kPatience);
     QCOMPARE(trial.frames.back()->revision, revision);
     QVERIFY(trial.frames.back()->status.samplesPerPixel >= samples);
 }
@@ -209,12 +190,11 @@ void TestDesktop::pauseHoldsTheSamples() {
     trial.openAndWait(series_);
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
     QVERIFY(trial.desktop.parts().bridge.paused());
-    trial.waitUntilStill();
-    const std::uint64_t held = trial.frames.back()->status.samplesPerPixel;
+    const std::uint64_t held = trial.heldSamples();
     QTest::qWait(300);
     QCOMPARE(trial.frames.back()->status.samplesPerPixel, held);
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel > held, 120000);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel > held, test::kPatience);
 }
 
 void TestDesktop::theFilmFollowsTheWindow() {
@@ -254,7 +234,7 @@ void TestDesktop::thePictureIsSaved() {
     QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
     const QString path = trial.folder.filePath(name);
     emit trial.desktop.window().saveRequested(path);
-    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 120000);
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray content = file.readAll();
@@ -266,7 +246,7 @@ void TestDesktop::aPictureThatCannotBeWrittenIsSaid() {
     Trial trial;
     trial.openAndWait(series_);
     emit trial.desktop.window().saveRequested(trial.folder.filePath("no/such/folder/picture.png"));
-    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("picture.png"), 120000);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("picture.png"), test::kPatience);
 }
 
 void TestDesktop::anUnknownFormatIsSaid() {
@@ -281,10 +261,10 @@ void TestDesktop::aFailedFolderIsSaidAndThePictureStays() {
     Trial trial;
     trial.openAndWait(series_);
     trial.desktop.open(trial.folder.filePath("nowhere"));
-    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("nowhere"), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("nowhere"), test::kPatience);
     QVERIFY(trial.desktop.parts().document.hasVolume());
     const std::size_t frames = trial.frames.size();
-    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, 120000);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
 }
 
 void TestDesktop::theTitleNamesTheSeriesButNotThePatient() {
@@ -306,101 +286,17 @@ void TestDesktop::onlyTheWindowIsKept() {
         Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
         desktop.window().show();
         desktop.open(series_);
-        QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), test::kPatience);
     }
     const QSettings settings(file, QSettings::IniFormat);
     QCOMPARE(settings.allKeys(), QStringList({"window/geometry", "window/state"}));
-}
-
-void TestDesktop::aDeviceThatFailsIsSaidAndThePictureGoesOn() {
-    auto mishaps = std::make_shared<test::Mishaps>();
-    Trial trial(test::failing(mishaps));
-    QCOMPARE(device(trial)->currentData().toString(), "failing");
-    trial.openAndWait(series_);
-    QVERIFY(trial.desktop.window().message().isHidden());
-    mishaps->gone = true;
-    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->device == "cpu", 240000);
-    const QString text = trial.desktop.window().message().text();
-    QVERIFY2(text.contains("the device is lost") && text.contains("goes on on the CPU."), qPrintable(text));
-    QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu", 60000);
-    const std::size_t frames = trial.frames.size();
-    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, 120000);
-}
-
-void TestDesktop::aDeviceThatIsNotThereIsSaidAndThePictureGoesOn() {
-    Trial trial;
-    trial.openAndWait(series_);
-    trial.desktop.window().rendering().setDevices({"cpu", "abacus"}, {"CPU", "abacus"});
-    trial.desktop.window().rendering().setDevice("abacus");
-    emit trial.desktop.window().rendering().deviceChosen("abacus");
-    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("abacus"), 120000);
-    QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu", 60000);  // what is really in use
-    const std::size_t frames = trial.frames.size();
-    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, 120000);
-}
-
-void TestDesktop::anotherDeviceGoesOnFromTheSamples() {
-    Trial trial(test::failing(std::make_shared<test::Mishaps>()));
-    trial.openAndWait(series_);
-    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= 3, 120000);
-    emit trial.desktop.window().rendering().deviceChosen("cpu");
-    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->device == "cpu", 120000);
-    const auto first = std::find_if(trial.frames.begin(), trial.frames.end(),
-                                    [](const auto& frame) { return frame->device == "cpu"; });
-    QVERIFY((*first)->status.samplesPerPixel > (*(first - 1))->status.samplesPerPixel);
-    QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu", 60000);
-}
-
-void TestDesktop::theStatusSaysWhatThePictureIsMadeBy() {
-    Trial trial;
-    trial.openAndWait(series_);
-    QTRY_VERIFY_WITH_TIMEOUT(statusText(trial).contains("per frame on the CPU, efficiency "), 120000);
-    QVERIFY(!statusText(trial).contains("comparison"));
-}
-
-void TestDesktop::aComparisonIsSaidPlainly() {
-    Trial trial;
-    trial.openAndWait(series_);
-    ui::RenderPanel& panel = trial.desktop.window().rendering();
-    Document& document = trial.desktop.parts().document;
-    emit panel.estimatorChosen(Estimator::kroesMarch);
-    QVERIFY(document.scene().estimator == Estimator::kroesMarch);
-    trial.waitForNewest();
-    QVERIFY2(statusText(trial).startsWith("comparison: march of 3 voxels, biased, "), qPrintable(statusText(trial)));
-    QTest::keyClick(&trial.desktop.window(), Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(document.scene().estimator == Estimator::unbiased);
-    trial.waitForNewest();
-    QVERIFY(!statusText(trial).contains("comparison"));
-
-    emit panel.scheduleChosen({ui::ScheduleChoice::Way::k1, true});
-    QTRY_VERIFY_WITH_TIMEOUT(statusText(trial).startsWith("comparison: Exposure Render's schedule K1, blurred, "),
-                             120000);
-    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
-    emit trial.desktop.window().saveRequested(trial.folder.filePath("picture.png"));
-    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 120000);
-    QCOMPARE(QImage(trial.folder.filePath("picture.png")).text("pdrender/schedule"), "Exposure Render's K1, blurred");
-}
-
-void TestDesktop::theDeviceAndThePaceAreKept() {
-    const QTemporaryDir kept;
-    const QString file = kept.filePath("settings.ini");
-    {
-        Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
-        QCOMPARE(Settings(file).device(), "auto");
-        QVERIFY(desktop.window().rendering().pace() == ui::FrameBudgetChoice{});
-        emit desktop.window().rendering().deviceChosen("cpu");
-        emit desktop.window().rendering().paceChosen({false, 12, 3.5});
-    }
-    Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
-    QCOMPARE(Settings(file).device(), "cpu");
-    QVERIFY((desktop.window().rendering().pace() == ui::FrameBudgetChoice{false, 12, 3.5}));
 }
 
 void TestDesktop::aRealChestIsShown() {
     PDR_NEEDS_SHARED_CT();
     Trial trial;
     trial.openAndWait(ui::toQt(test::sharedCt() / "chest_contrast"));
-    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= 3, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= 3, test::kPatience);
     QVERIFY(trial.desktop.parts().document.scene().volume->size() == ivec3(512, 512, 100));
 }
 

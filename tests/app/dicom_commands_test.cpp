@@ -13,6 +13,7 @@
 
 #include "dicom/import.h"
 #include "tests/support/places.h"
+#include "tests/support/program_run.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/slice_file.h"
 
@@ -20,22 +21,15 @@ using namespace pdr;
 
 namespace {
 
-struct Run {
-    int code = -1;
-    QByteArray out, err;
+struct Run : test::ProgramRun {
     QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
     QJsonObject firstSeries() const { return json()["series"].toArray().at(0).toObject(); }
 };
 
 Run run(const QStringList& arguments,
         const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
-    QProcess process;
-    process.setProcessEnvironment(environment);
-    process.start(PDR_BINARY_DIR "/bin/pdrender-cli", arguments);
-    if (!process.waitForFinished(120'000))
-        qFatal("pdrender-cli did not end");
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
-            process.readAllStandardError()};
+    return {test::runProgram("pdrender-cli", arguments,
+                             [&](QProcess& process) { process.setProcessEnvironment(environment); })};
 }
 
 }  // namespace

@@ -2,46 +2,10 @@
 
 #include <QTest>
 
-#include "app/document.h"
 #include "render/scene/orbit.h"
+#include "tests/support/told_document.h"
 
 namespace pdr::app {
-
-static std::vector<Preset> twoPresets() {
-    std::vector<Preset> presets(2);
-    presets[0].name = "first";
-    presets[0].transferFunction.nodes = {{0, 0}, {300, 1}};
-    presets[0].display.exposure = 2;
-    presets[1].name = "second";
-    presets[1].transferFunction.nodes = {{-500, 0.5f}};
-    presets[1].phaseG = 0.5f;
-    presets[1].display.exposure = 8;
-    return presets;
-}
-
-static std::shared_ptr<const Volume> cube() {
-    return std::make_shared<const Volume>(VolumeGeometry::aligned({4, 4, 4}, {10, 10, 10}, {-15, 85, 185}),
-                                          std::vector<std::int16_t>(64, 100));
-}
-
-/// A document with a volume, and what it told.
-struct Told {
-    Told() : document(twoPresets()) {
-        QObject::connect(&document, &Document::sceneChanged, [this](const Scene& scene, bool moving) {
-            scenes.push_back(scene);
-            lastMoves = moving;
-        });
-        QObject::connect(&document, &Document::displayChanged,
-                         [this](const Display& display) { displays.push_back(display); });
-        document.setViewSize({400, 200});
-        document.open(cube());
-    }
-
-    Document document;
-    std::vector<Scene> scenes;
-    std::vector<Display> displays;
-    bool lastMoves = false;
-};
 
 class TestDocument : public QObject {
     Q_OBJECT
@@ -53,13 +17,12 @@ class TestDocument : public QObject {
     void aWholeGestureIsOneStepBack();
     void redoBringsTheEditBackAsANewScene();
     void anEditAfterUndoForgetsWhatWasUndone();
-    void undoOfAPresetBringsItsLookBack();
     void manyStepsBackAndForthAreExact();
     void theEstimatorIsAnEditLikeOthers();
     void brightnessChangesTheDisplayAndIsAStepOfItsOwn();
     void undoOfAViewLeavesTheBrightness();
     void theWayBackIsLongButEnds();
-    void theLightsFollowTheCamera();
+    void theScheduleIsAnEditLikeOthers();
     void theWindowsSizeIsNotUndone();
     void aNewVolumeHasNoWayBack();
     void withoutVolumeEditsWait();
@@ -76,7 +39,7 @@ void TestDocument::anOpenedVolumeIsSeenFromTheFrontWithTheFirstPreset() {
     QVERIFY(glm::length(scene.camera.forward() - dvec3(0, 1, 0)) < 1e-12);
     QVERIFY(scene.camera.targetMm == dvec3(0, 100, 200));
     QVERIFY(scene.film == ivec2(400, 200));
-    QVERIFY(scene.transferFunction == twoPresets()[0].transferFunction);
+    QVERIFY(scene.transferFunction == twoPresets()[0].look.transferFunction);
     QCOMPARE(told.displays.back().exposure, 2.f);
     QVERIFY(!told.document.canUndo());
 }
@@ -138,19 +101,6 @@ void TestDocument::anEditAfterUndoForgetsWhatWasUndone() {
     QVERIFY(glm::length(told.document.scene().camera.forward() - dvec3(1, 0, 0)) < 1e-12);
 }
 
-void TestDocument::undoOfAPresetBringsItsLookBack() {
-    Told told;
-    told.document.setBrightness(1);
-    told.document.setPreset(1);
-    QCOMPARE(told.displays.back().exposure, 8.f);
-    QCOMPARE(told.scenes.back().phaseG, 0.5f);
-    told.document.undo();
-    QCOMPARE(told.document.preset(), 0);
-    QCOMPARE(told.document.brightness(), 1.0);
-    QCOMPARE(told.displays.back().exposure, 1.f);
-    QVERIFY(told.scenes.back().transferFunction == twoPresets()[0].transferFunction);
-}
-
 void TestDocument::manyStepsBackAndForthAreExact() {
     Told told;
     std::vector<Camera> seen{told.document.scene().camera};
@@ -198,12 +148,12 @@ void TestDocument::brightnessChangesTheDisplayAndIsAStepOfItsOwn() {
     QCOMPARE(told.scenes.size(), std::size_t(2));
     QCOMPARE(told.displays.back().exposure, 0.5f);
     told.document.undo();  // the brightness, and not the view
-    QCOMPARE(told.document.brightness(), 0.0);
+    QCOMPARE(told.document.setup().stops, 0.0);
     QCOMPARE(told.displays.back().exposure, 2.f);
     QVERIFY(told.document.scene().camera == left);
     QCOMPARE(told.scenes.size(), std::size_t(2));  // nothing is computed anew
     told.document.redo();
-    QCOMPARE(told.document.brightness(), 2.0);
+    QCOMPARE(told.document.setup().stops, 2.0);
     QCOMPARE(told.scenes.size(), std::size_t(2));
     told.document.undo();
     told.document.undo();  // the view
@@ -218,7 +168,7 @@ void TestDocument::undoOfAViewLeavesTheBrightness() {
     told.document.setView(StandardView::left);
     told.document.undo();
     QVERIFY(told.document.scene().camera == front);
-    QCOMPARE(told.document.brightness(), 1.0);
+    QCOMPARE(told.document.setup().stops, 1.0);
 }
 
 void TestDocument::theWayBackIsLongButEnds() {
@@ -240,13 +190,18 @@ void TestDocument::theWayBackIsLongButEnds() {
     QVERIFY(told.document.scene().camera == last);
 }
 
-void TestDocument::theLightsFollowTheCamera() {
+void TestDocument::theScheduleIsAnEditLikeOthers() {
     Told told;
-    told.document.setView(StandardView::left);
-    QVERIFY(!told.scenes[0].lights.empty());
-    QVERIFY(told.scenes[1].lights != told.scenes[0].lights);
+    told.document.setSchedule({});  // it is that already
+    QVERIFY(!told.document.canUndo());
+    const Schedule k1{.kind = Schedule::Kind::kroes};
+    told.document.setSchedule(k1);
+    QVERIFY(told.scenes.back().schedule == k1);
+    told.document.setPreset(1);
+    QVERIFY(told.scenes.back().schedule == k1);
     told.document.undo();
-    QVERIFY(told.scenes[2].lights == told.scenes[0].lights);
+    told.document.undo();
+    QVERIFY(told.scenes.back().schedule == Schedule{});
 }
 
 void TestDocument::theWindowsSizeIsNotUndone() {
@@ -267,7 +222,7 @@ void TestDocument::aNewVolumeHasNoWayBack() {
     QVERIFY(!told.document.canUndo() && !told.document.canRedo());
     QVERIFY(told.scenes.back().volume == second);
     QCOMPARE(told.document.preset(), 1);
-    QVERIFY(told.scenes.back().transferFunction == twoPresets()[1].transferFunction);
+    QVERIFY(told.scenes.back().transferFunction == twoPresets()[1].look.transferFunction);
 }
 
 void TestDocument::withoutVolumeEditsWait() {
@@ -284,7 +239,7 @@ void TestDocument::withoutVolumeEditsWait() {
     QCOMPARE(scenes, 0);
     document.open(cube());
     QCOMPARE(scenes, 1);
-    QVERIFY(document.scene().transferFunction == twoPresets()[1].transferFunction);
+    QVERIFY(document.scene().transferFunction == twoPresets()[1].look.transferFunction);
     document.close();
     QVERIFY(!document.hasVolume());
 }
@@ -330,9 +285,9 @@ void TestDocument::aDragOfTheBrightnessIsOneStep() {
     told.document.setBrightness(2, false);
     told.document.setBrightness(2, false);  // pressed and let go: nothing
     told.document.undo();
-    QCOMPARE(told.document.brightness(), 1.0);
+    QCOMPARE(told.document.setup().stops, 1.0);
     told.document.undo();
-    QCOMPARE(told.document.brightness(), 0.0);
+    QCOMPARE(told.document.setup().stops, 0.0);
     QVERIFY(!told.document.canUndo());
 }
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "app/import_job.h"
+#include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
 #include "ui/to_qt.h"
 
@@ -47,10 +48,10 @@ void TestImportJob::aSeriesIsScannedAndLoaded() {
     std::shared_ptr<const Volume> volume;
     connect(&job, &ImportJob::loaded, this, [&](std::shared_ptr<const Volume> loaded, int) { volume = loaded; });
     job.scanFolder(series_);
-    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, test::kPatience);
     QCOMPARE(job.scan().series.size(), std::size_t(1));
     job.loadSeries(0);
-    QTRY_VERIFY_WITH_TIMEOUT(volume, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(volume, test::kPatience);
     QVERIFY(volume->size() == ivec3(64, 57, 64));
     QCOMPARE(finished.count(), 2);
 }
@@ -60,7 +61,7 @@ static Error errorOf(const QString& folder) {
     Error error;
     QObject::connect(&job, &ImportJob::failed, [&](const Error& failure) { error = failure; });
     job.scanFolder(folder);
-    [&] { QTRY_VERIFY_WITH_TIMEOUT(!error.what.empty(), 60'000); }();
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(!error.what.empty(), test::kPatience); }();
     return error;
 }
 
@@ -79,7 +80,7 @@ void TestImportJob::progressIsTold() {
     ImportJob job;
     QSignalSpy progressed(&job, &ImportJob::progressed), scanned(&job, &ImportJob::scanned);
     job.scanFolder(series_);
-    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, test::kPatience);
     QVERIFY(progressed.count() > 0);
     for (const QList<QVariant>& call : progressed) {
         QVERIFY(call[0].toDouble() >= 0 && call[0].toDouble() <= 1);
@@ -105,7 +106,7 @@ void TestImportJob::aNewJobCancelsTheOld() {
     QSignalSpy scanned(&job, &ImportJob::scanned), failed(&job, &ImportJob::failed);
     job.scanFolder(empty.path());
     job.scanFolder(series_);
-    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, test::kPatience);
     QTest::qWait(100);
     QCOMPARE(failed.count(), 0);
     QCOMPARE(scanned[0][1].toString(), series_);
@@ -166,11 +167,11 @@ void TestImportJob::whateverIsThrownIsAFailureInWords() {
     Error error;
     connect(&job, &ImportJob::failed, this, [&](const Error& failure) { error = failure; });
     job.run(what);
-    QTRY_COMPARE(finished.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, test::kPatience);
     QVERIFY2(QString::fromStdString(error.what).contains(words), error.text().c_str());
     QVERIFY(!error.hint.empty());
     job.scanFolder(series_);  // and the next one is read
-    QTRY_COMPARE(scanned.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, test::kPatience);
 }
 
 void TestImportJob::aThreadThatCannotBeStartedIsSaid() {
@@ -180,11 +181,11 @@ void TestImportJob::aThreadThatCannotBeStartedIsSaid() {
     connect(&job, &ImportJob::failed, this, [&](const Error& failure) { error = failure; });
     job.thread().setStackSize(1);  // no system gives a thread so little
     job.scanFolder(series_);
-    QTRY_COMPARE(finished.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, test::kPatience);
     QVERIFY(error.what.find("thread") != std::string::npos && !error.hint.empty());
     job.thread().setStackSize(0);  // as usual
     job.scanFolder(series_);
-    QTRY_COMPARE(scanned.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, test::kPatience);
 }
 
 }  // namespace pdr::app

@@ -5,6 +5,7 @@
 
 #include "app/desktop.h"
 #include "app/presets.h"
+#include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
 
 namespace pdr::app {
@@ -29,7 +30,7 @@ class TestImportNotes : public QObject {
             std::filesystem::copy_file(series / "slice00003.dcm", series / "again.dcm");
         Desktop desktop(*bundledPresets(), makeCpuDevice(1), folder.filePath("settings.ini"), 1);
         desktop.open(folder.filePath("series"));
-        QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), test::kPatience);
         const QString text = desktop.window().message().text();
         QVERIFY2(said.isEmpty() ? text.isEmpty() : text.startsWith(said), qPrintable(text));
         QCOMPARE(desktop.parts().document.scene().volume->remarks(), std::string(withCopy ? "copies" : ""));

@@ -13,37 +13,31 @@
 
 #include "app/program/program.h"
 #include "render/base/version.h"
+#include "tests/support/patience.h"
 #include "tests/support/places.h"
+#include "tests/support/program_run.h"
 
 namespace {
 
 constexpr const char* kPrograms[] = {"pdrender", "pdrender-cli", "pdrender-bench"};
 
-struct Run {
-    int code = -1;  ///< -1: ended by a signal
-    QByteArray out, err;
-};
-
+using pdr::test::ProgramRun;
 using Before = std::function<void()>;  ///< what the new process does before it becomes the program
 
-Run run(const QString& program, const QStringList& arguments, const Before& before = {}, const QString& out = {}) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-        environment.remove(display);
-    process.setProcessEnvironment(environment);
-    process.setChildProcessModifier(before);
-    if (!out.isEmpty())
-        process.setStandardOutputFile(out);
-    process.start(PDR_BINARY_DIR "/bin/" + program, arguments);
-    if (!process.waitForFinished(300'000))
-        qFatal("%s did not end", qPrintable(program));
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
-            process.readAllStandardError()};
+ProgramRun run(const QString& program, const QStringList& arguments, const Before& before = {}, const QString& out = {}) {
+    return pdr::test::runProgram(program, arguments, [&](QProcess& process) {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+            environment.remove(display);
+        process.setProcessEnvironment(environment);
+        process.setChildProcessModifier(before);
+        if (!out.isEmpty())
+            process.setStandardOutputFile(out);
+    });
 }
 
 /// Runs a program in an address space of `megabytes`.
-Run runIn(int megabytes, const QString& program, const QStringList& arguments) {
+ProgramRun runIn(int megabytes, const QString& program, const QStringList& arguments) {
     return run(program, arguments, [megabytes] {
         const rlimit limit{rlim_t(megabytes) << 20, rlim_t(megabytes) << 20};
         ::setrlimit(RLIMIT_AS, &limit);
@@ -112,7 +106,7 @@ class ProgramsTest : public QObject {
         QFETCH(QString, program);
         QFETCH(QStringList, words);
         QFETCH(QByteArray, option);
-        const Run help = run(program, words);
+        const ProgramRun help = run(program, words);
         QVERIFY2(help.code == 0, help.err.constData());
         QVERIFY2(help.out.contains(option), help.out.constData());
         QVERIFY(help.err.isEmpty());
@@ -122,7 +116,7 @@ class ProgramsTest : public QObject {
     void versionIsPrinted() {
         QFETCH(QString, program);
         for (const char* word : {"--version", "-v"}) {
-            const Run version = run(program, {word});
+            const ProgramRun version = run(program, {word});
             QVERIFY2(version.code == 0, version.err.constData());
             QCOMPARE(version.out, QByteArray("PD-Render " PDR_VERSION "\n"));
             QVERIFY(version.err.isEmpty());
@@ -132,17 +126,17 @@ class ProgramsTest : public QObject {
     void wrongUsageIsTwo_data() { eachProgram(); }
     void wrongUsageIsTwo() {
         QFETCH(QString, program);
-        const Run wrong = run(program, {"--frob"});
+        const ProgramRun wrong = run(program, {"--frob"});
         QCOMPARE(wrong.code, 2);
         QVERIFY2(wrong.err.contains("frob") && wrong.err.contains("--help"), wrong.err.constData());
         QVERIFY(wrong.out.isEmpty());
     }
 
     void withoutADisplayTheOtherProgramIsNamed() {
-        const Run none = run("pdrender", {});
+        const ProgramRun none = run("pdrender", {});
         QCOMPARE(none.code, 1);
         QVERIFY2(none.err.contains("display") && none.err.contains("pdrender-cli"), none.err.constData());
-        const Run dead = run("pdrender", {}, [] { ::setenv("QT_QPA_PLATFORM", "nowhere", 1); });
+        const ProgramRun dead = run("pdrender", {}, [] { ::setenv("QT_QPA_PLATFORM", "nowhere", 1); });
         QCOMPARE(dead.code, 1);
         QVERIFY2(dead.err.contains("pdrender-cli"), dead.err.constData());
     }
@@ -151,10 +145,10 @@ class ProgramsTest : public QObject {
     void whatCannotBePrintedIsAnError() {
         QFETCH(QString, program);
         for (const char* word : {"--version", "--help"}) {
-            const Run full = run(program, {word}, {}, "/dev/full");
+            const ProgramRun full = run(program, {word}, {}, "/dev/full");
             QCOMPARE(full.code, 1);
             QVERIFY2(full.err.contains("could not be written"), full.err.constData());
-            const Run closed = run(program, {word}, [] { ::close(STDOUT_FILENO); });
+            const ProgramRun closed = run(program, {word}, [] { ::close(STDOUT_FILENO); });
             QCOMPARE(closed.code, 1);
             QVERIFY2(closed.err.contains("could not be written"), closed.err.constData());
         }
@@ -162,7 +156,7 @@ class ProgramsTest : public QObject {
 
     /// With standard output closed, the next file that is opened must not take its number and receive what is printed.
     void aClosedStandardOutputSpoilsNoPicture() {
-        const Run closed = run("pdrender-cli", {"render", scene(), "-o", at("closed.png"), "--samples", "1"},
+        const ProgramRun closed = run("pdrender-cli", {"render", scene(), "-o", at("closed.png"), "--samples", "1"},
                                [] { ::close(STDOUT_FILENO); });
         QCOMPARE(closed.code, 1);
         QFile file(at("closed.png"));
@@ -191,7 +185,7 @@ class ProgramsTest : public QObject {
 #endif
         int failures = 0;
         for (const int megabytes : {44, 52, 60, 68, 76, 84, 92, 100, 104, 108, 116, 132}) {
-            const Run small = runIn(megabytes, program, words);
+            const ProgramRun small = runIn(megabytes, program, words);
             QVERIFY2(small.code >= 0,
                      qPrintable(QString("a signal at %1 MB: %2").arg(megabytes).arg(QString(small.err))));
             QVERIFY2(small.code == 0 || !small.err.isEmpty(), qPrintable(QString("silence at %1 MB").arg(megabytes)));
@@ -219,7 +213,7 @@ class ProgramsTest : public QObject {
         environment.insert("QT_QPA_PLATFORM", "offscreen");
         process.setProcessEnvironment(environment);
         process.start(PDR_BINARY_DIR "/bin/" + program, words);
-        QVERIFY(process.waitForStarted());
+        QVERIFY(process.waitForStarted(pdr::test::kPatience));
         const auto limit = [&] {
             QFile limits(QString("/proc/%1/limits").arg(process.processId()));
             if (limits.open(QIODevice::ReadOnly))
@@ -228,9 +222,9 @@ class ProgramsTest : public QObject {
                         return line.simplified();
             return QByteArray();
         };
-        QTRY_COMPARE_WITH_TIMEOUT(limit(), QByteArray("Max core file size 0 0 bytes"), 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(limit(), QByteArray("Max core file size 0 0 bytes"), pdr::test::kPatience);
         process.kill();
-        QVERIFY(process.waitForFinished());
+        QVERIFY(process.waitForFinished(pdr::test::kPatience));
     }
 
     void memoryIsNotDumped() {

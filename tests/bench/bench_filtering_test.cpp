@@ -9,6 +9,7 @@
 
 #include "app/bench/filtering/price.h"
 #include "render/kernel/pixel.h"
+#include "tests/support/patience.h"
 #include "tests/support/places.h"
 #include "tests/support/scenes.h"
 
@@ -42,7 +43,7 @@ class BenchFilteringTest : public QObject {
     Ran run(const QStringList& words) {
         QProcess process;
         process.start(PDR_BINARY_DIR "/bin/pdrender-bench", QStringList{"filtering"} + words);
-        if (!process.waitForFinished(60'000))
+        if (!process.waitForFinished(test::kPatience))
             return {-1, "", "it did not end"};
         return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
     }

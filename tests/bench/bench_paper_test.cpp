@@ -14,6 +14,7 @@
 #include "app/bench/paper/settings.h"
 #include "app/bench/paper/text_table.h"
 #include "render/timing/efficiency.h"
+#include "tests/support/patience.h"
 #include "tests/support/places.h"
 
 using namespace pdr;
@@ -281,7 +282,7 @@ class BenchPaperTest : public QObject {
         QProcess process;
         process.start(PDR_BINARY_DIR "/bin/pdrender-bench",
                       {"paper", "--largest", "120x67", "--seconds", "0.02", "--rounds", "2", "--out", folder.path()});
-        QVERIFY(process.waitForFinished(120'000));
+        QVERIFY(process.waitForFinished(test::kPatience));
         QCOMPARE(process.exitCode(), 0);
         const QString shown = process.readAllStandardOutput();
         QCOMPARE(soundTables(shown), 8);  // two sizes are too few for a fit
@@ -301,12 +302,12 @@ class BenchPaperTest : public QObject {
         QProcess process;
         process.start(PDR_BINARY_DIR "/bin/pdrender-bench",
                       {"paper", "--largest", "60x34", "--seconds", "600", "--out", folder.path()});
-        QVERIFY(process.waitForStarted());
+        QVERIFY(process.waitForStarted(test::kPatience));
         process.setReadChannel(QProcess::StandardError);
-        QVERIFY(process.waitForReadyRead(60'000));  // the first cell is being measured
+        QVERIFY(process.waitForReadyRead(test::kPatience));  // the first cell is being measured
         QTest::qWait(300);
         ::kill(pid_t(process.processId()), SIGINT);
-        QVERIFY(process.waitForFinished(30'000));
+        QVERIFY(process.waitForFinished(test::kPatience));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);
         QCOMPARE(process.exitCode(), 1);
         QVERIFY(contents(folder.filePath("paper.md")).contains("INCOMPLETE: broken off in round 1 of 5"));

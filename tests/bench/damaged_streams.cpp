@@ -48,8 +48,8 @@ std::vector<Source> sources(const fs::path& scratch) {
 
 struct Count {
     int refused = 0, unchanged = 0, silent = 0;
-    void add(Outcome takeStatus) {
-        ++(takeStatus == Outcome::refused ? refused : takeStatus == Outcome::unchanged ? unchanged : silent);
+    void add(Outcome outcome) {
+        ++(outcome == Outcome::refused ? refused : outcome == Outcome::unchanged ? unchanged : silent);
     }
 };
 
@@ -81,9 +81,9 @@ int main(int argc, char** argv) {
                 const std::string name =
                     keep ? source.name + "-" + kind.substr(0, kind.find(' ')) + "-" + std::to_string(trial) : "damaged";
                 test::writeBytes(scratch / name, damagedBy(kind, whole, trial, random));
-                const Outcome takeStatus = test::outcomeOf(scratch / name, sound->hu);
-                count.add(takeStatus);
-                totals[kind].add(takeStatus);
+                const Outcome outcome = test::outcomeOf(scratch / name, sound->hu);
+                count.add(outcome);
+                totals[kind].add(outcome);
                 list << source.name << '\t' << kind << '\t' << name << '\t' << source.file.string() << '\n';
             }
             std::printf("%-22s %-9s %8d %10d %7d\n", source.name.c_str(), kind.c_str(), count.refused, count.unchanged,

@@ -58,9 +58,9 @@ class DamagedStreamsTest : public QObject {
             QVERIFY2(bool(sound), sound ? "" : sound.error().text().c_str());
             for (int trial = 0; trial < 16; ++trial) {
                 test::writeBytes(file_, test::withZeroRun(whole, test::streamRange(whole), 64, random));
-                const Outcome takeStatus = test::outcomeOf(file_, sound->hu);
-                silent += takeStatus == Outcome::silent;
-                refused += takeStatus == Outcome::refused;
+                const Outcome outcome = test::outcomeOf(file_, sound->hu);
+                silent += outcome == Outcome::silent;
+                refused += outcome == Outcome::refused;
             }
         }
         QVERIFY2(silent == 0, qPrintable(QString("%1 of 64 silent, %2 refused").arg(silent).arg(refused)));

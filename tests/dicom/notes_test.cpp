@@ -1,43 +1,17 @@
 #include "tests/support/damaged_streams.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
 
 #include "dicom/import.h"
+#include "tests/support/slice_folder.h"
 
 using namespace pdr;
 using namespace pdr::dicom;
 using test::SliceFile;
 
-namespace fs = std::filesystem;
-
 namespace {
-
-class Folder {
-  public:
-    fs::path path() const { return folder_.path().toStdString(); }
-
-    ScanResult scan() const {
-        Result<ScanResult> result = scanFolder(path(), noProgress);
-        return result ? *std::move(result) : ScanResult{};
-    }
-
-    /// `count` slices 2 mm apart; `change` may alter the k-th.
-    void addStack(int count, ivec2 size, const std::function<void(int, SliceFile&)>& change) const {
-        for (int k = 0; k < count; ++k) {
-            SliceFile slice{.size = size, .position = {0, 0, 2.0 * k}};
-            change(k, slice);
-            char name[16];
-            std::snprintf(name, sizeof name, "%02d", k);
-            test::writeSliceFile(path() / name, slice);
-        }
-    }
-
-  private:
-    QTemporaryDir folder_;
-};
 
 /// The text of the note with this code; empty where there is none.
 std::string noteOf(const std::vector<Note>& notes, const std::string& code) {
@@ -67,8 +41,8 @@ class NotesTest : public QObject {
 
   private slots:
     void huBeyondSixteenBitsIsSaidWithItsCount() {
-        Folder folder;
-        folder.addStack(2, {4, 3}, [](int, SliceFile& slice) {
+        test::SliceFolder folder;
+        folder.addStack(2, {.size = {4, 3}}, "", [](int, SliceFile& slice) {
             slice.raw = {20000, 20000, 100};
             slice.change = [](DcmDataset& data) { data.putAndInsertString(DCM_RescaleSlope, "4"); };
         });
@@ -80,7 +54,7 @@ class NotesTest : public QObject {
     }
 
     void lossyCodingIsSaid() {
-        Folder folder;
+        test::SliceFolder folder;
         for (int k = 0; k < 2; ++k) {
             SliceFile slice = test::tissueSlice({64, 64}, unsigned(k));
             slice.position.z = k;
@@ -96,8 +70,8 @@ class NotesTest : public QObject {
     }
 
     void lossOfAnEarlierCodingIsSaid() {
-        Folder folder;
-        folder.addStack(3, {4, 3}, [](int, SliceFile& slice) {
+        test::SliceFolder folder;
+        folder.addStack(3, {.size = {4, 3}}, "", [](int, SliceFile& slice) {
             slice.change = [](DcmDataset& data) {
                 data.putAndInsertString(DCM_LossyImageCompression, "01");
                 data.putAndInsertString(DCM_LossyImageCompressionRatio, "10");
@@ -108,8 +82,8 @@ class NotesTest : public QObject {
     }
 
     void spacingThatChangesALittleStaysOneVolume() {
-        Folder folder;
-        folder.addStack(24, {512, 4},
+        test::SliceFolder folder;
+        folder.addStack(24, {.size = {512, 4}}, "",
                         [](int k, SliceFile& slice) { putSpacing(slice, k < 12 ? "0.7\\0.7" : "0.7\\0.7001"); });
         const ScanResult scan = folder.scan();
         QCOMPARE(scan.series.size(), std::size_t(1));
@@ -119,8 +93,8 @@ class NotesTest : public QObject {
     }
 
     void directionThatChangesALittleStaysOneVolume() {
-        Folder folder;
-        folder.addStack(24, {128, 4}, [](int k, SliceFile& slice) {
+        test::SliceFolder folder;
+        folder.addStack(24, {.size = {128, 4}}, "", [](int k, SliceFile& slice) {
             const char* directions = k < 12 ? "1\\0\\0\\0\\1\\0" : "1\\0.0003\\0\\-0.0003\\1\\0";
             slice.change = [=](DcmDataset& data) { data.putAndInsertString(DCM_ImageOrientationPatient, directions); };
         });
@@ -141,9 +115,9 @@ class NotesTest : public QObject {
     void halvesOfAPatientAreNoVolumes() {
         QFETCH(QString, spacing);
         QFETCH(bool, alternate);
-        Folder folder;
+        test::SliceFolder folder;
         const std::string other = spacing.toStdString();
-        folder.addStack(24, {512, 4}, [&](int k, SliceFile& slice) {
+        folder.addStack(24, {.size = {512, 4}}, "", [&](int k, SliceFile& slice) {
             putSpacing(slice, (alternate ? k % 2 == 0 : k < 12) ? "0.7\\0.7" : other.c_str());
         });
         const ScanResult scan = folder.scan();
@@ -157,8 +131,8 @@ class NotesTest : public QObject {
     }
 
     void partsOfASeriesHaveIdsOfTheirOwn() {
-        Folder folder;
-        folder.addStack(6, {4, 3}, [](int k, SliceFile& slice) {
+        test::SliceFolder folder;
+        folder.addStack(6, {.size = {4, 3}}, "", [](int k, SliceFile& slice) {
             slice.position.z = 2.0 * (k / 2);
             if (k % 2 == 1)
                 slice.change = [&, k](DcmDataset& data) {
@@ -174,8 +148,8 @@ class NotesTest : public QObject {
     }
 
     void twoPicturesOfOnePlaceAreBothVolumes() {
-        Folder folder;
-        folder.addStack(12, {512, 4}, [](int k, SliceFile& slice) {
+        test::SliceFolder folder;
+        folder.addStack(12, {.size = {512, 4}}, "", [](int k, SliceFile& slice) {
             slice.position.z = 2.0 * (k / 2);
             putSpacing(slice, k % 2 == 0 ? "0.7\\0.7" : "0.4\\0.4");
         });
@@ -197,15 +171,15 @@ class NotesTest : public QObject {
         QFETCH(int, first);
         QFETCH(int, step);
         QFETCH(QString, words);
-        Folder folder;
-        folder.addStack(10, {4, 3}, [&](int k, SliceFile& slice) { putNumber(slice, first + step * k); });
+        test::SliceFolder folder;
+        folder.addStack(10, {.size = {4, 3}}, "", [&](int k, SliceFile& slice) { putNumber(slice, first + step * k); });
         const std::string note = noteOf(folder.scan().series.front().verdict.notes, "incomplete");
         QVERIFY2(words.isEmpty() ? note.empty() : note.find(words.toStdString()) == 0, note.c_str());
     }
 
     void scoutsCountAmongTheNumbers() {
-        Folder folder;
-        folder.addStack(10, {4, 3}, [&](int k, SliceFile& slice) { putNumber(slice, k + 2); });
+        test::SliceFolder folder;
+        folder.addStack(10, {.size = {4, 3}}, "", [&](int k, SliceFile& slice) { putNumber(slice, k + 2); });
         SliceFile scout{.size = {8, 8}};
         scout.change = [](DcmDataset& data) {
             data.putAndInsertString(DCM_InstanceNumber, "1");

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "dicom/import.h"
+#include "tests/support/slice_folder.h"
 
 using namespace pdr;
 using namespace pdr::dicom;
@@ -17,27 +18,6 @@ using test::SliceFile;
 namespace fs = std::filesystem;
 
 namespace {
-
-class Folder {
-  public:
-    fs::path path() const { return folder_.path().toStdString(); }
-
-    void addStack(int count, const std::string& seriesUid = "1.2.3.1", const std::string& prefix = "s") {
-        for (int k = 0; k < count; ++k)
-            test::writeSliceFile(path() / (prefix + std::to_string(k)),
-                                 {.position = {0, 0, 2.0 * k}, .seriesUid = seriesUid});
-    }
-
-    void addText(const std::string& name, const std::string& text) { std::ofstream(path() / name) << text; }
-
-    ScanResult scan() const {
-        Result<ScanResult> result = scanFolder(path(), noProgress);
-        return result ? *std::move(result) : ScanResult{};
-    }
-
-  private:
-    QTemporaryDir folder_;
-};
 
 /// Somebody without root's rights, for as long as it lives.
 class Nobody {
@@ -62,7 +42,7 @@ class ScanTest : public QObject {
 
   private slots:
     void anyNameAtAnyDepthIsFound() {
-        Folder folder;
+        test::SliceFolder folder;
         fs::create_directories(folder.path() / "a" / "b c");
         test::writeSliceFile(folder.path() / "a" / "b c" / "no extension", {});
         test::writeSliceFile(folder.path() / "upper.TXT", {.position = {0, 0, 1}});
@@ -73,7 +53,7 @@ class ScanTest : public QObject {
     }
 
     void foreignFilesAreCountedAndForgotten() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(3);
         folder.addText("notes.txt", "The patient was well.");
         folder.addText("empty", "");
@@ -86,10 +66,10 @@ class ScanTest : public QObject {
     }
 
     void loadableSeriesComeFirstAndLargerBeforeSmaller() {
-        Folder folder;
-        folder.addStack(1, "1.2.3.9", "single");
-        folder.addStack(2, "1.2.3.2", "two");
-        folder.addStack(5, "1.2.3.3", "five");
+        test::SliceFolder folder;
+        folder.addStack(1, {.seriesUid = "1.2.3.9"}, "single");
+        folder.addStack(2, {.seriesUid = "1.2.3.2"}, "two");
+        folder.addStack(5, {.seriesUid = "1.2.3.3"}, "five");
         const ScanResult scan = folder.scan();
         QCOMPARE(scan.series.size(), std::size_t(3));
         QCOMPARE(scan.series[0].slices.size(), std::size_t(5));
@@ -98,7 +78,7 @@ class ScanTest : public QObject {
     }
 
     void slicesComeInTheOrderOfTheNormal() {
-        Folder folder;
+        test::SliceFolder folder;
         for (int k = 0; k < 4; ++k)
             test::writeSliceFile(folder.path() / std::to_string(k), {.position = {0, 0, -3.0 * k}});
         const ScanResult scan = folder.scan();
@@ -107,7 +87,7 @@ class ScanTest : public QObject {
     }
 
     void pixelSpacingNamesTheRowsFirst() {
-        Folder folder;
+        test::SliceFolder folder;
         for (int k = 0; k < 2; ++k) {
             SliceFile slice{.position = {0, 0, 3.0 * k}};
             slice.change = [](DcmDataset& data) { data.putAndInsertString(DCM_PixelSpacing, "2\\0.5"); };
@@ -117,20 +97,20 @@ class ScanTest : public QObject {
     }
 
     void samePlaceWithOtherPixelsIsAConflict() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(3);
         test::writeSliceFile(folder.path() / "other", {.position = {0, 0, 2}, .raw = {99}});
         const ScanResult scan = folder.scan();
         QCOMPARE(scan.series[0].verdict.stack, Stack::doubled);
         QVERIFY(scan.series[0].verdict.reason.find("other") != std::string::npos);
-        QVERIFY(scan.series[0].verdict.reason.find("s1") != std::string::npos);
+        QVERIFY(scan.series[0].verdict.reason.find("s01") != std::string::npos);
     }
 
     void seriesThatLiesThereTwiceLoadsOnce() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(5);
         for (int k = 0; k < 5; ++k)
-            fs::copy_file(folder.path() / std::string("s").append(std::to_string(k)),
+            fs::copy_file(folder.path() / ("s0" + std::to_string(k)),
                           folder.path() / std::string("again").append(std::to_string(k)));
         const ScanResult scan = folder.scan();
         QCOMPARE(scan.series.size(), std::size_t(1));
@@ -140,7 +120,7 @@ class ScanTest : public QObject {
     }
 
     void localizerWithinTheSeriesDoesNotSpoilIt() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(3);
         SliceFile scout{.size = {8, 8}, .position = {5, 5, 5}};
         scout.change = [](DcmDataset& data) { data.putAndInsertString(DCM_ImageType, "ORIGINAL\\PRIMARY\\LOCALIZER"); };
@@ -152,7 +132,7 @@ class ScanTest : public QObject {
     }
 
     void textWithoutItsCharacterSetStaysPrintable() {
-        Folder folder;
+        test::SliceFolder folder;
         SliceFile slice;
         slice.change = [](DcmDataset& data) {
             data.putAndInsertString(DCM_SpecificCharacterSet, "NO SUCH SET");
@@ -163,10 +143,10 @@ class ScanTest : public QObject {
     }
 
     void linksAreFollowed() {
-        Folder files, folder;
+        test::SliceFolder files, folder;
         files.addStack(4);
         fs::create_directory(folder.path() / "there");
-        fs::create_symlink(files.path() / "s0", folder.path() / "a file");
+        fs::create_symlink(files.path() / "s00", folder.path() / "a file");
         fs::create_directory_symlink(files.path(), folder.path() / "there" / "a folder");
         const ScanResult scan = folder.scan();
         QCOMPARE(scan.filesSeen, 4);
@@ -175,19 +155,19 @@ class ScanTest : public QObject {
     }
 
     void linksInCirclesAndUpwardsReadNothingTwice() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(2);
         fs::create_directories(folder.path() / "a" / "b");
         fs::create_directory_symlink(folder.path(), folder.path() / "round");
         fs::create_directory_symlink(folder.path() / "a", folder.path() / "a" / "b" / "up");
         fs::create_directory_symlink(folder.path().parent_path(), folder.path() / "out");
         fs::create_directory_symlink("/", folder.path() / "everything");
-        fs::create_symlink(folder.path() / "s0", folder.path() / "again");
+        fs::create_symlink(folder.path() / "s00", folder.path() / "again");
         QCOMPARE(folder.scan().filesSeen, 2);
     }
 
     void linkToNowhereIsAProblem() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(2);
         fs::create_symlink("gone", folder.path() / "link");
         const ScanResult scan = folder.scan();
@@ -210,7 +190,7 @@ class ScanTest : public QObject {
     void wrongPlacesGetASentence() {
         QFETCH(QString, place);
         QFETCH(QString, word);
-        Folder folder;
+        test::SliceFolder folder;
         folder.addText("file", "text");
         fs::create_directories(folder.path() / "empty");
         fs::create_directories(folder.path() / "text");
@@ -223,7 +203,7 @@ class ScanTest : public QObject {
     }
 
     void lockedFolderGetsASentence() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(2);
         chmod(folder.path().c_str(), 0);
         {
@@ -236,32 +216,32 @@ class ScanTest : public QObject {
     }
 
     void lockedFileIsAProblemOfItsOwn() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(3);
         chmod(folder.path().c_str(), 0755);
-        chmod((folder.path() / "s2").c_str(), 0);
+        chmod((folder.path() / "s02").c_str(), 0);
         const Nobody nobody;
         const ScanResult scan = folder.scan();
         QCOMPARE(scan.problems.size(), std::size_t(1));
-        QCOMPARE(scan.problems[0].file.filename().string(), std::string("s2"));
+        QCOMPARE(scan.problems[0].file.filename().string(), std::string("s02"));
         QCOMPARE(scan.series[0].slices.size(), std::size_t(2));
     }
 
     void cancelEndsEachStepSoon() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(20);
         const Progress never = [](double, std::string_view) { return false; };
         const auto cancelled = scanFolder(folder.path(), never);
         QVERIFY(!cancelled);
-        QCOMPARE(cancelled.error().what, std::string("cancelled"));
+        QVERIFY(cancelled.error().kind == ErrorKind::cancelled);
         const ScanResult scan = folder.scan();
         const auto volume = loadSeries(scan.series[0], Padding::maskAsAir, never);
         QVERIFY(!volume);
-        QCOMPARE(volume.error().what, std::string("cancelled"));
+        QVERIFY(volume.error().kind == ErrorKind::cancelled);
     }
 
     void progressRunsFromZeroToOne() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(20);
         std::vector<double> fractions;
         const Progress note = [&](double fraction, std::string_view) {
@@ -275,28 +255,28 @@ class ScanTest : public QObject {
     }
 
     void vanishedFileIsNamed() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(3);
         const ScanResult scan = folder.scan();
-        fs::remove(folder.path() / "s1");
+        fs::remove(folder.path() / "s01");
         const auto volume = loadSeries(scan.series[0], Padding::maskAsAir, noProgress);
         QVERIFY(!volume);
-        QVERIFY(volume.error().where.find("s1") != std::string::npos);
+        QVERIFY(volume.error().where.find("s01") != std::string::npos);
     }
 
     void changedFileIsNamed() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(3);
         const ScanResult scan = folder.scan();
-        test::writeSliceFile(folder.path() / "s1", {.size = {9, 9}});
+        test::writeSliceFile(folder.path() / "s01", {.size = {9, 9}});
         const auto volume = loadSeries(scan.series[0], Padding::maskAsAir, noProgress);
         QVERIFY(!volume);
-        QVERIFY(volume.error().where.find("s1") != std::string::npos);
+        QVERIFY(volume.error().where.find("s01") != std::string::npos);
         QVERIFY(volume.error().what.find("changed") != std::string::npos);
     }
 
     void volumeLargerThanMemoryIsRefusedWithFigures() {
-        Folder folder;
+        test::SliceFolder folder;
         folder.addStack(2);
         Series series = folder.scan().series[0];
         series.geometry.size = {2'000'000, 2'000'000, 2};

@@ -2,7 +2,7 @@
 /// The negative control: a slab seen straight on as Exposure Render estimates it (Kroes, Post & Botha 2012), which the
 /// self-test must find wrong: marched to the event, and from there to the light.
 
-#include "app/bench/selftest/verdict.h"
+#include "app/selftest/verdict.h"
 #include "render/kernel/baseline/march.h"
 #include "tests/support/statistics.h"
 

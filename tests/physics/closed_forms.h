@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/bench/selftest/case.h"
+#include "app/selftest/case.h"
 #include "tests/physics/adding_doubling.h"
 #include "tests/physics/surface_forms.h"
 

@@ -4,8 +4,8 @@
 #include <QTest>
 
 #include "app/bench/commands.h"
-#include "app/bench/selftest/measure.h"
-#include "app/bench/selftest/scene.h"
+#include "app/selftest/measure.h"
+#include "app/selftest/scene.h"
 #include "render/prepare/flatten.h"
 #include "tests/physics/biased_march.h"
 #include "tests/physics/closed_forms.h"

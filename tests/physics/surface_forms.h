@@ -3,7 +3,7 @@
 /// depth d is seen at cosine m through exp(-d / m) and lit at m0 through exp(-d / m0), so that a share m0 / (m + m0) of
 /// all light that would meet a bare surface is left.
 
-#include "app/bench/selftest/scene.h"
+#include "app/selftest/scene.h"
 #include "tests/physics/gauss_legendre.h"
 #include "tests/physics/written_optics.h"
 

@@ -1,6 +1,8 @@
 #pragma once
 /// The desktop in a test: with settings of its own, and the frames that it has shown.
 
+#include <QImage>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <memory>
@@ -8,7 +10,7 @@
 
 #include "app/desktop.h"
 #include "app/presets.h"
-#include "tests/support/processor_time.h"
+#include "tests/support/patience.h"
 
 namespace pdr::app {
 
@@ -23,22 +25,29 @@ struct Trial {
 
     void openAndWait(const QString& series) {
         desktop.open(series);
-        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty() && !frames.back()->coarse, 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty() && !frames.back()->coarse, test::kPatience);
     }
 
     /// Waits for a full picture of the document's newest scene.
     void waitForNewest() {
         const Document& document = desktop.parts().document;
-        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse, 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse, test::kPatience);
     }
 
-    /// After a pause: until the launch that was on its way has been shown, and nobody computes any more.
-    void waitUntilStill() {
-        for (double spent = 1; spent > 0.02;) {
-            const test::ProcessorTime time;
-            QTest::qWait(500);
-            spent = time.seconds();
-        }
+    /// After a pause: the samples that the film holds, once they are on the screen. A film is saved between two launches,
+    /// so none is on its way any more.
+    std::uint64_t heldSamples() {
+        const QString file = folder.filePath("held.png");
+        QSignalSpy saved(&desktop.parts().bridge, &RenderBridge::saved);
+        desktop.parts().bridge.save(file);
+        const auto held = [&] {
+            return saved.isEmpty() ? 0 : QImage(file).text("pdrender/samplesPerPixel").toULongLong();
+        };
+        [&] {
+            QTRY_VERIFY_WITH_TIMEOUT(!saved.isEmpty(), test::kPatience);
+            QTRY_COMPARE_WITH_TIMEOUT(frames.back()->status.samplesPerPixel, held(), test::kPatience);
+        }();
+        return held();
     }
 
     QTemporaryDir folder;

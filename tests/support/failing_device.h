@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu/gpu_device.h"
+#include "render/device/gpu_device.h"
 #include "tests/support/fake_clock.h"
 
 namespace pdr::test {
@@ -42,7 +42,7 @@ struct Mishaps {
     Result<void> call(std::atomic<int>& left) {
         if (gone || left-- <= 0 || now() >= goneAt)
             gone = true;
-        return gone ? Error{"the device is lost", "", "Look after its cables."} : Result<void>();
+        return gone ? Error{"the device is lost", "", "Look after its cables.", ErrorKind::deviceLost} : Result<void>();
     }
     double now() const { return clock ? clock->seconds() : steadySeconds(); }
     /// Until `moment`; on the wall's clock no longer than a stop is asked for.
@@ -142,7 +142,7 @@ class FailingDevice final : public Device {
     Result<void> upload(const Scene& scene) override {
         mishaps_->before("upload");
         if (mishaps_->tooSmall)
-            return Error{"the volume needs 9.3 GB and 6.0 GB are free", "", "Choose a smaller part of it."};
+            return Error{"the volume needs 9.3 GB and 6.0 GB are free", "", "Choose a smaller part of it.", ErrorKind::memory};
         if (Result<void> well = mishaps_->call(mishaps_->uploads); !well)
             return well;
         return inner_.upload(scene);

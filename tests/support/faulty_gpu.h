@@ -88,7 +88,7 @@ class FaultyGpu : public HostGpu {
         const bool now = counts && plan_->calls++ == plan_->fails;
         plan_->failed = plan_->failed || now;
         if (now || gone)
-            fail({"it failed on purpose", name(), "Try again."});
+            fail({"it failed on purpose", name(), "Try again.", ErrorKind::deviceLost});
     }
 
     std::shared_ptr<FaultPlan> plan_;

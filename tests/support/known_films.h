@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu/gpu_device.h"
+#include "render/device/gpu_device.h"
 #include "render/film/tone_map.h"
 #include "render/kernel/pixel.h"
 

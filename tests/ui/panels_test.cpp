@@ -91,9 +91,9 @@ void TestPanels::theListShowsAllSeriesAndTheirVerdicts() {
     panel.setScan(threeSeries());
     const QAbstractItemModel& model = *panel.list().model();
     QCOMPARE(model.rowCount(), 3);
-    const QString deviceLabel = model.index(1, 0).data(Qt::AccessibleTextRole).toString();
+    const QString label = model.index(1, 0).data(Qt::AccessibleTextRole).toString();
     for (const char* part : {"Head", "a slice is missing", "10 mm apart"})
-        QVERIFY2(deviceLabel.contains(part), part);
+        QVERIFY2(label.contains(part), part);
     QVERIFY(model.index(1, 0).data(Qt::ToolTipRole).toString().contains("10 mm apart"));
 }
 
@@ -244,11 +244,12 @@ void TestPanels::theStatusNamesTheDeviceAndItsIterations() {
 }
 
 void TestPanels::theStatusSaysWhatIsForComparison() {
-    using Way = ScheduleChoice::Way;
+    const Schedule k0{.kind = Schedule::Kind::kroes, .redundant = true};
+    const Schedule k1{.kind = Schedule::Kind::kroes, .filter = false};
     QCOMPARE(comparisonText({}, Estimator::unbiased), "");
-    QCOMPARE(comparisonText({Way::k0, true}, Estimator::unbiased),
+    QCOMPARE(comparisonText(k0, Estimator::unbiased),
              "comparison: Exposure Render's schedule K0, blurred");
-    QCOMPARE(comparisonText({Way::k1, false}, Estimator::kroesMarch),
+    QCOMPARE(comparisonText(k1, Estimator::kroesMarch),
              "comparison: Exposure Render's schedule K1, march of 3 voxels, biased");
 }
 

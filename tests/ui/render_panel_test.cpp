@@ -50,16 +50,16 @@ void TestRenderPanel::choosingADeviceAsksForItsName() {
 
 void TestRenderPanel::thePaceIsEmittedWhole() {
     RenderPanel panel;
-    QList<FrameBudgetChoice> chosen;
-    connect(&panel, &RenderPanel::paceChosen, [&](const FrameBudgetChoice& pace) { chosen << pace; });
-    QVERIFY((panel.pace() == FrameBudgetChoice{true, 1, 10}));
+    QList<FrameBudget> chosen;
+    connect(&panel, &RenderPanel::paceChosen, [&](const FrameBudget& pace) { chosen << pace; });
+    QVERIFY((panel.pace() == FrameBudget{true, 1, 10}));
     named<QDoubleSpinBox>(panel, "Pictures per second")->setValue(25);
     named<QCheckBox>(panel, "As many iterations as fit")->click();
     named<QSpinBox>(panel, "Iterations per picture")->setValue(100);
     QCOMPARE(chosen.size(), 3);
-    QVERIFY((chosen[0] == FrameBudgetChoice{true, 1, 25}));
-    QVERIFY((chosen[1] == FrameBudgetChoice{false, 1, 25}));
-    QVERIFY((chosen[2] == FrameBudgetChoice{false, 100, 25}));
+    QVERIFY((chosen[0] == FrameBudget{true, 1, 25}));
+    QVERIFY((chosen[1] == FrameBudget{false, 1, 25}));
+    QVERIFY((chosen[2] == FrameBudget{false, 100, 25}));
 }
 
 void TestRenderPanel::onlyWhatCountsCanBeChanged() {
@@ -69,7 +69,7 @@ void TestRenderPanel::onlyWhatCountsCanBeChanged() {
     const auto* filter = named<QCheckBox>(panel, "Blur each iteration");
     QVERIFY(rate->isEnabled() && !iterations->isEnabled() && !filter->isEnabled());
     panel.setPace({false, 5, 10});
-    panel.setSchedule({ScheduleChoice::Way::k1, true});
+    panel.setSchedule({.kind = Schedule::Kind::kroes});
     QVERIFY(!rate->isEnabled() && iterations->isEnabled() && filter->isEnabled());
 }
 
@@ -96,19 +96,18 @@ void TestRenderPanel::comparisonsAreExplained() {
 
 void TestRenderPanel::comparisonsAreEmitted() {
     RenderPanel panel;
-    QList<ScheduleChoice> schedules;
-    connect(&panel, &RenderPanel::scheduleChosen, [&](const ScheduleChoice& choice) { schedules << choice; });
+    QList<Schedule> schedules;
+    connect(&panel, &RenderPanel::scheduleChosen, [&](const Schedule& choice) { schedules << choice; });
     QList<Estimator> estimators;
     connect(&panel, &RenderPanel::estimatorChosen, [&](Estimator estimator) { estimators << estimator; });
     named<QComboBox>(panel, "Schedule")->setCurrentIndex(1);
     named<QComboBox>(panel, "Schedule")->setCurrentIndex(2);
     named<QCheckBox>(panel, "Blur each iteration")->click();
     named<QComboBox>(panel, "Estimator")->setCurrentIndex(1);
-    using Way = ScheduleChoice::Way;
     QCOMPARE(schedules.size(), 3);
-    QVERIFY((schedules[0] == ScheduleChoice{Way::k0, true}));
-    QVERIFY((schedules[1] == ScheduleChoice{Way::k1, true}));
-    QVERIFY((schedules[2] == ScheduleChoice{Way::k1, false}));
+    QVERIFY((schedules[0] == Schedule{.kind = Schedule::Kind::kroes, .redundant = true}));
+    QVERIFY((schedules[1] == Schedule{.kind = Schedule::Kind::kroes}));
+    QVERIFY((schedules[2] == Schedule{.kind = Schedule::Kind::kroes, .filter = false}));
     QVERIFY(estimators == QList<Estimator>{Estimator::kroesMarch});
 }
 
@@ -119,11 +118,12 @@ void TestRenderPanel::settersAreSilent() {
     panel.setDevices({"cpu", "cuda"}, {"CPU", "a GPU"});
     panel.setDevice("cuda");
     panel.setPace({false, 77, 0.5});
-    panel.setSchedule({ScheduleChoice::Way::k0, false});
+    const Schedule k0{.kind = Schedule::Kind::kroes, .redundant = true, .filter = false};
+    panel.setSchedule(k0);
     panel.setEstimator(Estimator::kroesMarch);
     QCOMPARE(named<QComboBox>(panel, "Device")->currentData().toString(), "cuda");
-    QVERIFY((panel.pace() == FrameBudgetChoice{false, 77, 0.5}));
-    QVERIFY((panel.schedule() == ScheduleChoice{ScheduleChoice::Way::k0, false}));
+    QVERIFY((panel.pace() == FrameBudget{false, 77, 0.5}));
+    QVERIFY(panel.schedule() == k0);
     QCOMPARE(named<QComboBox>(panel, "Estimator")->currentIndex(), 1);
     QCOMPARE(device.count() + pace.count() + schedule.count() + estimator.count(), 0);
 }
@@ -131,7 +131,7 @@ void TestRenderPanel::settersAreSilent() {
 void TestRenderPanel::numbersOutOfRangeStayAtTheEnds() {
     RenderPanel panel;
     panel.setPace({true, 0, 1e9});
-    QVERIFY((panel.pace() == FrameBudgetChoice{true, 1, 60}));
+    QVERIFY((panel.pace() == FrameBudget{true, 1, 60}));
 }
 
 }  // namespace pdr::ui

@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 
 #include "render/scene/orbit.h"
+#include "tests/support/patience.h"
 #include "ui/viewport.h"
 
 namespace pdr::ui {
@@ -142,7 +143,7 @@ void TestViewport::theWheelRestsByItself() {
     hand.wheel({200, 100}, 120);
     QCOMPARE(hand.edits, 2);
     QCOMPARE(hand.rests, 0);
-    QTRY_COMPARE(hand.rests, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(hand.rests, 1, test::kPatience);
 }
 
 void TestViewport::arrowKeysTurnAndMove() {
@@ -151,7 +152,7 @@ void TestViewport::arrowKeysTurnAndMove() {
     QVERIFY(hand.last.targetMm == hand.camera.targetMm && hand.last.eyeMm != hand.camera.eyeMm);
     QTest::keyClick(&hand.viewport, Qt::Key_Up, Qt::ShiftModifier);
     QVERIFY(hand.last.targetMm != hand.camera.targetMm);
-    QTRY_COMPARE(hand.rests, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(hand.rests, 1, test::kPatience);
 }
 
 void TestViewport::settersAreSilent() {
@@ -205,7 +206,7 @@ void TestViewport::theNewSizeIsTold() {
     Hand hand;
     QSignalSpy size(&hand.viewport, &Viewport::sizeInPixelsChanged);
     hand.viewport.resize(300, 250);
-    QTRY_COMPARE(size.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(size.count(), 1, test::kPatience);
     QCOMPARE(size.first().first().toSize(), QSize(300, 250) * hand.viewport.devicePixelRatioF());
 }
 

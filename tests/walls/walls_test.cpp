@@ -20,22 +20,22 @@ class WallsTest : public QObject {
         {"render/base/", "^render/base/"},
         {"render/volume/", "^render/(base|volume)/"},
         {"render/kernel/", "^render/(base|kernel/[^/]*$)"},
-        {"render/kernel/transport/", "^render/(base|kernel/([^/]*$|transport))"},
-        {"render/kernel/quadrature/", "^render/(base|kernel/([^/]*$|transport|quadrature))"},
+        {"render/kernel/transport/", "^render/(base|kernel/([^/]*$|bounds|transport))"},
+        {"render/kernel/quadrature/", "^render/(base|kernel/([^/]*$|bounds|transport|quadrature))"},
         {"render/kernel/bounds/", "^render/(base|kernel/([^/]*$|bounds))"},
-        {"render/kernel/baseline/", "^render/(base|kernel/([^/]*$|transport|baseline))"},
+        {"render/kernel/baseline/", "^render/(base|kernel/([^/]*$|bounds|transport|baseline))"},
         {"render/film/", "^render/(base|film)/"},
         {"render/accuracy/", "^render/(base|film|scene|accuracy)/"},
         {"render/timing/", "^render/(base|accuracy|timing)/"},
         {"render/scene/", "^render/(base|volume|scene)/|^render/film/display.h"},
         {"render/prepare/", "^render/(base|volume|kernel|scene|prepare)/"},
-        {"render/device/", "^render/(base|kernel|film|prepare|device)/|^render/scene/scene.h"},
+        {"render/device/", "^render/(base|kernel|film|prepare|device)/|^render/scene/(scene|schedule).h"},
         {"render/session/", "^render/(base|kernel|film|scene|prepare|device|accuracy|timing|session)/"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
-        {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy)/|^dicom/series.h"},
+        {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy|timing)/|^dicom/series.h"},
         {"app/program/", "^app/program/"},
-        {"app/bench/", "^app/(bench|program)/|^render/"},
-        {"app/bench/selftest/", "^app/bench/selftest/|^render/"},
+        {"app/selftest/", "^app/selftest/|^render/"},
+        {"app/bench/", "^app/(bench|program|selftest)/|^render/"},
         {"app/", "^(app|ui|dicom|render)/"},
     };
 
@@ -63,7 +63,7 @@ class WallsTest : public QObject {
             return !room || !matches(room->include, include);
         }
         if (matches("^(Q[A-Z]|Qt)", include) || include.startsWith("q"))
-            return matches("^(render|dicom|app/bench)/", file);
+            return matches("^(render|dicom|app/bench|app/selftest)/", file);
         if (matches("^(dcmtk|dcm)", include))
             return !matches("^dicom/.*\\.cpp$", file);
         if (matches("^(Imf|Imath|OpenEXR|png)", include))

@@ -13,13 +13,12 @@ namespace pdr::bench {
 
 namespace {
 
-double steepestCube(const FlatVolume& volume) {
+double steepestCell(const FlatVolume& volume) {
     float most = 0;
     for (int k = 0; k <= int(volume.lastCorner.z); ++k)
         for (int j = 0; j <= int(volume.lastCorner.y); ++j)
             for (int i = 0; i <= int(volume.lastCorner.x); ++i) {
-                const Cube<float> cube = cubeAt(volume, i, j, k);
-                const auto [low, high] = std::ranges::minmax(cube.hu);
+                const auto [low, high] = std::ranges::minmax(cellAt(volume, {i, j, k}).hu);
                 most = std::max(most, high - low);
             }
     return most;
@@ -80,7 +79,7 @@ HuPrice huPrice(const FlatVolume& volume, int places, std::uint64_t seed) {
     std::ranges::sort(errors);
     const auto last = double(errors.size() - 1);
     return {places, std::sqrt(squares / places), errors[std::size_t(0.999 * last)], errors.back(),
-            textureError(float(steepestCube(volume)))};
+            textureError(float(steepestCell(volume)))};
 }
 
 LevelPrice levelPrice(const Film& exact, const Film& fast) {

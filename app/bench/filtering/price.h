@@ -27,7 +27,7 @@ struct LevelPrice {
     std::size_t pixels = 0;
     double mean = 0, largest = 0;  ///< of the absolute difference
     double shift = 0;              ///< mean of fast - exact
-    double offByOne = 0;           ///< share of the pixels of which a channel is off by more than 1 level
+    double offByOne = 0;           ///< fraction of the pixels of which a channel is off by more than 1 level
     double standardError = 0;      ///< mean of the exact picture's
 };
 

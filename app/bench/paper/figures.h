@@ -31,13 +31,13 @@ struct SizeFigures {
     std::optional<double> secondsToError(WayPlace way) const;
 };
 
-/// E at one size and n: as eq. 5 hopes, and as the share of the time in which samples are taken at full speed.
+/// E at one size and n: as eq. 5 hopes, and as the fraction of the time in which samples are taken at full speed.
 struct TileEfficiency {
     ivec2 size;
     WayPlace way;
     double manyNodes;   ///< eq. 5
     double fraction;       ///< n alpha R FPS
-    Interval interval;  ///< of share, from that of alpha, 95 %
+    Interval interval;  ///< of fraction, from that of alpha, 95 %
 };
 
 struct Figures {

@@ -11,7 +11,7 @@ extern const char* const kBonePreset;  ///< resources/presets/ct_bone.json, comp
 
 namespace {
 
-constexpr double kShare = 0.95;  ///< of the picture's height that the head's box takes
+constexpr double kFraction = 0.95;  ///< of the picture's height that the head's box takes
 
 }  // namespace
 
@@ -24,9 +24,9 @@ Result<ShownScene> headScene() {
     const VolumeGeometry& geometry = scene.volume->geometry();
     const double aspect = double(kSizes.front().x) / kSizes.front().y;
     const Camera front = standardView(StandardView::anterior, geometry.centreMm(), geometry.radiusMm(), aspect);
-    scene.camera = fittedView(front, geometry, aspect, kShare);
+    scene.camera = fittedView(front, geometry, aspect, kFraction);
     scene = withPreset(scene, *preset);
-    return ShownScene{scene, preset->display,
+    return ShownScene{scene, preset->look.display,
                       "head phantom of 256x230x256 voxels, preset \"" + preset->name + "\", single scattering"};
 }
 

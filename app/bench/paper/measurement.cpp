@@ -63,7 +63,7 @@ class Experiment {
                 uploaded = true;
                 watch_(cell, number, secondsLeft(number));
                 if (Result<void> ran = run(cell, scenes_[size].revision); !ran)
-                    return Error{ran.error().text(), text(cell.size) + " " + kWays[cell.way].title(), ""};
+                    return ran.error().in(text(cell.size) + " " + kWays[cell.way].title());
             }
         }
         return {};

@@ -11,8 +11,8 @@
 
 #include "app/bench/paper/work_clock.h"
 #include "render/base/tile.h"
-#include "render/device/baseline/schedule.h"
 #include "render/device/gpu/launch_size.h"
+#include "render/scene/schedule.h"
 
 namespace pdr::bench::paper {
 

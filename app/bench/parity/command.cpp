@@ -18,8 +18,8 @@ constexpr double kPixelTolerance = 1e-4, kPixelFraction = 0.999, kMeanTolerance 
 
 using Shot = Result<std::shared_ptr<const Film>>;
 
-Shot shot(Device& device, const Scene& scene, std::uint32_t samples, const Schedule& schedule = {}) {
-    const auto live = startFilm(device, scene, schedule);
+Shot shot(Device& device, const Scene& scene, std::uint32_t samples) {
+    const auto live = startFilm(device, scene);
     if (!live)
         return live.error();
     if (const auto iterated = (*live)->iterate(samples, {}); !iterated)
@@ -85,8 +85,9 @@ void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
     const Shot whole = shot(device, scene, 100);
     if (!whole)
         return verdicts.failed("one picture", whole.error());
-    const Schedule plain{.kind = Schedule::Kind::kroes, .redundant = true, .filter = false, .runningMean = false};
-    const Shot old = shot(device, scene, 100, plain);
+    Scene kroes = scene;
+    kroes.schedule = {.kind = Schedule::Kind::kroes, .redundant = true, .filter = false, .runningMean = false};
+    const Shot old = shot(device, kroes, 100);
     verdicts.line("Exposure Render's schedule, bit by bit", old && identical(**whole, **old));
     verdicts.line("by tiles, bit by bit", renderedByTiles(device, scene, **whole));
 }

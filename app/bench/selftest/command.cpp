@@ -6,8 +6,8 @@
 #include "app/bench/commands.h"
 #include "app/bench/held_signals.h"
 #include "app/bench/options.h"
-#include "app/bench/selftest/run.h"
 #include "app/bench/selftest/table.h"
+#include "app/selftest/run.h"
 #include "render/accuracy/significance.h"
 #include "render/device/device_list.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The self-test's report: a table for the physicist who accepts a workstation with it.
 
-#include "app/bench/selftest/run.h"
+#include "app/selftest/run.h"
 
 namespace pdr::selftest {
 

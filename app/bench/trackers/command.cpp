@@ -17,7 +17,7 @@ struct Row {
     std::optional<Work> work;  ///< of all rays
     double nanoseconds = 0;
     double speed = 0;  ///< against the biased march, in the same round
-    double hits = 0;   ///< share of the rays
+    double hits = 0;   ///< fraction of the rays
 };
 
 /// Time on the core, so that neighbours do not count; of as many passes as make it long against the clock's grain.

@@ -20,7 +20,7 @@
 
 #include "render/device/accumulator.h"
 #include "render/device/baseline/kroes_resend.h"
-#include "render/device/baseline/schedule.h"
+#include "render/scene/schedule.h"
 
 namespace pdr {
 
@@ -70,7 +70,8 @@ class KroesAccumulator final : public Accumulator {
 
     Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
         if (!(region == area_))
-            return Error{"Exposure Render's schedule takes whole pictures only", "", "Choose the schedule of PD-Render."};
+            return Error{"Exposure Render's schedule takes whole pictures only", "", "Choose the schedule of PD-Render.",
+                         ErrorKind::refused};
         for (; n > 0 && !stop.stop_requested(); --n)
             if (Result<void> done = iterateOnce(stop); !done)
                 return done;

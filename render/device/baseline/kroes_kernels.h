@@ -13,7 +13,7 @@
 
 namespace pdr::kroes {
 
-/// Weights of its filter along one axis; they sum up to 1. Of noise it leaves the share (centre^2 + 2 beside^2)^2 =
+/// Weights of its filter along one axis; they sum up to 1. Of noise it leaves the fraction (centre^2 + 2 beside^2)^2 =
 /// 0.117 of the variance.
 inline constexpr float kCentreWeight = 0.4110f, kBesideWeight = 0.2945f;
 

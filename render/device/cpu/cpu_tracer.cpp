@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "render/device/baseline/marched_tile.h"
+#include "render/device/cpu/marched_tile.h"
 
 namespace pdr {
 

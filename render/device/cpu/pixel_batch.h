@@ -43,10 +43,15 @@ class PixelBatch {
     PDR_HD_INLINE void start(const FlatScene& scene, ivec2 pixel, vec2 depths, const SampleOrigin& origin) {
         const int path = rays_.size();
         paths_[path] = startPath(scene, pixel, origin.sample, depths);
-        radiance_[path] = vec3(0);
+        samples_[path] = PathSample{};
         origins_[path] = origin;
-        pathOf_[path] = path;
-        rays_.add(paths_[path].segment.ray, paths_[path].random.stream(0, BounceDimension::distance));
+        addSegment(path, 0);
+    }
+
+    /// The path's next segment is to be tracked.
+    PDR_HD_INLINE void addSegment(int path, int bounce) {
+        pathOf_[rays_.size()] = path;
+        rays_.add(paths_[path].segment.ray, distanceStream(paths_[path], bounce));
     }
 
     /// Takes all started paths to their end and adds them up, in the order in which they were started.
@@ -56,7 +61,7 @@ class PixelBatch {
         for (int bounce = 0; rays_.size() > 0; ++bounce)
             traceSegments<F>(scene, bounce);
         for (int path = 0; path < started; ++path)
-            origins_[path].add(radiance_[path], *health_);
+            origins_[path].add(samples_[path], *health_);
     }
 
     /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next segments.
@@ -64,65 +69,48 @@ class PixelBatch {
     void traceSegments(const FlatScene& scene, int bounce) {
         rays_.track<DeltaTracking>(scene);
         for (const int row : rays_.overMajorant())
-            origins_[pathOf_[row]].note(Fault::overMajorant, *health_);
-        lights_.clear();
+            samples_[pathOf_[row]].overMajorant = true;
         const int segments = rays_.size();
+        lights_.clear();
         for (int row = 0; row < segments; ++row)
-            shade<F>(scene, row, bounce);
+            endRow<F>(scene, row, bounce);
+        traceLights(scene);
+        rays_.clear();
+        for (int row = 0; has(F, kBounces) && row < segments; ++row)
+            if (continues_[row])
+                addSegment(pathOf_[row], bounce + 1);
+    }
+
+    template <std::uint32_t F>
+    void endRow(const FlatScene& scene, int row, int bounce) {
+        const int path = pathOf_[row];
+        const PathVertex vertex = endSegment<F>(scene, paths_[path], rays_.result(row), bounce, samples_[path]);
+        continues_[row] = vertex.continues;
+        if (isDark(vertex.scattered))
+            return;
+        scattered_[lights_.size()] = vertex.scattered.radiance;
+        pathOfLight_[lights_.size()] = path;
+        lights_.add(vertex.scattered.ray, shadowStream(paths_[path], bounce));
+    }
+
+    void traceLights(const FlatScene& scene) {
         lights_.track<RatioTracking>(scene);
         for (const int row : lights_.overMajorant())
-            origins_[pathOfLight_[row]].note(Fault::overMajorant, *health_);
-        rays_.clear();
-        for (int row = 0; row < segments; ++row) {
-            const int path = pathOf_[row];
-            if (lightRow_[row] != kDark && lights_.result(lightRow_[row]) != 0)
-                radiance_[path] += scattered_[row] * lights_.result(lightRow_[row]);
-            if (has(F, kBounces) && continues_[row]) {
-                pathOf_[rays_.size()] = path;
-                rays_.add(paths_[path].segment.ray, paths_[path].random.stream(bounce + 1, BounceDimension::distance));
-            }
-        }
+            samples_[pathOfLight_[row]].overMajorant = true;
+        for (int row = 0; row < lights_.size(); ++row)
+            addLight(samples_[pathOfLight_[row]], scattered_[row], lights_.result(row));
     }
-
-    /// The end of one segment: what is known of the radiance, and the light path that is still to be followed.
-    template <std::uint32_t F>
-    void shade(const FlatScene& scene, int row, int bounce) {
-        const int path = pathOf_[row];
-        lightRow_[row] = kDark;
-        continues_[row] = false;
-        const float collision = rays_.result(row);
-        if (!(collision >= 0)) {
-            if (bounce == 0 || collision != collision)
-                radiance_[path] = missed(scene, paths_[path].segment, collision);
-            return;
-        }
-        if (bounce == 0)
-            origins_[path].see(kSeenTissue);
-        const PathVertex met = shadeVertex<F>(scene, paths_[path], collision, bounce);
-        radiance_[path] += met.emitted;
-        continues_[row] = met.continues;
-        if (met.cut)
-            origins_[path].note(Fault::cutPath, *health_);
-        if (isDark(met.scattered))
-            return;
-        scattered_[row] = met.scattered.radiance;
-        lightRow_[row] = lights_.size();
-        pathOfLight_[lights_.size()] = path;
-        lights_.add(met.scattered.ray, paths_[path].random.stream(bounce, BounceDimension::shadow));
-    }
-
-    static constexpr int kDark = -1;  ///< instead of a light path's row: there is none
 
     // by path
     std::array<Path, RayBatch::kCapacity> paths_;
     std::array<SampleOrigin, RayBatch::kCapacity> origins_;
-    std::array<vec3, RayBatch::kCapacity> radiance_;
+    std::array<PathSample, RayBatch::kCapacity> samples_;
     // by segment, which has the row of its ray
     std::array<int, RayBatch::kCapacity> pathOf_;
-    std::array<vec3, RayBatch::kCapacity> scattered_;
-    std::array<int, RayBatch::kCapacity> lightRow_;
     std::array<bool, RayBatch::kCapacity> continues_;
-    std::array<int, RayBatch::kCapacity> pathOfLight_;  ///< by light path
+    // by light path, which has the row of its ray
+    std::array<int, RayBatch::kCapacity> pathOfLight_;
+    std::array<vec3, RayBatch::kCapacity> scattered_;
     RayBatch rays_, lights_;
     Health* health_ = nullptr;
 };

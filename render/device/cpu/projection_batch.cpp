@@ -47,18 +47,11 @@ void ProjectionBatch::add(const Ray& ray, vec3 behind) {
     rays_.set(size_++, ray);
 }
 
-void ProjectionBatch::add(const SampleOrigin& origin, const Projected& found, Health& health) {
-    origin.add(found.radiance, health);
-    origin.see(found.tissue ? kSeenTissue : 0);
-    if (!found.withinTolerance)
-        origin.note(Fault::overTolerance, health);
-}
-
 template <FlatModel Model>
 void ProjectionBatch::finish(const FlatScene& scene, Health& health) {
     project<Model>(scene);
     for (int row = 0; row < size_; ++row)
-        add(origins_[row], result_[row], health);
+        origins_[row].add(result_[row], health);
     clear();
 }
 
@@ -73,7 +66,7 @@ void ProjectionBatch::render(const FlatScene& scene, const Tile& tile, SampleRan
             SampleOrigin origin(sums.pixels[std::ptrdiff_t(y) * sums.stride + x], scene, pixel, samples.first);
             for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
                 if (nothing) {
-                    add(origin, miss, *sums.health);
+                    origin.add(miss, *sums.health);
                     continue;
                 }
                 if (size_ == kCapacity)

@@ -36,8 +36,6 @@ class ProjectionBatch {
     template <FlatModel Model>
     void finish(const FlatScene& scene, Health& health);
 
-    static void add(const SampleOrigin& origin, const Projected& found, Health& health);
-
     alignas(64) RayColumns<kCapacity> rays_;
     std::array<vec3, kCapacity> behind_;
     std::array<Projected, kCapacity> result_;

@@ -1,6 +1,6 @@
 #include "render/device/cpu/replay.h"
 
-#include "render/kernel/pixel.h"
+#include "render/device/cpu/sample_origin.h"
 
 namespace pdr {
 
@@ -33,12 +33,14 @@ class PathRecorder {
             eventAt<kAll>(scene_, place, -path.segment.direction, path.random.stream(bounce, BounceDimension::event));
     }
 
-    void light(const PathVertex& met, float transmittance) {
+    void light(const PathVertex& vertex, float transmittance) {
         ReplayedSegment& segment = segments_.back();
-        segment.emitted = met.emitted;
-        segment.direct = met.scattered.radiance;
-        segment.lightDirection = scene_.volume.localFromIndex * met.scattered.ray.direction;
-        segment.lightDistance = met.scattered.ray.length;
+        if (!(segment.collision >= 0))
+            return;
+        segment.emitted = vertex.emitted;
+        segment.direct = vertex.scattered.radiance;
+        segment.lightDirection = scene_.volume.localFromIndex * vertex.scattered.ray.direction;
+        segment.lightDistance = vertex.scattered.ray.length;
         segment.transmittance = transmittance;
         segment.throughput = path_->throughput;
     }
@@ -56,17 +58,12 @@ class PathRecorder {
 
 Replay replayed(const PreparedScene& scene, ivec2 pixel, std::uint64_t sample) {
     const FlatScene& flat = scene.flat;
-    const std::uint32_t number = std::uint32_t(pixel.y * flat.camera.film.x + pixel.x);
     Replay replay;
     PathRecorder recorder(flat, scene.volume->geometry().centreMm(), replay.segments);
     const PathSample traced = tracePath<kAll>(flat, pixel, sample, depthBounds(flat, pixel), recorder);
     replay.radiance = traced.radiance;
-    if (PixelSums sums; !addSample(sums, traced.radiance, 0))
-        replay.faults.add(faultOf(traced.radiance), sample, number);
-    if (traced.overMajorant)
-        replay.faults.add(Fault::overMajorant, sample, number);
-    if (traced.cut)
-        replay.faults.add(Fault::cutPath, sample, number);
+    PixelSums sums;
+    SampleOrigin(sums, flat, pixel, sample).add(traced, replay.faults);
     return replay;
 }
 

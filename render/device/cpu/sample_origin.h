@@ -21,6 +21,13 @@ struct SampleOrigin {
         if (!addSample(*target, radiance, sample)) [[unlikely]]
             note(faultOf(radiance), health);
     }
+    /// The same for a sample as the kernel returns it: PathSample or Projected.
+    template <class Sample>
+    PDR_HD_INLINE void add(const Sample& found, Health& health) const {
+        add(found.radiance, health);
+        see(found.tissue ? kSeenTissue : 0);
+        noteFaults(found, [&](Fault fault) { note(fault, health); });
+    }
     /// Tells its pixel what it has seen: kSeen...
     void see(std::uint32_t what) const { target->seen |= what; }
     void note(Fault fault, Health& health) const { health.add(fault, sample, pixel); }

@@ -2,7 +2,7 @@
 
 #include "render/device/cuda/cuda_gpu.h"
 #include "render/device/cuda/trace_kernels.h"
-#include "render/device/gpu/gpu_device.h"
+#include "render/device/gpu_device.h"
 
 namespace pdr {
 

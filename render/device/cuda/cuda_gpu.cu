@@ -1,6 +1,6 @@
 #include "render/device/cuda/cuda_gpu.h"
 
-#include "render/device/gpu/memory_error.h"
+#include "render/base/errors.h"
 
 namespace pdr {
 
@@ -36,7 +36,7 @@ bool CudaGpu::check(cudaError_t status, const char* doing) {
         return true;
     if (!error_)
         error_ = Error{std::string("the GPU failed at ") + doing + " (" + cudaGetErrorString(status) + ")", name_,
-                       "Render on the CPU; a newer driver or a restart of the computer may help."};
+                       "Render on the CPU; a newer driver or a restart of the computer may help.", ErrorKind::deviceLost};
     return false;
 }
 
@@ -97,7 +97,7 @@ bool CudaGpu::textureFits(ivec3 size) {
         return true;
     error_ = Error{
         "the volume is too large for fast filtering: it has " + text(size) + " voxels, textures may have " + text(most),
-        name_, "Choose exact filtering."};
+        name_, "Choose exact filtering.", ErrorKind::refused};
     return false;
 }
 

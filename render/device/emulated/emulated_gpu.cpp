@@ -1,7 +1,7 @@
 #include "render/device/emulated/emulated_gpu.h"
 
 #include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu/gpu_device.h"
+#include "render/device/gpu_device.h"
 
 namespace pdr {
 

@@ -14,7 +14,7 @@
 #include <thread>
 #include <utility>
 
-#include "render/device/gpu/memory_error.h"
+#include "render/base/errors.h"
 
 namespace pdr {
 

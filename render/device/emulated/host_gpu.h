@@ -59,7 +59,7 @@ class HostGpu {
     template <class Program>
     void launchQueued(Program program, std::int64_t count, GpuStream) {
         const auto walk = [&program](std::int64_t index) {
-            typename Program::Walk at;
+            typename Program::Walk at{};
             for (bool going = program.start(index, at); going;)
                 going = program.step(at);
         };

@@ -32,7 +32,7 @@ struct FrameLayout {
     PDR_HD std::int64_t bytes() const { return tailAt() + std::int64_t(sizeof(std::uint64_t)); }
 };
 
-/// For each kPixelsPerSum pixels: their levels, and their share of the status.
+/// For each kPixelsPerSum pixels: their levels, and their fraction of the status.
 struct ResolveKernel {
     FrameLayout layout;
     const PixelSums* block;

@@ -177,7 +177,7 @@ Result<Picture> GpuAccumulator<G>::take() {
     std::memcpy(&tail, slot.onHost.data() + layout_.tailAt(), sizeof tail);
     if (head != slot.id || tail != slot.id)
         return Error{"a picture was torn on its way from the device", gpu_.name(),
-                     "Choose another device; this one cannot be trusted."};
+                     "Choose another device; this one cannot be trusted.", ErrorKind::deviceLost};
     return pictureIn(slot);
 }
 

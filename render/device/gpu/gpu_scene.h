@@ -4,10 +4,10 @@
 
 #include <memory>
 
+#include "render/base/errors.h"
 #include "render/device/gpu/bounds_kernels.h"
 #include "render/device/gpu/gpu_array.h"
 #include "render/device/gpu/gpu_texture.h"
-#include "render/device/gpu/memory_error.h"
 #include "render/kernel/transport/majorant_traversal.h"
 #include "render/prepare/flatten.h"
 
@@ -126,7 +126,8 @@ Result<void> GpuScene<G>::room(const PreparedScene& scene, std::size_t needed) c
                      " are free",
                  gpu_.name(),
                  std::string(wantsTexture(scene) ? "Choose exact filtering, which needs less, import" : "Import") +
-                     " a part of the series, close programs that use the device, or render on the CPU."};
+                     " a part of the series, close programs that use the device, or render on the CPU.",
+                 ErrorKind::memory};
 }
 
 template <Gpu G>

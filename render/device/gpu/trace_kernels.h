@@ -83,11 +83,9 @@ struct TraceTarget {
 };
 
 /// For the numbers of a launch's samples. How one is taken is told by
-///   Take::Walk                             what it is at
-///   Take::start(scene, Origin, Walk&)      before its first step; false: nothing is to be done, walk.radiance is known
+///   Take::Walk                             what it is at; its `found` is, at the end, the PathSample or Projected
+///   Take::start(scene, Origin, Walk&)      before its first step; false: nothing is to be done, walk.found is known
 ///   Take::step(scene, Walk&)               false: it has ended
-///   Take::end(Walk, note)                  its radiance; note(fault) counts what happened to it
-///   Take::metTissue(Walk)                  at its end: whether it met some
 struct SampleAddress {
     ivec2 pixel;
     std::uint64_t sample;
@@ -126,15 +124,16 @@ struct TraceKernel {
     }
 
     PDR_HD void end(const Walk& walk) const {
-        const auto note = [&](Fault fault) {
+        const auto& found = walk.taken.found;
+        noteFaults(found, [&](Fault fault) {
             const ivec2 pixel = walk.from.pixel;
             target.health->note(fault, walk.from.sample, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x));
-        };
-        target.radiance[walk.place] = Take::end(walk.taken, note);
+        });
+        target.radiance[walk.place] = found.radiance;
         const std::uint32_t seen = seenAtFirst(scene, depthBounds(scene, walk.from.pixel));
         const Tile& tile = target.grid.tile;
         const ivec2 place = walk.from.pixel - ivec2(tile.x, tile.y);
-        if (const std::uint32_t all = seen | (Take::metTissue(walk.taken) ? kSeenTissue : 0); all != 0)
+        if (const std::uint32_t all = seen | (found.tissue ? kSeenTissue : 0); all != 0)
             atomicMark(target.seen[std::int64_t(place.y) * target.stride + place.x], all);
     }
 };
@@ -144,32 +143,23 @@ template <std::uint32_t F>
 struct PathSampler {
     struct Walk {
         Path path;
-        PathSample result;
+        PathSample found;
         int bounce;
     };
 
     PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
         const vec2 depths = depthBounds(scene, from.pixel);
-        walk.result = PathSample{};
+        walk.found = PathSample{};
         walk.bounce = 0;
         if (isBackgroundOnly(scene, depths)) {
-            walk.result.radiance = plainBackground(scene);
+            walk.found.radiance = plainBackground(scene);
             return false;
         }
         walk.path = startPath(scene, from.pixel, from.sample, depths);
         return true;
     }
-    PDR_HD static bool metTissue(const Walk& walk) { return walk.result.tissue; }
     PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
-        return traceSegment<F>(scene, walk.path, walk.bounce++, walk.result, NullVisitor());
-    }
-    template <class Note>
-    PDR_HD static vec3 end(const Walk& walk, Note&& note) {
-        if (walk.result.overMajorant)
-            note(Fault::overMajorant);
-        if (walk.result.cut)
-            note(Fault::cutPath);
-        return walk.result.radiance;
+        return traceSegment<F>(scene, walk.path, walk.bounce++, walk.found, NullVisitor());
     }
 };
 
@@ -177,25 +167,17 @@ struct PathSampler {
 struct MarchSampler {
     struct Walk {
         SampleAddress from;
-        vec3 radiance;
-        bool tissue;
+        PathSample found;
     };
 
     PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
-        walk = {from, plainBackground(scene), false};
+        walk = {from, {.radiance = plainBackground(scene)}};
         return !isBackgroundOnly(scene, depthBounds(scene, from.pixel));
     }
     PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
         const ivec2 pixel = walk.from.pixel;
-        const PathSample found = kroesSample(scene, pixel, walk.from.sample, depthBounds(scene, pixel));
-        walk.radiance = found.radiance;
-        walk.tissue = found.tissue;
+        walk.found = kroesSample(scene, pixel, walk.from.sample, depthBounds(scene, pixel));
         return false;
-    }
-    PDR_HD static bool metTissue(const Walk& walk) { return walk.tissue; }
-    template <class Note>
-    PDR_HD static vec3 end(const Walk& walk, Note&&) {
-        return walk.radiance;
     }
 };
 
@@ -219,13 +201,6 @@ struct ProjectionSampler {
         const PathSegment segment = startPath(scene, pixel, walk.from.sample, depthBounds(scene, pixel)).segment;
         walk.found = project<Model>(scene, segment.ray, backdrop<Model>(scene, segment));
         return false;
-    }
-    PDR_HD static bool metTissue(const Walk& walk) { return walk.found.tissue; }
-    template <class Note>
-    PDR_HD static vec3 end(const Walk& walk, Note&& note) {
-        if (!walk.found.withinTolerance)
-            note(Fault::overTolerance);
-        return walk.found.radiance;
     }
 };
 

@@ -59,7 +59,7 @@ PDR_HD inline PathSample kroesSample(const FlatScene& scene, ivec2 pixel, std::u
     const float collision = marchToCollision(scene, path.segment.ray, path.random.stream(0, BounceDimension::distance), step);
     PathSample result;
     if (!(collision >= 0)) {
-        result.radiance = collision < 0 ? background(scene, path.segment) : vec3(collision);
+        result.radiance = missed(scene, path.segment, collision);
         return result;
     }
     result.tissue = true;
@@ -70,8 +70,7 @@ PDR_HD inline PathSample kroesSample(const FlatScene& scene, ivec2 pixel, std::u
     if (isDark(light))
         return result;
     const float left = marchTransmittance(scene, light.ray, path.random.stream(0, BounceDimension::shadow), step);
-    if (left != 0)  // in full shadow not even infinite light counts
-        result.radiance += light.radiance * left;
+    addLight(result, light.radiance, left);
     return result;
 }
 

@@ -31,7 +31,7 @@ PDR_HD_INLINE Attenuation<Real> attenuation(Real depth) {
     return {depth > kOpaqueDepth ? Real{} : left, depth > kOpaqueDepth ? Real{} + 1.0f : taken};
 }
 
-/// How far in front of the middle of a layer light is absorbed on average, as a share of the layer's optical depth:
+/// How far in front of the middle of a layer light is absorbed on average, as a fraction of the layer's optical depth:
 /// 1/2 - integral of w D exp(-D w) dw over [0, 1] / (1 - exp(-D)) = L(D / 2) / 2 with Langevin's function
 /// L(a) = coth(a) - 1 / a. Below a = 1 its continued fraction, cut after four levels.
 template <class Real>

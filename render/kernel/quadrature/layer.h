@@ -1,11 +1,11 @@
 #pragma once
 /// A way through one piece of the transfer function, as a layer that shines and is seen through itself.
 ///
-/// In w, the share of its optical depth D that is passed, a layer of source c(w) shines with
+/// In w, the fraction of its optical depth D that is passed, a layer of source c(w) shines with
 ///   int_0^1 c(w) D exp(-D w) dw = (1 - exp(-D)) c_seen.
-/// c is linear in x, the HU's share of the piece, and the mean of x over w is known exactly. With
+/// c is linear in x, the HU's fraction of the piece, and the mean of x over w is known exactly. With
 ///   x(w) = mean + (x_end - x_begin) (w - 1/2) + g(w) - mean of g
-/// all but g can be integrated. g is left out; with s the share of the way in mm,
+/// all but g can be integrated. g is left out; with s the fraction of the way in mm,
 ///   g = d(s) + (x_end - x_begin) (s - w),   |g| <= bend = max|d| + |x_end - x_begin| max|s - w|,
 /// where d is what the cubic x(s) differs from a straight line. g minus its mean has mean 0, so what is lost is at most
 /// bend * int |D exp(-D w) - (1 - exp(-D))| dw, and that integral is at most min(D / 4, 2) (1 - exp(-D)): it is twice

@@ -41,7 +41,7 @@ template <class Real>
 struct OpticsAlong {
     Cubic<Real> fraction;  ///< in [0, 1]
     Real meanFraction;
-    Real extinction, extinctionRise;  ///< where the share is 0, and from there to 1 [1/mm]
+    Real extinction, extinctionRise;  ///< where the fraction is 0, and from there to 1 [1/mm]
     Real meanExtinction;              ///< along the way
 };
 
@@ -64,7 +64,7 @@ PDR_HD_INLINE OpticsAlong<Real> opticsAlong(const FlatOptics& optics, const Opti
     return along;
 }
 
-/// The mean share where each place counts as much as it extinguishes: mean + rise * variance / mean extinction, exact.
+/// The mean fraction where each place counts as much as it extinguishes: mean + rise * variance / mean extinction, exact.
 /// The variance of a cubic is a quadratic form of its coefficients' distances from their mean.
 template <class Real>
 PDR_HD_INLINE Real extinctionWeightedFraction(const OpticsAlong<Real>& along) {

@@ -25,6 +25,13 @@ struct Projected {
     bool tissue;           ///< the ray met some that shows
 };
 
+/// See noteFaults() of a PathSample.
+template <class Note>
+PDR_HD inline void noteFaults(const Projected& found, Note&& note) {
+    if (!found.withinTolerance)
+        note(Fault::overTolerance);
+}
+
 /// What lies behind the volume. Absorption needs a light to take from: white, where the camera sees no environment.
 template <FlatModel Model>
 PDR_HD inline vec3 backdrop(const FlatScene& scene, const PathSegment& segment) {

@@ -18,7 +18,7 @@ namespace pdr {
 template <class Real>
 struct RayResult {
     Real value[3]{};            ///< radiance gathered on the way, linear Rec. 709; maximumIntensity: highest HU first
-    Real left = Real{} + 1.0f;  ///< share of what lies behind that reaches the camera
+    Real left = Real{} + 1.0f;  ///< fraction of what lies behind that reaches the camera
     Real exceeded{};            ///< 1: a step could not be made short enough for the tolerance
 };
 
@@ -68,7 +68,7 @@ class RayIntegral {
     }
 
   private:
-    static constexpr float kShortest = 0x1p-24f;  ///< share of a cell's way below which a step is not halved
+    static constexpr float kShortest = 0x1p-24f;  ///< fraction of a cell's way below which a step is not halved
 
     PDR_HD_INLINE void seek(const FlatScene& scene, Mask seeking) {
         const Mask met = walk_.step(scene, seeking, Real{}, way_);
@@ -169,7 +169,7 @@ class RayIntegral {
         return added;
     }
 
-    /// Whatever follows can add no more than the share that may be left out.
+    /// Whatever follows can add no more than the fraction that may be left out.
     PDR_HD_INLINE Mask nothingMoreToSee(const FlatScene& scene) const {
         const FlatOptics& optics = scene.optics;
         Mask dark = sum_.left * optics.brightest.x <= optics.cutOff * sum_.value[0];
@@ -179,7 +179,7 @@ class RayIntegral {
 
     CellWalk<Real> walk_;
     HuAlong<Real> way_{};         ///< what is left of the way through the cell where the ray is
-    Real reach_ = Real{} + 1.0f;  ///< share of it that is tried next
+    Real reach_ = Real{} + 1.0f;  ///< fraction of it that is tried next
     RayResult<Real> sum_;
     Real bound_[3]{};  ///< on the error of what was gathered
     Real depth_{};     ///< optical depth (absorption)

@@ -43,7 +43,7 @@ struct LightReservoir {
 
 /// Light that reaches the event straight from one of the lights and is scattered back along the path. Every light is
 /// sampled; where it pays, light is also looked for in one direction that the event scatters to. What both ways can
-/// find counts for each by its share.
+/// find counts for each by its fraction.
 template <std::uint32_t F>
 PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Random& random, int bounce) {
     RandomStream onLight = random.stream(bounce, BounceDimension::light);

@@ -14,9 +14,10 @@
 ///
 ///   startPath -> traceSegment (track, shadeVertex, track towards the light) -> traceSegment -> ...
 /// A path is a value that goes through these steps; a GPU's thread takes one at a time (traceSegment), the CPU many in
-/// step (device/cpu/pixel_batch.h). All light comes in by next-event estimation: a path that leaves the volume after an
-/// event adds nothing more.
+/// step (device/cpu/pixel_batch.h): both track rays in their own way and call endSegment and addLight in between. All
+/// light comes in by next-event estimation: a path that leaves the volume after an event adds nothing more.
 
+#include "render/base/health.h"
 #include "render/kernel/transport/camera_ray.h"
 #include "render/kernel/transport/direct_light.h"
 #include "render/kernel/transport/event.h"
@@ -37,6 +38,14 @@ PDR_HD_INLINE Path startPath(const FlatScene& scene, ivec2 pixel, std::uint64_t 
     const vec2 filter = random.stream(Dimension::filter).pair();
     const vec2 lens = scene.camera.focus > 0 ? sampleUniformDisk(random.stream(Dimension::lens).pair()) : vec2(0);
     return {random, generateCameraRay(scene, vec2(pixel) + filter, lens, depths)};
+}
+
+/// The random numbers along a segment, and along the light path from its end.
+PDR_HD inline RandomStream distanceStream(const Path& path, int bounce) {
+    return path.random.stream(bounce, BounceDimension::distance);
+}
+PDR_HD inline RandomStream shadowStream(const Path& path, int bounce) {
+    return path.random.stream(bounce, BounceDimension::shadow);
 }
 
 /// What the camera sees along a segment that meets no event.
@@ -82,10 +91,10 @@ PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const 
 /// What happens at the end of a segment: light that starts there, light that is scattered there, and whether the path,
 /// now on its next segment, goes on.
 struct PathVertex {
-    vec3 emitted;  ///< radiance, linear Rec. 709
-    LightPath scattered;
-    bool continues;
-    bool cut;  ///< it would have gone on, but may not
+    vec3 emitted{0.0f};     ///< radiance, linear Rec. 709
+    LightPath scattered{};  ///< to be traced unless it isDark()
+    bool continues = false;
+    bool cut = false;  ///< it would have gone on, but may not
 };
 
 /// `collision` is the distance of the event [mm]. Its pdf is T sigma_t and emission is counted per optical depth, so
@@ -114,40 +123,65 @@ struct PathSample {
     bool tissue = false;        ///< it met some
 };
 
+/// note(fault) for each fault of a sample but that its radiance is none: that is seen where it is added (addSample).
+template <class Note>
+PDR_HD inline void noteFaults(const PathSample& sample, Note&& note) {
+    if (sample.overMajorant)
+        note(Fault::overMajorant);
+    if (sample.cut)
+        note(Fault::cutPath);
+}
+
+/// The end of a segment whose ray was tracked to `collision` [mm; negative: it left the volume, NaN: see kMostSteps]. The
+/// sample gets what is known without a further ray. The vertex, empty where nothing was met, holds the light path that
+/// is still to be traced (addLight) and whether the path goes on. `bounce`: segments before this one.
+template <std::uint32_t F>
+PDR_HD inline PathVertex endSegment(const FlatScene& scene, Path& path, float collision, int bounce,
+                                    PathSample& sample) {
+    if (!(collision >= 0)) {
+        if (bounce == 0 || collision != collision)
+            sample.radiance = missed(scene, path.segment, collision);
+        return {};
+    }
+    const PathVertex vertex = shadeVertex<F>(scene, path, collision, bounce);
+    sample.tissue = true;
+    sample.cut = vertex.cut;
+    sample.radiance += vertex.emitted;
+    return vertex;
+}
+
+/// Light of `radiance` of which `transmittance` has reached the vertex. In full shadow not even infinite light counts.
+PDR_HD inline void addLight(PathSample& sample, vec3 radiance, float transmittance) {
+    if (transmittance != 0)
+        sample.radiance += radiance * transmittance;
+}
+
 /// A visitor that records nothing.
 struct NullVisitor {
     PDR_HD void segment(const Path&, int, float) {}
     PDR_HD void light(const PathVertex&, float) {}
 };
 
-/// One segment of a path, and what is met at its end; false where the path ends. `bounce`: segments before it.
+/// One segment of a path, and what is met at its end; false where the path ends.
 template <std::uint32_t F, class Visitor>
-PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, PathSample& result, Visitor&& visitor) {
-    const float collision = track<DeltaTracking>(
-        scene, path.segment.ray, path.random.stream(bounce, BounceDimension::distance), result.overMajorant);
+PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, PathSample& sample, Visitor&& visitor) {
+    const float collision =
+        track<DeltaTracking>(scene, path.segment.ray, distanceStream(path, bounce), sample.overMajorant);
     visitor.segment(path, bounce, collision);
-    if (!(collision >= 0)) {
-        if (bounce == 0 || collision != collision)
-            result.radiance = missed(scene, path.segment, collision);
-        return false;
-    }
-    result.tissue = true;
-    const PathVertex met = shadeVertex<F>(scene, path, collision, bounce);
-    result.radiance += met.emitted;
+    const PathVertex vertex = endSegment<F>(scene, path, collision, bounce, sample);
     float transmittance = 0;
-    if (!isDark(met.scattered)) {
-        transmittance = track<RatioTracking>(scene, met.scattered.ray,
-                                             path.random.stream(bounce, BounceDimension::shadow), result.overMajorant);
-        if (transmittance != 0)  // in full shadow not even infinite light counts
-            result.radiance += met.scattered.radiance * transmittance;
+    if (!isDark(vertex.scattered)) {
+        transmittance =
+            track<RatioTracking>(scene, vertex.scattered.ray, shadowStream(path, bounce), sample.overMajorant);
+        addLight(sample, vertex.scattered.radiance, transmittance);
     }
-    visitor.light(met, transmittance);
-    result.cut = met.cut;
-    return met.continues;
+    visitor.light(vertex, transmittance);
+    return vertex.continues;
 }
 
 /// One sample of the radiance that the camera sees through `pixel` (x, y). `visitor` is told each segment with the distance
-/// of its event (-1: none), and then what was met there with the transmittance of the way to the light.
+/// of its event (-1: none), and then the vertex there, empty where there is none, with the transmittance of the way to
+/// the light.
 template <std::uint32_t F, class Visitor>
 PDR_HD inline PathSample tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths, Visitor&& visitor) {
     Path path = startPath(scene, pixel, sample, depths);

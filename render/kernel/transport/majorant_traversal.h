@@ -4,13 +4,13 @@
 /// A step ends at a tentative collision or at the border of a cell, whichever comes first. The cell is a coarse one
 /// (16 voxels) where its bound promises at most kFineMajorantDepth collisions, else a fine one (4 voxels). Where even that one
 /// promises more than kVoxelMajorantDepth, the eight voxels around are read, and their own bound holds to the border of their
-/// cube: dense tissue costs a look per voxel instead of a fetch per free path. The optical depth still to go is carried
+/// cell: dense tissue costs a look per voxel instead of a fetch per free path. The optical depth still to go is carried
 /// from cell to cell, never drawn anew. An accelerator: it never changes the picture. Tentative
 /// collisions after Woodcock et al. 1965.
 
 #include "render/base/cells.h"
-#include "render/kernel/grid_axis.h"
-#include "render/kernel/medium.h"
+#include "render/kernel/bounds/cell_bound.h"
+#include "render/kernel/grid_ray.h"
 #include "render/kernel/random.h"
 #include "render/kernel/ray.h"
 
@@ -51,12 +51,7 @@ class MajorantTraversal {
                              Real length, const RandomStreamOf<Real>& random) {
         t = Real{};
         end_ = length;
-        x_.start(origin.x, direction.x, grid.occupiedLow.x, grid.occupiedHigh.x, t, end_);
-        y_.start(origin.y, direction.y, grid.occupiedLow.y, grid.occupiedHigh.y, t, end_);
-        z_.start(origin.z, direction.z, grid.occupiedLow.z, grid.occupiedHigh.z, t, end_);
-        x_.enter(t, 4 / kFinest * grid.fineSize.x);
-        y_.enter(t, 4 / kFinest * grid.fineSize.y);
-        z_.enter(t, 4 / kFinest * grid.fineSize.z);
+        ray_.start(grid, origin, direction, t, end_);
         random_ = random;
         Real u;
         random_.pair(t < end_, u, decision_);
@@ -78,9 +73,7 @@ class MajorantTraversal {
         taken(decision_, other.decision_);
         if constexpr (Dense)
             taken(carry_, other.carry_);
-        x_.take(mask, other.x_, from);
-        y_.take(mask, other.y_, from);
-        z_.take(mask, other.z_, from);
+        ray_.take(mask, other.ray_, from);
         random_.counter = selected(mask, permuted(other.random_.counter, from), random_.counter);
         random_.key = selected(mask, permuted(other.random_.key, from), random_.key);
     }
@@ -103,9 +96,7 @@ class MajorantTraversal {
             carry_ = collision.happened ? step - (there - t) : (onward ? Real{} : carry_);
         t = collision.happened ? there : (onward ? leave : t);
         depth_ = onward ? depth_ - ahead : depth_;
-        x_.advance(onward, here.within, here.border.x, leave);
-        y_.advance(onward, here.within, here.border.y, leave);
-        z_.advance(onward, here.within, here.border.z, leave);
+        ray_.advance(onward, here.within, here.borders, leave);
 
         collision.voxelMajorant = here.voxelMajorant;
         collision.majorant = majorant;
@@ -113,12 +104,12 @@ class MajorantTraversal {
         collision.u = decision_;
         if (any(collision.happened)) {
             const Mask happened = collision.happened;
-            const Vec3<Real> position{x_.at(t), y_.at(t), z_.at(t)};
+            const Vec3<Real> position = ray_.at(t);
             Real hu{};
             if (!Dense || any(happened & !(here.voxelMajorant)))
                 hu = hounsfield(scene.volume, position);
             if (Dense && any(happened & here.voxelMajorant))
-                hu = here.voxelMajorant ? hounsfield(here.cube, position) : hu;
+                hu = here.voxelMajorant ? trilinear(here.voxels, fractionsIn(here.voxels, position)) : hu;
             collision.extinction = extinctionOf(scene.transferFunction, hu);
             Real u, decision;
             random_.pair(happened, u, decision);
@@ -133,21 +124,22 @@ class MajorantTraversal {
 
     /// The cell that a ray stands in.
     struct MajorantCell {
-        Int within;         ///< it is within + 1 of the smallest cells wide
-        Vec3<Real> border;  ///< mm from the ray's origin to its border along each axis
-        Real leave;         ///< mm from the ray's origin to its end, or to the ray's
-        Real majorant;      ///< 1/mm
-        Mask voxelMajorant;       ///< `cube` is known and decides
-        Cube<Real> cube;
+        Int within;          ///< it is within + 1 of the smallest cells wide
+        Vec3<Real> borders;  ///< mm from the ray's origin to its border along each axis
+        Real leave;          ///< mm from the ray's origin to its end, or to the ray's
+        Real majorant;       ///< 1/mm
+        Mask voxelMajorant;  ///< `voxels` are known and decide
+        VoxelCell<Real> voxels;
 
         /// Where `mask` holds the cell is the one of Edge voxels.
         template <int Edge>
         PDR_HD_INLINE void enter(const MajorantTraversal& flight, Mask mask) {
             within = mask ? Int{} + (Edge / kFinest - 1) : within;
-            border.x = mask ? flight.x_.template leave<Edge>() : border.x;
-            border.y = mask ? flight.y_.template leave<Edge>() : border.y;
-            border.z = mask ? flight.z_.template leave<Edge>() : border.z;
-            leave = min(min(border.x, min(border.y, border.z)), flight.end_);
+            const Vec3<Real> reached = flight.ray_.template borders<Edge>();
+            borders.x = mask ? reached.x : borders.x;
+            borders.y = mask ? reached.y : borders.y;
+            borders.z = mask ? reached.z : borders.z;
+            leave = min(nearest(borders), flight.end_);
         }
     };
 
@@ -155,19 +147,20 @@ class MajorantTraversal {
         const FlatMajorants& grid = scene.majorants;
         MajorantCell here;
         here.within = Int{} + (16 / kFinest - 1);
-        here.border = {x_.template leave<16>(), y_.template leave<16>(), z_.template leave<16>()};
-        here.leave = min(min(here.border.x, min(here.border.y, here.border.z)), end_);
-        here.majorant = gather(grid.coarse, cellIndex<16>(grid.coarseSize, active));
+        here.borders = ray_.template borders<16>();
+        here.leave = min(nearest(here.borders), end_);
+        here.majorant = gather(grid.coarse, ray_.template cellIndex<16>(grid.coarseSize, active));
         const Mask descend = active & (here.majorant * (here.leave - t) > kFineMajorantDepth);
         if (any(descend)) {
             here.template enter<4>(*this, descend);
-            here.majorant = descend ? gather(grid.fine, cellIndex<4>(grid.fineSize, descend)) : here.majorant;
+            const Int fine = ray_.template cellIndex<4>(grid.fineSize, descend);
+            here.majorant = descend ? gather(grid.fine, fine) : here.majorant;
         }
         here.voxelMajorant = descend & (here.majorant * (here.leave - t) > kVoxelMajorantDepth);
         if constexpr (Dense)
             if (any(here.voxelMajorant)) {
-                here.cube = cubeAt(scene.volume, x_.cell - 4, y_.cell - 4, z_.cell - 4);
-                const Real bound = extinctionBound(scene.transferFunction, here.cube);
+                here.voxels = nearestCell(scene.volume, ray_.voxel(), here.voxelMajorant);
+                const Real bound = extinctionBound(scene.transferFunction, here.voxels);
                 here.template enter<1>(*this, here.voxelMajorant);
                 here.majorant = here.voxelMajorant ? min(here.majorant, bound) : here.majorant;
             }
@@ -175,15 +168,7 @@ class MajorantTraversal {
         return here;
     }
 
-    /// Index of the cell of Edge voxels. Lanes that do not fly may stand outside the grid: they read cell 0.
-    template <int Edge>
-    PDR_HD Int cellIndex(ivec3 size, Mask mask) const {
-        constexpr int kShift = Edge / kFinest == 16 ? 4 : Edge / kFinest == 4 ? 2 : 0;
-        const Int index = ((z_.cell >> kShift) * size.y + (y_.cell >> kShift)) * size.x + (x_.cell >> kShift);
-        return mask ? index : Int{};
-    }
-
-    GridAxis<Real, kFinest> x_, y_, z_;
+    GridRay<Real, kFinest> ray_;
     Real end_, depth_, decision_;
     Real carry_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
     RandomStreamOf<Real> random_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Multiple importance sampling (Veach & Guibas 1995): what share of a sample counts where another way of sampling
+/// Multiple importance sampling (Veach & Guibas 1995): what fraction of a sample counts where another way of sampling
 /// could have found it too.
 
 #include "render/base/portable.h"

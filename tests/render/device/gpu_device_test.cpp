@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu/gpu_device.h"
+#include "render/device/gpu_device.h"
 #include "render/film/tone_map.h"
 #include "tests/support/faulty_gpu.h"
 #include "tests/support/pictures.h"

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu/gpu_device.h"
+#include "render/device/gpu_device.h"
 #include "render/film/tone_map.h"
 #include "render/kernel/pixel.h"
 #include "tests/support/scenes.h"

@@ -5,7 +5,7 @@
 
 #include "render/device/emulated/emulated_gpu.h"
 #include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu/gpu_device.h"
+#include "render/device/gpu_device.h"
 #include "render/film/tone_map.h"
 #include "render/kernel/volume_sampling.h"
 #include "tests/support/faulty_gpu.h"
@@ -43,8 +43,9 @@ vec3 anyPlace(std::mt19937& random, ivec3 size) {
     return vec3(x, y, z) * vec3(size) - 0.5f;
 }
 
-Cube<float> cubeAround(const FlatVolume& volume, vec3 place) {
-    return cubeAt(volume, int(std::floor(place.x)), int(std::floor(place.y)), int(std::floor(place.z)));
+VoxelCell<float> cellAround(const FlatVolume& volume, vec3 place) {
+    return nearestCell(volume, Vec3<int>{int(std::floor(place.x)), int(std::floor(place.y)), int(std::floor(place.z))},
+                       true);
 }
 
 Scene tissue(Filtering filtering) {
@@ -98,7 +99,7 @@ class FilteringTest : public QObject {
             const BothWays both(noise({20, 21, 22}, -32767, range, 4));
             for (int n = 0; n < 50'000; ++n) {
                 const vec3 place = anyPlace(random, both.volume->size());
-                const auto [low, high] = std::ranges::minmax(cubeAround(both.fast, place).hu);
+                const auto [low, high] = std::ranges::minmax(cellAround(both.fast, place).hu);
                 const float hu = hounsfield(both.fast, place);
                 QVERIFY(hu >= low && hu <= high);
             }
@@ -111,7 +112,7 @@ class FilteringTest : public QObject {
             const BothWays both(noise({20, 21, 22}, -1000, range, 6));
             for (int n = 0; n < 50'000; ++n) {
                 const vec3 place = anyPlace(random, both.volume->size());
-                const auto [low, high] = std::ranges::minmax(cubeAround(both.fast, place).hu);
+                const auto [low, high] = std::ranges::minmax(cellAround(both.fast, place).hu);
                 const float error = std::fabs(hounsfield(both.fast, place) - hounsfield(both.exact, place));
                 QVERIFY(error <= textureError(high - low));
             }

@@ -48,7 +48,7 @@ class PresetTest : public QObject {
 
     void airIsClearInEveryPreset() {
         for (const char* name : kNames)
-            QCOMPARE(presetFromJson(text(name).toStdString(), name)->transferFunction.at(-1000).opacity, 0.0f);
+            QCOMPARE(presetFromJson(text(name).toStdString(), name)->look.transferFunction.at(-1000).opacity, 0.0f);
     }
 
     void mistakesNameTheField() {
@@ -71,15 +71,15 @@ class PresetTest : public QObject {
         const Scene after = withPreset(before, bone());
         QVERIFY(after.volume == before.volume && after.camera == before.camera && after.film == before.film);
         QVERIFY(after.seed == 7 && after.revision == before.revision);
-        QVERIFY(after.transferFunction == bone().transferFunction);
-        QVERIFY(after.window == bone().window && after.window != HuWindow{});
+        QVERIFY(after.transferFunction == bone().look.transferFunction);
+        QVERIFY(after.window == bone().look.window && after.window != HuWindow{});
         QVERIFY(!after.environment.visible);
     }
 
     void theLightAtTheCentreDoesNotDependOnTheSize() {
         const Scene small = sceneWith(50), large = sceneWith(500);
-        const auto a = lightRig(bone(), small.volume->geometry(), small.camera);
-        const auto b = lightRig(bone(), large.volume->geometry(), large.camera);
+        const auto a = panelsOf(bone().look.rig, small.volume->geometry(), small.camera);
+        const auto b = panelsOf(bone().look.rig, large.volume->geometry(), large.camera);
         QCOMPARE(a.size(), std::size_t(3));
         for (std::size_t i = 0; i < a.size(); ++i)
             QCOMPARE(shareAtCentre(std::get<RectangleLight>(a[i]), small.volume->geometry().centreMm()),
@@ -92,7 +92,7 @@ class PresetTest : public QObject {
             const VolumeGeometry& geometry = scene.volume->geometry();
             scene.camera = standardView(view, geometry.centreMm(), geometry.radiusMm(), 1);
             const Camera& camera = scene.camera;
-            const auto rig = lightRig(bone(), geometry, camera);
+            const auto rig = panelsOf(bone().look.rig, geometry, camera);
             const auto from = [&](int i) { return std::get<RectangleLight>(rig[i]).centreMm - geometry.centreMm(); };
             QVERIFY(glm::dot(from(0), camera.right()) < 0 && glm::dot(from(0), camera.imageUp()) > 0);
             QVERIFY(glm::dot(from(1), camera.right()) > 0);
@@ -102,11 +102,23 @@ class PresetTest : public QObject {
         }
     }
 
+    void theRigOfThePatientStaysWhereItIsFromTheFront() {
+        Scene scene = sceneWith(200);
+        const VolumeGeometry& geometry = scene.volume->geometry();
+        LightRig rig = bone().look.rig;
+        const auto front = panelsOf(rig, geometry, scene.camera);
+        rig.follows = LightRig::Follows::patient;
+        for (const StandardView view : {StandardView::anterior, StandardView::left, StandardView::superior}) {
+            const Camera camera = standardView(view, geometry.centreMm(), 2 * geometry.radiusMm(), 1);
+            QVERIFY(panelsOf(rig, geometry, camera) == front);
+        }
+    }
+
     void aDarkPanelIsLeftOut() {
-        Preset preset = bone();
-        preset.fillLight = 0;
+        LightRig rig = bone().look.rig;
+        rig.fill = 0;
         const Scene scene = sceneWith(200);
-        QCOMPARE(lightRig(preset, scene.volume->geometry(), scene.camera).size(), std::size_t(2));
+        QCOMPARE(panelsOf(rig, scene.volume->geometry(), scene.camera).size(), std::size_t(2));
     }
 };
 

@@ -84,9 +84,10 @@ std::string tableOf(const std::string& name) {
            : is("box")         ? FieldTable::of<ClipBox>()
            : is("plane")       ? FieldTable::of<ClipPlane>()
            : is("camera")      ? FieldTable::of<Camera>()
+           : is("schedule")    ? FieldTable::of<Schedule>()
            : is("film")        ? FieldTable::of(FilmField{scene.film})
            : is("preset")      ? FieldTable::of(preset)
-           : is("rig")         ? FieldTable::of(RigFields{preset})
+           : is("rig")         ? FieldTable::of(RigFields{preset.look.rig, preset.look.environment})
                                : "there is no table of this name\n";
 }
 
@@ -141,6 +142,43 @@ class SceneTextTest : public QObject {
         QVERIFY(presets >= 4);
     }
 
+    void anySessionComesBack() {
+        int patients = 0, boxes = 0, kroes = 0;
+        test::RandomFields random(1);
+        for (int i = 0; i < 1000;) {
+            PictureSetup setup;
+            describe(random, setup);
+            std::ranges::sort(setup.look.transferFunction.nodes, {}, &TransferNode::hu);
+            if (setup.look.window.lowHu > setup.look.window.highHu)
+                std::swap(setup.look.window.lowHu, setup.look.window.highHu);
+            if (!check(setup))
+                continue;
+            ++i;
+            const std::string text = setupText(setup);
+            const Result<PictureSetup> read = setupFromJson(text, "a test");
+            QVERIFY2(read, read ? "" : read.error().text().c_str());
+            QVERIFY2(*read == setup, text.c_str());
+            patients += setup.look.rig.follows == LightRig::Follows::patient;
+            boxes += setup.clip.box.has_value();
+            kroes += setup.schedule.kind == Schedule::Kind::kroes;
+        }
+        QVERIFY(patients > 300 && boxes > 100 && kroes > 300);
+    }
+
+    void aWrongSessionNamesItsField() {
+        PictureSetup setup;
+        setup.look.transferFunction.nodes = {{0, 0}};
+        QVERIFY(check(setup));
+        setup.look.rig.key = -1;
+        QCOMPARE(setupFromJson(setupText(setup), "s").error().where, std::string("s, look.lights.key"));
+        setup.look.rig.key = 1;
+        setup.look.window = {5, 5};
+        QCOMPARE(setupFromJson(setupText(setup), "s").error().where, std::string("s, look.window.highHu"));
+        setup.look.window = {};
+        setup.camera.eyeMm = setup.camera.targetMm;
+        QVERIFY(setupFromJson(setupText(setup), "s").error().where.starts_with("s, camera."));
+    }
+
     /// With PDR_WRITE_MANUAL=1 the manual's tables are written anew instead.
     void theManualsTablesAreThoseOfTheFields() {
         QFile manual(QStringLiteral(PDR_SOURCE_DIR "/resources/manual/scene-file.md"));
@@ -158,7 +196,7 @@ class SceneTextTest : public QObject {
             at = end + closing.size();
         }
         wanted += text.substr(at);
-        QCOMPARE(tables, 18);
+        QCOMPARE(tables, 19);
         if (qEnvironmentVariableIsSet("PDR_WRITE_MANUAL")) {
             QVERIFY(manual.open(QIODevice::WriteOnly));
             manual.write(QByteArray::fromStdString(wanted));

@@ -9,6 +9,7 @@
 
 #include "render/session/session.h"
 #include "tests/support/failing_device.h"
+#include "tests/support/patience.h"
 #include "tests/support/pictures.h"
 #include "tests/support/scenes.h"
 
@@ -24,7 +25,7 @@ Scene largeScene(std::uint64_t revision) {
     scene.film = {400, 300};
     scene.revision = revision;
     scene.camera.eyeMm.x += double(revision);
-    scene.look = "look " + std::to_string(revision);
+    scene.lookName = "look " + std::to_string(revision);
     return scene;
 }
 
@@ -72,7 +73,7 @@ struct Answer {
     /// Null: nobody has looked for minutes, or there was a film.
     std::optional<Error> refusal() {
         auto future = film.get_future();
-        if (future.wait_for(240s) != std::future_status::ready)
+        if (future.wait_for(1800s) != std::future_status::ready)
             return std::nullopt;
         const Result<Film> result = future.get();
         return result ? std::nullopt : std::optional(result.error());
@@ -98,7 +99,7 @@ class FirstLookTest : public QObject {
         Session session(test::failing(mishaps), reel.sink());
         for (std::uint64_t revision = 1; revision <= 4; ++revision) {
             session.submit(largeScene(revision), false);
-            QTRY_VERIFY_WITH_TIMEOUT(reel.full(revision, 2), 240000);
+            QTRY_VERIFY_WITH_TIMEOUT(reel.full(revision, 2), test::kPatience);
         }
         for (std::uint64_t revision = 1; revision <= 4; ++revision) {
             const auto frames = reel.of(revision);
@@ -117,10 +118,10 @@ class FirstLookTest : public QObject {
             session.submit(largeScene(revision), revision % 4 != 0);
             std::this_thread::sleep_for(std::chrono::milliseconds(5 * (revision % 3)));
         }
-        QTRY_VERIFY_WITH_TIMEOUT(reel.full(20), 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(20), test::kPatience);
         for (const auto& frame : reel.frames()) {
             QVERIFY(frame->camera == largeScene(frame->revision).camera);
-            QCOMPARE(frame->look, largeScene(frame->revision).look);
+            QCOMPARE(frame->lookName, largeScene(frame->revision).lookName);
         }
     }
 
@@ -132,7 +133,7 @@ class FirstLookTest : public QObject {
         Answer answer;
         session.requestSnapshot(2, answer.look());
         auto film = answer.film.get_future();
-        QVERIFY(film.wait_for(240s) == std::future_status::ready);
+        QVERIFY(film.wait_for(1800s) == std::future_status::ready);
         const Result<Film> seen = film.get();
         QVERIFY(seen);
         QVERIFY(test::sameBits(*seen, test::render(largeScene(2), seen->samplesPerPixel())));
@@ -153,15 +154,15 @@ class FirstLookTest : public QObject {
         Reel reel;
         Session session(test::failing(mishaps), reel.sink());
         session.submit(largeScene(1), true);
-        QTRY_VERIFY_WITH_TIMEOUT(!reel.of(1).empty(), 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(!reel.of(1).empty(), test::kPatience);
         std::unique_lock closed(gate);
-        QTRY_VERIFY_WITH_TIMEOUT(atTheGate, 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(atTheGate, test::kPatience);
         const std::size_t before = reel.of(1).size() + 1;  // the launch that is on its way is shown
         session.setPaused(true);
         closed.unlock();
-        QTRY_COMPARE_WITH_TIMEOUT(reel.of(1).size(), before, 240000);
+        QTRY_COMPARE_WITH_TIMEOUT(reel.of(1).size(), before, test::kPatience);
         session.submit(largeScene(1), false);
-        QTRY_VERIFY_WITH_TIMEOUT(reel.of(1).size() > before, 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.of(1).size() > before, test::kPatience);
         QVERIFY(!reel.of(1)[before]->coarse);
     }
 
@@ -170,7 +171,7 @@ class FirstLookTest : public QObject {
         Session session(makeCpuDevice(1), reel.sink());
         session.setPaused(true);
         session.submit(largeScene(1), false);
-        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), test::kPatience);
         QTest::qWait(200);
         QCOMPARE(reel.frames().size(), std::size_t(2));
         QCOMPARE(reel.frames().back()->status.samplesPerPixel, std::uint64_t(1));
@@ -242,20 +243,19 @@ class FirstLookTest : public QObject {
         const std::weak_ptr<const Volume> volume = scene.volume;
         session.submit(std::move(scene), false);
         scene = {};
-        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 3), 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 3), test::kPatience);
         QVERIFY(!volume.expired());
         session.clear();
-        QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), test::kPatience);
         const std::size_t frames = reel.frames().size();
         const std::clock_t start = std::clock();
         QTest::qWait(500);
         QVERIFY(double(std::clock() - start) / CLOCKS_PER_SEC < 0.1);  // processor time
         QCOMPARE(reel.frames().size(), frames);
-        session.setSchedule({.kind = Schedule::Kind::kroes});
         session.setDevice([] { return makeCpuDevice(1); });
         session.setDisplay({.exposure = 2});
         session.submit(largeScene(2), false);
-        QTRY_VERIFY_WITH_TIMEOUT(reel.full(2), 240000);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(2), test::kPatience);
     }
 
     void aGpuGivesTheMemoryOfAClosedSceneBack() {

@@ -57,15 +57,17 @@ class SessionTest : public QObject {
     void newestSceneWinsAtOnceInExposureRendersOrderToo() {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
-        session.setSchedule({.kind = Schedule::Kind::kroes});
         session.setIterationsPerFrame(10000);
         Scene slow = someScene(1);
         slow.film = {1024, 1024};
+        slow.schedule.kind = Schedule::Kind::kroes;
         session.submit(slow, false);
         std::this_thread::sleep_for(200ms);
         session.setIterationsPerFrame(1);
         const test::ProcessorTime spent;
-        session.submit(someScene(2), false);
+        Scene next = someScene(2);
+        next.schedule = slow.schedule;
+        session.submit(next, false);
         const auto frame = screen.await([](const Frame& f) { return f.revision == 2; });
         QVERIFY(frame && frame->schedule.kind == Schedule::Kind::kroes);
         QVERIFY(spent.seconds() < 2);
@@ -77,25 +79,27 @@ class SessionTest : public QObject {
         session.submit(someScene(1), false);
         QVERIFY(screen.await([](const Frame& f) { return f.status.samplesPerPixel >= 50; }));
         session.setPaused(true);
-        const Schedule k1{.kind = Schedule::Kind::kroes, .filter = false, .runningMean = false};
-        session.setSchedule(k1);
-        const auto shown = screen.await([&](const Frame& f) { return f.schedule == k1; });
+        Scene compared = someScene(2);
+        compared.schedule = {.kind = Schedule::Kind::kroes, .filter = false, .runningMean = false};
+        session.submit(compared, false);
+        const auto shown = screen.await([&](const Frame& f) { return f.schedule == compared.schedule && !f.coarse; });
         QVERIFY(shown);  // once, even while paused
         QCOMPARE(shown->status.samplesPerPixel, std::uint64_t(1));
-        QCOMPARE(shown->revision, std::uint64_t(1));
+        QCOMPARE(shown->revision, std::uint64_t(2));
         session.setPaused(false);
-        session.setSchedule({});
+        session.submit(someScene(3), false);
         QVERIFY(screen.await([](const Frame& f) { return f.schedule == Schedule{}; }));
     }
 
-    void aScheduleCanBeChosenBeforeThereIsAScene() {
+    void aDeviceCanBeChosenBeforeThereIsAScene() {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
-        session.setSchedule({.kind = Schedule::Kind::kroes});
         session.setDevice([] { return makeCpuDevice(1); });
         std::this_thread::sleep_for(50ms);
         QCOMPARE(screen.count(), 0);
-        session.submit(someScene(1), false);
+        Scene scene = someScene(1);
+        scene.schedule.kind = Schedule::Kind::kroes;
+        session.submit(scene, false);
         const auto frame = screen.await([](const Frame&) { return true; });
         QVERIFY(frame && frame->schedule.kind == Schedule::Kind::kroes && frame->device == "cpu");
     }

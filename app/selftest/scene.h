@@ -1,7 +1,7 @@
 #pragma once
 /// From a case of the self-test to a scene that any device can render.
 
-#include "app/bench/selftest/case.h"
+#include "app/selftest/case.h"
 #include "render/scene/scene.h"
 
 namespace pdr::selftest {

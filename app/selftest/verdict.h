@@ -1,7 +1,7 @@
 #pragma once
 /// Whether a measurement agrees with physics, and whether it could have told if it did not.
 
-#include "app/bench/selftest/case.h"
+#include "app/selftest/case.h"
 #include "render/base/health.h"
 
 namespace pdr::selftest {

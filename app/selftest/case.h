@@ -57,7 +57,7 @@ enum class Quantity {
     radiance,           ///< mean radiance of the picture
     reflectanceFactor,  ///< pi * radiance / (beam cosine * irradiance): 1 for a white Lambert surface
     discTransmittance,  ///< light that a sphere lets through, mean over its disc
-    escapeProbability,  ///< share of light made evenly in a sphere that leaves it
+    escapeProbability,  ///< fraction of light made evenly in a sphere that leaves it
     freeFlights,        ///< chi-square of distances to the first collision on 64 equally probable bins; expected: 64
     meanCosine,         ///< of sampled scattering directions
     meanSquaredCosine,

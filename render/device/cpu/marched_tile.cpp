@@ -1,4 +1,4 @@
-#include "render/device/baseline/marched_tile.h"
+#include "render/device/cpu/marched_tile.h"
 
 #include "render/device/cpu/sample_origin.h"
 #include "render/kernel/baseline/kroes_path.h"
@@ -16,8 +16,7 @@ void renderMarched(const FlatScene& scene, const Tile& tile, SampleRange samples
             for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
                 const PathSample found = nothing ? PathSample{.radiance = plainBackground(scene)}
                                               : kroesSample(scene, pixel, origin.sample, depths);
-                origin.add(found.radiance, *sums.health);
-                origin.see(found.tissue ? kSeenTissue : 0);
+                origin.add(found, *sums.health);
             }
         }
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// How iterations become displayed frames: our way, and the way that it replaces, kept to be compared with.
+/// How iterations become displayed frames: this program's way, and the one that it replaces, kept to be compared with.
 
 namespace pdr {
 

@@ -85,7 +85,7 @@ struct Trial {
 
 }  // namespace
 
-class PaceTest : public QObject {
+class FrameBudgetTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -199,5 +199,5 @@ class PaceTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(PaceTest)
-#include "pace_test.moc"
+QTEST_GUILESS_MAIN(FrameBudgetTest)
+#include "frame_budget_test.moc"

@@ -1,9 +1,10 @@
-#include "app/bench/selftest/measure.h"
+#include "app/selftest/measure.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/bench/selftest/scene.h"
+#include "app/selftest/scene.h"
+#include "render/base/errors.h"
 #include "render/film/film.h"
 #include "render/kernel/random.h"
 #include "render/kernel/transport/phase.h"
@@ -46,7 +47,7 @@ Result<Measurement> rendered(Device& device, const Scene& scene, std::uint64_t s
         return live.error();
     for (std::uint64_t left = samplesPerPixel(scene, samples); left > 0;) {
         if (cancelled())
-            return Error{"cancelled", "", ""};
+            return pdr::cancelled();
         const std::uint32_t n = std::uint32_t(std::min<std::uint64_t>(left, kSamplesPerLaunch));
         if (auto ok = (*live)->iterate(n, {}); !ok)
             return ok.error();

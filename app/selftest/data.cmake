@@ -20,5 +20,5 @@ foreach(name
   file(READ ${file} json)
   string(APPEND PDR_REFERENCE_FILES "    {\"${name}.json\", R\"json(${json})json\"},\n")
 endforeach()
-configure_file(selftest/data.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/selftest_data.cpp @ONLY)
-target_sources(pdr_selftest PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/selftest_data.cpp)
+configure_file(data.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/data.cpp @ONLY)
+target_sources(pdr_selftest PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/data.cpp)

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "app/bench/selftest/verdict.h"
+#include "app/selftest/verdict.h"
 #include "render/device/device.h"
 
 namespace pdr::selftest {
@@ -12,7 +12,7 @@ namespace pdr::selftest {
 using Cancelled = std::function<bool()>;
 
 /// Takes about `samples` samples with random numbers of their own for each `seed`. Phase-function moments are drawn on
-/// the host, by the kernel's own function. An Error where the device fails, or "cancelled".
+/// the host, by the kernel's own function. Errors: the device fails; cancelled().
 Result<Measurement> measure(Device& device, const Case& reference, std::uint64_t samples, std::uint64_t seed,
                             const Cancelled& cancelled);
 

@@ -1,4 +1,4 @@
-#include "render/session/frame_budget.h"
+#include "render/timing/frame_budget.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/bench/selftest/verdict.h"
+#include "app/selftest/verdict.h"
 
 #include <cmath>
 #include <limits>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/selftest/measure.h"
+#include "app/selftest/measure.h"
 
 namespace pdr::selftest {
 
@@ -34,7 +34,7 @@ class Observer {
                       const Sharpness& sharpness) = 0;
 };
 
-/// Adds to `tally`. Errors: the device fails; "cancelled".
+/// Adds to `tally`. Errors: the device fails; cancelled().
 Result<void> run(const Plan& plan, Device& device, Observer& observer, const Cancelled& cancelled, Tally& tally);
 
 }  // namespace pdr::selftest

@@ -1,9 +1,9 @@
-#include "app/bench/selftest/scene.h"
+#include "app/selftest/scene.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/bench/selftest/verdict.h"
+#include "app/selftest/verdict.h"
 
 namespace pdr::selftest {
 
@@ -232,7 +232,7 @@ Scene flightScene(const Case& reference, int bin) {
     const double length = extentMm(from);
     const double first = from.extinctionPerMm, slope = first * (from.endRatio - 1) / length;
     const double densest = scene.transferFunction.extinctionPerMm;
-    const auto border = [&](int i) {  // HU where a share of i / kFlightBins has collided
+    const auto border = [&](int i) {  // HU where a fraction of i / kFlightBins has collided
         const double q = -std::log1p(-double(i) / kFlightBins);
         return i == kFlightBins ? kRampTop
                                 : kRampTop / length * 2 * q / (first + std::sqrt(first * first + 2 * slope * q));

@@ -1,11 +1,11 @@
-#include "app/bench/selftest/case.h"
+#include "app/selftest/case.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
-#include "app/bench/selftest/data.h"
+#include "app/selftest/data.h"
 
 namespace pdr::selftest {
 

@@ -1,4 +1,4 @@
-#include "app/bench/selftest/run.h"
+#include "app/selftest/run.h"
 
 #include <algorithm>
 
@@ -40,7 +40,7 @@ Result<void> run(const Plan& plan, Device& device, Observer& observer, const Can
             const Sharpness& sharpness = plan.quick ? reference.quick : reference.full;
             const Result<Measurement> got = measure(device, reference, sharpness.samples, seed, cancelled);
             if (!got)
-                return Error{got.error().text(), reference.name, ""};
+                return got.error().in(reference.name);
             const Judgement judgement = judge(reference, *got, sharpness, plan.allowed);
             observer.ends(reference, *got, judgement, sharpness);
             tally.count(judgement.verdict);

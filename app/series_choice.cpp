@@ -1,0 +1,39 @@
+#include "app/series_choice.h"
+
+#include <algorithm>
+#include <set>
+
+namespace pdr::app {
+
+int firstLoadable(const dicom::ScanResult& scan) {
+    const auto first = std::ranges::find_if(scan.series, [](const auto& series) { return series.verdict.loadable(); });
+    return first == scan.series.end() ? -1 : int(first - scan.series.begin());
+}
+
+Error nothingLoadable(const dicom::ScanResult& scan) {
+    std::set<std::string> told;
+    std::string reasons;
+    for (const dicom::Series& series : scan.series)
+        if (const std::string& reason = series.verdict.reason; !reason.empty() && told.insert(reason).second)
+            reasons += (reasons.empty() ? "" : "; ") + reason;
+    if (reasons.empty() && !scan.problems.empty())
+        reasons = scan.problems.front().reason;
+    return {"no series here can be loaded" + (reasons.empty() ? "" : ": " + reasons), "", "", ErrorKind::refused};
+}
+
+Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& id) {
+    if (!id.empty()) {
+        const auto named = std::ranges::find_if(scan.series, [&](const auto& each) { return each.series.id() == id; });
+        if (named != scan.series.end())
+            return *named;
+        return Error{"there is no series " + id + " here", "",
+                     "\"pdrender-cli info FOLDER\" lists those that there are.", ErrorKind::refused};
+    }
+    if (const int first = firstLoadable(scan); first >= 0)
+        return scan.series[std::size_t(first)];
+    Error error = nothingLoadable(scan);
+    error.hint = "\"pdrender-cli info FOLDER\" lists all of them.";
+    return error;
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,78 @@
+#pragma once
+/// The cell between eight neighbouring voxel centres, in which trilinear interpolation is one formula.
+
+#include "render/base/lanes.h"
+#include "render/kernel/flat_scene.h"
+
+namespace pdr {
+
+template <class Real>
+struct VoxelCell {
+    Vec3<Real> lowest;  ///< its lowest corner, index space
+    Real hu[8];         ///< of its corners: [x + 2 y + 4 z] from the lowest
+};
+
+/// The cell whose lowest corner is voxel `corner`, inside [0, lastCorner].
+PDR_HD_INLINE VoxelCell<float> cellAt(const FlatVolume& volume, const Vec3<int>& corner) {
+    VoxelCell<float> cell;
+    cell.lowest = {float(corner.x), float(corner.y), float(corner.z)};
+    const std::int16_t* v = volume.voxels + corner.z * volume.stepZ + corner.y * volume.stepY + corner.x;
+    for (int n = 0; n < 8; ++n)
+        cell.hu[n] = v[(n & 1) * volume.stepX + ((n >> 1) & 1) * volume.stepY + (n >> 2) * volume.stepZ];
+    return cell;
+}
+
+#if !defined(__CUDACC__)
+
+/// The same in step. For volumes of at least two voxels along x and fewer than 2^31 in all: neighbours along x are read
+/// as one word.
+PDR_HD_INLINE VoxelCell<FloatLanes> cellAt(const FlatVolume& volume, const Vec3<IntLanes>& corner) {
+    const IntLanes index = (corner.z * volume.size.y + corner.y) * volume.size.x + corner.x;
+    VoxelCell<FloatLanes> cell;
+    cell.lowest = {toFloat(corner.x), toFloat(corner.y), toFloat(corner.z)};
+    const auto row = [&](int n, std::int64_t from) {
+        gatherPair(volume.voxels + from, index, cell.hu[n], cell.hu[n + 1]);
+    };
+    row(0, 0);  // not in a loop: there GCC 12 reads lane by lane instead of by gather instructions
+    row(2, volume.stepY);
+    row(4, volume.stepZ);
+    row(6, volume.stepZ + volume.stepY);
+    return cell;
+}
+
+#endif
+
+/// The cell whose lowest corner is voxel `corner`, at the volume's borders the outermost one; any cell where `mask` does
+/// not hold.
+template <class Int, class Mask>
+PDR_HD_INLINE auto nearestCell(const FlatVolume& volume, const Vec3<Int>& corner, Mask mask) {
+    const auto inside = [mask](Int value, float last) {
+        const Int high = Int{} + int(last);
+        value = value < 0 ? Int{} : value;
+        value = value > high ? high : value;
+        return mask ? value : Int{};
+    };
+    const Vec3<Int> nearest{inside(corner.x, volume.lastCorner.x), inside(corner.y, volume.lastCorner.y),
+                            inside(corner.z, volume.lastCorner.z)};
+    return cellAt(volume, nearest);
+}
+
+/// Where `position` (index space) lies in the cell, along each axis in [0, 1]: beside it as on its border.
+template <class Real>
+PDR_HD_INLINE Vec3<Real> fractionsIn(const VoxelCell<Real>& cell, const Vec3<Real>& position) {
+    const auto fraction = [](Real place, Real lowest) { return min(max(place - lowest, Real{}), Real{} + 1.0f); };
+    return {fraction(position.x, cell.lowest.x), fraction(position.y, cell.lowest.y),
+            fraction(position.z, cell.lowest.z)};
+}
+
+/// HU at fractions in [0, 1] of the cell. Where all eight voxels agree the result is theirs.
+template <class Real>
+PDR_HD_INLINE Real trilinear(const VoxelCell<Real>& cell, const Vec3<Real>& fraction) {
+    const auto mix = [](Real a, Real b, Real fraction) { return a + (b - a) * fraction; };
+    const auto alongX = [&](int n) { return mix(cell.hu[n], cell.hu[n + 1], fraction.x); };
+    const Real low = mix(alongX(0), alongX(2), fraction.y);
+    const Real high = mix(alongX(4), alongX(6), fraction.y);
+    return mix(low, high, fraction.z);
+}
+
+}  // namespace pdr

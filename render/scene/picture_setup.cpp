@@ -1,0 +1,67 @@
+#include "render/scene/picture_setup.h"
+
+#include <cmath>
+#include <utility>
+
+#include "render/scene/field_check.h"
+#include "render/scene/field_reader.h"
+#include "render/scene/field_writer.h"
+#include "render/scene/scene_fields.h"
+
+namespace pdr {
+
+namespace {
+
+constexpr std::string_view kFormat = "pdrender-session";
+
+}  // namespace
+
+Result<void> check(const PictureSetup& setup) {
+    if (auto ok = FieldCheck::check(setup); !ok)
+        return ok;
+    if (auto ok = check(setup.look); !ok)
+        return below("look", ok.error());
+    if (auto ok = setup.camera.check(); !ok)
+        return ok;
+    if (auto ok = setup.clip.check(); !ok)
+        return below("clip", ok.error());
+    return {};
+}
+
+Scene sceneOf(const PictureSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film) {
+    Scene scene;
+    scene.volume = std::move(volume);
+    scene.camera = setup.camera;
+    scene.clip = setup.clip;
+    scene.model = setup.model;
+    scene.estimator = setup.estimator;
+    scene.schedule = setup.schedule;
+    scene.film = film;
+    scene.lookName = setup.lookName;
+    return withLook(std::move(scene), setup.look);
+}
+
+Display displayOf(const PictureSetup& setup) {
+    Display display = setup.look.display;
+    display.exposure *= float(std::exp2(-setup.stops));
+    return display;
+}
+
+Result<PictureSetup> setupFromJson(std::string_view json, std::string_view where) {
+    PictureSetup setup;
+    const auto read = [&](JsonFields& fields) {
+        FieldReader reader(fields);
+        describe(reader, setup);
+        if (auto ok = check(setup); !ok)
+            throw FieldError{ok.error()};
+    };
+    if (auto ok = readJson(json, where, kFormat, read); !ok)
+        return ok.error();
+    return setup;
+}
+
+std::string setupText(PictureSetup setup) {
+    return jsonText(kFormat, FieldWriter::written(setup));
+}
+
+}  // namespace pdr

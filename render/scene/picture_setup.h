@@ -1,0 +1,39 @@
+#pragma once
+/// All that a user sets up of a picture: what a document remembers and a session saves. The voxels, the window and the
+/// device are not part of it.
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "render/scene/look.h"
+
+namespace pdr {
+
+struct PictureSetup {
+    Look look;
+    std::string lookName;  ///< what the user calls it: the preset's name
+    double stops = 0;      ///< brightness against the look's; one more is twice as bright; [-64, 64]
+    Camera camera;
+    Clip clip;
+    Model model = Model::singleScattering;
+    Estimator estimator = Estimator::unbiased;
+    Schedule schedule;
+    bool operator==(const PictureSetup&) const = default;
+};
+
+/// The ranges of all that it holds, with the field's name in `where`.
+Result<void> check(const PictureSetup& setup);
+
+/// The one place that joins a look, a camera and a volume. `volume` is not null; `film`: pixels.
+Scene sceneOf(const PictureSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film);
+
+/// How its pictures are shown.
+Display displayOf(const PictureSetup& setup);
+
+/// Reads a setup from JSON text ("format": "pdrender-session"). `where` is used in error texts.
+Result<PictureSetup> setupFromJson(std::string_view json, std::string_view where);
+/// The text that setupFromJson() reads as an equal setup, to the bit. Pictures of surroundings are not written.
+std::string setupText(PictureSetup setup);
+
+}  // namespace pdr

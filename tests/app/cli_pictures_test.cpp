@@ -1,0 +1,246 @@
+#include <QtTest>
+
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+
+#include <algorithm>
+#include <csignal>
+#include <vector>
+
+#include "render/base/health.h"
+#include "tests/support/ball_scene.h"
+
+using pdr::test::BallScene;
+using pdr::test::ProgramRun;
+
+/// The pictures that the command line makes, and when it stops.
+class CliPicturesTest : public QObject {
+    Q_OBJECT
+
+    BallScene ball_;
+
+    QString at(const QString& name) const { return ball_.at(name); }
+    QString scene() const { return ball_.scene(); }
+
+    /// All pixels of an OpenEXR file, without its header: that one tells the seconds.
+    static std::vector<float> exrPixels(const QString& path) {
+        Imf::InputFile file(path.toUtf8().constData());
+        const Imath::Box2i box = file.header().dataWindow();
+        const int width = box.max.x + 1, height = box.max.y + 1;
+        std::vector<float> values(std::size_t(width) * std::size_t(height) * 6);
+        Imf::FrameBuffer frame;
+        float* next = values.data();
+        for (const char* channel : {"R", "G", "B", "error.R", "error.G", "error.B"})
+            frame.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(next++), 24, std::size_t(24 * width)));
+        file.setFrameBuffer(frame);
+        file.readPixels(0, height - 1);
+        return values;
+    }
+
+  private slots:
+    void everyModelMakesItsOwnPicture() {
+        QSet<QByteArray> pictures;
+        for (const char* model : {"absorption", "emission", "emissionAbsorption", "singleScattering",
+                                  "multipleScattering", "maximumIntensity"}) {
+            const ProgramRun result = BallScene::run({"render", scene(), "-o", at("m.png"), "--samples", "4", "--size", "30x30", "--preset",
+                                    "CT bone", "--model", model, "--json"});
+            QVERIFY2(result.code == 0, result.err.constData());
+            const QJsonObject health = QJsonDocument::fromJson(result.out).object()["health"].toObject();
+            QCOMPARE(health.size(), pdr::kFaults);
+            for (const QJsonValue& fault : health)
+                QCOMPARE(fault.toObject()["count"].toInt(-1), 0);
+            const QImage image = QImage(at("m.png")).convertToFormat(QImage::Format_RGB888);
+            pictures << QByteArray(reinterpret_cast<const char*>(image.constBits()), int(image.sizeInBytes()));
+        }
+        QCOMPARE(pictures.size(), 6);
+        QCOMPARE(BallScene::run({"render", scene(), "-o", at("m.png"), "--model", "shadows"}).code, 2);
+    }
+
+    void theBiasedEstimatorIsThereToBeComparedWith() {
+        const QStringList common{"render", scene(), "--samples", "4", "--size", "30x30", "--preset", "CT bone"};
+        QCOMPARE(BallScene::run(common + QStringList{"-o", at("u.png")}).code, 0);
+        const ProgramRun marched = BallScene::run(common + QStringList{"-o", at("k.png"), "--estimator", "kroesMarch"});
+        QVERIFY2(marched.code == 0, marched.err.constData());
+        QVERIFY(QImage(at("u.png")) != QImage(at("k.png")));
+        QCOMPARE(QImage(at("k.png")).text("pdrender/estimator"), QString("kroesMarch (biased)"));
+        QVERIFY(!QImage(at("u.png")).textKeys().contains("pdrender/estimator"));
+        const ProgramRun bounced = BallScene::run(common + QStringList{"-o", at("k.png"), "--estimator", "kroesMarch", "--model",
+                                                     "multipleScattering"});
+        QCOMPARE(bounced.code, 1);
+        QVERIFY(bounced.err.contains("one event"));
+        QCOMPARE(BallScene::run(common + QStringList{"-o", at("k.png"), "--estimator", "fast"}).code, 2);
+        QCOMPARE(BallScene::run({"replay", scene(), "--pixel", "1,1", "--estimator", "kroesMarch"}).code, 1);
+    }
+
+    void aLensIsFocusedOnWhatAPixelShows() {
+        QCOMPARE(BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset", "CT bone", "--aperture", "10",
+                      "--focus", "32,24"}).code, 0);
+        const ProgramRun nothing = BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset", "CT bone",
+                                 "--aperture", "10", "--focus", "0,0"});
+        QCOMPARE(nothing.code, 1);
+        QVERIFY(nothing.err.contains("nothing to focus on under pixel 0,0"));
+        const ProgramRun outside = BallScene::run({"render", scene(), "-o", at("l.png"), "--aperture", "10", "--focus", "5000,1"});
+        QCOMPARE(outside.code, 1);
+        QVERIFY2(outside.err.contains("outside the picture of 48 x 40"), outside.err.constData());
+    }
+
+    void surroundingsAreReadFromOpenExr() {
+        QVERIFY(BallScene::run({"render", scene(), "-o", at("sky.exr"), "--samples", "2", "--preset", "CT bone"}).code == 0);
+        QFile file(scene());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
+        document["lights"] = QJsonArray{QJsonObject{{"type", "environment"}, {"image", at("sky.exr")}, {"radiance", 3}}};
+        const auto write = [&](const QString& name) {
+            QFile out(at(name));
+            return out.open(QIODevice::WriteOnly) && out.write(QJsonDocument(document).toJson()) > 0;
+        };
+        QVERIFY(write("lit.json"));
+        const ProgramRun lit = BallScene::run({"render", at("lit.json"), "-o", at("lit.png"), "--samples", "2"});
+        QVERIFY2(lit.code == 0, lit.err.constData());
+        document["lights"] = QJsonArray{QJsonObject{{"type", "environment"}, {"image", at("missing.exr")}}};
+        QVERIFY(write("unlit.json"));
+        const ProgramRun missing = BallScene::run({"render", at("unlit.json"), "-o", at("lit.png"), "--samples", "2"});
+        QCOMPARE(missing.code, 1);
+        QVERIFY(missing.err.contains("missing.exr") && missing.err.contains("lights[0].image"));
+    }
+
+    void theErrorStopsAndDoesNotDependOnTheClock() {
+        QStringList samples;
+        for (int i = 0; i < 2; ++i) {
+            const ProgramRun result = BallScene::run({"render", scene(), "-o", at("e.png"), "--error", "0.05", "--json"});
+            const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
+            QCOMPARE(facts["stoppedBy"].toString(), QString("error"));
+            QVERIFY(facts["relativeError"].toDouble() <= 0.05);
+            samples << QString::number(facts["samplesPerPixel"].toInt());
+        }
+        QCOMPARE(samples[0], samples[1]);
+    }
+
+    /// Thick fog before a panel: of the first samples none brings light. That is no picture without noise.
+    void aPictureThatHasSeenNoLightYetIsNotDone() {
+        BallScene::write(at("fog.raw"), QByteArray(2 * 48 * 16 * 48, 1));
+        BallScene::write(at("backlit.json"), R"({ "format": "pdrender-scene", "version": 1, "model": "multipleScattering",
+            "volume": { "raw": "fog.raw", "size": [48, 16, 48], "spacingMm": [1, 1, 1] },
+            "transferFunction": { "extinctionPerMm": 6, "nodes": [ { "hu": 0, "opacity": 1, "albedo": 0.95 } ] },
+            "lights": [ { "type": "rectangle", "centreMm": [24, 60, 24], "normal": [0, -1, 0], "up": [0, 0, 1],
+                          "widthMm": 40, "heightMm": 40, "radiance": 1000 } ],
+            "camera": { "eyeMm": [24, -80, 24], "targetMm": [24, 8, 24], "fovDegrees": 5 },
+            "film": { "width": 8, "height": 8 } })");
+        for (const char* seed : {"1", "2", "3", "4", "5", "6"}) {
+            const ProgramRun result = BallScene::run({"render", at("backlit.json"), "-o", at("fog.png"), "--error", "0.05", "--samples",
+                                    "80", "--seed", seed, "--json"});
+            const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
+            QCOMPARE(facts["stoppedBy"].toString(), QString("samples"));
+            QVERIFY(facts["relativeError"].isNull() || facts["relativeError"].toDouble() > 1);
+            if (facts["relativeError"].isNull()) {
+                QCOMPARE(facts["unseenShare"].toDouble(), 3 / (80.0 * 64));
+                QCOMPARE(QImage(at("fog.png")).text("pdrender/relativeError"), QString("unknown"));
+            }
+        }
+        const ProgramRun told = BallScene::run({"render", at("backlit.json"), "-o", at("fog.png"), "--samples", "16"});
+        QVERIFY2(told.out.contains("no light was seen so far. At most 1 in 341 samples brings some."), told.out);
+        // Without a light there is nothing to wait for, and no part for chance.
+        QByteArray dark = BallScene::contents(at("backlit.json"));
+        dark.replace("1000 }", "0 }");
+        BallScene::write(at("dark.json"), dark);
+        const ProgramRun black = BallScene::run({"render", at("dark.json"), "-o", at("fog.png"), "--error", "0.05", "--json"});
+        const QJsonObject facts = QJsonDocument::fromJson(black.out).object();
+        QCOMPARE(facts["stoppedBy"].toString(), QString("error"));
+        QCOMPARE(facts["samplesPerPixel"].toInt(), 64);
+        QCOMPARE(facts["relativeError"].toDouble(-1), 0.0);
+    }
+
+    /// Empty ground beside the tissue says nothing about the tissue.
+    void theErrorIsThatOfTheTissue() {
+        const auto facts = [&](const char* size) {
+            const ProgramRun result = BallScene::run({"render", scene(), "-o", at("w.png"), "--samples", "64", "--size", size, "--json"});
+            return QJsonDocument::fromJson(result.out).object();
+        };
+        const QJsonObject square = facts("40x40"), wide = facts("400x40");
+        QVERIFY(std::fabs(wide["relativeError"].toDouble() / square["relativeError"].toDouble() - 1) < 0.05);
+        QVERIFY(std::fabs(wide["displayError"].toDouble() / square["displayError"].toDouble() - 1) < 0.05);
+        QVERIFY(std::abs(wide["tissuePixels"].toInt() - square["tissuePixels"].toInt()) < 20);
+    }
+
+    void grayLevelsStop() {
+        const ProgramRun result = BallScene::run({"render", scene(), "-o", at("e.png"), "--levels", "16", "--json"});
+        const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
+        QCOMPARE(facts["stoppedBy"].toString(), QString("levels"));
+        QVERIFY(facts["displayError"].toDouble(-1) > 8 && facts["displayError"].toDouble() <= 16);
+        const ProgramRun early = BallScene::run({"render", scene(), "-o", at("e.png"), "--samples", "31", "--json"});
+        QVERIFY(QJsonDocument::fromJson(early.out).object()["displayError"].isNull());
+    }
+
+    /// Before hours are spent, not after: the address space is what a picture of 16384 x 16384 may not have.
+    void aPictureThatDoesNotFitIsRefused() {
+        QProcess process;
+        process.start("/bin/sh", {"-c", QString("ulimit -v 8000000; exec \"$0\" render \"$1\" -o \"$2\" --size "
+                                                "16384x16384 --threads 2 --samples 1"),
+                                  PDR_BINARY_DIR "/bin/pdrender-cli", scene(), at("huge.png")});
+        QVERIFY(process.waitForFinished(pdr::test::kPatience));
+        const QByteArray said = process.readAllStandardError();
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY2(said.contains("16384 x 16384 pixels needs 78.4 GB of memory") && said.contains("are free"), said);
+        QVERIFY(!QFile::exists(at("huge.png")));
+    }
+
+    void theClockStops() {
+        const ProgramRun result = BallScene::run({"render", scene(), "-o", at("t.png"), "--seconds", "0.3", "--json"});
+        const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
+        QCOMPARE(facts["stoppedBy"].toString(), QString("seconds"));
+        QVERIFY(facts["seconds"].toDouble() < 5);
+    }
+
+    void thePictureIsTheSameOnAnyNumberOfThreads() {
+        std::vector<std::vector<float>> pictures;
+        for (const char* threads : {"1", "2", "4"}) {
+            const QString name = at(QString("threads%1").arg(threads));
+            const ProgramRun result = BallScene::run(
+                {"render", scene(), "-o", name + ".png", "-o", name + ".exr", "--samples", "70", "--threads", threads});
+            QVERIFY2(result.code == 0, result.err.constData());
+            pictures.push_back(exrPixels(name + ".exr"));
+        }
+        QVERIFY(*std::max_element(pictures[0].begin(), pictures[0].end()) > 0);
+        QVERIFY(pictures[1] == pictures[0]);
+        QVERIFY(pictures[2] == pictures[0]);
+    }
+
+    void ctrlCWritesWhatIsThere() {
+        QProcess process;
+        process.start(PDR_BINARY_DIR "/bin/pdrender-cli", {"render", scene(), "-o", at("c.png"), "--seconds", "100", "--json"});
+        process.setReadChannel(QProcess::StandardError);
+        QByteArray said;
+        while (!said.contains("rendering") && process.waitForReadyRead(pdr::test::kPatience))
+            said += process.readAllStandardError();
+        ::kill(pid_t(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(pdr::test::kPatience));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 1);
+        const QJsonObject facts = QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+        QCOMPARE(facts["stoppedBy"].toString(), QString("interrupted"));
+        QCOMPARE(QImage(at("c.png")).text("pdrender/samplesPerPixel"),
+                 QString::number(facts["samplesPerPixel"].toInt()));
+    }
+
+    void aDicomFolderBecomesAPicture() {
+        const ProgramRun example = BallScene::run({"example", at("phantom")});
+        QVERIFY2(example.code == 0, example.err.constData());
+        const ProgramRun result = BallScene::run({"render", at("phantom"), "-o", at("p.png"), "--size", "64x64", "--samples", "8"});
+        QVERIFY2(result.code == 0, result.err.constData());
+        QVERIFY(qGreen(QImage(at("p.png")).pixel(32, 32)) > 10);
+        QCOMPARE(BallScene::run({"render", at("phantom"), "-o", at("p.png"), "--series", "1.2.3"}).code, 1);
+    }
+
+    void nothingIsLeftBehind() {
+        QVERIFY(QDir(ball_.path()).entryList({"*.part"}, QDir::Files | QDir::Hidden).isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(CliPicturesTest)
+#include "cli_pictures_test.moc"

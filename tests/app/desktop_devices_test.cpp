@@ -1,0 +1,139 @@
+/// The desktop and what makes its pictures: devices, and what they are compared with.
+
+#include <QImage>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+
+#include "tests/support/desktop_trial.h"
+#include "tests/support/failing_device.h"
+#include "tests/support/patience.h"
+#include "tests/support/phantom_series.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+static const QComboBox* device(Trial& trial) {
+    for (const QComboBox* box : trial.desktop.window().rendering().findChildren<QComboBox*>())
+        if (box->accessibleName() == "Device")
+            return box;
+    return nullptr;
+}
+
+static QString statusText(Trial& trial) {
+    return trial.desktop.window().status().findChild<QLabel*>()->text();
+}
+
+class TestDesktopDevices : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void aDeviceThatFailsIsSaidAndThePictureGoesOn();
+    void aDeviceThatIsNotThereIsSaidAndThePictureGoesOn();
+    void anotherDeviceGoesOnFromTheSamples();
+    void theStatusSaysWhatThePictureIsMadeBy();
+    void aComparisonIsSaidPlainly();
+    void theDeviceAndThePaceAreKept();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+void TestDesktopDevices::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_), "Head of a phantom");
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+void TestDesktopDevices::aDeviceThatFailsIsSaidAndThePictureGoesOn() {
+    auto mishaps = std::make_shared<test::Mishaps>();
+    Trial trial(test::failing(mishaps));
+    QCOMPARE(device(trial)->currentData().toString(), "failing");
+    trial.openAndWait(series_);
+    QVERIFY(trial.desktop.window().message().isHidden());
+    mishaps->gone = true;
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->device == "cpu", test::kPatience);
+    const QString text = trial.desktop.window().message().text();
+    QVERIFY2(text.contains("the device is lost") && text.contains("goes on on the CPU."), qPrintable(text));
+    QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu", test::kPatience);
+    const std::size_t frames = trial.frames.size();
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
+}
+
+void TestDesktopDevices::aDeviceThatIsNotThereIsSaidAndThePictureGoesOn() {
+    Trial trial;
+    trial.openAndWait(series_);
+    trial.desktop.window().rendering().setDevices({"cpu", "abacus"}, {"CPU", "abacus"});
+    trial.desktop.window().rendering().setDevice("abacus");
+    emit trial.desktop.window().rendering().deviceChosen("abacus");
+    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("abacus"), test::kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu", test::kPatience);  // what is really in use
+    const std::size_t frames = trial.frames.size();
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
+}
+
+void TestDesktopDevices::anotherDeviceGoesOnFromTheSamples() {
+    Trial trial(test::failing(std::make_shared<test::Mishaps>()));
+    trial.openAndWait(series_);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= 3, test::kPatience);
+    emit trial.desktop.window().rendering().deviceChosen("cpu");
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->device == "cpu", test::kPatience);
+    const auto first = std::find_if(trial.frames.begin(), trial.frames.end(),
+                                    [](const auto& frame) { return frame->device == "cpu"; });
+    QVERIFY((*first)->status.samplesPerPixel > (*(first - 1))->status.samplesPerPixel);
+    QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu", test::kPatience);
+}
+
+void TestDesktopDevices::theStatusSaysWhatThePictureIsMadeBy() {
+    Trial trial;
+    trial.openAndWait(series_);
+    QTRY_VERIFY_WITH_TIMEOUT(statusText(trial).contains("per frame on the CPU, efficiency "), test::kPatience);
+    QVERIFY(!statusText(trial).contains("comparison"));
+}
+
+void TestDesktopDevices::aComparisonIsSaidPlainly() {
+    Trial trial;
+    trial.openAndWait(series_);
+    ui::RenderPanel& panel = trial.desktop.window().rendering();
+    Document& document = trial.desktop.parts().document;
+    emit panel.estimatorChosen(Estimator::kroesMarch);
+    QVERIFY(document.scene().estimator == Estimator::kroesMarch);
+    trial.waitForNewest();
+    QVERIFY2(statusText(trial).startsWith("comparison: march of 3 voxels, biased, "), qPrintable(statusText(trial)));
+    QTest::keyClick(&trial.desktop.window(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.scene().estimator == Estimator::unbiased);
+    trial.waitForNewest();
+    QVERIFY(!statusText(trial).contains("comparison"));
+
+    emit panel.scheduleChosen({.kind = Schedule::Kind::kroes});
+    QTRY_VERIFY_WITH_TIMEOUT(statusText(trial).startsWith("comparison: Exposure Render's schedule K1, blurred, "),
+                             test::kPatience);
+    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    emit trial.desktop.window().saveRequested(trial.folder.filePath("picture.png"));
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
+    QCOMPARE(QImage(trial.folder.filePath("picture.png")).text("pdrender/schedule"), "Exposure Render's K1, blurred");
+}
+
+void TestDesktopDevices::theDeviceAndThePaceAreKept() {
+    const QTemporaryDir kept;
+    const QString file = kept.filePath("settings.ini");
+    {
+        Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
+        QCOMPARE(Settings(file).device(), "auto");
+        QVERIFY(desktop.window().rendering().pace() == FrameBudget{.automatic = true});
+        emit desktop.window().rendering().deviceChosen("cpu");
+        emit desktop.window().rendering().paceChosen({false, 12, 3.5});
+    }
+    Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
+    QCOMPARE(Settings(file).device(), "cpu");
+    QVERIFY((desktop.window().rendering().pace() == FrameBudget{false, 12, 3.5}));
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestDesktopDevices)
+#include "desktop_devices_test.moc"

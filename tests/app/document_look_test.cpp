@@ -1,0 +1,105 @@
+/// Looks in the document: presets, the user's own, and where their lights stand.
+
+#include <QTest>
+
+#include "render/scene/orbit.h"
+#include "tests/support/told_document.h"
+
+namespace pdr::app {
+
+class TestDocumentLook : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void undoOfAPresetBringsItsLookBack();
+    void theLightsFollowTheCamera();
+    void theLightsOfAPatientStay();
+    void anEditedLookSurvivesTheNextOrbit();
+    void aChangedLookIsNotCalledAsThePreset();
+    void aDragOfTheLookIsOneStep();
+};
+
+void TestDocumentLook::undoOfAPresetBringsItsLookBack() {
+    Told told;
+    told.document.setBrightness(1);
+    told.document.setPreset(1);
+    QCOMPARE(told.displays.back().exposure, 8.f);
+    QCOMPARE(told.scenes.back().phaseG, 0.5f);
+    told.document.undo();
+    QCOMPARE(told.document.preset(), 0);
+    QCOMPARE(told.document.setup().stops, 1.0);
+    QCOMPARE(told.displays.back().exposure, 1.f);
+    QVERIFY(told.scenes.back().transferFunction == twoPresets()[0].look.transferFunction);
+}
+
+void TestDocumentLook::theLightsFollowTheCamera() {
+    Told told;
+    told.document.setView(StandardView::left);
+    QVERIFY(!told.scenes[0].lights.empty());
+    QVERIFY(told.scenes[1].lights != told.scenes[0].lights);
+    told.document.undo();
+    QVERIFY(told.scenes[2].lights == told.scenes[0].lights);
+}
+
+void TestDocumentLook::theLightsOfAPatientStay() {
+    Told told;
+    Look look = told.document.setup().look;
+    look.rig.follows = LightRig::Follows::patient;
+    told.document.setLook(look);
+    QVERIFY(told.scenes[1].lights == told.scenes[0].lights);  // from the front they stand where they did
+    told.document.setView(StandardView::left);
+    QVERIFY(told.scenes[2].lights == told.scenes[0].lights);
+}
+
+void TestDocumentLook::anEditedLookSurvivesTheNextOrbit() {
+    Told told;
+    Look look = told.document.setup().look;
+    look.rig.key = 7;
+    look.transferFunction.nodes[1].opacity = 0.25f;
+    look.environment.radiance = vec3(0.5f, 0.25f, 0.125f);
+    told.document.setLook(look);
+    told.document.setCamera(orbited(told.document.scene().camera, {0.3, 0.1}), false);
+    const Scene& scene = told.scenes.back();
+    QVERIFY(told.document.setup().look == look);
+    QVERIFY(scene.transferFunction == look.transferFunction && scene.environment == look.environment);
+    QVERIFY(scene.lights == panelsOf(look.rig, scene.volume->geometry(), scene.camera));
+    told.document.undo();
+    told.document.undo();
+    QVERIFY(told.document.setup().look == twoPresets()[0].look);
+}
+
+void TestDocumentLook::aChangedLookIsNotCalledAsThePreset() {
+    Told told;
+    QCOMPARE(told.scenes.back().lookName, std::string("first"));
+    QCOMPARE(told.document.preset(), 0);
+    Look look = told.document.setup().look;
+    for (int i = 1; i <= 2; ++i) {
+        look.rig.fill = float(i);
+        told.document.setLook(look);
+        QCOMPARE(told.scenes.back().lookName, std::string("first (changed)"));
+        QCOMPARE(told.document.preset(), -1);
+    }
+    told.document.setLook(twoPresets()[1].look);
+    QCOMPARE(told.scenes.back().lookName, std::string("second"));
+    QCOMPARE(told.document.preset(), 1);
+}
+
+void TestDocumentLook::aDragOfTheLookIsOneStep() {
+    Told told;
+    Look look = told.document.setup().look;
+    for (int i = 1; i <= 10; ++i) {
+        look.rig.rim = 0.1f * float(i);
+        told.document.setLook(look, true);
+    }
+    QVERIFY(told.lastMoves);
+    told.document.setLook(look, false);  // let go
+    QVERIFY(!told.lastMoves);
+    told.document.undo();
+    QVERIFY(told.document.setup().look == twoPresets()[0].look);
+    QVERIFY(!told.document.canUndo());
+}
+
+}  // namespace pdr::app
+
+QTEST_GUILESS_MAIN(pdr::app::TestDocumentLook)
+#include "document_look_test.moc"

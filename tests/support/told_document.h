@@ -1,0 +1,46 @@
+#pragma once
+/// A document with a volume, and what it told.
+
+#include <memory>
+#include <vector>
+
+#include "app/document.h"
+
+namespace pdr::app {
+
+inline std::vector<Preset> twoPresets() {
+    std::vector<Preset> presets(2);
+    presets[0].name = "first";
+    presets[0].look.transferFunction.nodes = {{0, 0}, {300, 1}};
+    presets[0].look.display.exposure = 2;
+    presets[1].name = "second";
+    presets[1].look.transferFunction.nodes = {{-500, 0.5f}};
+    presets[1].look.phaseG = 0.5f;
+    presets[1].look.display.exposure = 8;
+    return presets;
+}
+
+inline std::shared_ptr<const Volume> cube() {
+    return std::make_shared<const Volume>(VolumeGeometry::aligned({4, 4, 4}, {10, 10, 10}, {-15, 85, 185}),
+                                          std::vector<std::int16_t>(64, 100));
+}
+
+struct Told {
+    Told() : document(twoPresets()) {
+        QObject::connect(&document, &Document::sceneChanged, [this](const Scene& scene, bool moving) {
+            scenes.push_back(scene);
+            lastMoves = moving;
+        });
+        QObject::connect(&document, &Document::displayChanged,
+                         [this](const Display& display) { displays.push_back(display); });
+        document.setViewSize({400, 200});
+        document.open(cube());
+    }
+
+    Document document;
+    std::vector<Scene> scenes;
+    std::vector<Display> displays;
+    bool lastMoves = false;
+};
+
+}  // namespace pdr::app
