@@ -40,8 +40,8 @@ class Document : public QObject {
     void open(std::shared_ptr<const pdr::Volume> volume);
     /// Shows nothing.
     void close();
-    /// One gesture of the user (moving, ..., moving, at rest) is one step to undo. One that ends where it began makes no
-    /// other scene.
+    /// One gesture of the user (moving, ..., moving, at rest) is one step to undo. One that ends where it began makes
+    /// no other scene.
     void setCamera(const pdr::Camera& camera, bool moving);
     void setView(pdr::StandardView view);
     void setPreset(int index);

@@ -49,8 +49,8 @@ class ImportJob : public QObject {
   protected:
     /// Returns what is to be called with its result.
     using Work = std::function<std::function<void()>(const Progress&)>;
-    /// Runs `work` on the thread; what it returns is called back here, unless a newer job has begun. What it throws, and
-    /// a thread that the system does not give, end with failed().
+    /// Runs `work` on the thread; what it returns is called back here, unless a newer job has begun. What it throws,
+    /// and a thread that the system does not give, end with failed().
     void start(Work work);
 
     QThread& thread() { return thread_; }

@@ -2,6 +2,7 @@
 
 #include "render/base/version.h"
 #include "render/prepare/warnings.h"
+#include "render/scene/scene.h"
 
 namespace pdr::app {
 

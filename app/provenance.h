@@ -4,7 +4,11 @@
 #include <string>
 
 #include "render/film/image_file.h"
-#include "render/scene/scene.h"
+#include "render/scene/schedule.h"
+
+namespace pdr {
+struct Scene;
+}
 
 namespace pdr::app {
 

@@ -5,6 +5,7 @@
 #include "app/provenance.h"
 #include "render/device/device_list.h"
 #include "render/film/image_file.h"
+#include "render/scene/scene.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {

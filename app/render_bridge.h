@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "render/scene/scene.h"
 #include "render/session/session.h"
 
 namespace pdr::app {

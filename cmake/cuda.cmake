@@ -1,5 +1,5 @@
-# Sets PDR_HAS_CUDA and, where it is on, enables CUDA. Builds for the GPU that is here; where there is none, for the oldest
-# architecture that the compiler knows, which newer drivers translate. The preset cuda-release names them all.
+# Sets PDR_HAS_CUDA and, where it is on, enables CUDA. Builds for the GPU that is here; where there is none, for the
+# oldest architecture that the compiler knows, which newer drivers translate. The preset cuda-release names them all.
 set(PDR_HAS_CUDA OFF)
 if(PDR_CUDA STREQUAL "off")
   return()
@@ -7,7 +7,8 @@ endif()
 find_program(PDR_NVCC nvcc HINTS /usr/local/cuda/bin ENV CUDA_PATH PATH_SUFFIXES bin)
 if(NOT PDR_NVCC)
   if(PDR_CUDA STREQUAL "on")
-    message(FATAL_ERROR "PDR_CUDA is on, but no CUDA compiler (nvcc) was found. Install the CUDA Toolkit or put nvcc on the PATH.")
+    message(FATAL_ERROR "PDR_CUDA is on, but no CUDA compiler (nvcc) was found. "
+                        "Install the CUDA Toolkit or put nvcc on the PATH.")
   endif()
   message(STATUS "CUDA: no compiler (nvcc) found; pictures are rendered by the CPU")
   return()

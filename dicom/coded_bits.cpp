@@ -74,7 +74,7 @@ int HuffmanDecoder::take(CodedBits& bits) const {
         const int code = int(ahead >> (16 - length)) - firstCode_[length];
         if (code >= 0 && code < counts_[length]) {
             bits.take(length);
-            return symbols_[std::size_t(firstSymbol_[length] + code)];
+            return symbols_[std::size_t(firstSymbol_[length]) + std::size_t(code)];
         }
     }
     return -1;

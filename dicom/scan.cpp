@@ -30,7 +30,7 @@ std::optional<Error> refuseFolder(const fs::path& folder) {
                      "Ask its owner for permission to read."};
     if (status.type() != fs::file_type::directory)
         return Error{"this is a file, not a folder", folder.string(), "Give the folder that holds the DICOM files."};
-    fs::directory_iterator(folder, failure);
+    const fs::directory_iterator opened(folder, failure);
     if (failure)
         return Error{"the folder cannot be read (" + failure.message() + ")", folder.string(),
                      "Ask its owner for permission to read."};

@@ -99,8 +99,9 @@ std::string gapReason(const SortedStack& stack) {
 }
 
 std::string withGaps(std::string reason, const SortedStack& stack) {
-    const std::string gaps = gapReason(stack);
-    return gaps.empty() ? reason : reason + "; besides, " + gaps;
+    if (const std::string gaps = gapReason(stack); !gaps.empty())
+        reason += "; besides, " + gaps;
+    return reason;
 }
 
 }  // namespace

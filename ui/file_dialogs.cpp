@@ -33,8 +33,8 @@ class KeptPlaces {
     QSettings settings_{QSettings::UserScope, "QtProject"};
 };
 
-/// Qt's own dialog, since what a desktop's keeps is out of our hands. It writes its settings when it dies: by then it has
-/// nothing to tell, and what was there before comes back after it.
+/// Qt's own dialog, since what a desktop's keeps is out of our hands. It writes its settings when it dies: by then it
+/// has nothing to tell, and what was there before comes back after it.
 class ForgetfulDialog : KeptPlaces, public QFileDialog {
   public:
     ForgetfulDialog(QWidget* parent, const QString& title) : QFileDialog(parent, title) {

@@ -11,8 +11,8 @@ namespace pdr::ui {
 /// Asks for a folder, beginning in `start`; empty: the user cancelled.
 QString askForFolder(QWidget* parent, const QString& start);
 
-/// Asks for a file to save the picture in, ".png" or ".exr"; empty: the user cancelled, or `save` was disabled meanwhile:
-/// a name that was thought of for one patient must not go to the next.
+/// Asks for a file to save the picture in, ".png" or ".exr"; empty: the user cancelled, or `save` was disabled
+/// meanwhile: a name that was thought of for one patient must not go to the next.
 QString askForPictureFile(QWidget* parent, const QAction& save);
 
 }  // namespace pdr::ui

@@ -9,7 +9,8 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "render/scene/scene.h"
+#include "render/scene/model.h"
+#include "render/scene/schedule.h"
 #include "render/timing/frame_budget.h"
 
 namespace pdr::ui {

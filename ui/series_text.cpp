@@ -48,7 +48,7 @@ const char* stackWord(dicom::Stack stack) {
 }  // namespace
 
 QString seriesTitle(const dicom::Series& series) {
-    const QString own = QString::fromStdString(series.series.description).trimmed();
+    QString own = QString::fromStdString(series.series.description).trimmed();
     if (!own.isEmpty())
         return own;
     const QString study = QString::fromStdString(series.study.description).trimmed();

@@ -10,6 +10,7 @@
 #include "app/bench/options.h"
 #include "render/device/device.h"
 #include "render/film/film.h"
+#include "render/scene/scene.h"
 
 namespace pdr::bench {
 

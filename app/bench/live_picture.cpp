@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "render/scene/scene.h"
+
 namespace pdr::bench {
 
 Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads) {

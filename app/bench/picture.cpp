@@ -8,6 +8,7 @@
 #include "app/bench/options.h"
 #include "app/bench/pfm.h"
 #include "render/film/film.h"
+#include "render/scene/scene.h"
 
 namespace pdr::bench {
 

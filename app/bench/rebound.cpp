@@ -14,6 +14,7 @@
 #include "app/bench/options.h"
 #include "render/device/device_list.h"
 #include "render/prepare/flatten.h"
+#include "render/scene/scene.h"
 #include "render/volume/phantom.h"
 
 namespace pdr::bench {
@@ -120,7 +121,8 @@ int rebound(const Arguments& arguments) {
     Edits first;
     first.scene.volume = std::make_shared<Volume>(headPhantom(ivec3(*size), dvec3(250.0 / *size), 1));
     const VolumeGeometry& head = first.scene.volume->geometry();
-    first.scene.camera = standardView(StandardView::anterior, head.centreMm(), head.radiusMm(), double(*width) / *height);
+    first.scene.camera =
+        standardView(StandardView::anterior, head.centreMm(), head.radiusMm(), double(*width) / *height);
     first.scene.environment = {vec3(1), false};
     first.scene.film = {*width, *height};
     const bool onHost = (*device)->info().hostMemory;

@@ -6,6 +6,7 @@
 #include "app/cli/effects_report.h"
 #include "app/cli/render_options.h"
 #include "app/cli/run_command.h"
+#include "render/scene/scene.h"
 
 namespace pdr::app {
 namespace {
@@ -20,11 +21,10 @@ bool canBeTried(const Effect& effect) {
     return effect.needed && effect.leaveOut != nullptr;
 }
 
-Result<std::vector<TriedEffect>> triedEffects(const LoadedScene& loaded, Device& device,
-                                              double secondsEach) {
+Result<std::vector<TriedEffect>> triedEffects(const LoadedScene& loaded, Device& device, double secondsEach) {
     std::vector<TriedEffect> all;
     for (Effect& effect : needs(loaded.scene)) {
-        TriedEffect& tried = all.emplace_back(std::move(effect));
+        TriedEffect& tried = all.emplace_back(TriedEffect{std::move(effect)});
         if (!canBeTried(tried.effect))
             continue;
         const auto trial = tryEffect(tried.effect, loaded.scene, loaded.display, device, secondsEach);
@@ -65,8 +65,8 @@ Result<EffectsReport> listEffects(const EffectsOptions& options) {
     const std::vector<Effect> effects = needs(loaded->scene);
     const auto tried = std::max<std::ptrdiff_t>(1, std::ranges::count_if(effects, canBeTried));
     const double secondsEach = kEffectSeconds / double(tried);
-    const auto film = trialFilm(loaded->scene, *device, kLongestSide,
-                                secondsEach / (2 * kBandMeasurements * kWantedIterations));
+    const auto film =
+        trialFilm(loaded->scene, *device, kLongestSide, secondsEach / (2 * kBandMeasurements * kWantedIterations));
     if (!film)
         return film.error();
     loaded->scene.film = *film;

@@ -55,11 +55,11 @@ void describeRender(QCommandLineParser& parser) {
         {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
         {"seconds", "Stop after T seconds of rendering.", "T"},
         {"levels", "Stop when 95 % of the tissue is within L of 255 grey levels of the finished picture, such as 8.",
-          "L"},
+         "L"},
         {"error",
-          "Stop when the standard error of the tissue is E of its mean brightness, such as 0.05 or 5%; half of it takes four "
-          "times as long.",
-          "E"},
+         "Stop when the standard error of the tissue is E of its mean brightness, such as 0.05 or 5%; half of it takes "
+         "four times as long.",
+         "E"},
         {"device", "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ...",
          "NAME", "auto"},
         {"json", "Print samples, seconds, samples per second and error as JSON."},

@@ -7,6 +7,7 @@
 #include "render/device/cpu/replay.h"
 #include "render/film/health_text.h"
 #include "render/prepare/flatten.h"
+#include "render/scene/scene.h"
 
 namespace pdr::app {
 namespace {

@@ -8,6 +8,7 @@
 #include "render/film/film.h"
 #include "render/kernel/random.h"
 #include "render/kernel/transport/phase.h"
+#include "render/scene/scene.h"
 
 namespace pdr::selftest {
 

@@ -115,7 +115,7 @@ Matter ramp(const CaseScene& scene) {
 /// HU change by the same from voxel to voxel all through, so every event near the border meets the same gradient.
 Matter surface(const CaseScene& scene) {
     const double thickness = extentMm(scene), layer = thickness / kSurfaceLayers;
-    const double side = thickness * kSlabWidth / kSlabLayers, border = kSurfaceHu / 2;
+    const double side = thickness * kSlabWidth / kSlabLayers, border = kSurfaceHu / 2.0;
     Matter matter;
     matter.volume = makeVolume({kSlabLayers, kSlabLayers, 2 * kSurfaceLayers}, {side, side, layer},
                                [](int, int, int k) { return kSurfaceHu * (kSurfaceLayers - k); });

@@ -7,8 +7,8 @@
 namespace pdr::selftest {
 
 /// The scene of a case, its film included. Right but for `geometryBias`, and for what gets lost through the sides of a
-/// slab, 10,000 thicknesses away: a segment must lie within 1e-4 of the horizontal to reach them, and exp(-10,000 depth) of
-/// the light survives it; diffusing there takes exp(-10,000 pi). Below 1e-8 in every case.
+/// slab, 10,000 thicknesses away: a segment must lie within 1e-4 of the horizontal to reach them, and exp(-10,000
+/// depth) of the light survives it; diffusing there takes exp(-10,000 pi). Below 1e-8 in every case.
 Scene sceneOf(const Case& reference);
 
 /// For freeFlights: the same scene, in which a first collision in bin `bin` of kFlightBins shines with radiance 1, and

@@ -5,6 +5,7 @@
 #include "render/device/cpu/cpu_accumulator.h"
 #include "render/device/device.h"
 #include "render/device/emulated/host_gpu.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 
@@ -29,10 +30,10 @@ class CpuDevice final : public Device {
     }
 
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
-                                           const Schedule& schedule) override {
+                                              const Schedule& schedule) override {
         if (schedule.kind == Schedule::Kind::kroes)
             return KroesAccumulator<HostGpu>::make(gpu_, area, revision, schedule,
-                                            std::make_unique<CpuFrameSampler>(tracer_, gpu_, scene_));
+                                                   std::make_unique<CpuFrameSampler>(tracer_, gpu_, scene_));
         return std::unique_ptr<Accumulator>(std::make_unique<CpuAccumulator>(tracer_, scene_, area, revision));
     }
 

@@ -1,5 +1,7 @@
 #include "render/device/device.h"
 
+#include "render/scene/scene.h"
+
 namespace pdr {
 
 Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene) {

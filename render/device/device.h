@@ -7,10 +7,11 @@
 #include "render/base/result.h"
 #include "render/base/tile.h"
 #include "render/device/accumulator.h"
-#include "render/scene/scene.h"
 #include "render/scene/schedule.h"
 
 namespace pdr {
+
+struct Scene;
 
 struct DeviceInfo {
     std::string name;           ///< "cpu"
@@ -32,7 +33,7 @@ class Device {
     /// An empty film for pictures of the uploaded scenes, or for the part `area` of them; it must not outlive the
     /// device. Errors: no room for it.
     virtual Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
-                                                   const Schedule& schedule) = 0;
+                                                      const Schedule& schedule) = 0;
     /// For whole pictures of that size.
     Result<std::unique_ptr<Accumulator>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) {
         return film(wholeImage(size), revision, schedule);

@@ -29,7 +29,8 @@ class GpuDevice final : public Device {
         return scene_.close();
     }
     using Device::film;
-    Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision, const Schedule& schedule) override;
+    Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
+                                              const Schedule& schedule) override;
 
     G& gpu() { return gpu_; }
 
@@ -42,9 +43,10 @@ class GpuDevice final : public Device {
 
 template <Gpu G>
 Result<std::unique_ptr<Accumulator>> GpuDevice<G>::film(const Tile& area, std::uint64_t revision,
-                                                     const Schedule& schedule) {
+                                                        const Schedule& schedule) {
     if (schedule.kind == Schedule::Kind::kroes)
-        return KroesAccumulator<G>::make(gpu_, area, revision, schedule, std::make_unique<GpuFrameSampler<G>>(gpu_, scene_));
+        return KroesAccumulator<G>::make(gpu_, area, revision, schedule,
+                                         std::make_unique<GpuFrameSampler<G>>(gpu_, scene_));
     auto film = std::make_unique<GpuAccumulator<G>>(gpu_, scene_);
     if (Result<void> room = film->restart(area, revision); !room)
         return room.error();

@@ -15,7 +15,9 @@ namespace pdr {
 namespace {
 
 bool sameBits(const dvec3& a, const dvec3& b) {
-    const auto same = [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); };
+    const auto same = [](double x, double y) {
+        return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+    };
     return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
 
@@ -122,7 +124,8 @@ Result<void> Film::check(const TileResult& result) const {
     };
     if (result.revision != revision_)
         return refused("it is of another scene");
-    const std::size_t pixels = std::size_t(std::max(result.tile.width, 0)) * std::size_t(std::max(result.tile.height, 0));
+    const std::size_t pixels =
+        std::size_t(std::max(result.tile.width, 0)) * std::size_t(std::max(result.tile.height, 0));
     if (pixels == 0 || !progress_.isWholeCells(result.tile) || result.sums.size() != pixels)
         return refused("no such tile is asked for");
     const std::vector<EvenTile> here = progress_.evenTiles(result.tile);

@@ -42,7 +42,7 @@ bool sameBits(const FilmContent& a, const FilmContent& b);
 
 /// Sums of a tile that were made elsewhere.
 struct TileResult {
-    std::uint64_t revision = 0;   ///< of the scene
+    std::uint64_t revision = 0;  ///< of the scene
     Tile tile;
     SampleRange samples;          ///< of which the sums are, all of them; in one block
     std::vector<PixelSums> sums;  ///< row by row

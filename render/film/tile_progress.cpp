@@ -20,7 +20,8 @@ TileProgress::TileProgress(const Tile& area, std::uint64_t first)
 
 Tile TileProgress::cellsOf(const Tile& pixels) const {
     const int x = (pixels.x - area_.x) / kFilmCell, y = (pixels.y - area_.y) / kFilmCell;
-    return {x, y, cellsAlong(pixels.x - area_.x + pixels.width) - x, cellsAlong(pixels.y - area_.y + pixels.height) - y};
+    return {x, y, cellsAlong(pixels.x - area_.x + pixels.width) - x,
+            cellsAlong(pixels.y - area_.y + pixels.height) - y};
 }
 
 Tile TileProgress::pixelsOf(const Tile& cells) const {

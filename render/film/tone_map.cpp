@@ -41,6 +41,7 @@ std::uint8_t levelNear(const double* thresholds, const float* curve, double radi
     if (!(radiance > 0))
         return 0;
     const double fraction = radiance / exposure;
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): the thresholds decide
     int level = int(exactLevelOf(curve, float(fraction)) + 0.5f);
     while (level < kThresholds && thresholds[level] <= fraction)
         ++level;

@@ -96,7 +96,7 @@ struct FlatEnvironment {
     float turn;               ///< radians: the picture is turned by this from +y towards +x
     ivec2 size;               ///< texels
     const vec3* texels;       ///< radiance, rows from the zenith
-    const float* pdf;     ///< of each texel's directions when sampled by its light [1/sr]
+    const float* pdf;         ///< of each texel's directions when sampled by its light [1/sr]
     const float* rowSums;     ///< size.y + 1: light of the rows above
     const float* columnSums;  ///< size.x + 1 for each row: light of the texels to the left
 };
@@ -113,7 +113,8 @@ struct FlatClip {
     bool shadows;  ///< what is cut away still throws its shadow
 };
 
-/// For each block of kViewBlock x kViewBlock pixels: the depths along the view between which all that is not empty lies.
+/// For each block of kViewBlock x kViewBlock pixels: the depths along the view between which all lies that is not
+/// empty.
 struct FlatViewBounds {
     const vec2* depths;  ///< (near, far) mm from the eye along `forward`; near > far: nothing there
     int blocksPerRow;

@@ -70,8 +70,8 @@ struct TextureAxis {
     std::int64_t sum = 0;  // exact
     for (int n = 0; n < 8; ++n) {
         const std::int64_t i = n & 1 ? x.high : x.low, j = n & 2 ? y.high : y.low, k = n & 4 ? z.high : z.low;
-        const std::int64_t fraction = std::int64_t(n & 1 ? x.fraction : 256 - x.fraction) * (n & 2 ? y.fraction : 256 - y.fraction) *
-                                   (n & 4 ? z.fraction : 256 - z.fraction);
+        const std::int64_t fraction = std::int64_t(n & 1 ? x.fraction : 256 - x.fraction) *
+                                      (n & 2 ? y.fraction : 256 - y.fraction) * (n & 4 ? z.fraction : 256 - z.fraction);
         sum += fraction * volume.voxels[(k * volume.size.y + j) * volume.size.x + i];
     }
     return float(double(sum) / (0x1p24 * double(kTextureFullHu)));

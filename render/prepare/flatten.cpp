@@ -12,6 +12,7 @@
 #include "render/prepare/flatten_optics.h"
 #include "render/prepare/needs.h"
 #include "render/prepare/view_bounds.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 
@@ -124,8 +125,8 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     flat.features = neededFeatures(needs(scene));
     flat.maxBounces = has(flat.features, kBounces) ? scene.maxBounces : 1;  // for programs that hold all effects, too
     flat.sampleDirections = searchesAlongScatter(scene);
-    flat.lit = !isProjection(scene.model) && (shines(prepared->lights) || !scene.environment.isBlack() ||
-                                              (flat.features & kEmission) != 0);
+    flat.lit = !isProjection(scene.model) &&
+               (shines(prepared->lights) || !scene.environment.isBlack() || (flat.features & kEmission) != 0);
     flat.seed = scene.seed;
     return prepared;
 }
@@ -137,7 +138,7 @@ void Flattener::bound(PreparedScene& prepared) const {
     prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
     prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants
                          : highest ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size))
-                                    : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size);
+                                   : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size);
     flattenMajorants(prepared);
     prepared.viewDepths = viewDepths(prepared.flat);
     prepared.flat.viewBounds = {prepared.viewDepths.data(), viewBlocks(prepared.flat.camera.film).x};

@@ -4,9 +4,10 @@
 #include <memory>
 
 #include "render/prepare/prepared_scene.h"
-#include "render/scene/scene.h"
 
 namespace pdr {
+
+struct Scene;
 
 /// Prepares scenes one after the other and keeps what the next one can use again: the ranges while the volume stays,
 /// the majorants while the transfer function stays too.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/scene/scene.h"
+
 namespace pdr {
 
 namespace {

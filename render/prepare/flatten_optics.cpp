@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/kernel/quadrature/ray_maximum.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 

@@ -2,9 +2,10 @@
 /// The tables of the models without scattering.
 
 #include "render/prepare/prepared_scene.h"
-#include "render/scene/scene.h"
 
 namespace pdr {
+
+struct Scene;
 
 /// Fills `prepared.flat.optics` and what it points into. After the pieces of the transfer function.
 void flattenOptics(PreparedScene& prepared, const Scene& scene);

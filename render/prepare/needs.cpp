@@ -5,6 +5,7 @@
 
 #include "render/kernel/transport/event.h"
 #include "render/prepare/met_tissue.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 namespace {

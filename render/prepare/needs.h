@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "render/scene/scene.h"
-
 namespace pdr {
+
+struct Scene;
 
 struct Effect {
     std::string name;  ///< for the user: "surface reflection"

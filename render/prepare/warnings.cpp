@@ -2,6 +2,7 @@
 
 #include "render/prepare/met_tissue.h"
 #include "render/scene/range.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 

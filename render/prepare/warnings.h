@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "render/scene/scene.h"
-
 namespace pdr {
+
+struct Scene;
 
 struct Warning {
     std::string name;  ///< its word in reports: "overDense"

@@ -4,8 +4,8 @@
 ///     template <class Visit> void describe(Visit& visit, TransferNode& node) {
 ///         visit({"hu", "Hounsfield units", {-32768, 32767}, kRequired}, node.hu);
 ///         ...
-/// and what visits it reads JSON (field_reader.h), writes it (field_writer.h), checks ranges (field_check.h) or makes the
-/// manual's tables (field_table.h). A visitor has
+/// and what visits it reads JSON (field_reader.h), writes it (field_writer.h), checks ranges (field_check.h) or makes
+/// the manual's tables (field_table.h). A visitor has
 ///     visit(field, value)            a number, a flag, a text, a colour, a place, or numbers of another small kind
 ///     visit.direction(field, value)  three numbers of which only the way counts
 ///     visit.word(field, value, words)

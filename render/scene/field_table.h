@@ -30,7 +30,9 @@ class FieldTable {
     void operator()(const Field& field, const dvec3& value) {
         row(field, "each " + range(field.range), list(value));
     }
-    void operator()(const Field& field, const std::pair<int, int>&) { row(field, "two whole numbers " + range(field.range), "none"); }
+    void operator()(const Field& field, const std::pair<int, int>&) {
+        row(field, "two whole numbers " + range(field.range), "none");
+    }
     void operator()(const Field& field, bool value) { row(field, "`true` or `false`", value ? "`true`" : "`false`"); }
     void operator()(const Field& field, std::uint64_t value) {
         row(field, "0 to 18446744073709551615", std::to_string(value));

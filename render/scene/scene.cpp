@@ -63,8 +63,8 @@ bool isProjection(Model model) {
 }
 
 Result<void> Scene::check() const {
-    for (const auto& ok : {transferFunction.check(), FieldCheck::check(*this), pdr::check(window), checkEstimator(*this),
-                           checkLights(*this), camera.check(), checkClip(clip)})
+    for (const auto& ok : {transferFunction.check(), FieldCheck::check(*this), pdr::check(window),
+                           checkEstimator(*this), checkLights(*this), camera.check(), checkClip(clip)})
         if (!ok)
             return ok;
     return {};

@@ -294,11 +294,11 @@ void describe(Visit& visit, Scene& scene) {
                scene.estimator, kEstimatorWords);
     visit.object({"schedule", "how iterations become displayed frames"}, scene.schedule);
     visit.word({"filtering",
-                "how the scattering models read the volume between its voxels: `exact`, or `fast`, which leaves it to a "
-                "GPU's texture units. They know 256 steps from voxel to voxel: a value may be off by 3/512 of the range "
-                "of the eight voxels around it (24 HU between air and dense bone; 0.14 HU rms in the example head). The "
-                "CPU, the models without scattering, and volumes that hold -32768 HU are always exact; `pdrender-bench "
-                "filtering SCENE.json` says what it costs a scene"},
+                "how the scattering models read the volume between its voxels: `exact`, or `fast`, which leaves it to "
+                "a GPU's texture units. They know 256 steps from voxel to voxel: a value may be off by 3/512 of the "
+                "range of the eight voxels around it (24 HU between air and dense bone; 0.14 HU rms in the example "
+                "head). The CPU, the models without scattering, and volumes that hold -32768 HU are always exact; "
+                "`pdrender-bench filtering SCENE.json` says what it costs a scene"},
                scene.filtering, kFilteringWords);
     visit.object({"window", "what `maximumIntensity` shows black and white"}, scene.window);
     visit({"toleranceLevels",

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLaunchSeconds = 0.25;  ///< so that Ctrl-C and --seconds are obeyed soon
 constexpr double kReportSeconds = 0.5;
-constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two looks at the error; it costs time
+constexpr std::uint64_t kErrorEvery = 16;     ///< samples between two looks at the error; it costs time
 constexpr std::uint64_t kSamplesToStop = 64;  ///< before which no error counts as reached: too little is known of it
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -108,8 +108,7 @@ BatchState BatchRender::state(double elapsed) const {
     if (stops_.seconds)
         state.fraction = std::max(state.fraction, elapsed / *stops_.seconds);
     if (stops_.relativeError)
-        state.fraction = std::max(state.fraction,
-                                  double(done_) / samplesToReach(*stops_.relativeError, state.film));
+        state.fraction = std::max(state.fraction, double(done_) / samplesToReach(*stops_.relativeError, state.film));
     if (stops_.levels)
         state.fraction = std::max(state.fraction, double(done_) / samplesToReachLevels(*stops_.levels, state.film));
     state.fraction = std::min(state.fraction, 1.0);

@@ -13,6 +13,7 @@
 #include "render/film/display.h"
 #include "render/film/film.h"
 #include "render/prepare/needs.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "render/device/device.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 

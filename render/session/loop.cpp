@@ -7,6 +7,7 @@
 
 #include "render/base/thrown.h"
 #include "render/kernel/random.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 

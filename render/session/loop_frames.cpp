@@ -11,9 +11,9 @@ namespace {
 
 /// A launch at most, so that a change of devices, a pause or a look need not wait for a long frame.
 constexpr double kLaunchSeconds = 0.25;
-constexpr double kCheckpointSeconds = 2;   ///< between two of them, at least, ...
+constexpr double kCheckpointSeconds = 2;      ///< between two of them, at least, ...
 constexpr double kCheckpointFraction = 0.01;  ///< ... and the part of the time that they may take, at most
-constexpr double kMeasureSeconds = 2;      ///< between two frames whose display is measured alone
+constexpr double kMeasureSeconds = 2;         ///< between two frames whose display is measured alone
 
 }  // namespace
 

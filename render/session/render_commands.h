@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "render/scene/scene.h"
 #include "render/session/session.h"
 
 namespace pdr {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "render/scene/scene.h"
 #include "render/session/loop.h"
 
 namespace pdr {

@@ -11,10 +11,13 @@
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
-#include "render/scene/scene.h"
+#include "render/scene/camera.h"
+#include "render/scene/model.h"
 #include "render/timing/frame_budget.h"
 
 namespace pdr {
+
+struct Scene;
 
 /// One displayed picture, or a word to the user.
 struct Frame {
@@ -23,8 +26,8 @@ struct Frame {
     Camera camera;
     std::string lookName;
     Estimator estimator = Estimator::unbiased;
-    bool coarse = false;  ///< a first picture, or one during interaction; better ones follow when it ends
-    ivec2 size{0};        ///< pixels; fewer than scene.film where it is coarse: stretch it
+    bool coarse = false;             ///< a first picture, or one during interaction; better ones follow when it ends
+    ivec2 size{0};                   ///< pixels; fewer than scene.film where it is coarse: stretch it
     std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top; empty with an error or a notice
     FilmStatus status;
     double seconds = 0;              ///< spent on this revision
@@ -83,8 +86,8 @@ class Session {
     void setPaused(bool paused);
     /// Shows nothing: scene, film and what the device keeps of them are given back soon.
     void clear();
-    /// Calls `look` once, between two launches, as soon as the scene of `revision` has samples and interaction has ended.
-    /// Errors: another scene has taken its place, it was closed, or it could not be rendered.
+    /// Calls `look` once, between two launches, as soon as the scene of `revision` has samples and interaction has
+    /// ended. Errors: another scene has taken its place, it was closed, or it could not be rendered.
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
 
   private:

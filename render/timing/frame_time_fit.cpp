@@ -53,6 +53,7 @@ Result<FrameTimeFit> FrameTimeFit::of(const std::vector<TimedFrame>& frames) {
     fit.launchIsKnown_ = launchesDiffer(frames);
     const unsigned used = fit.launchIsKnown_ ? kAll : kWithoutLaunch;
     std::vector<Equation> equations;
+    equations.reserve(frames.size());
     for (const TimedFrame& frame : frames)
         equations.push_back({factors(frame.work), frame.seconds, 1 / frame.seconds});
     for (int round = 0; round < kReweightings; ++round) {
@@ -73,7 +74,7 @@ Result<FrameTimeFit> FrameTimeFit::of(const std::vector<TimedFrame>& frames) {
     return fit;
 }
 
-Interval FrameTimeFit::interval(const Factors& factors, double more) const {
+ConfidenceInterval FrameTimeFit::interval(const Factors& factors, double more) const {
     const Factors bounded{model_.launch, model_.sample, model_.pixel, model_.communication};
     double value = 0, middle = 0, variance = 0;
     for (int i = 0; i < kMostUnknowns; ++i) {

@@ -21,14 +21,14 @@ struct TimedFrame {
     double seconds;  ///< measured, > 0
 };
 
-struct Interval {
+struct ConfidenceInterval {
     double low = 0, high = 0;
     bool holds(double value) const { return low <= value && value <= high; }
 };
 
 struct PredictedFrame {
     double seconds = 0;
-    Interval interval;  ///< of one more measurement
+    ConfidenceInterval interval;  ///< of one more measurement
 };
 
 class FrameTimeFit {
@@ -38,12 +38,12 @@ class FrameTimeFit {
 
     /// Nothing in it is negative.
     const FrameTimeModel& model() const { return model_; }
-    Interval launch() const { return interval({1, 0, 0, 0}); }
-    Interval sample() const { return interval({0, 1, 0, 0}); }
-    Interval pixel() const { return interval({0, 0, 1, 0}); }
-    Interval communication() const { return interval({0, 0, 0, 1}); }
+    ConfidenceInterval launch() const { return interval({1, 0, 0, 0}); }
+    ConfidenceInterval sample() const { return interval({0, 1, 0, 0}); }
+    ConfidenceInterval pixel() const { return interval({0, 0, 1, 0}); }
+    ConfidenceInterval communication() const { return interval({0, 0, 0, 1}); }
     /// Of T0 + T_c, a frame of one launch and no pixels: often known well where neither of the two is.
-    Interval floor() const { return interval({1, 0, 0, 1}); }
+    ConfidenceInterval floor() const { return interval({1, 0, 0, 1}); }
 
     /// False where every frame had as many launches as the others: T0 is then a part of T_c, which is all that is
     /// known.
@@ -55,7 +55,7 @@ class FrameTimeFit {
   private:
     using Factors = std::array<double, kMostUnknowns>;
     /// Of the sum of the unknowns times `factors`; `more`: variance besides, in squared seconds.
-    Interval interval(const Factors& factors, double more = 0) const;
+    ConfidenceInterval interval(const Factors& factors, double more = 0) const;
 
     FrameTimeModel model_;
     Solution free_;  ///< without the bounds

@@ -9,6 +9,7 @@
 #include "render/device/emulated/emulated_gpu.h"
 #include "render/kernel/texture.h"
 #include "render/prepare/flatten.h"
+#include "render/scene/scene.h"
 
 namespace pdr::bench {
 

@@ -8,6 +8,7 @@
 
 #include "render/film/film.h"
 #include "render/kernel/volume_sampling.h"
+#include "render/scene/scene.h"
 
 namespace pdr::bench {
 
@@ -18,7 +19,7 @@ double steepestCell(const FlatVolume& volume) {
     for (int k = 0; k <= int(volume.lastCorner.z); ++k)
         for (int j = 0; j <= int(volume.lastCorner.y); ++j)
             for (int i = 0; i <= int(volume.lastCorner.x); ++i) {
-                const auto [low, high] = std::ranges::minmax(cellAt(volume, {i, j, k}).hu);
+                const auto [low, high] = std::ranges::minmax(cellAt(volume, Vec3<int>{i, j, k}).hu);
                 most = std::max(most, high - low);
             }
     return most;

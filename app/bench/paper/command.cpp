@@ -10,6 +10,7 @@
 #include "app/bench/paper/settings.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
+#include "render/scene/scene.h"
 
 namespace pdr::bench {
 

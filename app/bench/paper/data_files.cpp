@@ -58,7 +58,7 @@ Json cellJson(const Report& report, std::size_t place) {
             {"runs", runs}};
 }
 
-Json parameter(double value, const Interval& interval) {
+Json parameter(double value, const ConfidenceInterval& interval) {
     return {{"value", value}, {"low", interval.low}, {"high", interval.high}};
 }
 

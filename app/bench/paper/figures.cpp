@@ -70,7 +70,7 @@ std::vector<TileEfficiency> tilesOf(const Figures& figures) {
             if (!rate || !communication)
                 continue;
             const double perSecond = kWays[way].iterations * size.pixels() * *rate;
-            const Interval sample = figures.fit->sample();
+            const ConfidenceInterval sample = figures.fit->sample();
             tiles.push_back({size.size,
                              way,
                              efficiencyOfManyNodes(*rate, *communication),

@@ -35,9 +35,9 @@ struct SizeFigures {
 struct TileEfficiency {
     ivec2 size;
     WayPlace way;
-    double manyNodes;   ///< eq. 5
-    double fraction;       ///< n alpha R FPS
-    Interval interval;  ///< of fraction, from that of alpha, 95 %
+    double manyNodes;             ///< eq. 5
+    double fraction;              ///< n alpha R FPS
+    ConfidenceInterval interval;  ///< of fraction, from that of alpha, 95 %
 };
 
 struct Figures {

@@ -132,7 +132,7 @@ std::string goals(const Figures& figures) {
 std::string parameters(const FrameTimeFit& fit) {
     const FrameTimeModel& model = fit.model();
     TextTable table({"parameter", "value", "95 % from", "to"});
-    const auto add = [&](const char* name, double value, const Interval& interval, double scale) {
+    const auto add = [&](const char* name, double value, const ConfidenceInterval& interval, double scale) {
         table.add({name, digits(scale * value), digits(scale * interval.low), digits(scale * interval.high)});
     };
     if (fit.launchIsKnown())
@@ -175,8 +175,8 @@ std::string model(const Report& report) {
         const auto size = std::ranges::find(figures.sizes, tile.size, &SizeFigures::size);
         const FrameWork work{size->pixels(), way.iterations, report.plan.samplesPerLaunch(way, tile.size)};
         const PredictedFrame fitted = fit.predict(work);
-        table.add({paper::text(tile.size), std::to_string(way.iterations), fraction(tile.manyNodes), fraction(tile.fraction),
-                   fraction(tile.interval.low), fraction(tile.interval.high),
+        table.add({paper::text(tile.size), std::to_string(way.iterations), fraction(tile.manyNodes),
+                   fraction(tile.fraction), fraction(tile.interval.low), fraction(tile.interval.high),
                    milliseconds(1 / *size->framesPerSecond[tile.way]), milliseconds(fitted.seconds),
                    milliseconds(fitted.interval.low), milliseconds(fitted.interval.high)});
     }

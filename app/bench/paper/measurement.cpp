@@ -38,7 +38,7 @@ class Experiment {
         for (const ivec2 size : plan_.sizes) {
             scene.film = size;
             ++scene.revision;
-            if (const Result<void> sound = scene.check(); !sound)
+            if (Result<void> sound = scene.check(); !sound)
                 return sound;
             scenes_.push_back(scene);
             for (int way = 0; way < kWayCount; ++way)

@@ -8,6 +8,7 @@
 #include "app/bench/load_scene.h"
 #include "app/bench/options.h"
 #include "app/bench/parity/scenes.h"
+#include "render/scene/scene.h"
 
 namespace pdr::bench {
 
@@ -144,7 +145,8 @@ int parity(const Arguments& arguments) {
         return fail(device.error());
     const DeviceInfo info = (*device)->info();
     std::printf("%s (%s) against the CPU: %u samples a pixel; %.1f %% of the pixels within %g, means within %g\n",
-                info.name.c_str(), info.details.c_str(), kSamples, 100 * kPixelFraction, kPixelTolerance, kMeanTolerance);
+                info.name.c_str(), info.details.c_str(), kSamples, 100 * kPixelFraction, kPixelTolerance,
+                kMeanTolerance);
     const auto cpu = makeCpuDevice();
     Verdicts verdicts;
     for (const ParityScene& one : scenes)

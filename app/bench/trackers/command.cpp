@@ -7,6 +7,7 @@
 #include "app/bench/options.h"
 #include "app/bench/trackers/scenes.h"
 #include "app/bench/trackers/tracker.h"
+#include "render/scene/scene.h"
 
 namespace pdr::bench {
 
@@ -42,6 +43,7 @@ double median(std::vector<double> values) {
 /// Work is counted apart from time. Trackers take turns, round by round.
 std::vector<Row> measured(const std::vector<std::unique_ptr<Tracker>>& trackers, const RayList& list, int rounds) {
     std::vector<Row> rows;
+    rows.reserve(trackers.size());
     for (const auto& tracker : trackers)
         rows.push_back({.work = tracker->work(list), .hits = tracker->hits(list) / double(list.rays.size())});
     std::vector<std::vector<double>> times(trackers.size()), speeds(trackers.size());

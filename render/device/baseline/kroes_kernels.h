@@ -1,6 +1,6 @@
 #pragma once
-/// The stages of an iteration of Exposure Render (Kroes, Post & Botha 2012), as programs; see gpu/kroes_accumulator.h. Index i
-/// is the pixel y * width + x.
+/// The stages of an iteration of Exposure Render (Kroes, Post & Botha 2012), as programs; see gpu/kroes_accumulator.h.
+/// Index i is the pixel y * width + x.
 
 #include <cstdint>
 
@@ -116,7 +116,8 @@ struct Autofocus {
     float* distance;
 
     PDR_HD void operator()(std::int64_t) const {
-        const PathSegment segment = generateCameraRay(scene, vec2(scene.camera.film) * 0.5f, vec2(0), vec2(0, kFarAway));
+        const PathSegment segment =
+            generateCameraRay(scene, vec2(scene.camera.film) * 0.5f, vec2(0), vec2(0, kFarAway));
         const float step = marchStep(scene.volume, kExposureRenderStep);
         *distance = -1;
         for (int i = 0; float(i) * step < segment.ray.length; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-/// What Exposure Render sends to the GPU for each iteration although nothing has changed; see gpu/kroes_accumulator.h. None of
-/// it is read by ours: it is there for the time that it takes.
+/// What Exposure Render sends to the GPU for each iteration although nothing has changed; see gpu/kroes_accumulator.h.
+/// None of it is read by ours: it is there for the time that it takes.
 
 #include <array>
 

@@ -14,7 +14,7 @@ class CpuAccumulator final : public Accumulator {
   public:
     /// `scene`: where its device keeps what was uploaded last. Both must outlive it.
     CpuAccumulator(CpuTracer& tracer, const std::shared_ptr<const PreparedScene>& scene, const Tile& area,
-            std::uint64_t revision)
+                   std::uint64_t revision)
         : tracer_(tracer), scene_(scene), film_(area, revision) {}
 
     using Accumulator::iterate;

@@ -64,7 +64,8 @@ class PixelBatch {
             origins_[path].add(samples_[path], *health_);
     }
 
-    /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next segments.
+    /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next
+    /// segments.
     template <std::uint32_t F>
     void traceSegments(const FlatScene& scene, int bounce) {
         rays_.track<DeltaTracking>(scene);

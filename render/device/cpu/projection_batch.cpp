@@ -62,7 +62,8 @@ void ProjectionBatch::render(const FlatScene& scene, const Tile& tile, SampleRan
             const ivec2 pixel(tile.x + x, tile.y + y);
             const vec2 depths = depthBounds(scene, pixel);
             const bool nothing = isBackgroundOnly(scene, depths);
-            const Projected miss = nothing ? projectedMiss<Model>(scene, backdrop<Model>(scene, PathSegment{})) : Projected{};
+            const Projected miss =
+                nothing ? projectedMiss<Model>(scene, backdrop<Model>(scene, PathSegment{})) : Projected{};
             SampleOrigin origin(sums.pixels[std::ptrdiff_t(y) * sums.stride + x], scene, pixel, samples.first);
             for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
                 if (nothing) {

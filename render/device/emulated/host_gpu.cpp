@@ -57,7 +57,8 @@ GpuMemory HostGpu::memory() const {
     return {total_, total_ - used_};
 }
 
-void HostGpu::distribute(std::int64_t count, Order order, const std::function<void(std::int64_t, std::int64_t)>& piece) {
+void HostGpu::distribute(std::int64_t count, Order order,
+                         const std::function<void(std::int64_t, std::int64_t)>& piece) {
     using Indices = tbb::blocked_range<std::int64_t>;
     const auto work = [&piece](const Indices& indices) { piece(indices.begin(), indices.end()); };
     threads_->arena.execute([&] {

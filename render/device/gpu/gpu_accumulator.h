@@ -149,8 +149,8 @@ Result<void> GpuAccumulator<G>::show(const Display& display) {
     slot.samples = progress_.counts();
     slot.exposure = double(display.exposure);
     std::byte* frame = slot.onDevice.data();
-    gpu_.launch(ResolveKernel{layout_, block_.data(), moments_.data(), thresholds_.data(), curve_.data(),
-                               slot.exposure, frame, sums_.data(), errors_.data()},
+    gpu_.launch(ResolveKernel{layout_, block_.data(), moments_.data(), thresholds_.data(), curve_.data(), slot.exposure,
+                              frame, sums_.data(), errors_.data()},
                 layout_.sums(), GpuStream::compute);
     gpu_.launch(CountErrorsKernel{errors_.data(), frame}, kErrorBins, GpuStream::compute);
     gpu_.launch(FinalizeKernel{layout_, sums_.data(), health_.data(), slot.id, frame}, layout_.totals(),
@@ -194,8 +194,7 @@ Picture GpuAccumulator<G>::pictureIn(const Slot& slot) const {
     }
     const auto* rgba = reinterpret_cast<const std::uint8_t*>(bytes + layout_.pixelsAt());
     return {{rgba, rgba + pixels() * 4},
-            statusOf(all, std::size_t(pixels()), slot.samples, toHealth(head.health),
-                     {head.errors, slot.exposure})};
+            statusOf(all, std::size_t(pixels()), slot.samples, toHealth(head.health), {head.errors, slot.exposure})};
 }
 
 template <Gpu G>

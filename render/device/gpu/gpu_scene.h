@@ -1,6 +1,6 @@
 #pragma once
-/// A scene in a GPU's memory. What did not change since the last one is not sent again; its acceleration structure is made
-/// there.
+/// A scene in a GPU's memory. What did not change since the last one is not sent again; its acceleration structure is
+/// made there.
 
 #include <memory>
 
@@ -18,8 +18,8 @@ class GpuScene {
   public:
     explicit GpuScene(G& gpu) : gpu_(gpu) {}
 
-    /// Takes `scene`, flattened; its acceleration structure is made here. Errors: it does not fit (needed, free), or the
-    /// GPU's; then there is no scene.
+    /// Takes `scene`, flattened; its acceleration structure is made here. Errors: it does not fit (needed, free), or
+    /// the GPU's; then there is no scene.
     Result<void> upload(std::shared_ptr<const PreparedScene> scene);
 
     /// There is no scene any more, and its memory is given back.
@@ -212,7 +212,7 @@ Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
     summary_.resize(1);
     summary_.copyFrom(&summary);
     gpu_.launch(BuildMajorantsKernel{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
-                                 coarse, fine_.data(), coarse_.data(), summary_.data()},
+                                     coarse, fine_.data(), coarse_.data(), summary_.data()},
                 std::int64_t(coarse_.size()), GpuStream::compute);
     summary_.copyTo(&summary);
     gpu_.awaitAll();
@@ -245,8 +245,8 @@ void GpuScene<G>::boundView(const PreparedScene& scene) {
     wide_.clear();
     wideCells_.resize(WideCells::kRoom);
     gpu_.launch(ClearDepthsKernel{orderedDepths_.data()}, std::int64_t(count), GpuStream::compute);
-    gpu_.launch(ProjectCellsKernel{flat_.majorants, ViewProjection(flat_), flat_.clip, film, blocks, orderedDepths_.data(),
-                             wide_.data(), wideCells_.data()},
+    gpu_.launch(ProjectCellsKernel{flat_.majorants, ViewProjection(flat_), flat_.clip, film, blocks,
+                                   orderedDepths_.data(), wide_.data(), wideCells_.data()},
                 std::int64_t(coarse_.size()), GpuStream::compute);
     gpu_.launch(ViewDepthsKernel{orderedDepths_.data(), wide_.data(), wideCells_.data(), blocks, depths_.data()},
                 std::int64_t(count), GpuStream::compute);

@@ -56,7 +56,8 @@ PDR_HD inline LightPath lightOfOne(const FlatScene& scene, const Event& event, c
 PDR_HD inline PathSample kroesSample(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
     const Path path = startPath(scene, pixel, sample, depths);
     const float step = marchStep(scene.volume, kExposureRenderStep);
-    const float collision = marchToCollision(scene, path.segment.ray, path.random.stream(0, BounceDimension::distance), step);
+    const float collision =
+        marchToCollision(scene, path.segment.ray, path.random.stream(0, BounceDimension::distance), step);
     PathSample result;
     if (!(collision >= 0)) {
         result.radiance = missed(scene, path.segment, collision);

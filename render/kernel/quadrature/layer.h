@@ -31,7 +31,8 @@ PDR_HD_INLINE Real bendOf(const OpticsAlong<Real>& along) {
     const Cubic<Real>& fraction = along.fraction;
     const Real d1 = fraction.b1 - (1.0f / 3) * (2.0f * fraction.b0 + fraction.b3);
     const Real d2 = fraction.b2 - (1.0f / 3) * (fraction.b0 + 2.0f * fraction.b3);
-    const Real e0 = fraction.b0 - along.meanFraction, e1 = fraction.b1 - along.meanFraction, e3 = fraction.b3 - along.meanFraction;
+    const Real e0 = fraction.b0 - along.meanFraction, e1 = fraction.b1 - along.meanFraction;
+    const Real e3 = fraction.b3 - along.meanFraction;
     const Real furthest = max(max(abs(e0), abs(e0 + e1)), abs(e3));
     const Real uneven =
         along.meanExtinction > 0.0f ? furthest * abs(along.extinctionRise) / along.meanExtinction : Real{};
