@@ -79,7 +79,7 @@ Milliseconds boundsOnDevice(Edits edits, int count, Device& device) {
 
 /// From the edited scene to its first picture of one sample, in the film that the scene before it left.
 Milliseconds pictures(Edits edits, int count, Device& device) {
-    auto film = startFilm(device, edits.scene);
+    auto film = startFilm(device, edits.next());
     if (!film)
         return film.error();
     std::vector<double> took;

@@ -7,14 +7,15 @@
 
 namespace pdr {
 
-// What a bound adds for rounding. Stored bounds and those made on the spot add different amounts, all of them enough:
-// bounds decide which random numbers a ray takes, so that any other amount is other noise in every picture.
+// What a bound adds for rounding. Stored bounds and those made on the spot add different amounts, none of them less
+// than is derived here, and keep them: bounds decide which random numbers a ray takes, so that any other amount is
+// other noise in every picture.
 //
-// HU. trilinear() takes three times a + (b - a) s, 0 <= s <= 1. Rounding is monotone: the product lies between 0 and the
-// rounded b - a, and the sum between a and a plus that. So only the rounding of b - a leads beyond b. Along x there is
-// none: voxels are whole numbers. Along y and then z |b - a| < 2^16 is off by 2^-9 at most, and the ends of int16 plus
-// or minus that, or twice that, are rounded no farther out. Together 2^-8 HU, which is met (extreme voxels, 6e7 cells
-// at random). Where all voxels agree there is none.
+// HU. trilinear() takes a + (b - a) s, 0 <= s <= 1, along x, then y, then z. Rounding is monotone: the product lies
+// between 0 and the rounded b - a, and the sum between a and a plus that. So only the rounding of b - a leads beyond b.
+// Along x there is none: voxels are whole numbers. Along y, and again along z, |b - a| < 2^16 is off by 2^-9 at most;
+// the ends of int16 plus or minus that, or twice that, are rounded no farther out. Together 2^-8 HU, which extreme
+// voxels do reach. Where all voxels agree there is none.
 
 /// HU by which interpolation may leave its eight voxels. For bounds made on the spot, whose places are kept inside.
 inline constexpr float kInterpolationRounding = 0x1p-8f;
