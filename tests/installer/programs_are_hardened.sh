@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# programs_are_hardened.sh READELF release|debug PROGRAM...: addresses that cannot be overwritten, random places, canaries on
-# the stack, and, in a release, checked copies of memory.
+# programs_are_hardened.sh READELF checked|unchecked PROGRAM...: addresses that cannot be overwritten, random places, canaries
+# on the stack, and, where they are to be, checked copies of memory.
 set -euo pipefail
-readelf=$1 build=$2
+readelf=$1 copies=$2
 shift 2
 code=0
 
@@ -16,6 +16,6 @@ for program in "$@"; do
     has "$program" "binding at the start" "BIND_NOW|FLAGS.*NOW" -d
     has "$program" "position independence" "FLAGS_1.*PIE" -d
     has "$program" "stack protector" "__stack_chk_fail" --dyn-syms
-    [ "$build" = debug ] || has "$program" "checked copies" "__(memcpy|memset|snprintf|fprintf|printf|read)_chk" --dyn-syms
+    [ "$copies" = unchecked ] || has "$program" "checked copies" "__(memcpy|memset|snprintf|fprintf|printf|read)_chk" --dyn-syms
 done
 exit $code
