@@ -1,6 +1,6 @@
 #pragma once
-/// What is shown and how: a volume, what the user has set up of its picture, and the way back to earlier setups. The one
-/// place where a scene's revision grows.
+/// What is shown and how: a volume, what the user has set up of its picture, and the way back to earlier setups. The
+/// one place where a scene's revision grows.
 
 #include <QObject>
 #include <deque>

@@ -170,9 +170,7 @@ FrameBudget RenderPanel::pace() const {
 Schedule RenderPanel::schedule() const {
     if (schedule_.currentIndex() <= kOurs)
         return {};
-    return {.kind = Schedule::Kind::kroes,
-            .redundant = schedule_.currentIndex() == kK0,
-            .filter = filter_.isChecked()};
+    return {.kind = Schedule::Kind::kroes, .redundant = schedule_.currentIndex() == kK0, .filter = filter_.isChecked()};
 }
 
 }  // namespace pdr::ui

@@ -52,8 +52,8 @@ int frames(const Arguments& arguments) {
     for (int frame = 0; frame < *count; ++frame) {
         const auto start = std::chrono::steady_clock::now();
         const std::clock_t onCores = std::clock();
-        if (const auto iterated = (*live)->iterate(1, {}); !iterated)
-            return fail(iterated.error());
+        if (const auto accumulated = (*live)->accumulate(1, {}); !accumulated)
+            return fail(accumulated.error());
         wall.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
         cpu.push_back(1e3 * double(std::clock() - onCores) / CLOCKS_PER_SEC);
     }

@@ -45,9 +45,9 @@ int picture(const Arguments& arguments) {
         return fail(film.error());
 
     const auto start = std::chrono::steady_clock::now();
-    const auto iterated = film->live->iterate(std::uint32_t(*samples), {});
-    const auto ordered = iterated ? film->live->show({}) : iterated;
-    const auto shown = ordered ? film->live->take() : Result<Picture>(ordered.error());
+    const auto accumulated = film->live->accumulate(std::uint32_t(*samples), {});
+    const auto ordered = accumulated ? film->live->resolve({}) : accumulated;
+    const auto shown = ordered ? film->live->readback() : Result<Picture>(ordered.error());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!shown)
         return fail(shown.error());

@@ -88,11 +88,11 @@ Milliseconds pictures(Edits edits, int count, Device& device) {
         const double start = wallMilliseconds();
         Result<void> done = device.upload(scene);
         done = done ? (*film)->restart((*film)->area(), scene.revision) : done;
-        done = done ? (*film)->iterate(1, {}) : done;
-        done = done ? (*film)->show({}) : done;
+        done = done ? (*film)->accumulate(1, {}) : done;
+        done = done ? (*film)->resolve({}) : done;
         if (!done)
             return done.error();
-        if (const auto picture = (*film)->take(); !picture)
+        if (const auto picture = (*film)->readback(); !picture)
             return picture.error();
         if (i > 0)
             took.push_back(wallMilliseconds() - start);
@@ -130,9 +130,10 @@ int rebound(const Arguments& arguments) {
     const Milliseconds shown = bounds ? pictures(first, *edits, **device) : bounds;
     if (!shown)
         return fail(shown.error());
-    std::printf("{\"size\": %d, \"edits\": %d, \"medianMs\": %.4f, \"slowestMs\": %.4f, \"width\": %d, \"height\": %d, "
-                "\"pictureMs\": %.2f}\n",
-                *size, *edits, median(*bounds), *std::ranges::max_element(*bounds), *width, *height, median(*shown));
+    std::printf(
+        "{\"size\": %d, \"edits\": %d, \"medianMs\": %.4f, \"slowestMs\": %.4f, \"width\": %d, \"height\": %d, "
+        "\"pictureMs\": %.2f}\n",
+        *size, *edits, median(*bounds), *std::ranges::max_element(*bounds), *width, *height, median(*shown));
     return 0;
 }
 

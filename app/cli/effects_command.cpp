@@ -47,7 +47,7 @@ Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) 
     }
     std::vector<Iterate> iterates;
     for (TrialPicture& picture : pictures)
-        iterates.push_back([&picture](std::uint32_t n) { return picture.iterate(n); });
+        iterates.push_back([&picture](std::uint32_t n) { return picture.accumulate(n); });
     const auto costs = costsInTurn(iterates, kModelSeconds);
     if (!costs)
         return costs.error();

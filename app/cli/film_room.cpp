@@ -55,9 +55,9 @@ std::uint64_t freeOfGroup(const std::string& folder, const char* limitName, cons
 }
 
 std::uint64_t freeOfGroup() {
-    return std::min(freeOfGroup("/sys/fs/cgroup/", "memory.max", "memory.current", "inactive_file"),
-                    freeOfGroup("/sys/fs/cgroup/memory/", "memory.limit_in_bytes", "memory.usage_in_bytes",
-                                "total_inactive_file"));
+    return std::min(
+        freeOfGroup("/sys/fs/cgroup/", "memory.max", "memory.current", "inactive_file"),
+        freeOfGroup("/sys/fs/cgroup/memory/", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"));
 }
 
 std::uint64_t freeOfProcess() {
@@ -82,9 +82,9 @@ Result<void> roomForFilm(ivec2 size, const DeviceInfo& device) {
     const std::uint64_t needed = filmBytes(size, device), free = freeBytes();
     const std::string pixels = std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels";
     if (needed > free)
-        return Error{"a picture of " + pixels + " needs " + bytesText(needed) + " of memory, " + bytesText(free) +
-                         " are free",
-                     "", "Take a smaller --size.", ErrorKind::memory};
+        return Error{
+            "a picture of " + pixels + " needs " + bytesText(needed) + " of memory, " + bytesText(free) + " are free",
+            "", "Take a smaller --size.", ErrorKind::memory};
     if (needed >= kWorthSaying && free != kNoLimit)
         std::fprintf(stderr, "pdrender-cli: a picture of %s takes %s of memory, %s are free\n", pixels.c_str(),
                      bytesText(needed).c_str(), bytesText(free).c_str());

@@ -52,9 +52,8 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     const auto film = device.film(work->scene.film, work->scene.revision, work->scene.schedule);
     if (!film)
         return film.error();
-    const auto result = BatchRender(**film, options.stops, work->display).run(stop, [&](const BatchState& state) {
-        line.show(state);
-    });
+    const auto result =
+        BatchRender(**film, options.stops, work->display).run(stop, [&](const BatchState& state) { line.show(state); });
     line.finish();
     if (!result)
         return result.error();
@@ -67,8 +66,8 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     const WrittenFiles written = writePictures(**picture, work->display, facts, options.outputs);
     for (const Error& trouble : written.troubles)
         failed(trouble);
-    const RenderReport report{written.files, work->scene.film, work->scene.seed, device.info(), *result,
-                              warnings(work->scene)};
+    const RenderReport report{written.files, work->scene.film, work->scene.seed,
+                              device.info(), *result,          warnings(work->scene)};
     std::fputs((options.json ? jsonText(report) : plainText(report)).c_str(), stdout);
     return Finished{result->reason, written.troubles.empty()};
 }

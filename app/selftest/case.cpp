@@ -64,7 +64,7 @@ CaseScene::Shape shapeOf(const std::string& word) {
 
 CaseScene::Lamp lampOf(const std::string& word) {
     using Lamp = CaseScene::Lamp;
-    return worded<Lamp>({{"beam", Lamp::beam}, {"ball", Lamp::ball}, {"panel", Lamp::panel}}, word);
+    return worded<Lamp>({{"beam", Lamp::beam}, {"sphere", Lamp::sphere}, {"rectangle", Lamp::rectangle}}, word);
 }
 
 CaseScene::Room roomOf(const std::string& word) {

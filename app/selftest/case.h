@@ -16,14 +16,14 @@ namespace pdr::selftest {
 struct CaseScene {
     enum class Shape {
         slab,     ///< homogeneous layer, practically endless sideways
-        sphere,   ///< homogeneous ball
+        sphere,   ///< a homogeneous sphere
         ramp,     ///< the same, but its extinction grows or falls linearly on the way up
         surface,  ///< a slab whose HU rise evenly downwards, by 2048 in all: steep everywhere
         slit,     ///< a thin black plate with a slit in it, seen out of focus through a lens
     };
     Shape shape = Shape::slab;
     double depth = 1;            ///< optical depth: through a slab, along a sphere's radius, through a ramp
-    double extinctionPerMm = 1;  ///< of the matter; a ramp: at its bottom. Sets the size in mm.
+    double extinctionPerMm = 1;  ///< of the medium; a ramp: at its bottom. Sets the size in mm.
     double endRatio = 1;         ///< a ramp's extinction at its top / at its bottom
     double albedo = 0;
     double g = 0;               ///< Henyey-Greenstein mean cosine
@@ -35,9 +35,9 @@ struct CaseScene {
     bool multiple = false;      ///< all orders of scattering; otherwise one
     bool bed = false;           ///< a black, opaque layer under a slab: nothing comes back from there
     enum class Lamp {
-        beam,   ///< parallel light
-        ball,   ///< a ball so far away that nobody can tell
-        panel,  ///< a square panel as far away
+        beam,       ///< parallel light
+        sphere,     ///< so far away that its light is parallel
+        rectangle,  ///< a square as far away
     };
     Lamp lamp = Lamp::beam;
     std::optional<double> beam;  ///< cosine between up and the direction to a lamp of irradiance 1

@@ -50,7 +50,7 @@ Result<Measurement> rendered(Device& device, const Scene& scene, std::uint64_t s
         if (cancelled())
             return pdr::cancelled();
         const std::uint32_t n = std::uint32_t(std::min<std::uint64_t>(left, kSamplesPerLaunch));
-        if (auto ok = (*live)->iterate(n, {}); !ok)
+        if (auto ok = (*live)->accumulate(n, {}); !ok)
             return ok.error();
         left -= n;
     }
@@ -70,7 +70,7 @@ Measurement converted(const Case& reference, Measurement radiance) {
         factor = kDiscWidth * kDiscWidth / kPiExact / scene.room;
         offset = 1 - factor * scene.room;
     }
-    if (reference.quantity == Quantity::escapeProbability)  // flux out of the surface over what the ball emits
+    if (reference.quantity == Quantity::escapeProbability)  // flux out of the surface over what the sphere emits
         factor = kDiscWidth * kDiscWidth / kPiExact * 3 / (4 * scene.depth * scene.emission);
     radiance.value = factor * radiance.value + offset;
     radiance.standardError *= factor;
@@ -98,13 +98,13 @@ Result<Measurement> freeFlights(Device& device, const Case& reference, std::uint
 }
 
 Measurement phaseMoment(const Case& reference, std::uint64_t samples, std::uint64_t seed) {
-    const vec3 travel = glm::normalize(vec3(0.3f, -0.5f, 0.7f));
+    const vec3 forward = glm::normalize(vec3(0.3f, -0.5f, 0.7f));
     const bool squared = reference.quantity == Quantity::meanSquaredCosine;
     double sum = 0, squares = 0;
     for (std::uint64_t i = 0; i < samples; ++i) {
         const vec2 u = Random(seed, std::uint32_t(i), i >> 32).stream(0, BounceDimension::direction).pair();
-        const vec3 onward = phaseSample(float(reference.scene.g), -travel, u);
-        const double cosine = glm::dot(dvec3(onward), dvec3(travel));
+        const vec3 scattered = phaseSample(float(reference.scene.g), -forward, u);
+        const double cosine = glm::dot(dvec3(scattered), dvec3(forward));
         const double value = (squared ? cosine * cosine : cosine) - reference.expected;
         sum += value;
         squares += value * value;

@@ -13,7 +13,7 @@ struct Plan {
     std::vector<std::string> words;  ///< only cases whose family and name hold all of them
     bool quick = false;              ///< fewer samples, which find larger biases only
     std::uint64_t seed = 1;
-    double allowed = 0;              ///< |z| that chance may reach: allowedZ() of as many comparisons
+    double allowed = 0;  ///< |z| that chance may reach: allowedZ() of as many comparisons
 };
 
 /// How often each verdict was reached.

@@ -20,7 +20,7 @@ constexpr double kRampTop = kRampSteps * kRampHu;
 constexpr double kRampFoot = 1e-3;  ///< HU: just above what the lowest half voxel holds
 constexpr int kRadiusVoxels = 60;   ///< voxels along a sphere's radius
 constexpr int kRadiusHu = 200;      ///< HU per voxel of distance from a sphere's centre
-constexpr int kSurfaceLayers = 8;   ///< voxels through the matter below a surface, and as many above it
+constexpr int kSurfaceLayers = 8;   ///< voxels through the medium below a surface, and as many above it
 constexpr int kSurfaceHu = 256;     ///< HU per voxel of depth
 constexpr double kPlate = 1e-3;     ///< thickness of a plate with a slit, in half widths of the slit
 constexpr double kLensFar = 1000;   ///< from the lens to the plate, in half widths of the slit
@@ -49,98 +49,98 @@ TransferNode node(const CaseScene& scene, double hu, double opacity) {
             .roughness = float(scene.roughness)};
 }
 
-/// Direction from the horizontal plane upwards at `cosine` to the vertical, tilted towards `side`.
+/// Direction from the horizontal plane upwards at `cosine` to the vertical, tilted to `side`.
 dvec3 tilted(double cosine, dvec3 side) {
     return side * std::sqrt(1 - cosine * cosine) + dvec3(0, 0, cosine);
 }
 
-struct Matter {
+struct Medium {
     std::shared_ptr<const Volume> volume;
     TransferFunction function;
-    double top, floor;  ///< heights [mm] of the matter's surface, and of where a camera inside stands
+    double top, floor;  ///< heights [mm] of the medium's surface, and of where a camera inside stands
 };
 
-Matter slab(const CaseScene& scene) {
+Medium slab(const CaseScene& scene) {
     const double thickness = extentMm(scene), layer = thickness / kSlabLayers;
     const double side = thickness * kSlabWidth / kSlabLayers;
     const int bed = scene.bed ? kBedLayers : 0;
     const double bedExtinction = scene.bed ? kBedDepth / (kBedLayers * layer) : 0;
     const double densest = std::max(scene.extinctionPerMm, bedExtinction);
     const double opacity = scene.extinctionPerMm / densest;
-    Matter matter;
-    matter.volume = makeVolume({kSlabLayers, kSlabLayers, kSlabLayers + bed}, {side, side, layer},
+    Medium medium;
+    medium.volume = makeVolume({kSlabLayers, kSlabLayers, kSlabLayers + bed}, {side, side, layer},
                                [&](int, int, int k) { return k < bed ? kBedHu : 0; });
-    matter.function.extinctionPerMm = float(densest);
-    matter.function.nodes = {node(scene, 0, opacity)};
+    medium.function.extinctionPerMm = float(densest);
+    medium.function.nodes = {node(scene, 0, opacity)};
     if (scene.bed) {
-        matter.function.nodes.push_back(node(scene, kBedHu / 2, opacity));
-        matter.function.nodes.push_back({.hu = kBedHu / 2, .opacity = 1, .albedo = vec3(0)});
+        medium.function.nodes.push_back(node(scene, kBedHu / 2, opacity));
+        medium.function.nodes.push_back({.hu = kBedHu / 2, .opacity = 1, .albedo = vec3(0)});
     }
-    matter.top = 0.5 * (kSlabLayers + bed) * layer;
-    matter.floor = matter.top - thickness;
-    return matter;
+    medium.top = 0.5 * (kSlabLayers + bed) * layer;
+    medium.floor = medium.top - thickness;
+    return medium;
 }
 
 /// The border lies where the interpolated distance from the centre is the radius: round to (voxel / radius)^2 / 6.
-Matter sphere(const CaseScene& scene) {
+Medium sphere(const CaseScene& scene) {
     const double radius = extentMm(scene), voxel = radius / kRadiusVoxels;
     const int half = kRadiusVoxels + 4;
     const double border = kRadiusVoxels * kRadiusHu;
-    Matter matter;
-    matter.volume = makeVolume(ivec3(2 * half + 1), dvec3(voxel), [&](int i, int j, int k) {
+    Medium medium;
+    medium.volume = makeVolume(ivec3(2 * half + 1), dvec3(voxel), [&](int i, int j, int k) {
         return std::lround(kRadiusHu * glm::length(dvec3(i - half, j - half, k - half)));
     });
-    matter.function.extinctionPerMm = float(scene.extinctionPerMm);
-    matter.function.nodes = {node(scene, 0, 1), node(scene, border, 1), node(scene, border, 0)};
-    matter.top = radius;
-    matter.floor = -radius;
-    return matter;
+    medium.function.extinctionPerMm = float(scene.extinctionPerMm);
+    medium.function.nodes = {node(scene, 0, 1), node(scene, border, 1), node(scene, border, 0)};
+    medium.top = radius;
+    medium.floor = -radius;
+    return medium;
 }
 
 /// A ramp from the lowest to the highest voxels' centres; below and above them there is nothing.
-Matter ramp(const CaseScene& scene) {
+Medium ramp(const CaseScene& scene) {
     const double length = extentMm(scene), step = length / kRampSteps;
     const double side = length * kSlabWidth / kSlabLayers, densest = std::max(1.0, scene.endRatio);
-    Matter matter;
-    matter.volume = makeVolume({kSlabLayers, kSlabLayers, kRampSteps + 1}, {side, side, step},
+    Medium medium;
+    medium.volume = makeVolume({kSlabLayers, kSlabLayers, kRampSteps + 1}, {side, side, step},
                                [](int, int, int k) { return k * kRampHu; });
-    matter.function.extinctionPerMm = float(scene.extinctionPerMm * densest);
-    matter.function.nodes = {node(scene, kRampFoot, 0), node(scene, kRampFoot, 1 / densest),
+    medium.function.extinctionPerMm = float(scene.extinctionPerMm * densest);
+    medium.function.nodes = {node(scene, kRampFoot, 0), node(scene, kRampFoot, 1 / densest),
                              node(scene, kRampTop, scene.endRatio / densest), node(scene, kRampTop, 0)};
-    matter.top = length / 2;
-    matter.floor = -length / 2;
-    return matter;
+    medium.top = length / 2;
+    medium.floor = -length / 2;
+    return medium;
 }
 
 /// HU change by the same from voxel to voxel all through, so every event near the border meets the same gradient.
-Matter surface(const CaseScene& scene) {
+Medium surface(const CaseScene& scene) {
     const double thickness = extentMm(scene), layer = thickness / kSurfaceLayers;
     const double side = thickness * kSlabWidth / kSlabLayers, border = kSurfaceHu / 2.0;
-    Matter matter;
-    matter.volume = makeVolume({kSlabLayers, kSlabLayers, 2 * kSurfaceLayers}, {side, side, layer},
+    Medium medium;
+    medium.volume = makeVolume({kSlabLayers, kSlabLayers, 2 * kSurfaceLayers}, {side, side, layer},
                                [](int, int, int k) { return kSurfaceHu * (kSurfaceLayers - k); });
-    matter.function.extinctionPerMm = float(scene.extinctionPerMm);
-    matter.function.nodes = {node(scene, border, 0), node(scene, border, 1)};
-    matter.top = 0;
-    matter.floor = -thickness;
-    return matter;
+    medium.function.extinctionPerMm = float(scene.extinctionPerMm);
+    medium.function.nodes = {node(scene, border, 0), node(scene, border, 1)};
+    medium.top = 0;
+    medium.floor = -thickness;
+    return medium;
 }
 
 /// Open are the two voxels in the middle; half-way to the next ones the plate begins.
-Matter slit(const CaseScene& scene) {
+Medium slit(const CaseScene& scene) {
     constexpr int kWidth = 16;
     const double half = extentMm(scene);
-    Matter matter;
-    matter.volume = makeVolume({kWidth, kWidth, 2}, {half, half, kPlate * half / 2},
+    Medium medium;
+    medium.volume = makeVolume({kWidth, kWidth, 2}, {half, half, kPlate * half / 2},
                                [](int i, int, int) { return i == kWidth / 2 - 1 || i == kWidth / 2 ? 0 : 1000; });
-    matter.function.extinctionPerMm = float(100 / (kPlate * half));
-    matter.function.nodes = {node(scene, 500, 0), node(scene, 500, 1)};
-    matter.top = kPlate * half / 2;
-    matter.floor = -matter.top;
-    return matter;
+    medium.function.extinctionPerMm = float(100 / (kPlate * half));
+    medium.function.nodes = {node(scene, 500, 0), node(scene, 500, 1)};
+    medium.top = kPlate * half / 2;
+    medium.floor = -medium.top;
+    return medium;
 }
 
-Matter matterOf(const CaseScene& scene) {
+Medium mediumOf(const CaseScene& scene) {
     switch (scene.shape) {
         case CaseScene::Shape::slab:
             return slab(scene);
@@ -156,18 +156,18 @@ Matter matterOf(const CaseScene& scene) {
     return slit(scene);
 }
 
-/// A lamp of irradiance 1 at `place`, in direction `towards` from there. Balls and panels are 1e5 extents away and so
+/// A lamp of irradiance 1 at `place`, in direction `wi` from there. Spheres and rectangles are 1e5 extents away and so
 /// small that light comes in parallel but for 1e-5.
-Light lampOf(const CaseScene& scene, dvec3 place, dvec3 towards) {
+Light lampOf(const CaseScene& scene, dvec3 place, dvec3 wi) {
     constexpr double kPi64 = 3.14159265358979323846, kSize = 0.003;  // radius or edge over distance
     const double distance = 1e5 * extentMm(scene);
-    const dvec3 centre = place + towards * distance;
-    if (scene.lamp == CaseScene::Lamp::ball)
+    const dvec3 centre = place + wi * distance;
+    if (scene.lamp == CaseScene::Lamp::sphere)
         return SphereLight{centre, kSize * distance, vec3(float(1 / (kPi64 * kSize * kSize)))};
-    if (scene.lamp == CaseScene::Lamp::panel)
-        return RectangleLight{centre,           -towards,         {0, 1, 0},
-                              kSize * distance, kSize * distance, vec3(float(1 / (kSize * kSize)))};
-    return DirectionalLight{-towards, vec3(1)};
+    if (scene.lamp == CaseScene::Lamp::rectangle)
+        return RectangleLight{
+            centre, -wi, {0, 1, 0}, kSize * distance, kSize * distance, vec3(float(1 / (kSize * kSize)))};
+    return DirectionalLight{-wi, vec3(1)};
 }
 
 Environment roomOf(const CaseScene& scene) {
@@ -179,7 +179,7 @@ Environment roomOf(const CaseScene& scene) {
     return room;
 }
 
-Camera cameraOf(const Case& reference, const Matter& matter) {
+Camera cameraOf(const Case& reference, const Medium& medium) {
     const CaseScene& scene = reference.scene;
     const double extent = extentMm(scene);
     Camera camera{.type = Camera::Type::orthographic, .up = {1, 0, 0}};
@@ -188,10 +188,10 @@ Camera cameraOf(const Case& reference, const Matter& matter) {
         camera.focusMm = 2 * kLensFar * extent;  // half of the lens' width is left at the plate
         camera.apertureMm = 4 * scene.blur * extent;
     } else if (scene.inside) {
-        camera.eyeMm = {0, 0, matter.floor};
-        camera.targetMm = {0, 0, matter.top};
+        camera.eyeMm = {0, 0, medium.floor};
+        camera.targetMm = {0, 0, medium.top};
     } else {
-        camera.targetMm = {0, 0, scene.view > 0 ? matter.top : matter.floor};
+        camera.targetMm = {0, 0, scene.view > 0 ? medium.top : medium.floor};
         camera.eyeMm = camera.targetMm + tilted(scene.view, {0, 1, 0}) * (2 * extent / std::fabs(scene.view));
     }
     const bool disc =
@@ -209,19 +209,19 @@ double extentMm(const CaseScene& scene) {
 
 Scene sceneOf(const Case& reference) {
     const CaseScene& from = reference.scene;
-    Matter matter = matterOf(from);
+    Medium medium = mediumOf(from);
     Scene scene;
-    scene.volume = std::move(matter.volume);
-    scene.transferFunction = std::move(matter.function);
+    scene.volume = std::move(medium.volume);
+    scene.transferFunction = std::move(medium.function);
     scene.model = from.multiple ? Model::multipleScattering : Model::singleScattering;
     scene.maxBounces = kMostEvents;
     scene.phaseG = float(from.g);
     scene.gradientFactor = float(from.gradientFactor);
     if (from.beam)
         scene.lights = {
-            lampOf(from, {0, 0, *from.beam > 0 ? matter.top : matter.floor}, tilted(*from.beam, {1, 0, 0}))};
+            lampOf(from, {0, 0, *from.beam > 0 ? medium.top : medium.floor}, tilted(*from.beam, {1, 0, 0}))};
     scene.environment = roomOf(from);
-    scene.camera = cameraOf(reference, matter);
+    scene.camera = cameraOf(reference, medium);
     scene.film = kFilm;
     return scene;
 }

@@ -1,8 +1,8 @@
 #pragma once
 /// A picture in the making, or a part of one, kept where its device adds samples fastest.
-///   iterate, show, iterate, show, ...   orders; the work may go on behind the caller's back
-///   take                                hands out the pictures ordered by show(), oldest first
-///   restart                             the next scene, in the same memory
+///   accumulate, resolve, accumulate, ...   orders; the work may go on behind the caller's back
+///   readback                               hands out the pictures ordered by resolve(), oldest first
+///   restart                                the next scene, in the same memory
 
 #include <cstdint>
 #include <memory>
@@ -23,15 +23,15 @@ class Accumulator {
     /// Takes n more samples of every pixel of `region`, a part of area() that is rounded outwards to whole cells
     /// (film/tile_progress.h), of the uploaded scene. After a stop request it returns early and the film is worthless
     /// until restart(). Errors: the device's, and where it cannot take less than the whole area.
-    virtual Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) = 0;
+    virtual Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) = 0;
     /// Of the whole area.
-    Result<void> iterate(std::uint32_t n, std::stop_token stop) { return iterate(area(), n, std::move(stop)); }
-    /// Orders a picture of what is there, tone mapped. At most ahead() may be waiting to be taken.
-    virtual Result<void> show(const Display& display) = 0;
+    Result<void> accumulate(std::uint32_t n, std::stop_token stop) { return accumulate(area(), n, std::move(stop)); }
+    /// Orders a picture of what is there, tone mapped. At most maxInFlight() may be waiting to be read back.
+    virtual Result<void> resolve(const Display& display) = 0;
     /// The oldest picture that was ordered; waits for it. One must have been ordered.
-    virtual Result<Picture> take() = 0;
+    virtual Result<Picture> readback() = 0;
     /// Pictures that may be ordered before the first is taken: 1 where nothing goes on behind, else more.
-    virtual int ahead() const = 0;
+    virtual int maxInFlight() const = 0;
 
     /// All that is known, on the host. Pictures ordered stay ordered.
     virtual Result<std::shared_ptr<const Film>> film() = 0;

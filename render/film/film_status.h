@@ -30,8 +30,8 @@ struct FilmStatus {
     /// More than a tenth of the tissue is what less than two bright samples a pixel made of it, so brighter ones may
     /// still come: what is foretold from their error is a lower bound.
     bool fewBrightSamples = false;
-    /// While relativeError is unknown because all samples were alike: the fraction of samples that may bring other light
-    /// than was seen, at most, to 95 %. 0 otherwise.
+    /// While relativeError is unknown because all samples were alike: the fraction of samples that may bring other
+    /// light than was seen, at most, to 95 %. 0 otherwise.
     double unseenShare = 0;
 };
 

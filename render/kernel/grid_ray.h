@@ -15,7 +15,8 @@ struct GridRay {
 
     Axis x, y, z;
 
-    /// The part of the ray at t in [enter, leave] that lies in the occupied box is kept: `enter` grows, `leave` shrinks.
+    /// The part of the ray at t in [enter, leave] that lies in the occupied box is kept: `enter` grows, `leave`
+    /// shrinks.
     PDR_HD_INLINE void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
                              Real& enter, Real& leave) {
         x.start(origin.x, direction.x, grid.occupiedLow.x, grid.occupiedHigh.x, enter, leave);
@@ -43,8 +44,8 @@ struct GridRay {
         z.advance(onward, within, borders.z, leaveAt);
     }
 
-    /// Index of the ray's cell of Edge voxels in a grid of `size`. Lanes outside the mask may stand outside the grid: they
-    /// get cell 0.
+    /// Index of the ray's cell of Edge voxels in a grid of `size`. Lanes outside the mask may stand outside the grid:
+    /// they get cell 0.
     template <int Edge>
     PDR_HD_INLINE Int cellIndex(ivec3 size, Mask mask) const {
         constexpr int kShift = Axis::shiftOf(Edge);

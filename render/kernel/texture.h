@@ -8,7 +8,8 @@
 ///           the eight voxels, but for the rounding of two products in float, 2^-23 of the full scale. Rounding to
 ///           kTextureHuStep, of which every voxel's value is a multiple, takes that away: where all eight agree the
 ///           result is exactly theirs, and kHuSlack (cell_bound.h) is never needed.
-///   unsaid  by the guide: how a fraction is rounded (here: to the nearest 256th; cut off, it would be wrong by twice as
+///   unsaid  by the guide: how a fraction is rounded (here: to the nearest 256th; cut off, it would be wrong by twice
+///   as
 ///           much), and whether what is found between 16-bit numbers is rounded to 16 bits, as users of NVIDIA's GPUs
 ///           report (here: it is not; it would be wrong by up to 0.5 HU more). Bounds hold either way.
 

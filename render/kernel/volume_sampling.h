@@ -16,8 +16,8 @@ PDR_HD_INLINE Real trilinearAt(const FlatVolume& volume, const Vec3<Real>& posit
     const Real z = clamped(position.z, volume.lastIndex.z);
     // At the last voxel the cell before it is used, with fraction 1.
     const auto corner = [](Real value, float last) { return toInt(min(value, Real{} + last)); };
-    const Vec3<typename SimdTraits<Real>::Int> lowest{
-        corner(x, volume.lastCorner.x), corner(y, volume.lastCorner.y), corner(z, volume.lastCorner.z)};
+    const Vec3<typename SimdTraits<Real>::Int> lowest{corner(x, volume.lastCorner.x), corner(y, volume.lastCorner.y),
+                                                      corner(z, volume.lastCorner.z)};
     const VoxelCell<Real> cell = cellAt(volume, lowest);
     return trilinear(cell, {x - cell.lowest.x, y - cell.lowest.y, z - cell.lowest.z});
 }

@@ -42,8 +42,8 @@ PDR_HD_INLINE VoxelCell<FloatLanes> cellAt(const FlatVolume& volume, const Vec3<
 
 #endif
 
-/// The cell whose lowest corner is voxel `corner`, at the volume's borders the outermost one; any cell where `mask` does
-/// not hold.
+/// The cell whose lowest corner is voxel `corner`, at the volume's borders the outermost one; any cell where `mask`
+/// does not hold.
 template <class Int, class Mask>
 PDR_HD_INLINE auto nearestCell(const FlatVolume& volume, const Vec3<Int>& corner, Mask mask) {
     const auto inside = [mask](Int value, float last) {

@@ -158,7 +158,7 @@ Effect emission(const Subject& subject) {
     if (model == Model::absorption || model == Model::maximumIntensity)
         return off("emission", "the model shows no light from within");
     const bool emits = std::ranges::any_of(subject.scene.transferFunction.nodes,
-                                            [](const TransferNode& node) { return !isBlack(node.emission); });
+                                           [](const TransferNode& node) { return !isBlack(node.emission); });
     const std::uint32_t features = isProjection(model) ? 0u : std::uint32_t(kEmission);
     return effect("emission", subject.glows, "a node emits light",
                   emits ? "no opaque tissue that the volume holds emits light" : "no node emits light", features,
@@ -174,16 +174,17 @@ Effect placedLights(const Subject& subject) {
     if (isProjection(scene.model))
         return off(kName, "the model asks for no light");
     if (std::ranges::none_of(scene.lights, isPlaced))
-        return off(kName, "no light is a panel or a ball");
+        return off(kName, "no light is a rectangle or a sphere");
     if (const std::string why = whyNothingScatters(subject, false); !why.empty())
         return off(kName, why);
     const auto remove = [](Scene& s) { std::erase_if(s.lights, isPlaced); };
     if (std::ranges::any_of(scene.lights, [](const Light& light) { return isPlaced(light) && shines(light); }))
-        return effect(kName, true, "a light is a panel or a ball", "", kPlacedLights, remove);
+        return effect(kName, true, "a light is a rectangle or a sphere", "", kPlacedLights, remove);
     if (scene.environment.isBlack())
-        return off(kName, "no panel and no ball shines");
+        return off(kName, "no rectangle and no sphere shines");
     // The environment is looked for last, by a number that depends on how many lights were asked before.
-    Effect dark = effect(kName, true, "no panel and no ball shines: could be left out", "", kPlacedLights, remove);
+    Effect dark =
+        effect(kName, true, "no rectangle and no sphere shines: could be left out", "", kPlacedLights, remove);
     dark.couldBeLeftOut = true;
     return dark;
 }
@@ -193,7 +194,7 @@ Effect lightsInView(const Scene& scene) {
     if (isProjection(scene.model))
         return off(kName, "the model asks for no light");
     if (std::ranges::none_of(scene.lights, isPlaced))
-        return off(kName, "no light is a panel or a ball");
+        return off(kName, "no light is a rectangle or a sphere");
     return effect(kName, std::ranges::any_of(scene.lights, cameraSees), "the camera sees a light",
                   "all lights are hidden from the camera", 0, [](Scene& s) { std::ranges::for_each(s.lights, hide); });
 }

@@ -27,9 +27,7 @@ class FieldTable {
     void operator()(const Field& field, float value) { row(field, range(field.range), numberText(value, 6)); }
     void operator()(const Field& field, const vec3& value) { (*this)(field, dvec3(value)); }
     void operator()(const Field& field, const ivec3& value) { (*this)(field, dvec3(value)); }
-    void operator()(const Field& field, const dvec3& value) {
-        row(field, "each " + range(field.range), list(value));
-    }
+    void operator()(const Field& field, const dvec3& value) { row(field, "each " + range(field.range), list(value)); }
     void operator()(const Field& field, const std::pair<int, int>&) {
         row(field, "two whole numbers " + range(field.range), "none");
     }
@@ -68,9 +66,7 @@ class FieldTable {
   private:
     static constexpr std::string_view kHead = "| field | what it is | range | default |\n|---|---|---|---|\n";
 
-    static std::string range(const Range& range) {
-        return range.lowest == kAnyNumber.lowest ? "finite" : range.text();
-    }
+    static std::string range(const Range& range) { return range.lowest == kAnyNumber.lowest ? "finite" : range.text(); }
     static std::string list(const dvec3& value) {
         if (value.x == value.y && value.y == value.z)
             return numberText(value.x, 6);

@@ -18,7 +18,7 @@ struct DirectionalLight {
     bool operator==(const DirectionalLight&) const = default;
 };
 
-/// A flat panel that shines to the side of its normal.
+/// A flat rectangle that shines to the side of its normal.
 struct RectangleLight {
     dvec3 centreMm{0};      ///< each in [-1e9, 1e9]
     dvec3 normal{0, 1, 0};  ///< any length but 0
@@ -30,7 +30,7 @@ struct RectangleLight {
     bool operator==(const RectangleLight&) const = default;
 };
 
-/// A ball that shines to all sides; it is dark inside.
+/// A sphere that shines to all sides; it is dark inside.
 struct SphereLight {
     dvec3 centreMm{0};     ///< each in [-1e9, 1e9]
     double radiusMm = 50;  ///< (0, 1e9]

@@ -36,8 +36,8 @@ struct Look {
 /// The ranges of all that it holds, with the field's name in `where`.
 Result<void> check(const Look& look);
 
-/// `scene` with that look. What it takes from `scene` is the volume, which must be there, and the camera: they say where
-/// the lights stand.
+/// `scene` with that look. What it takes from `scene` is the volume, which must be there, and the camera: they say
+/// where the lights stand.
 Scene withLook(Scene scene, const Look& look);
 
 /// The panels of `rig` about a volume seen by `camera`.

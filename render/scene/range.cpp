@@ -34,7 +34,8 @@ Result<void> checkRange(double value, const Range& range, const std::string& whe
 Result<void> checkRange(dvec3 value, const Range& range, const std::string& where) {
     for (int i = 0; i < 3; ++i)
         if (!range.holds(value[i]))
-            return Error{"holds " + numberText(value[i]) + ", each number must be " + range.text(), where, "", ErrorKind::refused};
+            return Error{"holds " + numberText(value[i]) + ", each number must be " + range.text(), where, "",
+                         ErrorKind::refused};
     return {};
 }
 

@@ -26,7 +26,8 @@ void describe(Visit& visit, TransferNode& node) {
     visit({"hu", "Hounsfield units", kHounsfield, kRequired}, node.hu);
     visit({"opacity", "fraction of `extinctionPerMm`", kFraction, kRequired}, node.opacity);
     visit({"albedo", "colour: the scattered fraction of what is extinguished", kFraction}, node.albedo);
-    visit({"emission", "colour: radiance given off per optical depth; emission coefficient = `emission` x extinction",
+    visit({"emission",
+           "colour: radiance given off per optical depth; emission coefficient = `emission` x extinction",
            {0, 1e6}},
           node.emission);
     visit({"specular", "colour: reflectance of a surface seen straight on", kFraction}, node.specular);
@@ -118,8 +119,7 @@ void describe(Visit& visit, EnvironmentFields& fields) {
     visit({"radiance",
            "colour; with `nadir`: what comes from straight above (towards the head); with `image`: what the picture is "
            "multiplied by, 1 where it is absent",
-           kRadiance,
-           !fields.image},
+           kRadiance, !fields.image},
           environment.radiance);
     if (Visit::kBranches || !fields.image)
         visit({"nadir", "colour from straight below; in between it changes evenly with the height", kRadiance},
@@ -234,16 +234,19 @@ void describe(Visit& visit, VolumeFields& volume) {
     visit({"dicom", "the folder of DICOM files"}, volume.dicom);
     visit({"raw", "or the raw file"}, volume.raw);
     if (Visit::kBranches || volume.dicom)
-        visit({"series", "SeriesInstanceUID of the series to take, as `info` names it (`#2` behind it: its second "
-                         "part); where it is absent, the first that can be loaded"},
+        visit({"series",
+               "SeriesInstanceUID of the series to take, as `info` names it (`#2` behind it: its second "
+               "part); where it is absent, the first that can be loaded"},
               volume.series);
     if (Visit::kBranches || volume.raw || !volume.dicom) {
         visit({"size", "voxels along x, y, z", {1, 65536}, kRequired}, volume.file.size);
         visit({"spacingMm", "distance of voxel centres [mm]", {kLowestSpacingMm, kHighestSpacingMm}, kRequired},
               volume.file.spacingMm);
         visit.word({"type", "of a voxel; float32 is rounded"}, volume.file.type, kVoxelWords);
-        visit({"originMm", "centre of voxel (0, 0, 0); where it is absent, half a spacing, so that the box begins at 0 "
-                           "[mm]", kPlaceMm},
+        visit({"originMm",
+               "centre of voxel (0, 0, 0); where it is absent, half a spacing, so that the box begins at 0 "
+               "[mm]",
+               kPlaceMm},
               volume.file.originMm);
     }
     visit({"clampHu", "`[lowest, highest]`: every voxel is clamped to this interval first [HU]", kHounsfield},

@@ -53,7 +53,7 @@ Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
     const std::uint32_t samples = wantedSamples(elapsed);
     // A launch that is broken off leaves worthless sums: only the first one has nothing to lose.
     const bool first = done_ == 0;
-    if (auto ok = film_.iterate(samples, first ? stop : std::stop_token()); !ok)
+    if (auto ok = film_.accumulate(samples, first ? stop : std::stop_token()); !ok)
         return ok;
     if (!(first && stop.stop_requested()))
         done_ += samples;
@@ -64,9 +64,9 @@ Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
 Result<void> BatchRender::look() {
     if (done_ == 0)
         return {};
-    if (auto ok = film_.show(display_); !ok)
+    if (auto ok = film_.resolve(display_); !ok)
         return ok;
-    const auto picture = film_.take();
+    const auto picture = film_.readback();
     if (!picture)
         return picture.error();
     status_ = picture->status;

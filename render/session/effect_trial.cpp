@@ -88,11 +88,11 @@ Result<void> TrialPicture::begin() {
     return {};
 }
 
-Result<double> TrialPicture::iterate(std::uint32_t n) {
+Result<double> TrialPicture::accumulate(std::uint32_t n) {
     if (auto ok = begin(); !ok)
         return ok.error();
     const double start = processorSeconds();
-    if (auto ok = film_->iterate(n, {}); !ok)
+    if (auto ok = film_->accumulate(n, {}); !ok)
         return ok.error();
     return processorSeconds() - start;
 }
@@ -102,8 +102,8 @@ Result<EffectTrial> tryEffect(const Effect& effect, const Scene& scene, const Di
     Scene lean = scene;
     effect.leaveOut(lean);
     TrialPicture with(scene, device), without(std::move(lean), device);
-    const auto added = addedCost([&](std::uint32_t n) { return with.iterate(n); },
-                                 [&](std::uint32_t n) { return without.iterate(n); }, budgetSeconds);
+    const auto added = addedCost([&](std::uint32_t n) { return with.accumulate(n); },
+                                 [&](std::uint32_t n) { return without.accumulate(n); }, budgetSeconds);
     if (!added)
         return added.error();
     const auto a = with.film(), b = without.film();
@@ -119,7 +119,7 @@ Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, dou
     };
     shrink(longestSide);
     TrialPicture picture(small, device);
-    const auto first = picture.iterate(1);
+    const auto first = picture.accumulate(1);
     if (!first)
         return first.error();
     if (*first > seconds)

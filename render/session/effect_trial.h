@@ -35,7 +35,7 @@ class TrialPicture {
     /// `device` must outlive it.
     TrialPicture(Scene scene, Device& device) : scene_(std::move(scene)), device_(device) {}
 
-    Result<double> iterate(std::uint32_t n);
+    Result<double> accumulate(std::uint32_t n);
     /// At least one iteration must have been taken.
     Result<std::shared_ptr<const Film>> film() const { return film_->film(); }
 

@@ -14,7 +14,7 @@ namespace pdr {
 namespace {
 
 constexpr double kCoarseSeconds = 1.0 / 15;  ///< what a coarse frame may take
-constexpr int kCoarsest = 8;                         ///< at most this many pixels of the film to one that is rendered
+constexpr int kCoarsest = 8;                 ///< at most this many pixels of the film to one that is rendered
 
 std::string capitalized(std::string text) {
     if (!text.empty())
@@ -144,7 +144,8 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
     }
     if (lost)
         return failedOnDevice(*lost);
-    notify("The other device cannot be used: " + withFullStop(moved.error().text()) + " The picture goes on on " + old + ".");
+    notify("The other device cannot be used: " + withFullStop(moved.error().text()) + " The picture goes on on " + old +
+           ".");
 }
 
 /// Of another scene, or the same from its beginning.

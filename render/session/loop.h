@@ -35,7 +35,7 @@ class Session::Loop {
     void work(const RenderCommands::Iteration& step);
 
     // Parts of work(). Errors: the device's.
-    Result<void> iterate(const RenderCommands::Iteration& step);
+    Result<void> accumulate(const RenderCommands::Iteration& step);
     Result<void> show(const RenderCommands::Iteration& step);
     Result<std::vector<Picture>> takeAllBut(int left);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);

@@ -20,7 +20,7 @@ constexpr double kMeasureSeconds = 2;         ///< between two frames whose disp
 void Session::Loop::work(const RenderCommands::Iteration& step) {
     Result<void> done;
     if (step.render)
-        done = iterate(step);
+        done = accumulate(step);
     if (done && step.render && step.stop.stop_requested()) {
         place_.tearFilm();  // something newer is waiting
         return;
@@ -50,12 +50,12 @@ std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
     return std::uint32_t(std::clamp(speed * kLaunchSeconds, 1.0, double(left)));
 }
 
-Result<void> Session::Loop::iterate(const RenderCommands::Iteration& step) {
+Result<void> Session::Loop::accumulate(const RenderCommands::Iteration& step) {
     const double start = clock_();
     Accumulator& film = *place_.film();
     if (done_ == 0) {  // a frame begins
         const bool due = fresh_ || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
-        measuring_ = film.ahead() > 1 && !coarse_ && due;
+        measuring_ = film.maxInFlight() > 1 && !coarse_ && due;
         if (measuring_) {
             Result<std::vector<Picture>> before = takeAllBut(0);
             if (!before)
@@ -65,8 +65,8 @@ Result<void> Session::Loop::iterate(const RenderCommands::Iteration& step) {
     }
     const double begin = measuring_ ? clock_() : start;
     const std::uint32_t n = launch(wanted(step.pace));
-    if (Result<void> iterated = film.iterate(n, step.stop); !iterated)
-        return iterated;
+    if (Result<void> accumulated = film.accumulate(n, step.stop); !accumulated)
+        return accumulated;
     done_ += n;
     samples_ += n;
     frameSeconds_ += secondsSince(begin);
@@ -80,10 +80,10 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step) {
     const Display display = commands.display();
     const bool atOnce = fresh_ || coarse_ || measuring_ || !step.render;
     const double start = clock_();
-    if (Result<void> ordered = film.show(display); !ordered)
+    if (Result<void> ordered = film.resolve(display); !ordered)
         return ordered;
     ++waiting_;
-    Result<std::vector<Picture>> pictures = takeAllBut(atOnce ? 0 : film.ahead() - 1);
+    Result<std::vector<Picture>> pictures = takeAllBut(atOnce ? 0 : film.maxInFlight() - 1);
     if (!pictures)
         return pictures.error();
     const double displaySeconds = secondsSince(start);
@@ -92,7 +92,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step) {
     seconds_ += frameSeconds + displaySeconds;
     first_ = fresh_ = false;
     if (step.render) {
-        if (film.ahead() == 1)
+        if (film.maxInFlight() == 1)
             meter_.addFrame(n, frameSeconds, displaySeconds);
         else
             meter_.addPeriod(n, frameSeconds + displaySeconds);
@@ -106,7 +106,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step) {
 Result<std::vector<Picture>> Session::Loop::takeAllBut(int left) {
     std::vector<Picture> pictures;
     while (waiting_ > left) {
-        Result<Picture> picture = place_.film()->take();
+        Result<Picture> picture = place_.film()->readback();
         if (!picture)
             return picture.error();
         --waiting_;
@@ -119,9 +119,9 @@ Result<std::vector<Picture>> Session::Loop::takeAllBut(int left) {
 /// `frameSeconds`; now its display alone once more, and what is left are its n iterations.
 Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t n, double frameSeconds) {
     const double start = clock_();
-    if (Result<void> ordered = place_.film()->show(display); !ordered)
+    if (Result<void> ordered = place_.film()->resolve(display); !ordered)
         return ordered;
-    if (const Result<Picture> again = place_.film()->take(); !again)
+    if (const Result<Picture> again = place_.film()->readback(); !again)
         return again.error();
     const double displaySeconds = secondsSince(start);
     meter_.addFrame(n, std::max(frameSeconds - displaySeconds, 0.0), displaySeconds);

@@ -9,9 +9,12 @@ namespace {
 
 /// Takes the looks out that `wanted` holds for.
 template <class Wanted>
-std::vector<RenderCommands::SnapshotRequest> taken(std::vector<RenderCommands::SnapshotRequest>& looks, Wanted&& wanted) {
-    const auto first = std::stable_partition(looks.begin(), looks.end(), [&](const auto& look) { return !wanted(look); });
-    std::vector<RenderCommands::SnapshotRequest> out(std::make_move_iterator(first), std::make_move_iterator(looks.end()));
+std::vector<RenderCommands::SnapshotRequest> taken(std::vector<RenderCommands::SnapshotRequest>& looks,
+                                                   Wanted&& wanted) {
+    const auto first =
+        std::stable_partition(looks.begin(), looks.end(), [&](const auto& look) { return !wanted(look); });
+    std::vector<RenderCommands::SnapshotRequest> out(std::make_move_iterator(first),
+                                                     std::make_move_iterator(looks.end()));
     looks.erase(first, looks.end());
     return out;
 }
@@ -101,15 +104,18 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
 }
 
 /// Scenes are submitted before they are looked at: what is neither there nor in this step will not come.
-std::vector<RenderCommands::SnapshotRequest> RenderCommands::takeUnanswerable(const LoopState& state, const Iteration& step) {
+std::vector<RenderCommands::SnapshotRequest> RenderCommands::takeUnanswerable(const LoopState& state,
+                                                                              const Iteration& step) {
     const bool stays = !step.clear && (state.film || (state.scene && step.device));
     const std::uint64_t revision = step.order ? step.order->scene.revision : state.revision;
-    return taken(looks_, [&](const SnapshotRequest& look) { return !(step.order || stays) || look.revision != revision; });
+    return taken(looks_,
+                 [&](const SnapshotRequest& look) { return !(step.order || stays) || look.revision != revision; });
 }
 
 bool RenderCommands::snapshotRequested(std::uint64_t revision) {
     const std::lock_guard lock(mutex_);
-    return std::any_of(looks_.begin(), looks_.end(), [&](const SnapshotRequest& look) { return look.revision == revision; });
+    return std::any_of(looks_.begin(), looks_.end(),
+                       [&](const SnapshotRequest& look) { return look.revision == revision; });
 }
 
 std::vector<RenderCommands::SnapshotRequest> RenderCommands::takeSnapshotRequests(std::uint64_t revision) {

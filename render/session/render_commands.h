@@ -26,19 +26,19 @@ class RenderCommands {
 
     /// Where the render thread stands.
     struct LoopState {
-        bool scene = false;     ///< there is one
-        bool film = false;      ///< there is one of it
+        bool scene = false;          ///< there is one
+        bool film = false;           ///< there is one of it
         std::uint64_t revision = 0;  ///< of the scene
-        bool first = false;     ///< its first picture is still to come; that one is made even while paused
-        bool unshown = false;   ///< the film holds what has not been shown
-        bool canSnapshot = false;  ///< it can be looked at
+        bool first = false;          ///< its first picture is still to come; that one is made even while paused
+        bool unshown = false;        ///< the film holds what has not been shown
+        bool canSnapshot = false;    ///< it can be looked at
     };
 
     /// What the render thread does next, in the order in which it does it.
     struct Iteration {
-        bool clear = false;                ///< forget the scene
+        bool clear = false;                         ///< forget the scene
         std::vector<SnapshotRequest> unanswerable;  ///< looks at what is not there and will not come
-        DeviceOpener device;  ///< go on there; empty: as before
+        DeviceOpener device;                        ///< go on there; empty: as before
         std::optional<SceneOrder> order;
         bool render = false;  ///< more iterations, if there is a film
         FrameBudget pace;

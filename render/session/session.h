@@ -47,7 +47,7 @@ using FrameSink = std::function<void(std::shared_ptr<const Frame>)>;
 struct FilmView {
     const Film& film;
     const Scene& scene;  ///< that it shows
-    double seconds;  ///< spent
+    double seconds;      ///< spent
 };
 
 /// Called on the render thread: with the film, or with the reason why there is none.

@@ -57,7 +57,8 @@ class CliOutputsTest : public QObject {
     /// Until the first samples were taken.
     void waitForRendering() {
         QByteArray said;
-        while (!said.contains("rendering") && process_.waitForReadyRead(pdr::test::kPatience))  // of standard error, see init()
+        while (!said.contains("rendering") &&
+               process_.waitForReadyRead(pdr::test::kPatience))  // of standard error, see init()
             said += process_.readAllStandardError();
     }
 

@@ -48,8 +48,8 @@ class CliPicturesTest : public QObject {
         QSet<QByteArray> pictures;
         for (const char* model : {"absorption", "emission", "emissionAbsorption", "singleScattering",
                                   "multipleScattering", "maximumIntensity"}) {
-            const ProgramRun result = BallScene::run({"render", scene(), "-o", at("m.png"), "--samples", "4", "--size", "30x30", "--preset",
-                                    "CT bone", "--model", model, "--json"});
+            const ProgramRun result = BallScene::run({"render", scene(), "-o", at("m.png"), "--samples", "4", "--size",
+                                                      "30x30", "--preset", "CT bone", "--model", model, "--json"});
             QVERIFY2(result.code == 0, result.err.constData());
             const QJsonObject health = QJsonDocument::fromJson(result.out).object()["health"].toObject();
             QCOMPARE(health.size(), pdr::kFaults);
@@ -70,8 +70,8 @@ class CliPicturesTest : public QObject {
         QVERIFY(QImage(at("u.png")) != QImage(at("k.png")));
         QCOMPARE(QImage(at("k.png")).text("pdrender/estimator"), QString("kroesMarch (biased)"));
         QVERIFY(!QImage(at("u.png")).textKeys().contains("pdrender/estimator"));
-        const ProgramRun bounced = BallScene::run(common + QStringList{"-o", at("k.png"), "--estimator", "kroesMarch", "--model",
-                                                     "multipleScattering"});
+        const ProgramRun bounced = BallScene::run(
+            common + QStringList{"-o", at("k.png"), "--estimator", "kroesMarch", "--model", "multipleScattering"});
         QCOMPARE(bounced.code, 1);
         QVERIFY(bounced.err.contains("one event"));
         QCOMPARE(BallScene::run(common + QStringList{"-o", at("k.png"), "--estimator", "fast"}).code, 2);
@@ -79,23 +79,29 @@ class CliPicturesTest : public QObject {
     }
 
     void aLensIsFocusedOnWhatAPixelShows() {
-        QCOMPARE(BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset", "CT bone", "--aperture", "10",
-                      "--focus", "32,24"}).code, 0);
-        const ProgramRun nothing = BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset", "CT bone",
-                                 "--aperture", "10", "--focus", "0,0"});
+        QCOMPARE(BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset", "CT bone",
+                                 "--aperture", "10", "--focus", "32,24"})
+                     .code,
+                 0);
+        const ProgramRun nothing = BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset",
+                                                   "CT bone", "--aperture", "10", "--focus", "0,0"});
         QCOMPARE(nothing.code, 1);
         QVERIFY(nothing.err.contains("nothing to focus on under pixel 0,0"));
-        const ProgramRun outside = BallScene::run({"render", scene(), "-o", at("l.png"), "--aperture", "10", "--focus", "5000,1"});
+        const ProgramRun outside =
+            BallScene::run({"render", scene(), "-o", at("l.png"), "--aperture", "10", "--focus", "5000,1"});
         QCOMPARE(outside.code, 1);
         QVERIFY2(outside.err.contains("outside the picture of 48 x 40"), outside.err.constData());
     }
 
     void surroundingsAreReadFromOpenExr() {
-        QVERIFY(BallScene::run({"render", scene(), "-o", at("sky.exr"), "--samples", "2", "--preset", "CT bone"}).code == 0);
+        QVERIFY(
+            BallScene::run({"render", scene(), "-o", at("sky.exr"), "--samples", "2", "--preset", "CT bone"}).code ==
+            0);
         QFile file(scene());
         QVERIFY(file.open(QIODevice::ReadOnly));
         QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
-        document["lights"] = QJsonArray{QJsonObject{{"type", "environment"}, {"image", at("sky.exr")}, {"radiance", 3}}};
+        document["lights"] =
+            QJsonArray{QJsonObject{{"type", "environment"}, {"image", at("sky.exr")}, {"radiance", 3}}};
         const auto write = [&](const QString& name) {
             QFile out(at(name));
             return out.open(QIODevice::WriteOnly) && out.write(QJsonDocument(document).toJson()) > 0;
@@ -113,7 +119,8 @@ class CliPicturesTest : public QObject {
     void theErrorStopsAndDoesNotDependOnTheClock() {
         QStringList samples;
         for (int i = 0; i < 2; ++i) {
-            const ProgramRun result = BallScene::run({"render", scene(), "-o", at("e.png"), "--error", "0.05", "--json"});
+            const ProgramRun result =
+                BallScene::run({"render", scene(), "-o", at("e.png"), "--error", "0.05", "--json"});
             const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
             QCOMPARE(facts["stoppedBy"].toString(), QString("error"));
             QVERIFY(facts["relativeError"].toDouble() <= 0.05);
@@ -125,7 +132,8 @@ class CliPicturesTest : public QObject {
     /// Thick fog before a panel: of the first samples none brings light. That is no picture without noise.
     void aPictureThatHasSeenNoLightYetIsNotDone() {
         BallScene::write(at("fog.raw"), QByteArray(2 * 48 * 16 * 48, 1));
-        BallScene::write(at("backlit.json"), R"({ "format": "pdrender-scene", "version": 1, "model": "multipleScattering",
+        BallScene::write(at("backlit.json"),
+                         R"({ "format": "pdrender-scene", "version": 1, "model": "multipleScattering",
             "volume": { "raw": "fog.raw", "size": [48, 16, 48], "spacingMm": [1, 1, 1] },
             "transferFunction": { "extinctionPerMm": 6, "nodes": [ { "hu": 0, "opacity": 1, "albedo": 0.95 } ] },
             "lights": [ { "type": "rectangle", "centreMm": [24, 60, 24], "normal": [0, -1, 0], "up": [0, 0, 1],
@@ -133,8 +141,8 @@ class CliPicturesTest : public QObject {
             "camera": { "eyeMm": [24, -80, 24], "targetMm": [24, 8, 24], "fovDegrees": 5 },
             "film": { "width": 8, "height": 8 } })");
         for (const char* seed : {"1", "2", "3", "4", "5", "6"}) {
-            const ProgramRun result = BallScene::run({"render", at("backlit.json"), "-o", at("fog.png"), "--error", "0.05", "--samples",
-                                    "80", "--seed", seed, "--json"});
+            const ProgramRun result = BallScene::run({"render", at("backlit.json"), "-o", at("fog.png"), "--error",
+                                                      "0.05", "--samples", "80", "--seed", seed, "--json"});
             const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
             QCOMPARE(facts["stoppedBy"].toString(), QString("samples"));
             QVERIFY(facts["relativeError"].isNull() || facts["relativeError"].toDouble() > 1);
@@ -149,7 +157,8 @@ class CliPicturesTest : public QObject {
         QByteArray dark = BallScene::contents(at("backlit.json"));
         dark.replace("1000 }", "0 }");
         BallScene::write(at("dark.json"), dark);
-        const ProgramRun black = BallScene::run({"render", at("dark.json"), "-o", at("fog.png"), "--error", "0.05", "--json"});
+        const ProgramRun black =
+            BallScene::run({"render", at("dark.json"), "-o", at("fog.png"), "--error", "0.05", "--json"});
         const QJsonObject facts = QJsonDocument::fromJson(black.out).object();
         QCOMPARE(facts["stoppedBy"].toString(), QString("error"));
         QCOMPARE(facts["samplesPerPixel"].toInt(), 64);
@@ -159,7 +168,8 @@ class CliPicturesTest : public QObject {
     /// Empty ground beside the tissue says nothing about the tissue.
     void theErrorIsThatOfTheTissue() {
         const auto facts = [&](const char* size) {
-            const ProgramRun result = BallScene::run({"render", scene(), "-o", at("w.png"), "--samples", "64", "--size", size, "--json"});
+            const ProgramRun result =
+                BallScene::run({"render", scene(), "-o", at("w.png"), "--samples", "64", "--size", size, "--json"});
             return QJsonDocument::fromJson(result.out).object();
         };
         const QJsonObject square = facts("40x40"), wide = facts("400x40");
@@ -180,8 +190,9 @@ class CliPicturesTest : public QObject {
     /// Before hours are spent, not after: the address space is what a picture of 16384 x 16384 may not have.
     void aPictureThatDoesNotFitIsRefused() {
         QProcess process;
-        process.start("/bin/sh", {"-c", QString("ulimit -v 8000000; exec \"$0\" render \"$1\" -o \"$2\" --size "
-                                                "16384x16384 --threads 2 --samples 1"),
+        process.start("/bin/sh", {"-c",
+                                  QString("ulimit -v 8000000; exec \"$0\" render \"$1\" -o \"$2\" --size "
+                                          "16384x16384 --threads 2 --samples 1"),
                                   PDR_BINARY_DIR "/bin/pdrender-cli", scene(), at("huge.png")});
         QVERIFY(process.waitForFinished(pdr::test::kPatience));
         const QByteArray said = process.readAllStandardError();
@@ -213,7 +224,8 @@ class CliPicturesTest : public QObject {
 
     void ctrlCWritesWhatIsThere() {
         QProcess process;
-        process.start(PDR_BINARY_DIR "/bin/pdrender-cli", {"render", scene(), "-o", at("c.png"), "--seconds", "100", "--json"});
+        process.start(PDR_BINARY_DIR "/bin/pdrender-cli",
+                      {"render", scene(), "-o", at("c.png"), "--seconds", "100", "--json"});
         process.setReadChannel(QProcess::StandardError);
         QByteArray said;
         while (!said.contains("rendering") && process.waitForReadyRead(pdr::test::kPatience))
@@ -231,7 +243,8 @@ class CliPicturesTest : public QObject {
     void aDicomFolderBecomesAPicture() {
         const ProgramRun example = BallScene::run({"example", at("phantom")});
         QVERIFY2(example.code == 0, example.err.constData());
-        const ProgramRun result = BallScene::run({"render", at("phantom"), "-o", at("p.png"), "--size", "64x64", "--samples", "8"});
+        const ProgramRun result =
+            BallScene::run({"render", at("phantom"), "-o", at("p.png"), "--size", "64x64", "--samples", "8"});
         QVERIFY2(result.code == 0, result.err.constData());
         QVERIFY(qGreen(QImage(at("p.png")).pixel(32, 32)) > 10);
         QCOMPARE(BallScene::run({"render", at("phantom"), "-o", at("p.png"), "--series", "1.2.3"}).code, 1);

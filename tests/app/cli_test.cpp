@@ -76,7 +76,9 @@ class CliTest : public QObject {
         QVERIFY2(result.err.contains("cuda:77"), result.err.constData());
         QVERIFY(!QFile::exists(at("device.png")));
         for (const char* name : {"cpu", "auto"})
-            QCOMPARE(BallScene::run({"render", scene(), "-o", at("device.png"), "--samples", "1", "--device", name}).code, 0);
+            QCOMPARE(
+                BallScene::run({"render", scene(), "-o", at("device.png"), "--samples", "1", "--device", name}).code,
+                0);
     }
 
     void aBadInputIsNamedAndNothingIsWritten() {
@@ -90,7 +92,8 @@ class CliTest : public QObject {
     }
 
     void aBadFieldIsNamed() {
-        BallScene::write(at("wrong.json"), BallScene::contents(scene()).replace("\"irradiance\": 3", "\"irradiance\": -3"));
+        BallScene::write(at("wrong.json"),
+                         BallScene::contents(scene()).replace("\"irradiance\": 3", "\"irradiance\": -3"));
         const ProgramRun result = BallScene::run({"render", at("wrong.json"), "-o", at("bad.png")});
         QCOMPARE(result.code, 1);
         QVERIFY2(result.err.contains("lights[0].irradiance"), result.err.constData());
@@ -108,7 +111,8 @@ class CliTest : public QObject {
     }
 
     void picturesAreWrittenAndJsonTellsHow() {
-        const ProgramRun result = BallScene::run({"render", scene(), "-o", at("a.png"), "-o", at("a.exr"), "--samples", "32", "--json"});
+        const ProgramRun result =
+            BallScene::run({"render", scene(), "-o", at("a.png"), "-o", at("a.exr"), "--samples", "32", "--json"});
         QVERIFY2(result.code == 0, result.err.constData());
         const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
         QCOMPARE(facts["samplesPerPixel"].toInt(), 32);
@@ -125,8 +129,9 @@ class CliTest : public QObject {
     }
 
     void optionsOverruleTheScene() {
-        const ProgramRun result = BallScene::run({"render", scene(), "-o", at("b.png"), "--samples", "64", "--size", "30x20", "--preset",
-                                "bone", "--view", "left", "--seed", "9", "--json"});
+        const ProgramRun result =
+            BallScene::run({"render", scene(), "-o", at("b.png"), "--samples", "64", "--size", "30x20", "--preset",
+                            "bone", "--view", "left", "--seed", "9", "--json"});
         QVERIFY2(result.code == 0, result.err.constData());
         QCOMPARE(QImage(at("b.png")).size(), QSize(30, 20));
         QCOMPARE(QImage(at("b.png")).text("pdrender/seed"), QString("9"));
@@ -137,7 +142,7 @@ class CliTest : public QObject {
         const ProgramRun plain = BallScene::run({"effects", scene()});
         QCOMPARE(plain.code, 0);
         QVERIFY(plain.out.contains("the gradient factor is 0"));
-        QVERIFY(plain.out.contains("no light is a panel or a ball"));
+        QVERIFY(plain.out.contains("no light is a rectangle or a sphere"));
         QVERIFY(plain.out.contains("multipleScattering"));
         QVERIFY(!QRegularExpression(" -[0-9]").match(plain.out).hasMatch());  // no cost is negative
         const ProgramRun lit = BallScene::run({"effects", scene(), "--preset", "CT bone", "--json"});
@@ -181,8 +186,9 @@ class CliTest : public QObject {
     }
 
     void aSampleIsToldEventByEvent() {
-        const ProgramRun told = BallScene::run({"replay", scene(), "--preset", "CT bone", "--model", "multipleScattering", "--size", "40x40",
-                              "--pixel", "20,20", "--sample", "3"});
+        const ProgramRun told =
+            BallScene::run({"replay", scene(), "--preset", "CT bone", "--model", "multipleScattering", "--size",
+                            "40x40", "--pixel", "20,20", "--sample", "3"});
         QVERIFY2(told.code == 0, told.err.constData());
         QVERIFY(told.out.contains("pixel 20,20 sample 3 seed"));
         QVERIFY(told.out.contains("event after") && told.out.contains("HU, extinction") &&

@@ -71,7 +71,8 @@ void TestDesktopDevices::aDeviceThatIsNotThereIsSaidAndThePictureGoesOn() {
     trial.desktop.window().rendering().setDevice("abacus");
     emit trial.desktop.window().rendering().deviceChosen("abacus");
     QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("abacus"), test::kPatience);
-    QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu", test::kPatience);  // what is really in use
+    QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu",
+                              test::kPatience);  // what is really in use
     const std::size_t frames = trial.frames.size();
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
 }

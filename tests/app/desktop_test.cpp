@@ -17,8 +17,8 @@
 
 namespace pdr::app {
 
-/// Measures how long the event loop is busy with one thing at most, or blocked by it. The time in which this thread could
-/// have run and other programs held the processors is left out.
+/// Measures how long the event loop is busy with one thing at most, or blocked by it. The time in which this thread
+/// could have run and other programs held the processors is left out.
 class StallWatch : public QObject {
   public:
     StallWatch() {

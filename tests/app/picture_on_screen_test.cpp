@@ -240,9 +240,9 @@ void TestPictureOnScreen::aClosedPatientIsFreedAndNotRenderedOn() {
     QVERIFY(!volume.expired());
     showNothing(trial.desktop.parts());
     QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), test::kPatience);
-    const int iterations = mishaps->iterates;
+    const int iterations = mishaps->accumulates;
     QTest::qWait(300);
-    QCOMPARE(mishaps->iterates.load(), iterations);
+    QCOMPARE(mishaps->accumulates.load(), iterations);
     trial.frames.clear();
     trial.openAndWait(series_);  // and what is opened next is shown
 }

@@ -24,7 +24,8 @@ constexpr const char* kPrograms[] = {"pdrender", "pdrender-cli", "pdrender-bench
 using pdr::test::ProgramRun;
 using Before = std::function<void()>;  ///< what the new process does before it becomes the program
 
-ProgramRun run(const QString& program, const QStringList& arguments, const Before& before = {}, const QString& out = {}) {
+ProgramRun run(const QString& program, const QStringList& arguments, const Before& before = {},
+               const QString& out = {}) {
     return pdr::test::runProgram(program, arguments, [&](QProcess& process) {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
@@ -157,7 +158,7 @@ class ProgramsTest : public QObject {
     /// With standard output closed, the next file that is opened must not take its number and receive what is printed.
     void aClosedStandardOutputSpoilsNoPicture() {
         const ProgramRun closed = run("pdrender-cli", {"render", scene(), "-o", at("closed.png"), "--samples", "1"},
-                               [] { ::close(STDOUT_FILENO); });
+                                      [] { ::close(STDOUT_FILENO); });
         QCOMPARE(closed.code, 1);
         QFile file(at("closed.png"));
         QVERIFY(file.open(QIODevice::ReadOnly));

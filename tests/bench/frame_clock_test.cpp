@@ -16,7 +16,7 @@ namespace {
 struct Diary {
     double seconds = 0.002;
     bool sleeps = false;  ///< on the wall's clock too
-    int ahead = 1;
+    int maxInFlight = 1;
     int iterations = 0, shown = 0, taken = 0, mostWaiting = 0;
     std::stop_source* stopAfterThree = nullptr;
     double now = 0;
@@ -31,25 +31,25 @@ class SlowFilm final : public Accumulator {
     explicit SlowFilm(Diary& diary) : diary_(diary) {}
 
     Tile area() const override { return {0, 0, 4, 4}; }
-    Result<void> iterate(const Tile&, std::uint32_t n, std::stop_token) override {
+    Result<void> accumulate(const Tile&, std::uint32_t n, std::stop_token) override {
         if (diary_.sleeps)
             std::this_thread::sleep_for(std::chrono::duration<double>(n * diary_.seconds));
         diary_.now += n * diary_.seconds;
         diary_.iterations += int(n);
         return {};
     }
-    Result<void> show(const Display&) override {
+    Result<void> resolve(const Display&) override {
         ++diary_.shown;
         diary_.mostWaiting = std::max(diary_.mostWaiting, diary_.shown - diary_.taken);
         return {};
     }
-    Result<Picture> take() override {
+    Result<Picture> readback() override {
         ++diary_.taken;
         if (diary_.stopAfterThree != nullptr && diary_.taken == 3)
             diary_.stopAfterThree->request_stop();
         return Picture{{}, {.samplesPerPixel = 16, .relativeError = 0.25}};
     }
-    int ahead() const override { return diary_.ahead; }
+    int maxInFlight() const override { return diary_.maxInFlight; }
     Result<std::shared_ptr<const Film>> film() override { return Error{"none", "", ""}; }
     Result<void> resume(const Film&) override { return {}; }
     Result<void> restart(const Tile&, std::uint64_t) override { return {}; }
@@ -83,7 +83,7 @@ Scene smallScene() {
 
 Result<void> measured(
     Device& device, Diary& diary, const Plan& plan, Measured& result, std::stop_token stop = {},
-    const Watch& watch = [](const Cell&, int, double) {}) {
+    const OnMeasurement& watch = [](const Cell&, int, double) {}) {
     const auto load = processorLoad(1);
     return measure(device, smallScene(), {}, plan, diary.clock(), *load, watch, std::move(stop), result);
 }
@@ -131,7 +131,7 @@ class FrameClockTest : public QObject {
     }
 
     void asManyAreOrderedAheadAsTheFilmAllows() {
-        Diary diary{.ahead = 3};
+        Diary diary{.maxInFlight = 3};
         SlowFilm film(diary);
         const auto lap = timeFrames(film, 1, {}, 0.02, diary.clock(), {});
         QVERIFY(bool(lap));
@@ -155,7 +155,7 @@ class FrameClockTest : public QObject {
         Measured result;
         std::vector<std::string> order;
         double left = 0;
-        const Watch watch = [&](const Cell& cell, int round, double secondsLeft) {
+        const OnMeasurement watch = [&](const Cell& cell, int round, double secondsLeft) {
             order.push_back(std::to_string(round) + " " + text(cell.size) + " " + kWays[cell.way].title());
             left = order.size() == 1 ? 0 : secondsLeft;
             if (left < 0)

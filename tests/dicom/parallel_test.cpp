@@ -14,7 +14,8 @@ class ParallelTest : public QObject {
   private slots:
     void everyFileIsTakenOnce() {
         std::vector<std::atomic<int>> taken(1000);
-        QVERIFY(onAllCores(1000, [&](std::size_t i, const GoOn&) { ++taken[i]; }, pdr::noProgress, "reading"));
+        QVERIFY(onAllCores(
+            1000, [&](std::size_t i, const GoOn&) { ++taken[i]; }, pdr::noProgress, "reading"));
         for (const auto& count : taken)
             QCOMPARE(count.load(), 1);
     }

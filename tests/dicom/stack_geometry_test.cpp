@@ -94,7 +94,8 @@ class StackGeometryTest : public QObject {
         QFETCH(QVector<double>, heights);
         const auto analysis = analyseStack(axial({heights.begin(), heights.end()}));
         QCOMPARE(QString::fromStdString(analysis.verdict.reason), QString());
-        for (int k = 0; k < int(heights.size()); ++k)  // what was rounded does not add up over the slices: 0.02 mm at most
+        for (int k = 0; k < int(heights.size());
+             ++k)  // what was rounded does not add up over the slices: 0.02 mm at most
             QVERIFY(std::fabs((analysis.geometry.patientFromIndex * dvec4(0, 0, k, 1)).z - heights[k]) <= 0.02);
     }
 

@@ -107,9 +107,8 @@ class AccumulationTest : public QObject {
         const std::uint64_t many = (1ull << 32) - 64;
         QVERIFY(std::int32_t(many + 64) == 0 && float(many) + 1 == float(many));  // what int and float make of it
         Film film(ivec2(1, 1), 0);
-        *film.sums(test::kOnePixel).pixels = {.sum = dvec3(0.5 * double(many)),
-                                              .sumOfSquares = dvec3(0.25 * double(many)),
-                                              .count = std::uint32_t(many)};
+        *film.sums(test::kOnePixel).pixels = {
+            .sum = dvec3(0.5 * double(many)), .sumOfSquares = dvec3(0.25 * double(many)), .count = std::uint32_t(many)};
         film.commit({0, std::uint32_t(many)});
         for (std::uint64_t added = 1; added <= 200; ++added) {
             const SampleRange range = film.nextSamples(1);
@@ -141,7 +140,7 @@ class AccumulationTest : public QObject {
             const Tile area{0, 0, 4, 4};
             const auto film = *device->film(area, 0, {});
             (void)film->resume(Film(area, 0, first));
-            (void)film->iterate(64, {});
+            (void)film->accumulate(64, {});
             return (*film->film())->pixel(1, 1).mean.x;
         };
         QVERIFY(sumsFrom(1ull << 32) != sumsFrom(0) && sumsFrom(1ull << 32) != sumsFrom(1ull << 31));

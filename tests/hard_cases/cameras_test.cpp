@@ -96,7 +96,8 @@ class CamerasTest : public QObject {
             for (const vec2 place : {vec2(0), vec2(32), vec2(0, 32), vec2(16), vec2(16, 16.001f)}) {
                 const PathSegment segment = generateCameraRay(prepared->flat, place, vec2(0), {0, 1e30f});
                 QVERIFY(std::fabs(glm::length(segment.direction) - 1) < 1e-6);
-                QVERIFY(!std::isnan(segment.ray.length) && glm::dot(dvec3(segment.direction), scene.camera.forward()) > 0);
+                QVERIFY(!std::isnan(segment.ray.length) &&
+                        glm::dot(dvec3(segment.direction), scene.camera.forward()) > 0);
             }
             QCOMPARE(test::render(scene, 4).status().health.rejected(), std::uint64_t(0));
         }

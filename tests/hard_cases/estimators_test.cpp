@@ -46,7 +46,8 @@ bool kroesMarchPasses(double thickness, double step, double u, double jitter) {
 PixelEstimate merged(std::span<const std::pair<std::uint32_t, double>> blocks) {
     Film film(ivec2(1, 1), 0);
     for (const auto& [count, mean] : blocks) {
-        *film.sums(test::kOnePixel).pixels = {.sum = dvec3(count * mean), .sumOfSquares = dvec3(count * (mean * mean + 1)), .count = count};
+        *film.sums(test::kOnePixel).pixels = {
+            .sum = dvec3(count * mean), .sumOfSquares = dvec3(count * (mean * mean + 1)), .count = count};
         film.commit({film.samplesPerPixel(), 64});
     }
     return film.pixel(0, 0);

@@ -221,8 +221,8 @@ class LightsTest : public QObject {
         double whole = 0, expectedBright = 0;
         for (int i = 0; i < width * height; ++i) {
             const int row = i / width;
-            const double fraction = flat.pdf[i] * 2 * M_PI / width *
-                                 (std::cos(M_PI * row / height) - std::cos(M_PI * (row + 1) / height));
+            const double fraction =
+                flat.pdf[i] * 2 * M_PI / width * (std::cos(M_PI * row / height) - std::cos(M_PI * (row + 1) / height));
             whole += fraction;
             expectedBright += i == bright ? fraction : 0;
         }

@@ -11,7 +11,7 @@ namespace pdr::test {
 /// `samples` marches straight down into a slab of `thickness` mm in steps of `step` mm, and from there up to the beam:
 /// its reflectance factor.
 inline selftest::Measurement marchedReflectance(const selftest::Case& slab, const FlatScene& scene, float thickness,
-                                             float step, int samples) {
+                                                float step, int samples) {
     const float cosine = float(slab.scene.beam.value());
     const vec3 top = vec3(0.5f, 0.5f, 1) * scene.volume.lastIndex + vec3(0, 0, 0.5f);
     const vec3 down = scene.volume.indexFromLocal * vec3(0, 0, -1);

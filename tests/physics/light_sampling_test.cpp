@@ -192,14 +192,12 @@ class LightSamplingTest : public QObject {
                                    }),
                        M_PI * sine2 * 0.8);
             verifyMean(
-                overSamples(ball, from,
-                            [&](const LightSample& s) { return double(s.radiance.x) * s.wi.z * s.wi.z; }),
+                overSamples(ball, from, [&](const LightSample& s) { return double(s.radiance.x) * s.wi.z * s.wi.z; }),
                 2 * M_PI * (1 - cosine * cosine * cosine) / 3);
-            verifyMean(overSamples(ball, from,
-                                   [&](const LightSample& s) {
-                                       return double(s.radiance.x) * s.wi.x * s.wi.x / sine2;
-                                   }),
-                       M_PI * (2.0 / 3 - cosine + cosine * cosine * cosine / 3) / sine2);
+            verifyMean(
+                overSamples(ball, from,
+                            [&](const LightSample& s) { return double(s.radiance.x) * s.wi.x * s.wi.x / sine2; }),
+                M_PI * (2.0 / 3 - cosine + cosine * cosine * cosine / 3) / sine2);
         }
     }
 
@@ -211,10 +209,9 @@ class LightSamplingTest : public QObject {
             const double A = a / std::sqrt(1 + a * a), B = b / std::sqrt(1 + b * b);
             const double factor =
                 (A * std::atan(b / std::sqrt(1 + a * a)) + B * std::atan(a / std::sqrt(1 + b * b))) / 2;
-            verifyMean(
-                overSamples(panel, from,
-                            [](const LightSample& s) { return double(s.radiance.x) * std::max(0.0f, s.wi.z); }),
-                factor);  // over pi, times pi
+            verifyMean(overSamples(panel, from,
+                                   [](const LightSample& s) { return double(s.radiance.x) * std::max(0.0f, s.wi.z); }),
+                       factor);  // over pi, times pi
         }
     }
 

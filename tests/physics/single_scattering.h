@@ -84,13 +84,14 @@ class SingleScattering {
     struct Event {
         dvec3 place, travel;
         Tissue tissue;
-        dvec3 normal;  ///< to the viewer's side
+        dvec3 normal;     ///< to the viewer's side
         double fraction;  ///< probability of a surface
         double g;
 
         dvec3 response(dvec3 toLight) const {
             const dvec3 medium = tissue.albedo * henyeyGreenstein(g, glm::dot(travel, toLight));
-            return fraction > 0 ? fraction * surface(tissue, normal, -travel, toLight) + (1 - fraction) * medium : medium;
+            return fraction > 0 ? fraction * surface(tissue, normal, -travel, toLight) + (1 - fraction) * medium
+                                : medium;
         }
     };
 

@@ -45,8 +45,8 @@ class Grid {
         double sum = 0;
         for (int corner = 0; corner < 8; ++corner) {
             const bool i = corner & 1, j = corner & 2, k = corner & 4;
-            const double weight =
-                (i ? fraction.x : 1 - fraction.x) * (j ? fraction.y : 1 - fraction.y) * (k ? fraction.z : 1 - fraction.z);
+            const double weight = (i ? fraction.x : 1 - fraction.x) * (j ? fraction.y : 1 - fraction.y) *
+                                  (k ? fraction.z : 1 - fraction.z);
             sum += weight * voxel(i ? high.x : low.x, j ? high.y : low.y, k ? high.z : low.z);
         }
         return sum;

@@ -31,11 +31,12 @@ struct Trial {
     /// Waits for a full picture of the document's newest scene.
     void waitForNewest() {
         const Document& document = desktop.parts().document;
-        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse, test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse,
+                                 test::kPatience);
     }
 
-    /// After a pause: the samples that the film holds, once they are on the screen. A film is saved between two launches,
-    /// so none is on its way any more.
+    /// After a pause: the samples that the film holds, once they are on the screen. A film is saved between two
+    /// launches, so none is on its way any more.
     std::uint64_t heldSamples() {
         const QString file = folder.filePath("held.png");
         QSignalSpy saved(&desktop.parts().bridge, &RenderBridge::saved);

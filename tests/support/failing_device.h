@@ -23,20 +23,20 @@ namespace pdr::test {
 struct Mishaps {
     static constexpr int kNever = 1 << 30;
     // Calls that go well before one fails; after it every call fails, as of a GPU that is gone.
-    std::atomic<int> uploads = kNever, films = kNever, iterates = kNever, shows = kNever, takes = kNever;
+    std::atomic<int> uploads = kNever, films = kNever, accumulates = kNever, resolves = kNever, readbacks = kNever;
     std::atomic<bool> tooSmall = false;  ///< uploads are refused, and nothing else
 
     std::atomic<double> iterationSeconds = 0;  ///< what an iteration takes, at least
-    std::atomic<double> displaySeconds = 0;    ///< what a picture takes from show() to take(), at least
-    int ahead = 1;                             ///< > 1: iterate() and show() return at once, and take() waits
+    std::atomic<double> displaySeconds = 0;    ///< what a picture takes from resolve() to readback(), at least
+    int maxInFlight = 1;                       ///< > 1: accumulate() and resolve() return at once, and readback() waits
     std::shared_ptr<FakeClock> clock;          ///< that all this passes on; null: the wall's
     std::atomic<double> goneAt = 1e300;        ///< on that clock
 
     std::atomic<bool> gone = false;
     std::atomic<int> filmsRead = 0;  ///< calls of Accumulator::film()
 
-    /// Called first by each verb, with its name: "upload", "film", "resume", "iterate", "show", "take", "read". It may
-    /// throw. Set before the device is handed over.
+    /// Called first by each verb, with its name: "upload", "film", "resume", "accumulate", "resolve", "readback",
+    /// "read". It may throw. Set before the device is handed over.
     std::function<void(const std::string&)> before = [](const std::string&) {};
 
     Result<void> call(std::atomic<int>& left) {
@@ -59,36 +59,36 @@ class FailingAccumulator final : public Accumulator {
     FailingAccumulator(std::unique_ptr<Accumulator> film, std::shared_ptr<Mishaps> mishaps)
         : film_(std::move(film)), mishaps_(std::move(mishaps)) {}
 
-    using Accumulator::iterate;
+    using Accumulator::accumulate;
 
     Tile area() const override { return film_->area(); }
 
-    Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
-        mishaps_->before("iterate");
-        if (Result<void> well = mishaps_->call(mishaps_->iterates); !well)
+    Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
+        mishaps_->before("accumulate");
+        if (Result<void> well = mishaps_->call(mishaps_->accumulates); !well)
             return well;
-        Result<void> iterated = film_->iterate(region, n, stop);
+        Result<void> accumulated = film_->accumulate(region, n, stop);
         spend(n * mishaps_->iterationSeconds, stop);
-        return iterated;
+        return accumulated;
     }
 
-    Result<void> show(const Display& display) override {
-        mishaps_->before("show");
-        if (Result<void> well = mishaps_->call(mishaps_->shows); !well)
+    Result<void> resolve(const Display& display) override {
+        mishaps_->before("resolve");
+        if (Result<void> well = mishaps_->call(mishaps_->resolves); !well)
             return well;
         spend(mishaps_->displaySeconds, {});
-        if (Result<void> shown = film_->show(display); !shown)
+        if (Result<void> shown = film_->resolve(display); !shown)
             return shown;
-        Result<Picture> picture = film_->take();  // whatever the inner film's own ahead() is
+        Result<Picture> picture = film_->readback();  // whatever the inner film's own maxInFlight() is
         if (!picture)
             return picture.error();
         pictures_.push_back({busyUntil_, *std::move(picture)});
         return {};
     }
 
-    Result<Picture> take() override {
-        mishaps_->before("take");
-        if (Result<void> well = mishaps_->call(mishaps_->takes); !well)
+    Result<Picture> readback() override {
+        mishaps_->before("readback");
+        if (Result<void> well = mishaps_->call(mishaps_->readbacks); !well)
             return well.error();
         mishaps_->wait(pictures_.front().first, {});
         Picture oldest = std::move(pictures_.front().second);
@@ -96,7 +96,7 @@ class FailingAccumulator final : public Accumulator {
         return oldest;
     }
 
-    int ahead() const override { return mishaps_->ahead; }
+    int maxInFlight() const override { return mishaps_->maxInFlight; }
 
     Result<std::shared_ptr<const Film>> film() override {
         mishaps_->before("read");
@@ -121,7 +121,7 @@ class FailingAccumulator final : public Accumulator {
   private:
     void spend(double seconds, const std::stop_token& stop) {
         busyUntil_ = std::max(mishaps_->now(), busyUntil_) + seconds;
-        if (mishaps_->ahead == 1)
+        if (mishaps_->maxInFlight == 1)
             mishaps_->wait(busyUntil_, stop);
     }
 
@@ -142,7 +142,8 @@ class FailingDevice final : public Device {
     Result<void> upload(const Scene& scene) override {
         mishaps_->before("upload");
         if (mishaps_->tooSmall)
-            return Error{"the volume needs 9.3 GB and 6.0 GB are free", "", "Choose a smaller part of it.", ErrorKind::memory};
+            return Error{"the volume needs 9.3 GB and 6.0 GB are free", "", "Choose a smaller part of it.",
+                         ErrorKind::memory};
         if (Result<void> well = mishaps_->call(mishaps_->uploads); !well)
             return well;
         return inner_.upload(scene);
@@ -153,7 +154,7 @@ class FailingDevice final : public Device {
     }
 
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
-                                           const Schedule& schedule) override {
+                                              const Schedule& schedule) override {
         mishaps_->before("film");
         Result<std::unique_ptr<Accumulator>> film = inner_.film(area, revision, schedule);
         if (!film)

@@ -20,8 +20,8 @@ template <class Value, class Seen>
 void grow(Film& film, std::uint64_t count, Value&& value, Seen&& seen) {
     const Tile whole = wholeImage(film.size());
     while (film.samplesPerPixel() < count) {
-        const SampleRange range = film.nextSamples(std::uint32_t(std::min<std::uint64_t>(
-            64, count - film.samplesPerPixel())));
+        const SampleRange range =
+            film.nextSamples(std::uint32_t(std::min<std::uint64_t>(64, count - film.samplesPerPixel())));
         for (std::size_t pixel = 0; pixel < pixelsOf(film); ++pixel) {
             PixelSums& sums = film.sums(whole).pixels[pixel];
             sums.seen |= seen(pixel);
@@ -54,12 +54,12 @@ inline FilmStatus shownStatus(const Film& film, float exposure) {
     const FilmStatus cpu = pictureOf(film, {exposure}).status;
     GpuDevice<HostGpu> device(DeviceInfo{"host", "", false}, std::size_t(0));
     const auto live = *device.film(film.size(), 1, {});
-    if (!live->resume(film) || !live->show({exposure}))
+    if (!live->resume(film) || !live->resolve({exposure}))
         return {};
-    const Result<Picture> picture = live->take();
+    const Result<Picture> picture = live->readback();
     if (!picture || picture->status.displayError != cpu.displayError ||
-        picture->status.tissuePixels != cpu.tissuePixels ||
-        picture->status.fewBrightSamples != cpu.fewBrightSamples || picture->status.unseenShare != cpu.unseenShare ||
+        picture->status.tissuePixels != cpu.tissuePixels || picture->status.fewBrightSamples != cpu.fewBrightSamples ||
+        picture->status.unseenShare != cpu.unseenShare ||
         !(std::fabs(picture->status.relativeError - cpu.relativeError) <= 1e-12 * cpu.relativeError ||
           picture->status.relativeError == cpu.relativeError))
         return {};

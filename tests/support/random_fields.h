@@ -34,7 +34,9 @@ class RandomFields {
         (*this)(field, value.second);
     }
     void operator()(const Field&, bool& value) { value = chance(); }
-    void operator()(const Field&, std::uint64_t& value) { value = std::uniform_int_distribution<std::uint64_t>()(random_); }
+    void operator()(const Field&, std::uint64_t& value) {
+        value = std::uniform_int_distribution<std::uint64_t>()(random_);
+    }
     void operator()(const Field&, std::string& value) { value = "text \"" + std::to_string(random_()) + "\" \\ äöü"; }
     template <class T>
     void operator()(const Field& field, std::optional<T>& value) {

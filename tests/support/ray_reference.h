@@ -21,8 +21,8 @@ inline double huAt(const Volume& volume, dvec3 position) {
     for (int n = 0; n < 8; ++n) {
         const ivec3 corner = glm::min(low + ivec3(n & 1, (n >> 1) & 1, n >> 2), size - 1);
         const dvec3 fraction = p - dvec3(low);
-        const double weight =
-            (n & 1 ? fraction.x : 1 - fraction.x) * (n & 2 ? fraction.y : 1 - fraction.y) * (n & 4 ? fraction.z : 1 - fraction.z);
+        const double weight = (n & 1 ? fraction.x : 1 - fraction.x) * (n & 2 ? fraction.y : 1 - fraction.y) *
+                              (n & 4 ? fraction.z : 1 - fraction.z);
         sum += weight * volume.voxels()[(std::size_t(corner.z) * size.y + corner.y) * size.x + corner.x];
     }
     return sum;

@@ -49,8 +49,8 @@ inline Scene plainScene(std::shared_ptr<const Volume> volume, float extinctionPe
     return scene;
 }
 
-/// Takes `samples` a pixel of what is prepared on the CPU, n iterations at a time, in tiles of `tile` pixels: for scenes
-/// whose tables a test has changed. `threads` 0 = one per core.
+/// Takes `samples` a pixel of what is prepared on the CPU, n iterations at a time, in tiles of `tile` pixels: for
+/// scenes whose tables a test has changed. `threads` 0 = one per core.
 inline Film sampled(const std::shared_ptr<const PreparedScene>& prepared, std::uint64_t samples, std::uint32_t n = 64,
                     int tile = 4096, int threads = 0) {
     const ivec2 size = prepared->flat.camera.film;
@@ -74,7 +74,7 @@ inline std::shared_ptr<const Film> renderedPart(const Scene& scene, const Tile& 
                                                 Device& device, std::uint32_t n) {
     const auto film = *device.film(area, scene.revision, {});
     for (std::uint64_t done = 0; done < samples; done += n)
-        (void)film->iterate(std::uint32_t(std::min<std::uint64_t>(n, samples - done)), {});
+        (void)film->accumulate(std::uint32_t(std::min<std::uint64_t>(n, samples - done)), {});
     return *film->film();
 }
 

@@ -27,7 +27,8 @@ class Screen {
         };
     }
 
-    /// The first frame from now on that `wanted` holds for; null after half an hour, so that a busy machine is no failure.
+    /// The first frame from now on that `wanted` holds for; null after half an hour, so that a busy machine is no
+    /// failure.
     template <class Wanted>
     std::shared_ptr<const Frame> await(Wanted&& wanted) {
         std::unique_lock lock(mutex_);

@@ -195,19 +195,23 @@ void TestPanels::theStatusSaysErrorSamplesAndSpeed_data() {
     QTest::addColumn<QString>("expected");
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
     QTest::newRow("usual") << 256ull << 8.93 << 31.4 << false
-                           << QString::fromUtf8("95 % of the tissue within ±9 of 255 grey levels, 256 samples, "
-                                                "31 iterations/s, ±8 in about 2 s");
+                           << QString::fromUtf8(
+                                  "95 % of the tissue within ±9 of 255 grey levels, 256 samples, "
+                                  "31 iterations/s, ±8 in about 2 s");
     QTest::newRow("long") << 64ull << 26.0 << 0.5 << false
-                          << QString::fromUtf8("95 % of the tissue within ±26 of 255 grey levels, 64 samples, "
-                                               "0.50 iterations/s, ±16 in about 3.5 min");
+                          << QString::fromUtf8(
+                                 "95 % of the tissue within ±26 of 255 grey levels, 64 samples, "
+                                 "0.50 iterations/s, ±16 in about 3.5 min");
     QTest::newRow("coarse") << 31ull << kUnknown << 0.73 << false << "estimating, 31 samples, 0.73 iterations/s";
     QTest::newRow("fine") << 123456ull << 0.51 << 180.0 << false
-                          << QString::fromUtf8("95 % of the tissue within ±0.6 of 255 grey levels, "
-                                               "123\u2009456 samples, 180 iterations/s");
+                          << QString::fromUtf8(
+                                 "95 % of the tissue within ±0.6 of 255 grey levels, "
+                                 "123\u2009456 samples, 180 iterations/s");
     QTest::newRow("first") << 1ull << kUnknown << 5.0 << false << "estimating, 1 sample, 5.0 iterations/s";
     QTest::newRow("paused") << 256ull << 1.8 << 31.4 << true
-                            << QString::fromUtf8("paused, 95 % of the tissue within ±1.8 of 255 grey levels, "
-                                                 "256 samples");
+                            << QString::fromUtf8(
+                                   "paused, 95 % of the tissue within ±1.8 of 255 grey levels, "
+                                   "256 samples");
     QTest::newRow("nothing") << 0ull << 0.0 << 0.0 << false << "";
 }
 
@@ -247,8 +251,7 @@ void TestPanels::theStatusSaysWhatIsForComparison() {
     const Schedule k0{.kind = Schedule::Kind::kroes, .redundant = true};
     const Schedule k1{.kind = Schedule::Kind::kroes, .filter = false};
     QCOMPARE(comparisonText({}, Estimator::unbiased), "");
-    QCOMPARE(comparisonText(k0, Estimator::unbiased),
-             "comparison: Exposure Render's schedule K0, blurred");
+    QCOMPARE(comparisonText(k0, Estimator::unbiased), "comparison: Exposure Render's schedule K0, blurred");
     QCOMPARE(comparisonText(k1, Estimator::kroesMarch),
              "comparison: Exposure Render's schedule K1, march of 3 voxels, biased");
 }

@@ -53,8 +53,8 @@ Result<Run> timed(Device& device, const Scene& scene, std::uint32_t samples) {
     if (!film)
         return film.error();
     const auto start = std::chrono::steady_clock::now();
-    if (const auto iterated = (*film)->iterate(samples, {}); !iterated)
-        return iterated.error();
+    if (const auto accumulated = (*film)->accumulate(samples, {}); !accumulated)
+        return accumulated.error();
     auto made = (*film)->film();
     if (!made)
         return made.error();

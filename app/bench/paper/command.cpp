@@ -45,13 +45,13 @@ Result<void> run(Device& device, const Settings& settings, const ShownScene& sho
     report.plan = settings.plan;
     report.plan.onGpu = !device.info().hostMemory;
     Progress progress;
-    const Watch watch = [&](const Cell& cell, int round, double secondsLeft) {
+    const OnMeasurement onMeasurement = [&](const Cell& cell, int round, double secondsLeft) {
         progress.show("round " + std::to_string(round) + " of " + std::to_string(settings.plan.rounds) + ": " +
                           text(cell.size) + " " + kWays[cell.way].title(),
                       secondsLeft);
     };
     return measure(device, shown.scene, shown.display, settings.plan, clockOf(settings.plan.time, settings.threads),
-                   *load, watch, stop, report.measured);
+                   *load, onMeasurement, stop, report.measured);
 }
 
 int tell(Report& report, const Settings& settings, const Result<void>& ran) {

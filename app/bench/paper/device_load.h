@@ -1,7 +1,8 @@
 #pragma once
 /// How busy a device is while it is measured.
 ///   processor  the time that all threads of this program spent on it, over the clock's time that so many threads had
-///   GPU        the fraction of time in which something ran on it, as its driver says (NVML): a GPU with one short program
+///   GPU        the fraction of time in which something ran on it, as its driver says (NVML): a GPU with one short
+///   program
 ///              after the other counts as busy, however little of it they fill
 
 #include <memory>

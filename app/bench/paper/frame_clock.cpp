@@ -7,9 +7,9 @@ namespace pdr::bench::paper {
 namespace {
 
 Result<void> order(Accumulator& film, std::uint32_t n, const Display& display, std::stop_token stop) {
-    if (Result<void> taken = film.iterate(n, stop); !taken)
+    if (Result<void> taken = film.accumulate(n, stop); !taken)
         return taken;
-    return film.show(display);
+    return film.resolve(display);
 }
 
 double sampleNoise(const FilmStatus& status) {
@@ -25,10 +25,10 @@ Result<Lap> timeFrames(Accumulator& film, std::uint32_t n, const Display& displa
     std::uint64_t taken = 0;
     Lap lap;
     for (int waiting = 0; true; --waiting) {
-        for (; waiting < film.ahead(); ++waiting)
+        for (; waiting < film.maxInFlight(); ++waiting)
             if (Result<void> ordered = order(film, n, display, stop); !ordered)
                 return ordered.error();
-        const Result<Picture> picture = film.take();
+        const Result<Picture> picture = film.readback();
         if (!picture)
             return picture.error();
         if (stop.stop_requested())

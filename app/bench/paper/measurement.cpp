@@ -24,13 +24,13 @@ double samples(const Cell& cell) {
 class Experiment {
   public:
     Experiment(Device& device, const Display& display, const Plan& plan, const WorkClock& now, DeviceLoad& load,
-               const Watch& watch, std::stop_token stop, Measured& measured)
+               const OnMeasurement& onMeasurement, std::stop_token stop, Measured& measured)
         : device_(device),
           display_(display),
           plan_(plan),
           now_(now),
           load_(load),
-          watch_(watch),
+          onMeasurement_(onMeasurement),
           stop_(std::move(stop)),
           measured_(measured) {}
 
@@ -61,7 +61,7 @@ class Experiment {
                     if (Result<void> there = device_.upload(scenes_[size]); !there)
                         return there;
                 uploaded = true;
-                watch_(cell, number, secondsLeft(number));
+                onMeasurement_(cell, number, secondsLeft(number));
                 if (Result<void> ran = run(cell, scenes_[size].revision); !ran)
                     return ran.error().in(text(cell.size) + " " + kWays[cell.way].title());
             }
@@ -114,7 +114,7 @@ class Experiment {
     const Plan& plan_;
     const WorkClock& now_;
     DeviceLoad& load_;
-    const Watch& watch_;
+    const OnMeasurement& onMeasurement_;
     std::stop_token stop_;
     Measured& measured_;
     std::vector<Scene> scenes_;
@@ -159,8 +159,8 @@ std::optional<double> Cell::load() const {
 }
 
 Result<void> measure(Device& device, const Scene& scene, const Display& display, const Plan& plan, const WorkClock& now,
-                     DeviceLoad& load, const Watch& watch, std::stop_token stop, Measured& measured) {
-    Experiment experiment(device, display, plan, now, load, watch, stop, measured);
+                     DeviceLoad& load, const OnMeasurement& onMeasurement, std::stop_token stop, Measured& measured) {
+    Experiment experiment(device, display, plan, now, load, onMeasurement, stop, measured);
     if (Result<void> prepared = experiment.prepare(scene); !prepared)
         return prepared;
     for (int round = 1; round <= plan.rounds && !stop.stop_requested(); ++round) {

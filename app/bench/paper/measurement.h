@@ -49,13 +49,13 @@ struct Measured {
 };
 
 /// Called before each run: which cell, in which round, and the seconds that all will still take, about.
-using Watch = std::function<void(const Cell& next, int round, double secondsLeft)>;
+using OnMeasurement = std::function<void(const Cell& next, int round, double secondsLeft)>;
 
 /// The cells take turns, round by round, so that whatever else the machine does strikes all of them alike. A cell whose
 /// frames are so long that its time is spent early is left out of later rounds; it has one whole frame at least.
 /// All times, those of the plan too, are `now`'s. `measured` is right after an error or a stop request too, as far as
 /// it goes.
 Result<void> measure(Device& device, const Scene& scene, const Display& display, const Plan& plan, const WorkClock& now,
-                     DeviceLoad& load, const Watch& watch, std::stop_token stop, Measured& measured);
+                     DeviceLoad& load, const OnMeasurement& onMeasurement, std::stop_token stop, Measured& measured);
 
 }  // namespace pdr::bench::paper

@@ -23,8 +23,8 @@ Shot shot(Device& device, const Scene& scene, std::uint32_t samples) {
     const auto live = startFilm(device, scene);
     if (!live)
         return live.error();
-    if (const auto iterated = (*live)->iterate(samples, {}); !iterated)
-        return iterated.error();
+    if (const auto accumulated = (*live)->accumulate(samples, {}); !accumulated)
+        return accumulated.error();
     return (*live)->film();
 }
 
@@ -75,7 +75,7 @@ bool renderedByTiles(Device& device, const Scene& scene, const Film& whole) {
         return false;
     for (const std::uint32_t n : {70, 30})
         for (int y = 0; y < scene.film.y; y += 3 * kFilmCell)
-            if (!(*live)->iterate({0, y, scene.film.x, std::min(3 * kFilmCell, scene.film.y - y)}, n, {}))
+            if (!(*live)->accumulate({0, y, scene.film.x, std::min(3 * kFilmCell, scene.film.y - y)}, n, {}))
                 return false;
     const Shot tiled = (*live)->film();
     return tiled && identical(whole, **tiled);
@@ -93,7 +93,7 @@ void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
     verdicts.line("by tiles, bit by bit", renderedByTiles(device, scene, **whole));
 }
 
-/// Pictures that are carried while the next samples are taken arrive whole: take() looks at both ends of each.
+/// Pictures that are carried while the next samples are taken arrive whole: readback() looks at both ends of each.
 void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
     const auto live = startFilm(device, scene);
     if (!live)
@@ -102,10 +102,10 @@ void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
     int waiting = 0;
     std::uint64_t arrived = 0;
     for (int i = 0; i < 1000 && done; ++i) {
-        done = (*live)->iterate(1, {});
-        done = done ? (*live)->show({}) : done;
-        for (++waiting; done && waiting >= (*live)->ahead(); --waiting) {
-            const auto picture = (*live)->take();
+        done = (*live)->accumulate(1, {});
+        done = done ? (*live)->resolve({}) : done;
+        for (++waiting; done && waiting >= (*live)->maxInFlight(); --waiting) {
+            const auto picture = (*live)->readback();
             done = picture ? Result<void>() : picture.error();
             arrived += picture && picture->status.samplesPerPixel == arrived + 1;
         }

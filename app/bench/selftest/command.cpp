@@ -36,7 +36,8 @@ int runAll(const selftest::Plan& plan, Device& device, const selftest::TableHead
     PrintedTable table;
     selftest::Tally tally;
     printHead(head);
-    const Result<void> ran = run(plan, device, table, [&] { return signals.came(); }, tally);
+    const Result<void> ran = run(
+        plan, device, table, [&] { return signals.came(); }, tally);
     const bool brokenOff = signals.came();
     if (!ran && !brokenOff)
         return fail(ran.error());

@@ -3,12 +3,12 @@
 /// each iteration, one after the other and the host waiting after each,
 ///   [K0] all parameters sent again -> one sample of every pixel -> [filter along x -> along y] -> mean -> tone map ->
 ///   copy to pageable memory
-/// A show() after one iteration is the old frame; n iterations make n copies, of which the last is shown. Left out, in
-/// its favour: the filter on the 8-bit picture that runs for its first 86 iterations.
+/// A resolve() after one iteration is the old frame; n iterations make n copies, of which the last is shown. Left out,
+/// in its favour: the filter on the 8-bit picture that runs for its first 86 iterations.
 ///
 /// Schedule::runningMean tells nothing about its error: status() then has an infinite relative error and no mean
-/// luminance (0), and film() infinite standard errors. Without it show() copies the sums to the host to know them: not
-/// what is to be timed.
+/// luminance (0), and film() infinite standard errors. Without it resolve() copies the sums to the host to know them:
+/// not what is to be timed.
 
 #include <cassert>
 #include <deque>
@@ -29,14 +29,14 @@ class KroesAccumulator final : public Accumulator {
   public:
     /// An empty film of that area; `gpu` must outlive it. Errors: no room for it.
     static Result<std::unique_ptr<Accumulator>> make(G& gpu, const Tile& area, std::uint64_t revision,
-                                                  const Schedule& schedule, std::unique_ptr<FrameSampler> sampler) {
+                                                     const Schedule& schedule, std::unique_ptr<FrameSampler> sampler) {
         std::unique_ptr<Accumulator> film(new KroesAccumulator(gpu, schedule, std::move(sampler)));
         if (Result<void> room = film->restart(area, revision); !room)
             return room.error();
         return Result<std::unique_ptr<Accumulator>>(std::move(film));  // nvcc needs it said
     }
 
-    using Accumulator::iterate;
+    using Accumulator::accumulate;
 
     Tile area() const override { return area_; }
 
@@ -68,17 +68,17 @@ class KroesAccumulator final : public Accumulator {
         return {};
     }
 
-    Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
+    Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
         if (!(region == area_))
-            return Error{"Exposure Render's schedule takes whole pictures only", "", "Choose the schedule of PD-Render.",
-                         ErrorKind::refused};
+            return Error{"Exposure Render's schedule takes whole pictures only", "",
+                         "Choose the schedule of PD-Render.", ErrorKind::refused};
         for (; n > 0 && !stop.stop_requested(); --n)
             if (Result<void> done = iterateOnce(stop); !done)
                 return done;
         return {};
     }
 
-    Result<void> show(const Display& display) override {
+    Result<void> resolve(const Display& display) override {
         if (stale_ || display != display_) {
             display_ = display;
             stale_ = true;
@@ -94,14 +94,14 @@ class KroesAccumulator final : public Accumulator {
         return {};
     }
 
-    Result<Picture> take() override {
+    Result<Picture> readback() override {
         assert(!pictures_.empty());
         Picture oldest = std::move(pictures_.front());
         pictures_.pop_front();
         return oldest;
     }
 
-    int ahead() const override { return 1; }
+    int maxInFlight() const override { return 1; }
 
     Result<std::shared_ptr<const Film>> film() override {
         const Result<Health> health = allHealth();
@@ -109,7 +109,8 @@ class KroesAccumulator final : public Accumulator {
             return health.error();
         TileProgress progress(area_);
         progress.advance(area_, done_);
-        FilmContent content{std::move(progress), std::vector<Moments>(pixels()), std::vector<PixelSums>(pixels()), *health};
+        FilmContent content{std::move(progress), std::vector<Moments>(pixels()), std::vector<PixelSums>(pixels()),
+                            *health};
         if (schedule_.runningMean) {
             std::vector<SampledPixel> mean(pixels());
             mean_.copyTo(mean.data());
@@ -181,7 +182,7 @@ class KroesAccumulator final : public Accumulator {
             stage(kroes::Blur{frame_.data(), blurred_.data(), {area_.width, area_.height}, 0});
             stage(kroes::Blur{blurred_.data(), frame_.data(), {area_.width, area_.height}, 1});
         }
-        accumulate();
+        addFrame();
         toneMap();
         if (std::optional<Error> error = gpu_.takeError())
             return *std::move(error);
@@ -190,7 +191,7 @@ class KroesAccumulator final : public Accumulator {
         return {};
     }
 
-    void accumulate() {
+    void addFrame() {
         if (schedule_.runningMean)
             return stage(kroes::RunningMean{frame_.data(), mean_.data(), done_});
         stage(kroes::AddToBlock{frame_.data(), block_.data(), done_});

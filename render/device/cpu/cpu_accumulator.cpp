@@ -5,7 +5,7 @@
 
 namespace pdr {
 
-Result<void> CpuAccumulator::iterate(const Tile& region, std::uint32_t n, std::stop_token stop) {
+Result<void> CpuAccumulator::accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) {
     const TileProgress& progress = film_.progress();
     for (const EvenTile& even : progress.evenTiles(progress.cellsAround(region)))
         for (std::uint32_t left = n; left > 0;) {
@@ -19,12 +19,12 @@ Result<void> CpuAccumulator::iterate(const Tile& region, std::uint32_t n, std::s
     return {};
 }
 
-Result<void> CpuAccumulator::show(const Display& display) {
+Result<void> CpuAccumulator::resolve(const Display& display) {
     shown_.push_back(pictureOf(film_, display));
     return {};
 }
 
-Result<Picture> CpuAccumulator::take() {
+Result<Picture> CpuAccumulator::readback() {
     assert(!shown_.empty());
     Picture oldest = std::move(shown_.front());
     shown_.pop_front();

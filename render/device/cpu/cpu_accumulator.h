@@ -17,13 +17,13 @@ class CpuAccumulator final : public Accumulator {
                    std::uint64_t revision)
         : tracer_(tracer), scene_(scene), film_(area, revision) {}
 
-    using Accumulator::iterate;
+    using Accumulator::accumulate;
 
     Tile area() const override { return film_.area(); }
-    Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
-    Result<void> show(const Display& display) override;
-    Result<Picture> take() override;
-    int ahead() const override { return 1; }
+    Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
+    Result<void> resolve(const Display& display) override;
+    Result<Picture> readback() override;
+    int maxInFlight() const override { return 1; }
     Result<std::shared_ptr<const Film>> film() override { return std::make_shared<const Film>(film_); }
     Result<void> resume(const Film& film) override;
     Result<void> restart(const Tile& area, std::uint64_t revision) override;

@@ -15,7 +15,7 @@ void renderMarched(const FlatScene& scene, const Tile& tile, SampleRange samples
             origin.see(seenAtFirst(scene, depths));
             for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
                 const PathSample found = nothing ? PathSample{.radiance = plainBackground(scene)}
-                                              : kroesSample(scene, pixel, origin.sample, depths);
+                                                 : kroesSample(scene, pixel, origin.sample, depths);
                 origin.add(found, *sums.health);
             }
         }

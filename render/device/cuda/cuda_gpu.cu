@@ -35,8 +35,9 @@ bool CudaGpu::check(cudaError_t status, const char* doing) {
     if (status == cudaSuccess)
         return true;
     if (!error_)
-        error_ = Error{std::string("the GPU failed at ") + doing + " (" + cudaGetErrorString(status) + ")", name_,
-                       "Render on the CPU; a newer driver or a restart of the computer may help.", ErrorKind::deviceLost};
+        error_ =
+            Error{std::string("the GPU failed at ") + doing + " (" + cudaGetErrorString(status) + ")", name_,
+                  "Render on the CPU; a newer driver or a restart of the computer may help.", ErrorKind::deviceLost};
     return false;
 }
 

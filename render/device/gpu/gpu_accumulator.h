@@ -26,19 +26,19 @@ class GpuAccumulator final : public Accumulator {
         gpu_.takeError();  // nobody is left to be told
     }
 
-    using Accumulator::iterate;
+    using Accumulator::accumulate;
 
     Tile area() const override { return progress_.area(); }
-    Result<void> iterate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
-    Result<void> show(const Display& display) override;
-    Result<Picture> take() override;
-    int ahead() const override { return kAhead; }
+    Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
+    Result<void> resolve(const Display& display) override;
+    Result<Picture> readback() override;
+    int maxInFlight() const override { return kMaxInFlight; }
     Result<std::shared_ptr<const Film>> film() override;
     Result<void> resume(const Film& film) override;
     Result<void> restart(const Tile& area, std::uint64_t revision) override;
 
   private:
-    static constexpr int kAhead = 2;
+    static constexpr int kMaxInFlight = 2;
 
     /// A picture on its way.
     struct Slot {
@@ -76,7 +76,7 @@ class GpuAccumulator final : public Accumulator {
     GpuArray<G, GpuHealth> health_{gpu_};
     GpuArray<G, double> thresholds_{gpu_};
     GpuArray<G, float> curve_{gpu_};
-    std::array<Slot, kAhead> slots_{Slot(gpu_), Slot(gpu_)};
+    std::array<Slot, kMaxInFlight> slots_{Slot(gpu_), Slot(gpu_)};
     std::uint64_t shown_ = 0, taken_ = 0;
     std::array<typename G::Event, 2> launched_{};  ///< the ends of the last two launches
     std::uint64_t launches_ = 0;
@@ -125,7 +125,7 @@ void GpuAccumulator<G>::launch(const Tile& tile, SampleRange samples) {
 
 /// One launch is under way while the next is ordered, and no more, so that a stop comes within a launch.
 template <Gpu G>
-Result<void> GpuAccumulator<G>::iterate(const Tile& region, std::uint32_t n, std::stop_token stop) {
+Result<void> GpuAccumulator<G>::accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) {
     if (Result<void> scene = scene_.isThere(); !scene)
         return scene;
     for (const EvenTile& even : progress_.evenTiles(progress_.cellsAround(region)))
@@ -142,9 +142,9 @@ Result<void> GpuAccumulator<G>::iterate(const Tile& region, std::uint32_t n, std
 }
 
 template <Gpu G>
-Result<void> GpuAccumulator<G>::show(const Display& display) {
-    assert(shown_ - taken_ < kAhead);
-    Slot& slot = slots_[shown_ % kAhead];
+Result<void> GpuAccumulator<G>::resolve(const Display& display) {
+    assert(shown_ - taken_ < kMaxInFlight);
+    Slot& slot = slots_[shown_ % kMaxInFlight];
     slot.id = ++shown_;
     slot.samples = progress_.counts();
     slot.exposure = double(display.exposure);
@@ -166,9 +166,9 @@ Result<void> GpuAccumulator<G>::show(const Display& display) {
 }
 
 template <Gpu G>
-Result<Picture> GpuAccumulator<G>::take() {
+Result<Picture> GpuAccumulator<G>::readback() {
     assert(taken_ < shown_);
-    Slot& slot = slots_[taken_++ % kAhead];
+    Slot& slot = slots_[taken_++ % kMaxInFlight];
     gpu_.await(slot.arrived);
     if (Result<void> done = takeStatus(gpu_); !done)
         return done.error();

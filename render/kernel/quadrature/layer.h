@@ -21,7 +21,7 @@ template <class Real>
 struct Layer {
     Attenuation<Real> behind;
     Real fraction;  ///< where in the piece the source is that the layer shines with, over all its depth
-    Real bound;  ///< on the error of `fraction`
+    Real bound;     ///< on the error of `fraction`
 };
 
 /// d has the Bernstein coefficients (0, d1, d2, 0), whose weights are at most 3/4 together. w - s has those of degree

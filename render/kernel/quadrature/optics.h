@@ -64,8 +64,8 @@ PDR_HD_INLINE OpticsAlong<Real> opticsAlong(const FlatOptics& optics, const Opti
     return along;
 }
 
-/// The mean fraction where each place counts as much as it extinguishes: mean + rise * variance / mean extinction, exact.
-/// The variance of a cubic is a quadratic form of its coefficients' distances from their mean.
+/// The mean fraction where each place counts as much as it extinguishes: mean + rise * variance / mean extinction,
+/// exact. The variance of a cubic is a quadratic form of its coefficients' distances from their mean.
 template <class Real>
 PDR_HD_INLINE Real extinctionWeightedFraction(const OpticsAlong<Real>& along) {
     const Real a = along.fraction.b0 - along.meanFraction, b = along.fraction.b1 - along.meanFraction,

@@ -80,11 +80,12 @@ PDR_HD inline bool russianRoulette(vec3& throughput, float u) {
 /// The path's next segment, away from `event`; false where it ends.
 template <std::uint32_t F>
 PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const Event& event, int bounce) {
-    const Scattered scattered = scatterSample<F>(scene, event, path.random.stream(bounce, BounceDimension::continuation));
+    const Scattered scattered =
+        scatterSample<F>(scene, event, path.random.stream(bounce, BounceDimension::continuation));
     path.throughput *= scattered.weight;
     const vec3 direction = scene.volume.indexFromLocal * scattered.wi;
     path.segment = {{event.position, direction, cutLength(scene.clip, event.position, direction, kFarAway)},
-                scattered.wi};
+                    scattered.wi};
     return russianRoulette(path.throughput, path.random.stream(bounce, BounceDimension::roulette).pair().x);
 }
 
@@ -104,7 +105,7 @@ PDR_HD inline PathVertex shadeVertex(const FlatScene& scene, Path& path, float c
     const Event event = eventAt<F>(scene, path.segment.ray.origin + path.segment.ray.direction * collision,
                                    -path.segment.direction, path.random.stream(bounce, BounceDimension::event));
     PathVertex met{has(F, kEmission) ? event.material.emission : vec3(0),
-                directLight<F>(scene, event, path.random, bounce), false, false};
+                   directLight<F>(scene, event, path.random, bounce), false, false};
     if constexpr (has(F, kBounces)) {
         met.emitted *= path.throughput;
         met.scattered.radiance *= path.throughput;
@@ -132,9 +133,9 @@ PDR_HD inline void noteFaults(const PathSample& sample, Note&& note) {
         note(Fault::cutPath);
 }
 
-/// The end of a segment whose ray was tracked to `collision` [mm; negative: it left the volume, NaN: see kMostSteps]. The
-/// sample gets what is known without a further ray. The vertex, empty where nothing was met, holds the light path that
-/// is still to be traced (addLight) and whether the path goes on. `bounce`: segments before this one.
+/// The end of a segment whose ray was tracked to `collision` [mm; negative: it left the volume, NaN: see kMostSteps].
+/// The sample gets what is known without a further ray. The vertex, empty where nothing was met, holds the light path
+/// that is still to be traced (addLight) and whether the path goes on. `bounce`: segments before this one.
 template <std::uint32_t F>
 PDR_HD inline PathVertex endSegment(const FlatScene& scene, Path& path, float collision, int bounce,
                                     PathSample& sample) {
@@ -179,11 +180,12 @@ PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, 
     return vertex.continues;
 }
 
-/// One sample of the radiance that the camera sees through `pixel` (x, y). `visitor` is told each segment with the distance
-/// of its event (-1: none), and then the vertex there, empty where there is none, with the transmittance of the way to
-/// the light.
+/// One sample of the radiance that the camera sees through `pixel` (x, y). `visitor` is told each segment with the
+/// distance of its event (-1: none), and then the vertex there, empty where there is none, with the transmittance of
+/// the way to the light.
 template <std::uint32_t F, class Visitor>
-PDR_HD inline PathSample tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths, Visitor&& visitor) {
+PDR_HD inline PathSample tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths,
+                                   Visitor&& visitor) {
     Path path = startPath(scene, pixel, sample, depths);
     PathSample result;
     int bounce = 0;

@@ -13,7 +13,7 @@ inline constexpr float kFarAway = 1e30f;
 
 /// radiance is already divided by the pdf of the sample; 0: the light does not shine there.
 struct LightSample {
-    vec3 wi;    ///< unit, local
+    vec3 wi;         ///< unit, local
     float distance;  ///< mm
     vec3 radiance;
     float pdf;  ///< of `wi`; 0: no other way of sampling finds it

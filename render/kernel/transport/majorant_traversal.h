@@ -2,10 +2,10 @@
 /// A ray on its way through the two-level grid of extinction bounds, from one tentative collision to the next.
 ///
 /// A step ends at a tentative collision or at the border of a cell, whichever comes first. The cell is a coarse one
-/// (16 voxels) where its bound promises at most kFineMajorantDepth collisions, else a fine one (4 voxels). Where even that one
-/// promises more than kVoxelMajorantDepth, the eight voxels around are read, and their own bound holds to the border of their
-/// cell: dense tissue costs a look per voxel instead of a fetch per free path. The optical depth still to go is carried
-/// from cell to cell, never drawn anew. An accelerator: it never changes the picture. Tentative
+/// (16 voxels) where its bound promises at most kFineMajorantDepth collisions, else a fine one (4 voxels). Where even
+/// that one promises more than kVoxelMajorantDepth, the eight voxels around are read, and their own bound holds to the
+/// border of their cell: dense tissue costs a look per voxel instead of a fetch per free path. The optical depth still
+/// to go is carried from cell to cell, never drawn anew. An accelerator: it never changes the picture. Tentative
 /// collisions after Woodcock et al. 1965.
 
 #include "render/base/cells.h"
@@ -18,7 +18,8 @@ namespace pdr {
 
 inline constexpr float kFineMajorantDepth =
     1.5f;  ///< optical depth of a coarse cell's chord above which its fine cells are walked
-inline constexpr float kVoxelMajorantDepth = 12;  ///< optical depth of a fine cell's chord above which its voxels are walked
+inline constexpr float kVoxelMajorantDepth =
+    12;  ///< optical depth of a fine cell's chord above which its voxels are walked
 
 /// FlatMajorants::dense of a volume whose highest bound is `highest` [1/mm].
 PDR_HD inline bool mayBeDense(const FlatVolume& volume, float highest) {
@@ -32,8 +33,8 @@ template <class Real>
 struct TentativeCollision {
     typename SimdTraits<Real>::Mask happened;
     typename SimdTraits<Real>::Mask voxelMajorant;  ///< the voxels around were looked at for a bound
-    Real extinction, majorant;             ///< 1/mm; extinction <= majorant
-    Real u;                                ///< a number for the decision
+    Real extinction, majorant;                      ///< 1/mm; extinction <= majorant
+    Real u;                                         ///< a number for the decision
 };
 
 /// Dense: for tissue that may call for a close look; see FlatMajorants::dense. Without it the code for that is not
@@ -170,7 +171,8 @@ class MajorantTraversal {
 
     GridRay<Real, kFinest> ray_;
     Real end_, depth_, decision_;
-    Real carry_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
+    Real
+        carry_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
     RandomStreamOf<Real> random_;
 };
 

@@ -38,7 +38,7 @@ class ExceptionsTest : public QObject {
         QTest::addColumn<QString>("verb");
         QTest::addColumn<int>("what");
         QTest::addColumn<QString>("words");
-        for (const char* verb : {"upload", "film", "iterate", "show", "take"})
+        for (const char* verb : {"upload", "film", "accumulate", "resolve", "readback"})
             for (int what = 0; what < 3; ++what) {
                 const char* names[] = {"no memory", "no thread", "something"};
                 const char* words[] = {"memory", "a thread", "unknown"};
@@ -70,7 +70,7 @@ class ExceptionsTest : public QObject {
     void aDeviceThatThrowsIsLeftForTheFallback() {
         auto mishaps = std::make_shared<test::Mishaps>();
         mishaps->before = [](const std::string& verb) {
-            if (verb == "show")
+            if (verb == "resolve")
                 throw std::bad_alloc();
         };
         test::Screen screen;
@@ -84,9 +84,8 @@ class ExceptionsTest : public QObject {
         auto mishaps = std::make_shared<test::Mishaps>();
         mishaps->gone = true;
         test::Screen screen;
-        Session session(test::failing(mishaps), screen.sink(), []() -> Result<std::unique_ptr<Device>> {
-            throw std::bad_alloc();
-        });
+        Session session(test::failing(mishaps), screen.sink(),
+                        []() -> Result<std::unique_ptr<Device>> { throw std::bad_alloc(); });
         session.submit(someScene(1), false);
         const auto failed = screen.await([](const Frame& frame) { return !frame.error.empty(); });
         QVERIFY(failed && failed->error.find("memory") != std::string::npos);

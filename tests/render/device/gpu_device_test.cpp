@@ -36,7 +36,7 @@ std::shared_ptr<const Film> lived(Device& device, const Scene& scene, std::uint3
         return nullptr;
     const auto film = device.film(scene.film, scene.revision, {});
     for (std::uint32_t done = 0; done < samples; done += n)
-        if (!(*film)->iterate(std::min(n, samples - done), {}))
+        if (!(*film)->accumulate(std::min(n, samples - done), {}))
             return nullptr;
     return *(*film)->film();
 }
@@ -105,17 +105,17 @@ class GpuDeviceTest : public QObject {
         const Scene scene = bumpyScene();
         QVERIFY(gpu->upload(scene));
         const auto film = *gpu->film(scene.film, scene.revision, {});
-        QCOMPARE(film->ahead(), 2);
+        QCOMPARE(film->maxInFlight(), 2);
         std::vector<std::shared_ptr<const Film>> films;
         const auto order = [&] {
-            QVERIFY(film->iterate(30, {}));
-            QVERIFY(film->show({.exposure = 0.7f}));
+            QVERIFY(film->accumulate(30, {}));
+            QVERIFY(film->resolve({.exposure = 0.7f}));
             films.push_back(*film->film());
         };
         order();
         for (int round = 0; round < 4; ++round) {
             order();
-            const Result<Picture> picture = film->take();
+            const Result<Picture> picture = film->readback();
             QVERIFY(picture);
             const Film& shown = *films[round];
             QVERIFY(picture->rgba == toneMap(shown, {.exposure = 0.7f}));
@@ -144,7 +144,7 @@ class GpuDeviceTest : public QObject {
         for (int i = 0; i < 4; ++i) {
             const auto here = *turns[i]->film(scene.film, scene.revision, {});
             QVERIFY(here->resume(*film));
-            QVERIFY(here->iterate(samples[i], {}));
+            QVERIFY(here->accumulate(samples[i], {}));
             film = *here->film();
         }
         QVERIFY(same(reference, *film));
@@ -156,7 +156,7 @@ class GpuDeviceTest : public QObject {
         const auto gpu = hostDevice();
         QVERIFY(gpu->upload(scene));
         const auto film = *gpu->film(scene.film, scene.revision, plain);
-        QVERIFY(film->iterate(70, {}));
+        QVERIFY(film->accumulate(70, {}));
         QVERIFY(same(test::render(scene, 70), **film->film()));
     }
 
@@ -184,8 +184,7 @@ class GpuDeviceTest : public QObject {
             Scene scene = bumpyScene();
             scene.volume = std::move(volume);
             scene.film = {8, 8};
-            return gpu.upload(scene) &&
-                   (*gpu.film(scene.film, 1, {}))->iterate(1, {});
+            return gpu.upload(scene) && (*gpu.film(scene.film, 1, {}))->accumulate(1, {});
         };
         const auto one = test::bumpyVolume({20, 21, 22}, dvec3(1), 1),
                    other = test::bumpyVolume({30, 9, 12}, dvec3(1), 2);
@@ -218,7 +217,7 @@ class GpuDeviceTest : public QObject {
         const Schedule k0{.kind = Schedule::Kind::kroes, .redundant = true}, k1{.kind = Schedule::Kind::kroes};
         for (const Schedule& schedule : {Schedule{}, k0, k1}) {
             const auto live = gpu->film(ivec2(8, 8), 1, schedule);
-            QVERIFY(!live || !(*live)->iterate(1, {}));
+            QVERIFY(!live || !(*live)->accumulate(1, {}));
         }
     }
 
@@ -232,11 +231,11 @@ class GpuDeviceTest : public QObject {
             auto film = device.film(scene.film, 1, {});
             if (!film)
                 return film.error();
-            if (const auto iterated = (*film)->iterate(3, {}); !iterated)
-                return iterated.error();
-            if (const auto shown = (*film)->show({}); !shown)
+            if (const auto accumulated = (*film)->accumulate(3, {}); !accumulated)
+                return accumulated.error();
+            if (const auto shown = (*film)->resolve({}); !shown)
                 return shown.error();
-            if (const auto taken = (*film)->take(); !taken)
+            if (const auto taken = (*film)->readback(); !taken)
                 return taken.error();
             return (*film)->film();
         };
@@ -266,7 +265,7 @@ class GpuDeviceTest : public QObject {
             const bool uploaded(gpu.upload(scene));
             if (const auto film = gpu.film(scene.film, 1, {}))
                 for (int i = 0; i < 10 && !plan->failed; ++i)
-                    (void)((*film)->iterate(1, {}) && (*film)->show({}) && (*film)->take());
+                    (void)((*film)->accumulate(1, {}) && (*film)->resolve({}) && (*film)->readback());
             QVERIFY(plan->failed);
             QVERIFY(!gpu.upload(scene));
             QVERIFY(call < 60 || uploaded);
@@ -284,8 +283,8 @@ class GpuDeviceTest : public QObject {
         const Scene scene = bumpyScene();
         QVERIFY(gpu.upload(scene));
         const auto film = *gpu.film(scene.film, 1, {});
-        QVERIFY(film->iterate(1, {}) && film->show({}));
-        const Result<Picture> picture = film->take();
+        QVERIFY(film->accumulate(1, {}) && film->resolve({}));
+        const Result<Picture> picture = film->readback();
         QVERIFY(!picture);
         QVERIFY(picture.error().what.find("torn") != std::string::npos);
     }
@@ -301,7 +300,7 @@ class GpuDeviceTest : public QObject {
             stop.request_stop();
         });
         const test::ProcessorTime spent;
-        QVERIFY(film->iterate(1'000'000, stop.get_token()));
+        QVERIFY(film->accumulate(1'000'000, stop.get_token()));
         QVERIFY(spent.seconds() < 2);
     }
 };

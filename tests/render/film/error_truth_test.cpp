@@ -106,7 +106,9 @@ class ErrorTruthTest : public QObject {
     /// One sample in a hundred brings light: what few samples tell is a lower bound, and said to be one.
     void rareLightMakesTheForecastALowerBound() {
         Film film(ivec2(30, 30), 0);
-        const auto rare = [](std::size_t pixel, std::uint64_t sample) { return uniform(pixel, sample) < 0.01 ? 50 : 0; };
+        const auto rare = [](std::size_t pixel, std::uint64_t sample) {
+            return uniform(pixel, sample) < 0.01 ? 50 : 0;
+        };
         const auto seen = [](std::size_t) { return kSeenTissue | kSeenChance; };
         grow(film, 64, rare, seen);
         QVERIFY(shownStatus(film, 1).fewBrightSamples);
@@ -115,8 +117,8 @@ class ErrorTruthTest : public QObject {
         QVERIFY(!shownStatus(film, 1).fewBrightSamples);
     }
 
-    /// A real scene against a far better picture of it: nearly all pixels lie within their two standard errors, and more
-    /// than 95 % within what is said of 95 %.
+    /// A real scene against a far better picture of it: nearly all pixels lie within their two standard errors, and
+    /// more than 95 % within what is said of 95 %.
     void aPictureLiesWhereItSays() {
         Scene scene = test::tissueScene();
         scene.film = {30, 22};

@@ -119,15 +119,15 @@ class FilmOfRegionsTest : public QObject {
             QVERIFY(device->upload(scene));
             const auto film = *device->film(scene.film, scene.revision, {});
             const Tile region{20, 10, 30, 20}, cells{16, 0, 48, 32};
-            QVERIFY(film->iterate(region, 100, {}));
-            QVERIFY(film->iterate(7, {}));
+            QVERIFY(film->accumulate(region, 100, {}));
+            QVERIFY(film->accumulate(7, {}));
             const auto ahead = *film->film();
             QCOMPARE(ahead->samples().least, std::uint64_t(7));
             QCOMPARE(ahead->samples().most, std::uint64_t(107));
             QCOMPARE(ahead->pixel(20, 10).count, std::uint64_t(107));
             QCOMPARE(ahead->pixel(69, 44).count, std::uint64_t(7));
-            QVERIFY(film->show({}));
-            const Result<Picture> picture = film->take();
+            QVERIFY(film->resolve({}));
+            const Result<Picture> picture = film->readback();
             QVERIFY(picture);
             QCOMPARE(picture->status.samplesPerPixel, std::uint64_t(7));
             QCOMPARE(picture->status.mostSamplesPerPixel, std::uint64_t(107));
@@ -135,7 +135,7 @@ class FilmOfRegionsTest : public QObject {
             QVERIFY(std::isinf(picture->status.displayError));  // of all pixels, and some have seven samples
             for (const EvenTile& even : ahead->progress().evenTiles(wholeOf(scene)))
                 if (!isInside(even.tile, cells))
-                    QVERIFY(film->iterate(even.tile, 100, {}));
+                    QVERIFY(film->accumulate(even.tile, 100, {}));
             QVERIFY(sameBits((*film->film())->content(), test::render(scene, 107).content()));
         }
     }
@@ -180,8 +180,8 @@ class FilmOfRegionsTest : public QObject {
         QVERIFY2(std::fabs(halves / errors - 1) < 0.15, qPrintable(QString::number(halves / errors)));
     }
 
-    /// Tiles that were made elsewhere, in any order of tiles, block by block and with a part of a block before: the film
-    /// is that of one device.
+    /// Tiles that were made elsewhere, in any order of tiles, block by block and with a part of a block before: the
+    /// film is that of one device.
     void mergedTilesAreOneDevicesFilm() {
         const Scene scene = someScene();
         std::vector<Tile> tiles{{0, 0, 32, 32}, {32, 0, 38, 16}, {32, 16, 38, 16}, {0, 32, 70, 13}};
@@ -243,7 +243,7 @@ class FilmOfRegionsTest : public QObject {
         scene.camera.eyeMm = centre + 20.0 * (scene.camera.eyeMm - centre);  // the film counts here, not the paths
         GpuDevice<CountingGpu> device(DeviceInfo{"counting", "", false});
         const auto picture = [&](Accumulator& film) {
-            return film.iterate(1, {}) && film.show({}) && bool(film.take());
+            return film.accumulate(1, {}) && film.resolve({}) && bool(film.readback());
         };
         QVERIFY(device.upload(scene));
         const auto film = *static_cast<Device&>(device).film(scene.film, scene.revision, {});
@@ -270,17 +270,17 @@ class FilmOfRegionsTest : public QObject {
             const auto device = gpu ? hostGpu() : makeCpuDevice();
             QVERIFY(device->upload(scene));
             const auto film = *device->film(scene.film, scene.revision, {});
-            QVERIFY(film->iterate(70, {}) && film->show({}));
+            QVERIFY(film->accumulate(70, {}) && film->resolve({}));
             Scene next = scene;
             next.camera.eyeMm.x += 20;
             next.film = {64, 50};
             next.revision = 8;
             QVERIFY(device->upload(next) && film->restart(wholeOf(next), next.revision));
-            QVERIFY(film->iterate(66, {}));
+            QVERIFY(film->accumulate(66, {}));
             QCOMPARE((*film->film())->revision(), std::uint64_t(8));
             QVERIFY(sameBits((*film->film())->content(), test::render(next, 66).content()));
-            QVERIFY(film->show({}));
-            const Result<Picture> picture = film->take();  // not the one that was ordered before
+            QVERIFY(film->resolve({}));
+            const Result<Picture> picture = film->readback();  // not the one that was ordered before
             QVERIFY(picture && picture->rgba == toneMap(**film->film(), {}));
         }
     }
@@ -290,8 +290,8 @@ class FilmOfRegionsTest : public QObject {
         const auto device = makeCpuDevice();
         QVERIFY(device->upload(scene));
         const auto film = *device->film(scene.film, scene.revision, {.kind = Schedule::Kind::kroes});
-        QVERIFY(!film->iterate({0, 0, 16, 16}, 1, {}));
-        QVERIFY(film->iterate(1, {}));
+        QVERIFY(!film->accumulate({0, 0, 16, 16}, 1, {}));
+        QVERIFY(film->accumulate(1, {}));
     }
 };
 

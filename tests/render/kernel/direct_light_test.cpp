@@ -1,5 +1,5 @@
-/// One light path for each event: what it stands for, and that lights which are sampled and lights which are met are the
-/// same ones. Directions, distances and sums that are known without a picture.
+/// One light path for each event: what it stands for, and that lights which are sampled and lights which are met are
+/// the same ones. Directions, distances and sums that are known without a picture.
 
 #include <QTest>
 #include <random>
@@ -58,7 +58,8 @@ class DirectLightTest : public QObject {
     }
 
     /// What a light brings is its radiance times the solid angle that it fills, and it comes from the middle of it on
-    /// average. A panel of half edges a, b straight ahead at distance d fills 4 asin(ab / sqrt((a^2 + d^2)(b^2 + d^2))).
+    /// average. A panel of half edges a, b straight ahead at distance d fills 4 asin(ab / sqrt((a^2 + d^2)(b^2 +
+    /// d^2))).
     void aLightBringsItsSolidAngleEvenly() {
         const double d = 70, a = 25, b = 15;
         const auto fromAhead = [d](const FlatLight& light) { return light.position + light.normal * float(d); };
@@ -66,7 +67,8 @@ class DirectLightTest : public QObject {
         const double cone = 1 - std::sqrt(1 - 25.0 * 25 / (d * d));  // 1 - cosine
         FlatLight round = ball();
         round.normal = vec3(0, 0, 1);
-        for (const auto& [light, truth, square] : {std::tuple(panel(), 2 * filled, true), {round, 4 * M_PI * cone, false}}) {
+        for (const auto& [light, truth, square] :
+             {std::tuple(panel(), 2 * filled, true), {round, 4 * M_PI * cone, false}}) {
             test::Sample brought, aside, up, forwards;
             vec3 s, t;
             orthonormalBasis(light.normal, s, t);
@@ -159,7 +161,8 @@ class DirectLightTest : public QObject {
         std::uniform_real_distribution<float> u(0, 1);
         for (int i = 0; i < 10'000; ++i) {
             const vec3 from(60 * u(random) + 30, 60 * u(random) - 30, 60 * u(random) - 30);
-            const LightSample sample = sampleLight<kPlacedLights>(light, from + light.position, {u(random) * 0.99f, u(random)});
+            const LightSample sample =
+                sampleLight<kPlacedLights>(light, from + light.position, {u(random) * 0.99f, u(random)});
             const double truth = firstMeeting(dvec3(from), dvec3(sample.wi), 25);
             QVERIFY(std::fabs(intersectLight(light, from, sample.wi).distance - truth) < 0.02);
             QVERIFY(std::fabs(sample.distance - truth) < 0.02);

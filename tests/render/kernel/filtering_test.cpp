@@ -203,9 +203,7 @@ class FilteringTest : public QObject {
 
     void textureIsMadeWhenAskedForKeptAndReleased() {
         GpuDevice<HostGpu> gpu(DeviceInfo{"host", "", false});
-        const auto bytes = [&](const Scene& scene) {
-            return gpu.upload(scene) ? gpu.gpu().allocated() : 0;
-        };
+        const auto bytes = [&](const Scene& scene) { return gpu.upload(scene) ? gpu.gpu().allocated() : 0; };
         Scene scene = tissue(Filtering::exact);
         const std::size_t texture = 50 * 41 * 37 * 2, exact = bytes(scene);
         scene.filtering = Filtering::fast;
@@ -233,9 +231,7 @@ class FilteringTest : public QObject {
             }
         };
         GpuDevice<CountingGpu> gpu(DeviceInfo{"counting", "", false});
-        const auto upload = [&](const Scene& scene) {
-            return bool(gpu.upload(scene));
-        };
+        const auto upload = [&](const Scene& scene) { return bool(gpu.upload(scene)); };
         Scene scene = tissue(Filtering::fast);
         const auto first = scene.volume, second = test::bumpyVolume({50, 41, 37}, {0.9, 1.1, 1.3}, 4);
         QVERIFY(upload(scene) && upload(scene));

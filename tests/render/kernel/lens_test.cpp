@@ -48,8 +48,8 @@ class LensTest : public QObject {
             const PathSegment segment = generateCameraRay(flat, place, lens, vec2(0, 1e30f));
             const dvec3 local = dvec3(localPosition(flat.volume, segment.ray.origin));
             const double depth = glm::dot(local - flat.camera.localEye, flat.camera.forward);
-            return local +
-                   dvec3(segment.direction) * ((focus - depth) / glm::dot(dvec3(segment.direction), flat.camera.forward));
+            return local + dvec3(segment.direction) *
+                               ((focus - depth) / glm::dot(dvec3(segment.direction), flat.camera.forward));
         };
         int seen = 0;
         for (const vec2 place : {vec2(16, 16), vec2(9, 12), vec2(22, 20)})

@@ -48,7 +48,8 @@ class PathsTest : public QObject {
         }
     }
 
-    /// Of mean 1 / extinction: the first flights of rays through even fog, to 0.05 %, so that 0.3 % are seen six times out.
+    /// Of mean 1 / extinction: the first flights of rays through even fog, to 0.05 %, so that 0.3 % are seen six times
+    /// out.
     void freePathsAreAsLongAsTheExtinctionSays() {
         Scene scene = fog();
         scene.volume = test::makeVolume({5, 5, 300}, dvec3(1), [](int, int, int) { return 0; });
@@ -57,13 +58,14 @@ class PathsTest : public QObject {
         const Ray ray{vec3(2, 2, -0.5f), vec3(0, 0, 1), 300};  // depth 30: one in 1e13 gets through
         test::Sample distance;
         for (std::uint64_t i = 0; i < 4'000'000; ++i)
-            distance.add(track<DeltaTracking>(prepared->flat, ray, Random(1, 1, i).stream(0, BounceDimension::distance)));
+            distance.add(
+                track<DeltaTracking>(prepared->flat, ray, Random(1, 1, i).stream(0, BounceDimension::distance)));
         QVERIFY2(std::fabs(distance.z(10)) < test::allowedZ(1),
                  qPrintable(QString("%1 +- %2").arg(distance.mean()).arg(distance.standardError())));
     }
 
-    /// However little throughput a path has: on average it keeps albedo times what it had, and goes on to where the phase
-    /// function sends it, cosine g on average, whether or not others were ended.
+    /// However little throughput a path has: on average it keeps albedo times what it had, and goes on to where the
+    /// phase function sends it, cosine g on average, whether or not others were ended.
     void endingPathsEarlyChangesNoMean() {
         constexpr float kG = 0.4f, kAlbedo = 0.7f;
         Scene scene = fog();

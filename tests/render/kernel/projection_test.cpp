@@ -9,7 +9,8 @@ using namespace pdr;
 
 namespace {
 
-constexpr Model kProjections[] = {Model::absorption, Model::emission, Model::emissionAbsorption, Model::maximumIntensity};
+constexpr Model kProjections[] = {Model::absorption, Model::emission, Model::emissionAbsorption,
+                                  Model::maximumIntensity};
 
 Scene variedScene(Model model) {
     Scene scene = test::plainScene(test::bumpyVolume({61, 45, 38}, {0.7, 1.1, 2.3}, 1), 0.3f);

@@ -30,8 +30,10 @@ bool close(double a, double b, double fraction) {
 
 /// The HU rise by 100 a voxel along x up to voxel 10, and by 300 from there on; spacing 2 x 1 x 1 mm.
 Scene bentRamp() {
-    Scene scene = test::plainScene(
-        test::makeVolume({20, 8, 8}, {2, 1, 1}, [](int i, int, int) { return i < 10 ? 100 * i : 1000 + 300 * (i - 10); }), 1);
+    Scene scene =
+        test::plainScene(test::makeVolume({20, 8, 8}, {2, 1, 1},
+                                          [](int i, int, int) { return i < 10 ? 100 * i : 1000 + 300 * (i - 10); }),
+                         1);
     scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 2000, .opacity = 1}};
     return scene;
 }
@@ -52,13 +54,14 @@ class SurfaceTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Seen, lit and facing the same way, GGX has 1 / (pi alpha^2) of its microfacets there, none hides another, and light
-    /// crosses the gloss twice on its way to what lies below. alpha is the square of the roughness (Burley 2012).
+    /// Seen, lit and facing the same way, GGX has 1 / (pi alpha^2) of its microfacets there, none hides another, and
+    /// light crosses the gloss twice on its way to what lies below. alpha is the square of the roughness (Burley 2012).
     void straightOnItIsTheClosedForm() {
         for (const float roughness : {0.3f, 0.6f, 1.0f})
             for (const float specular : {0.04f, 0.5f}) {
                 const vec3 got = surfaceEval(shiny(specular, roughness), kNormal, kNormal, kNormal);
-                const double alpha = double(roughness) * double(roughness), gloss = double(specular) / (4 * M_PI * alpha * alpha);
+                const double alpha = double(roughness) * double(roughness),
+                             gloss = double(specular) / (4 * M_PI * alpha * alpha);
                 const double below = (1 - double(specular)) * (1 - double(specular)) / M_PI;
                 QVERIFY(close(got.x, gloss + 0.8 * below, 1e-5));
                 QVERIFY(close(got.y, gloss + 0.5 * below, 1e-5));
@@ -77,7 +80,8 @@ class SurfaceTest : public QObject {
     /// Helmholtz: light goes either way alike.
     void lightGoesEitherWayAlike() {
         for (const float roughness : {0.2f, 0.7f})
-            for (const auto& [a, b] : {std::pair(at(0.9f, 0), at(0.3f, 1)), {at(0.5f, 2), at(0.1f, 5)}, {at(1, 0), at(0.6f, 4)}}) {
+            for (const auto& [a, b] :
+                 {std::pair(at(0.9f, 0), at(0.3f, 1)), {at(0.5f, 2), at(0.1f, 5)}, {at(1, 0), at(0.6f, 4)}}) {
                 const Material material = shiny(0.2f, roughness);
                 const double there = surfaceEval(material, kNormal, a, b).x / glm::dot(kNormal, b);
                 const double back = surfaceEval(material, kNormal, b, a).x / glm::dot(kNormal, a);
@@ -104,7 +108,8 @@ class SurfaceTest : public QObject {
                     reflected.add(density > 0 ? double(surfaceEval(material, kNormal, view, towards).x) / density : 0);
                     evenly.add(double(surfaceEval(material, kNormal, view, at(u.x, 2 * kPi * u.y)).x) * 2 * M_PI);
                 }
-                const double allowed = test::allowedZ(18), error = std::hypot(reflected.standardError(), evenly.standardError());
+                const double allowed = test::allowedZ(18),
+                             error = std::hypot(reflected.standardError(), evenly.standardError());
                 const QString where = QString("specular %1, cosine %2: ").arg(specular).arg(cosine);
                 QVERIFY2(std::fabs(one.z(M_PI)) < allowed, qPrintable(where + QString::number(one.mean())));
                 QVERIFY2(std::fabs(two.z(2 * M_PI / 3)) < allowed, qPrintable(where + QString::number(two.mean())));
@@ -118,7 +123,8 @@ class SurfaceTest : public QObject {
     /// 50 HU/mm below the bend, 150 above, 100 on it.
     void surfacesAreAsFrequentAsTheirFormulaSays() {
         for (const float factor : {0.5f, 1.0f, 1.5f})
-            for (const auto& [x, gradient, opacity] : {std::tuple(5.0f, 50.0, 0.25), {15.0f, 150.0, 1.0}, {10.0f, 100.0, 0.5}}) {
+            for (const auto& [x, gradient, opacity] :
+                 {std::tuple(5.0f, 50.0, 0.25), {15.0f, 150.0, 1.0}, {10.0f, 100.0, 0.5}}) {
                 Scene scene = bentRamp();
                 scene.gradientFactor = factor;
                 const double g = factor, truth = opacity * -std::expm1(-25 * g * g * g * gradient / 4096);

@@ -1,5 +1,5 @@
-/// What the kernel makes of HU is what the curve says: in pieces, on nodes and steps, and beyond the ends, one at a time and
-/// in lanes.
+/// What the kernel makes of HU is what the curve says: in pieces, on nodes and steps, and beyond the ends, one at a
+/// time and in lanes.
 
 #include <QTest>
 

@@ -32,8 +32,8 @@ class CameraTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// The image's middle looks at the target; a ray through the middle of the upper edge rises by half the field of view,
-    /// and one through the right edge goes as much further aside as the film is wider than high.
+    /// The image's middle looks at the target; a ray through the middle of the upper edge rises by half the field of
+    /// view, and one through the right edge goes as much further aside as the film is wider than high.
     void fieldOfViewIsVertical() {
         const Scene scene = view(Camera::Type::perspective);
         const double slope = std::tan(glm::radians(20.0));
@@ -59,8 +59,8 @@ class CameraTest : public QObject {
         }
     }
 
-    /// Out of focus a point spreads over a disc of the diameter aperture |1 - depth / focus|: here the rays enter the volume
-    /// at a depth of 400 mm, half as far as the sharp plane.
+    /// Out of focus a point spreads over a disc of the diameter aperture |1 - depth / focus|: here the rays enter the
+    /// volume at a depth of 400 mm, half as far as the sharp plane.
     void lensIsAsWideAsItsDiameter() {
         Scene scene = view(Camera::Type::perspective);
         scene.camera.apertureMm = 12;

@@ -59,8 +59,8 @@ class ClipTest : public QObject {
             });
         };
         QVERIFY(kept({1.1, 2.1, 3.1}) && kept({3.9, 5.9, 7.9}));
-        for (const dvec3 outside : {dvec3(0.9, 4, 5), dvec3(4.1, 4, 5), dvec3(2, 1.9, 5), dvec3(2, 6.1, 5), dvec3(2, 4, 2.9),
-                                    dvec3(2, 4, 8.1)})
+        for (const dvec3 outside : {dvec3(0.9, 4, 5), dvec3(4.1, 4, 5), dvec3(2, 1.9, 5), dvec3(2, 6.1, 5),
+                                    dvec3(2, 4, 2.9), dvec3(2, 4, 8.1)})
             QVERIFY(!kept(outside));
     }
 

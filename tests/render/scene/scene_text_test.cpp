@@ -100,7 +100,8 @@ class SceneTextTest : public QObject {
   private slots:
     void testScenesComeBack() {
         int files = 0;
-        for (QDirIterator each(QStringLiteral(PDR_SOURCE_DIR "/tests/scenes"), {"*.json"}, QDir::Files); each.hasNext(); ++files) {
+        for (QDirIterator each(QStringLiteral(PDR_SOURCE_DIR "/tests/scenes"), {"*.json"}, QDir::Files); each.hasNext();
+             ++files) {
             const Result<SceneFile> file = readSceneFile(each.next().toStdString());
             QVERIFY2(file, file ? "" : file.error().text().c_str());
             std::string why;
@@ -131,7 +132,8 @@ class SceneTextTest : public QObject {
 
     void presetsComeBack() {
         int presets = 0;
-        for (QDirIterator each(QStringLiteral(PDR_SOURCE_DIR "/resources/presets"), {"*.json"}, QDir::Files); each.hasNext(); ++presets) {
+        for (QDirIterator each(QStringLiteral(PDR_SOURCE_DIR "/resources/presets"), {"*.json"}, QDir::Files);
+             each.hasNext(); ++presets) {
             QFile file(each.next());
             QVERIFY(file.open(QIODevice::ReadOnly));
             const Result<Preset> preset = presetFromJson(file.readAll().toStdString(), "a test");

@@ -73,8 +73,8 @@ class FaultsTest : public QObject {
             row("upload") << 0 << never << never << never << never << ahead;
             row("first iteration") << never << 0 << never << never << never << ahead;
             row("70th iteration") << never << 70 << never << never << never << ahead;
-            row("show") << never << never << 5 << never << never << ahead;
-            row("take") << never << never << never << 5 << never << ahead;
+            row("resolve") << never << never << 5 << never << never << ahead;
+            row("readback") << never << never << never << 5 << never << ahead;
             row("look") << never << never << never << never << 0 << ahead;
         }
     }
@@ -88,11 +88,11 @@ class FaultsTest : public QObject {
         QFETCH(int, films);
         QFETCH(int, ahead);
         mishaps->uploads = uploads;
-        mishaps->iterates = iterates;
-        mishaps->shows = shows;
-        mishaps->takes = takes;
+        mishaps->accumulates = iterates;
+        mishaps->resolves = shows;
+        mishaps->readbacks = takes;
         mishaps->films = films;
-        mishaps->ahead = ahead;
+        mishaps->maxInFlight = ahead;
         test::Screen screen;
         Session session(test::failing(mishaps), screen.sink(), kCpu);
         session.submit(someScene(), false);
@@ -142,7 +142,7 @@ class FaultsTest : public QObject {
             Result<void> upload(const Scene& scene) override { return inner_.upload(scene); }
             Result<void> unload() override { return inner_.unload(); }
             Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
-                                                   const Schedule& schedule) override {
+                                                      const Schedule& schedule) override {
                 return inner_.film(area, revision, schedule);
             }
 
@@ -199,7 +199,7 @@ class FaultsTest : public QObject {
         const auto frail = [&opened] {
             ++opened;
             auto mishaps = std::make_shared<test::Mishaps>();
-            mishaps->iterates = 5;
+            mishaps->accumulates = 5;
             return test::failing(mishaps);
         };
         test::Screen screen;
@@ -236,7 +236,7 @@ class FaultsTest : public QObject {
         const DeviceOpener none = [] { return Error{"there is no such device", "cuda:7", ""}; };
         for (const DeviceOpener& fallback : {none, opener(small), DeviceOpener()}) {
             auto mishaps = std::make_shared<test::Mishaps>();
-            mishaps->takes = 2;
+            mishaps->readbacks = 2;
             test::Screen screen;
             Session session(test::failing(mishaps), screen.sink(), fallback);
             session.submit(someScene(), false);
@@ -248,7 +248,7 @@ class FaultsTest : public QObject {
 
     void devicesChangedTwentyTimesLoseNothing() {
         auto one = std::make_shared<test::Mishaps>(), other = std::make_shared<test::Mishaps>();
-        other->ahead = 3;
+        other->maxInFlight = 3;
         test::Screen screen;
         Session session(test::failing(one), screen.sink(), kCpu);
         session.setIterationsPerFrame(7);
@@ -306,8 +306,8 @@ class FaultsTest : public QObject {
     void itEndsInTheMiddleOfAnything() {
         for (int i = 0; i < 60; ++i) {
             auto mishaps = std::make_shared<test::Mishaps>();
-            mishaps->iterates = i;
-            mishaps->ahead = 1 + i % 3;
+            mishaps->accumulates = i;
+            mishaps->maxInFlight = 1 + i % 3;
             mishaps->tooSmall = i % 7 == 0;
             test::Screen screen;
             Session session(test::failing(mishaps), screen.sink(), i % 5 == 0 ? opener(mishaps) : kCpu);

@@ -145,7 +145,7 @@ class FirstLookTest : public QObject {
         std::mutex gate;
         std::atomic<bool> atTheGate = false;
         mishaps->before = [&](const std::string& verb) {
-            if (verb != "iterate")
+            if (verb != "accumulate")
                 return;
             atTheGate = true;
             const std::lock_guard through(gate);
@@ -210,7 +210,7 @@ class FirstLookTest : public QObject {
     void whoAsksOfADeviceThatIsLostIsTold() {
         auto mishaps = std::make_shared<test::Mishaps>();
         mishaps->iterationSeconds = 0.2;
-        mishaps->iterates = 0;
+        mishaps->accumulates = 0;
         Reel reel;
         Session session(test::failing(mishaps), reel.sink());
         session.submit(largeScene(1), false);

@@ -34,7 +34,7 @@ struct Faulty {
     Result<std::unique_ptr<Accumulator>> film(const Schedule& schedule) {
         const ivec2 size = scene->flat.camera.film;
         return KroesAccumulator<FaultyGpu>::make(gpu, wholeImage(size), 1, schedule,
-                                          std::make_unique<CpuFrameSampler>(tracer, gpu, scene));
+                                                 std::make_unique<CpuFrameSampler>(tracer, gpu, scene));
     }
 
     /// All that a session does, until something fails.
@@ -43,11 +43,11 @@ struct Faulty {
         if (!made)
             return made.error();
         Accumulator& film = **made;
-        if (auto ok = film.iterate(2, {}); !ok)
+        if (auto ok = film.accumulate(2, {}); !ok)
             return ok;
-        if (auto ok = film.show({.exposure = 3}); !ok)
+        if (auto ok = film.resolve({.exposure = 3}); !ok)
             return ok;
-        if (auto picture = film.take(); !picture)
+        if (auto picture = film.readback(); !picture)
             return picture.error();
         const auto known = film.film();
         if (!known)
@@ -105,10 +105,10 @@ class ScheduleFailuresTest : public QObject {
         {
             const auto film = faulty.film({Schedule::Kind::kroes, true, true, true});
             QVERIFY(bool(film));
-            QVERIFY(bool((*film)->iterate(1, {})));
+            QVERIFY(bool((*film)->accumulate(1, {})));
             const std::size_t after = faulty.gpu.allocated();
             QVERIFY(after > 0);
-            QVERIFY(bool((*film)->iterate(10, {})));
+            QVERIFY(bool((*film)->accumulate(10, {})));
             QCOMPARE(faulty.gpu.allocated(), after);
         }
         QCOMPARE(faulty.gpu.allocated(), std::size_t(0));

@@ -30,15 +30,15 @@ Scene someScene(Estimator estimator) {
     return scene;
 }
 
-void iterated(Accumulator& film, std::uint32_t n) {
-    const Result<void> done = film.iterate(n, {});
+void accumulated(Accumulator& film, std::uint32_t n) {
+    const Result<void> done = film.accumulate(n, {});
     QVERIFY2(bool(done), done ? "" : done.error().text().c_str());
 }
 
 Picture shown(Accumulator& film, const Display& display = {}) {
-    if (!film.show(display))
+    if (!film.resolve(display))
         return {};
-    Result<Picture> picture = film.take();
+    Result<Picture> picture = film.readback();
     return picture ? *picture : Picture{};
 }
 
@@ -88,7 +88,7 @@ class Painter final : public FrameSampler {
 
 std::unique_ptr<Accumulator> painted(HostGpu& gpu, ivec2 size, const Schedule& schedule, Painter::Value value) {
     return *KroesAccumulator<HostGpu>::make(gpu, wholeImage(size), 1, schedule,
-                                     std::make_unique<Painter>(std::move(value)));
+                                            std::make_unique<Painter>(std::move(value)));
 }
 
 vec3 mean(Accumulator& film, int x, int y) {
@@ -116,8 +116,8 @@ class ScheduleTest : public QObject {
         scene.model = model;
         Made ours(scene, kOurs), theirs(scene, kOrderOnly);
         for (const std::uint32_t n : {1u, 5u, 57u, 1u, 70u}) {  // 64, where a block is full, is inside, met and passed
-            iterated(*ours.film, n);
-            iterated(*theirs.film, n);
+            accumulated(*ours.film, n);
+            accumulated(*theirs.film, n);
             const auto a = *ours.film->film(), b = *theirs.film->film();
             QCOMPARE(b->samplesPerPixel(), a->samplesPerPixel());
             QCOMPARE(b->revision(), std::uint64_t(9));
@@ -138,8 +138,8 @@ class ScheduleTest : public QObject {
         Schedule redundant = kFiltered;
         redundant.redundant = true;
         Made k0(scene, redundant), k1(scene, kFiltered);
-        iterated(*k0.film, 5);
-        iterated(*k1.film, 5);
+        accumulated(*k0.film, 5);
+        accumulated(*k1.film, 5);
         QVERIFY(shown(*k0.film).rgba == shown(*k1.film).rgba);
         const auto a = *k0.film->film(), b = *k1.film->film();
         for (int i = 0; i < scene.film.x * scene.film.y; ++i)
@@ -147,8 +147,8 @@ class ScheduleTest : public QObject {
                     b->pixel(i % scene.film.x, i / scene.film.x).mean);
         const Schedule resent{Schedule::Kind::kroes, true, false, false};
         Made all(scene, resent), ours(scene, kOurs);
-        iterated(*all.film, 66);
-        iterated(*ours.film, 66);
+        accumulated(*all.film, 66);
+        accumulated(*ours.film, 66);
         QVERIFY(test::sameBits(**all.film->film(), **ours.film->film()));
     }
 
@@ -161,7 +161,7 @@ class ScheduleTest : public QObject {
         const auto film = painted(gpu, {3, 1}, kRunningMean, value);
         const std::uint64_t effective[] = {1, 1, 2, 3, 4};
         for (std::uint64_t done = 0; done < 5; ++done) {
-            iterated(*film, 1);
+            accumulated(*film, 1);
             for (int x = 0; x < 3; ++x)
                 for (int channel = 0; channel < 3; ++channel) {
                     float a = 0;
@@ -183,7 +183,7 @@ class ScheduleTest : public QObject {
             const auto film = painted(gpu, {5, 4}, schedule, [](ivec2 pixel, std::uint64_t number, int) {
                 return pixel == ivec2(2, 1) && number == 2 ? -1.0f : 3.0f;
             });
-            iterated(*film, 4);
+            accumulated(*film, 4);
             for (int i = 0; i < 20; ++i)
                 QVERIFY(std::fabs(mean(*film, i % 5, i / 5).x - 3) < 1e-5f);
         }
@@ -198,8 +198,8 @@ class ScheduleTest : public QObject {
         };
         const ivec2 size(16, 16);
         const auto film = painted(gpu, size, kFiltered, checker), sharp = painted(gpu, size, kRunningMean, checker);
-        iterated(*film, 300);
-        iterated(*sharp, 300);
+        accumulated(*film, 300);
+        accumulated(*sharp, 300);
         const auto weight = [&](ivec2 at, ivec2 offset) {
             const auto axis = [](int place, int step, int end) {
                 const auto there = [&](int o) { return place + o >= 0 && place + o < end; };
@@ -233,7 +233,7 @@ class ScheduleTest : public QObject {
             std::mt19937 random(seed);
             std::uniform_real_distribution<float> unit(0, 1);
             const auto film = painted(gpu, size, kFiltered, [&](ivec2, std::uint64_t, int) { return unit(random); });
-            iterated(*film, 1);
+            accumulated(*film, 1);
             const auto known = *film->film();
             test::Sample pixels;
             for (int y = 1; y < size.y - 1; y += 3)  // three apart they share no noise
@@ -250,12 +250,12 @@ class ScheduleTest : public QObject {
         const Scene scene = someScene(Estimator::unbiased);
         for (const Schedule& schedule : {kOrderOnly, kRunningMean, kFiltered}) {
             Made whole(scene, schedule), first(scene, schedule), second(scene, schedule);
-            iterated(*whole.film, 70);
-            iterated(*first.film, 33);
-            iterated(*second.film, 2);
+            accumulated(*whole.film, 70);
+            accumulated(*first.film, 33);
+            accumulated(*second.film, 2);
             QVERIFY(bool(second.film->resume(**first.film->film())));
             QVERIFY(shown(*second.film).rgba == shown(*first.film).rgba);
-            iterated(*second.film, 37);
+            accumulated(*second.film, 37);
             QVERIFY(shown(*second.film).rgba == shown(*whole.film).rgba);
             const auto a = *whole.film->film(), b = *second.film->film();
             QCOMPARE(b->samplesPerPixel(), std::uint64_t(70));
@@ -269,13 +269,13 @@ class ScheduleTest : public QObject {
 
     void displayChangesWithoutAnIteration() {
         Made made(someScene(Estimator::unbiased), kRunningMean);
-        iterated(*made.film, 3);
+        accumulated(*made.film, 3);
         const Picture bright = shown(*made.film, {0.1f}), dark = shown(*made.film, {10});
         QVERIFY(bright.rgba != dark.rgba);
         QVERIFY(dark.rgba == toneMap(**made.film->film(), {10}));
         QVERIFY(bright.rgba == toneMap(**made.film->film(), {0.1f}));
         QCOMPARE(dark.status.samplesPerPixel, std::uint64_t(3));
-        iterated(*made.film, 1);
+        accumulated(*made.film, 1);
         QVERIFY(shown(*made.film, {10}).rgba == toneMap(**made.film->film(), {10}));
     }
 
@@ -287,7 +287,7 @@ class ScheduleTest : public QObject {
             for (Light& light : wrong.lights)
                 std::visit([](auto& one) { radianceOf(one) = vec3(-1, 1, 1); }, light);
             (void)made->device->upload(wrong);
-            iterated(*made->film, 3);
+            accumulated(*made->film, 3);
         }
         const Health a = shown(*ours.film).status.health, b = shown(*theirs.film).status.health;
         QVERIFY(a.rejected() > 0);
@@ -309,9 +309,9 @@ class ScheduleTest : public QObject {
                 stop.request_stop();
             return 1.0f;
         });
-        QVERIFY(bool(film->iterate(1000000000, stop.get_token())));
+        QVERIFY(bool(film->accumulate(1000000000, stop.get_token())));
         QCOMPARE(last, std::uint64_t(3));
-        QVERIFY(bool(film->iterate(1000000000, stop.get_token())));
+        QVERIFY(bool(film->accumulate(1000000000, stop.get_token())));
         QCOMPARE(last, std::uint64_t(3));
         QCOMPARE(shown(*film).status.samplesPerPixel, std::uint64_t(3));
     }

@@ -76,7 +76,7 @@ struct Trial {
         mishaps->clock = clock;
         mishaps->iterationSeconds = iterationSeconds;
         mishaps->displaySeconds = displaySeconds;
-        mishaps->ahead = ahead;
+        mishaps->maxInFlight = ahead;
     }
     std::unique_ptr<Session> session() {
         return std::make_unique<Session>(test::failing(mishaps), reel.sink(), DeviceOpener(), test::readingOf(clock));
@@ -188,10 +188,11 @@ class FrameBudgetTest : public QObject {
         trial.reel.first(60);
         session->setPaused(true);
         std::promise<std::uint64_t> held;
-        session->requestSnapshot(1, [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
+        session->requestSnapshot(1,
+                                 [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
         const std::uint64_t samples = held.get_future().get();
-        const auto shots = trial.reel.shots(
-            [&](const auto& all) { return all.back().frame->status.samplesPerPixel == samples; });
+        const auto shots =
+            trial.reel.shots([&](const auto& all) { return all.back().frame->status.samplesPerPixel == samples; });
         std::size_t i = 0;
         for (; shots[i].frame->status.samplesPerPixel < samples; ++i)
             QCOMPARE(shots[i].frame->status.samplesPerPixel, 3 * (i + 1));
