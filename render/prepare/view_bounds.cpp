@@ -1,5 +1,10 @@
 #include "render/prepare/view_bounds.h"
 
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "render/kernel/bounds/view_footprint.h"
@@ -10,47 +15,67 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Calls visit(cell) for each fine cell with a bound above 0, until it returns false.
+/// Calls visit(cell) for each fine cell with a bound above 0 in a slab of coarse cells, until it returns false.
 template <class Visit>
-void forOccupiedCells(const FlatMajorants& grid, Visit&& visit) {
+void forOccupiedCells(const FlatMajorants& grid, int slab, Visit&& visit) {
     const auto at = [](const float* values, ivec3 size, ivec3 cell) {
         return values[(std::size_t(cell.z) * size.y + cell.y) * size.x + cell.x];
     };
-    for (int K = 0; K < grid.coarseSize.z; ++K)
-        for (int J = 0; J < grid.coarseSize.y; ++J)
-            for (int I = 0; I < grid.coarseSize.x; ++I) {
-                if (!(at(grid.coarse, grid.coarseSize, {I, J, K}) > 0))
-                    continue;
-                for (int n = 0; n < 64; ++n) {
-                    const ivec3 cell(4 * I + (n & 3), 4 * J + ((n >> 2) & 3), 4 * K + (n >> 4));
-                    if (at(grid.fine, grid.fineSize, cell) > 0 && !visit(cell))
-                        return;
-                }
+    for (int J = 0; J < grid.coarseSize.y; ++J)
+        for (int I = 0; I < grid.coarseSize.x; ++I) {
+            if (!(at(grid.coarse, grid.coarseSize, {I, J, slab}) > 0))
+                continue;
+            for (int n = 0; n < 64; ++n) {
+                const ivec3 cell(4 * I + (n & 3), 4 * J + ((n >> 2) & 3), 4 * slab + (n >> 4));
+                if (at(grid.fine, grid.fineSize, cell) > 0 && !visit(cell))
+                    return;
             }
+        }
+}
+
+vec2 united(vec2 a, vec2 b) {
+    return {std::min(a.x, b.x), std::max(a.y, b.y)};
+}
+
+/// Adds what the occupied cells of a slab cover to `depths`; false where one reaches behind the eye.
+bool cover(const FlatScene& scene, const ViewProjection& projection, int slab, std::vector<vec2>& depths) {
+    const ivec2 film = scene.camera.film, blocks = viewBlocks(film);
+    bool behind = false;
+    forOccupiedCells(scene.majorants, slab, [&](ivec3 cell) {
+        if (cutAway(scene.clip, cell))
+            return true;
+        const Footprint footprint = footprintOf(projection, cell, behind);
+        if (behind)
+            return false;
+        const CoveredBlocks covered(footprint, film, blocks);
+        for (int y = covered.first.y; y <= covered.last.y; ++y)
+            for (int x = covered.first.x; x <= covered.last.x; ++x) {
+                vec2& depth = depths[std::size_t(y) * blocks.x + x];
+                depth = united(depth, {covered.nearest, covered.farthest});
+            }
+        return true;
+    });
+    return !behind;
 }
 
 }  // namespace
 
 std::vector<vec2> viewDepths(const FlatScene& scene) {
     const ViewProjection projection(scene);
-    const ivec2 film = scene.camera.film, blocks = viewBlocks(film);
-    std::vector<vec2> depths(std::size_t(blocks.x) * blocks.y, vec2(kInfinity, -kInfinity));
-    forOccupiedCells(scene.majorants, [&](ivec3 cell) {
-        if (cutAway(scene.clip, cell))
-            return true;
-        bool behind;
-        const Footprint footprint = footprintOf(projection, cell, behind);
-        if (behind) {
-            depths.assign(depths.size(), vec2(0, kInfinity));
-            return false;
-        }
-        const CoveredBlocks covered(footprint, film, blocks);
-        for (int y = covered.first.y; y <= covered.last.y; ++y)
-            for (int x = covered.first.x; x <= covered.last.x; ++x) {
-                vec2& depth = depths[std::size_t(y) * blocks.x + x];
-                depth = {std::min(depth.x, covered.nearest), std::max(depth.y, covered.farthest)};
-            }
-        return true;
+    const ivec2 blocks = viewBlocks(scene.camera.film);
+    const std::size_t count = std::size_t(blocks.x) * std::size_t(blocks.y);
+    const auto none = [&] { return std::vector<vec2>(count, vec2(kInfinity, -kInfinity)); };
+    tbb::combinable<std::vector<vec2>> ofThreads(none);
+    std::atomic<bool> behindEye = false;
+    tbb::parallel_for(0, scene.majorants.coarseSize.z, [&](int slab) {
+        if (!behindEye && !cover(scene, projection, slab, ofThreads.local()))
+            behindEye = true;
+    });
+    if (behindEye)
+        return std::vector<vec2>(count, vec2(0, kInfinity));
+    std::vector<vec2> depths = none();
+    ofThreads.combine_each([&](const std::vector<vec2>& some) {
+        std::transform(depths.begin(), depths.end(), some.begin(), depths.begin(), united);
     });
     return depths;
 }

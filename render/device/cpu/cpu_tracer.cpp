@@ -14,9 +14,17 @@ namespace pdr {
 
 namespace {
 
-/// Pixels along an edge of what one thread takes at a time. Larger where a pixel is one short ray: the last rays of a
-/// task leave lanes empty.
-constexpr int kScatteringTask = 16, kProjectionTask = 32;
+/// Pixels along an edge of what one thread takes at a time. The last paths of a task leave lanes empty, so it has some
+/// thousand paths; a sum along a ray is the same for all samples of a pixel.
+int taskEdge(bool scattering, std::uint32_t samples) {
+    constexpr int kPathsPerTask = 4096, kLeast = 16, kProjection = 32;
+    if (!scattering)
+        return kProjection;
+    int edge = 4 * kLeast;
+    while (edge > kLeast && std::uint64_t(edge) * std::uint64_t(edge) * samples > kPathsPerTask)
+        edge /= 2;
+    return edge;
+}
 
 using TileKernel = void (*)(PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples,
                             TileSums sums);
@@ -42,7 +50,7 @@ void CpuTracer::trace(const FlatScene& scene, const Tile& tile, SampleRange samp
                       const std::stop_token& stop) {
     const bool scattering = scene.optics.model == FlatModel::scattering;
     const TileKernel traceTile = kTileKernels[scene.features];
-    const std::size_t task = scattering ? kScatteringTask : kProjectionTask;
+    const auto task = std::size_t(taskEdge(scattering, samples.count));
     const tbb::blocked_range2d<int> pixels(0, tile.height, task, 0, tile.width, task);
     tbb::enumerable_thread_specific<Health> healths;
     const auto work = [&](const tbb::blocked_range2d<int>& piece) {

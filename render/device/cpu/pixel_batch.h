@@ -1,5 +1,8 @@
 #pragma once
-/// The CPU's way through kernel/integrator.h: the paths of many samples, step by step together.
+/// The CPU's way through kernel/integrator.h: many paths at a time, each on a segment of its own. A path that ends
+/// leaves its place to the next sample, so that the lanes stay full however long some paths are.
+
+#include <vector>
 
 #include "render/device/cpu/lane_tracker.h"
 #include "render/device/cpu/sample_origin.h"
@@ -13,107 +16,120 @@ class PixelBatch {
     /// Adds `samples` to each pixel of `tile`. sums.health must be there.
     template <std::uint32_t F>
     void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
-        health_ = sums.health;
+        samples_.assign(std::size_t(tile.width) * std::size_t(tile.height) * samples.count, {});
+        std::size_t index = 0;
         for (int y = 0; y < tile.height; ++y)
-            for (int x = 0; x < tile.width; ++x)
-                startPixel<F>(scene, {tile.x + x, tile.y + y}, samples,
-                              sums.pixels[std::ptrdiff_t(y) * sums.stride + x]);
-        finish<F>(scene);
+            for (int x = 0; x < tile.width; ++x, index += samples.count)
+                startPixel<F>(scene, {tile.x + x, tile.y + y}, samples, index);
+        while (active_ > 0)
+            traceSegments<F>(scene);
+        addSamples(scene, tile, samples, sums);
     }
 
   private:
+    /// `index`: of the pixel's first sample in samples_.
     template <std::uint32_t F>
-    void startPixel(const FlatScene& scene, ivec2 pixel, SampleRange samples, PixelSums& target) {
+    void startPixel(const FlatScene& scene, ivec2 pixel, SampleRange samples, std::size_t index) {
         const vec2 depths = depthBounds(scene, pixel);
-        const bool nothing = isBackgroundOnly(scene, depths);
-        const vec3 background = plainBackground(scene);
-        target.seen |= seenAtFirst(scene, depths);
-        SampleOrigin origin(target, scene, pixel, samples.first);
-        for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
-            if (nothing) {
-                origin.add(background, *health_);
-                continue;
-            }
-            if (rays_.full())
-                finish<F>(scene);
-            start(scene, pixel, depths, origin);
+        if (isBackgroundOnly(scene, depths))
+            return;
+        for (std::uint32_t i = 0; i < samples.count; ++i) {
+            while (active_ == RayBatch::kCapacity)
+                traceSegments<F>(scene);
+            start(scene, pixel, samples.first + i, depths, index + i);
         }
     }
 
-    PDR_HD_INLINE void start(const FlatScene& scene, ivec2 pixel, vec2 depths, const SampleOrigin& origin) {
-        const int path = rays_.size();
-        paths_[path] = startPath(scene, pixel, origin.sample, depths);
-        samples_[path] = PathSample{};
-        origins_[path] = origin;
-        addSegment(path, 0);
+    PDR_HD_INLINE void start(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths,
+                             std::size_t index) {
+        paths_[active_] = startPath(scene, pixel, sample, depths);
+        bounces_[active_] = 0;
+        indices_[active_] = index;
+        ++active_;
     }
 
-    /// The path's next segment is to be tracked.
-    PDR_HD_INLINE void addSegment(int path, int bounce) {
-        pathOf_[rays_.size()] = path;
-        rays_.add(paths_[path].segment.ray, distanceStream(paths_[path], bounce));
-    }
-
-    /// Takes all started paths to their end and adds them up, in the order in which they were started.
+    /// Every path goes on to its next event and meets the light there; what has not ended stays in order.
     template <std::uint32_t F>
-    void finish(const FlatScene& scene) {
-        const int started = rays_.size();
-        for (int bounce = 0; rays_.size() > 0; ++bounce)
-            traceSegments<F>(scene, bounce);
-        for (int path = 0; path < started; ++path)
-            origins_[path].add(samples_[path], *health_);
-    }
-
-    /// Every path that is on its way goes on to its next event and meets the light there; rays_ are then the next
-    /// segments.
-    template <std::uint32_t F>
-    void traceSegments(const FlatScene& scene, int bounce) {
+    void traceSegments(const FlatScene& scene) {
+        rays_.clear();
+        for (int row = 0; row < active_; ++row)
+            rays_.add(paths_[row].segment.ray, distanceStream(paths_[row], bounces_[row]));
         rays_.track<DeltaTracking>(scene);
         for (const int row : rays_.overMajorant())
-            samples_[pathOf_[row]].overMajorant = true;
-        const int segments = rays_.size();
+            sampleOf(row).overMajorant = true;
         lights_.clear();
-        for (int row = 0; row < segments; ++row)
-            endRow<F>(scene, row, bounce);
+        for (int row = 0; row < active_; ++row)
+            endRow<F>(scene, row);
         traceLights(scene);
-        rays_.clear();
-        for (int row = 0; has(F, kBounces) && row < segments; ++row)
-            if (continues_[row])
-                addSegment(pathOf_[row], bounce + 1);
+        keepWhatContinues();
     }
 
     template <std::uint32_t F>
-    void endRow(const FlatScene& scene, int row, int bounce) {
-        const int path = pathOf_[row];
-        const PathVertex vertex = endSegment<F>(scene, paths_[path], rays_.result(row), bounce, samples_[path]);
+    PDR_HD_INLINE void endRow(const FlatScene& scene, int row) {
+        const PathVertex vertex = endSegment<F>(scene, paths_[row], rays_.result(row), bounces_[row], sampleOf(row));
         continues_[row] = vertex.continues;
         if (isDark(vertex.scattered))
             return;
         scattered_[lights_.size()] = vertex.scattered.radiance;
-        pathOfLight_[lights_.size()] = path;
-        lights_.add(vertex.scattered.ray, shadowStream(paths_[path], bounce));
+        rowOfLight_[lights_.size()] = row;
+        lights_.add(vertex.scattered.ray, shadowStream(paths_[row], bounces_[row]));
     }
 
     void traceLights(const FlatScene& scene) {
         lights_.track<RatioTracking>(scene);
-        for (const int row : lights_.overMajorant())
-            samples_[pathOfLight_[row]].overMajorant = true;
-        for (int row = 0; row < lights_.size(); ++row)
-            addLight(samples_[pathOfLight_[row]], scattered_[row], lights_.result(row));
+        for (const int light : lights_.overMajorant())
+            sampleOf(rowOfLight_[light]).overMajorant = true;
+        for (int light = 0; light < lights_.size(); ++light)
+            addLight(sampleOf(rowOfLight_[light]), scattered_[light], lights_.result(light));
     }
 
-    // by path
+    void keepWhatContinues() {
+        int kept = 0;
+        for (int row = 0; row < active_; ++row) {
+            if (!continues_[row])
+                continue;
+            if (kept != row)
+                paths_[kept] = paths_[row];
+            indices_[kept] = indices_[row];
+            bounces_[kept++] = bounces_[row] + 1;
+        }
+        active_ = kept;
+    }
+
+    /// In the order of the samples, whichever path ended first.
+    void addSamples(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) const {
+        const vec3 background = plainBackground(scene);
+        const PathSample* found = samples_.data();
+        for (int y = 0; y < tile.height; ++y)
+            for (int x = 0; x < tile.width; ++x, found += samples.count) {
+                const ivec2 pixel(tile.x + x, tile.y + y);
+                const vec2 depths = depthBounds(scene, pixel);
+                const bool nothing = isBackgroundOnly(scene, depths);
+                PixelSums& target = sums.pixels[std::ptrdiff_t(y) * sums.stride + x];
+                target.seen |= seenAtFirst(scene, depths);
+                SampleOrigin origin(target, scene, pixel, samples.first);
+                for (std::uint32_t i = 0; i < samples.count; ++i, ++origin.sample) {
+                    if (nothing)
+                        origin.add(background, *sums.health);
+                    else
+                        origin.add(found[i], *sums.health);
+                }
+            }
+    }
+
+    PathSample& sampleOf(int row) { return samples_[indices_[row]]; }
+
+    std::vector<PathSample> samples_;  ///< of the tile: pixel by pixel, row by row
+    // by path on its way; its segment's ray has the same row
+    int active_ = 0;
     std::array<Path, RayBatch::kCapacity> paths_;
-    std::array<SampleOrigin, RayBatch::kCapacity> origins_;
-    std::array<PathSample, RayBatch::kCapacity> samples_;
-    // by segment, which has the row of its ray
-    std::array<int, RayBatch::kCapacity> pathOf_;
+    std::array<int, RayBatch::kCapacity> bounces_;
+    std::array<std::size_t, RayBatch::kCapacity> indices_;  ///< in samples_
     std::array<bool, RayBatch::kCapacity> continues_;
     // by light path, which has the row of its ray
-    std::array<int, RayBatch::kCapacity> pathOfLight_;
+    std::array<int, RayBatch::kCapacity> rowOfLight_;
     std::array<vec3, RayBatch::kCapacity> scattered_;
     RayBatch rays_, lights_;
-    Health* health_ = nullptr;
 };
 
 }  // namespace pdr
