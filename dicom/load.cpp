@@ -106,7 +106,7 @@ class Filling {
     const Series& series_;
     const Padding padding_;
     const std::size_t sliceVoxels_;
-    std::vector<std::int16_t> hu_;
+    Voxels hu_;
     std::vector<std::vector<std::uint8_t>> masks_;
     std::atomic<std::size_t> clipped_ = 0;
     std::mutex mutex_;

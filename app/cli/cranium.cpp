@@ -17,7 +17,7 @@ static_assert(std::endian::native == std::endian::little, "the matrix is read as
 Result<Volume> readCranium(const std::filesystem::path& matrixFile) {
     const VolumeGeometry geometry =
         VolumeGeometry::aligned(kSize, kSpacingMm, -0.5 * (dvec3(kSize) - 1.0) * kSpacingMm);
-    std::vector<std::int16_t> voxels(geometry.voxelCount());
+    Voxels voxels(geometry.voxelCount());
     std::error_code failure;
     const std::uintmax_t bytes = std::filesystem::file_size(matrixFile, failure);
     std::ifstream file(matrixFile, std::ios::binary);

@@ -30,7 +30,7 @@ constexpr int kMostEvents = 100000;  ///< on a path; the deepest white slab need
 /// A volume of hu(i, j, k) whose box is centred at the origin.
 template <class Hu>
 std::shared_ptr<const Volume> makeVolume(ivec3 size, dvec3 spacing, Hu&& hu) {
-    std::vector<std::int16_t> voxels;
+    Voxels voxels;
     voxels.reserve(std::size_t(size.x) * size.y * size.z);
     for (int k = 0; k < size.z; ++k)
         for (int j = 0; j < size.y; ++j)

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "render/base/gather.h"
 #include "render/base/portable.h"
 
 #if defined(__AVX2__) && !defined(__CUDACC__)
@@ -145,11 +146,50 @@ inline BitsLanes permuted(BitsLanes lanes, IntLanes from) {
 inline BitsLanes selected(IntLanes mask, BitsLanes yes, BitsLanes no) {
     return __builtin_convertvector(mask, SignedBitsLanes) ? yes : no;
 }
-inline FloatLanes gather(const float* from, IntLanes index) {
+
+/// from[index] in each lane, by loads one after the other.
+inline FloatLanes gatherOneByOne(const float* from, IntLanes index) {
     FloatLanes result;
     for (int lane = 0; lane < kLanes; ++lane)
         result[lane] = from[index[lane]];
     return result;
+}
+/// The 32 bits at from + index, that is the values at from[index] (low) and from[index + 1].
+inline IntLanes gatherPairsOneByOne(const std::int16_t* from, IntLanes index) {
+    IntLanes pairs;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        std::int32_t both;
+        std::memcpy(&both, from + index[lane], sizeof both);
+        pairs[lane] = both;
+    }
+    return pairs;
+}
+/// The same in one instruction, where there is one.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+inline FloatLanes gatherAtOnce(const float* from, IntLanes index) {
+    return FloatLanes(_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xFFFF, __m512i(index), from, 4));
+}
+inline IntLanes gatherPairsAtOnce(const std::int16_t* from, IntLanes index) {
+    return IntLanes(_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xFFFF, __m512i(index), from, 2));
+}
+#elif defined(__AVX2__)
+inline FloatLanes gatherAtOnce(const float* from, IntLanes index) {
+    return FloatLanes(_mm256_i32gather_ps(from, __m256i(index), 4));
+}
+inline IntLanes gatherPairsAtOnce(const std::int16_t* from, IntLanes index) {
+    return IntLanes(_mm256_i32gather_epi32(reinterpret_cast<const int*>(from), __m256i(index), 2));
+}
+#else
+inline FloatLanes gatherAtOnce(const float* from, IntLanes index) {
+    return gatherOneByOne(from, index);
+}
+inline IntLanes gatherPairsAtOnce(const std::int16_t* from, IntLanes index) {
+    return gatherPairsOneByOne(from, index);
+}
+#endif
+
+inline FloatLanes gather(const float* from, IntLanes index) {
+    return kGatherAtOnce ? gatherAtOnce(from, index) : gatherOneByOne(from, index);
 }
 inline FloatLanes tableLookup(const float* column, int count, IntLanes index) {
     if (count > kLanes)
@@ -160,12 +200,7 @@ inline FloatLanes tableLookup(const float* column, int count, IntLanes index) {
 }
 /// Neighbouring int16 pairs at from[index] and from[index + 1].
 inline void gatherPair(const std::int16_t* from, IntLanes index, FloatLanes& first, FloatLanes& second) {
-    IntLanes pair;
-    for (int lane = 0; lane < kLanes; ++lane) {
-        std::int32_t both;
-        std::memcpy(&both, from + index[lane], sizeof both);
-        pair[lane] = both;
-    }
+    const IntLanes pair = kGatherAtOnce ? gatherPairsAtOnce(from, index) : gatherPairsOneByOne(from, index);
     first = toFloat((pair << 16) >> 16);
     second = toFloat(pair >> 16);
 }

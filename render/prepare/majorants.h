@@ -1,8 +1,7 @@
 #pragma once
 /// Upper bounds on the extinction, for free paths.
 
-#include <vector>
-
+#include "render/base/huge_pages.h"
 #include "render/prepare/transfer_tables.h"
 #include "render/volume/ranges.h"
 
@@ -10,7 +9,7 @@ namespace pdr {
 
 /// Bounds on the extinction for one volume under one transfer function.
 struct Majorants {
-    std::vector<float> fine, coarse;
+    HugePageVector<float> fine, coarse;
     vec3 occupiedLow{0}, occupiedHigh{0};
 
     Majorants() = default;

@@ -90,12 +90,12 @@ void takeLights(const std::vector<LightFields>& entries, const std::filesystem::
 std::vector<LightFields> lightFieldsOf(const SceneFile& file) {
     std::vector<LightFields> entries;
     for (const Light& light : file.scene.lights)
-        std::visit([&](const auto& one) { entries.push_back(one); }, light);
+        std::visit([&](const auto& one) { entries.emplace_back(one); }, light);
     EnvironmentFields around{file.scene.environment, {}};
     if (!file.environmentImage.empty())
         around.image = file.environmentImage.string();
     if (around.image || around.environment != Environment{})
-        entries.push_back(around);
+        entries.emplace_back(around);
     return entries;
 }
 

@@ -133,7 +133,7 @@ Volume headPhantom(ivec3 size, dvec3 spacingMm, std::uint64_t seed) {
     const double scale = kDrawnForMm / std::min({box.x, box.y, box.z});
     const double softness = scale * std::min({spacingMm.x, spacingMm.y, spacingMm.z});
     const VolumeGeometry geometry = VolumeGeometry::aligned(size, spacingMm, -0.5 * (dvec3(size) - 1.0) * spacingMm);
-    std::vector<std::int16_t> voxels(geometry.voxelCount());
+    Voxels voxels(geometry.voxelCount());
     tbb::parallel_for(0, size.z, [&](int z) {
         std::size_t index = std::size_t(z) * std::size_t(size.x) * std::size_t(size.y);
         for (int y = 0; y < size.y; ++y) {

@@ -2,9 +2,8 @@
 /// Smallest and largest HU per small cell of a volume: what a bound on the extinction is made from, for any curve.
 ///   cells    base/cells.h    order    x fastest, then y, then z    values    Hounsfield units
 
-#include <vector>
-
 #include "render/base/cells.h"
+#include "render/base/huge_pages.h"
 #include "render/volume/volume.h"
 
 namespace pdr {
@@ -15,13 +14,13 @@ class CellRanges {
 
     ivec3 fineSize() const { return coarseSize_ * kFinePerCoarse; }
     ivec3 coarseSize() const { return coarseSize_; }
-    const std::vector<HuRange>& cells() const { return cells_; }
+    const HugePageVector<HuRange>& cells() const { return cells_; }
     /// Over all cells; what a transfer function's table must span.
     HuRange whole() const { return whole_; }
 
   private:
     ivec3 coarseSize_;
-    std::vector<HuRange> cells_;
+    HugePageVector<HuRange> cells_;
     HuRange whole_ = kEmptyRange;
 };
 

@@ -51,8 +51,8 @@ Error readError(const RawFile& file) {
 }
 
 template <class T>
-Result<std::vector<T>> readAll(const RawFile& file, std::size_t voxels) {
-    std::vector<T> values(voxels);
+Result<HugePageVector<T>> readAll(const RawFile& file, std::size_t voxels) {
+    HugePageVector<T> values(voxels);
     std::ifstream stream(file.path, std::ios::binary);
     if (!stream)
         return Error{"the file cannot be opened", file.path.string(), "Check that you may read it."};
@@ -64,11 +64,11 @@ Result<std::vector<T>> readAll(const RawFile& file, std::size_t voxels) {
 
 /// Reads T and rounds to int16.
 template <class T>
-Result<std::vector<std::int16_t>> readAs(const RawFile& file, std::size_t voxels) {
-    Result<std::vector<T>> values = readAll<T>(file, voxels);
+Result<Voxels> readAs(const RawFile& file, std::size_t voxels) {
+    Result<HugePageVector<T>> values = readAll<T>(file, voxels);
     if (!values)
         return values.error();
-    std::vector<std::int16_t> hu(voxels);
+    Voxels hu(voxels);
     for (std::size_t i = 0; i < voxels; ++i) {
         const double rounded = std::nearbyint(double((*values)[i]));
         if (!(rounded >= INT16_MIN && rounded <= INT16_MAX))
@@ -80,7 +80,7 @@ Result<std::vector<std::int16_t>> readAs(const RawFile& file, std::size_t voxels
     return hu;
 }
 
-Result<std::vector<std::int16_t>> readVoxels(const RawFile& file, std::size_t voxels) {
+Result<Voxels> readVoxels(const RawFile& file, std::size_t voxels) {
     switch (file.type) {
         case RawFile::Type::uint8:
             return readAs<std::uint8_t>(file, voxels);
@@ -104,7 +104,7 @@ Result<Volume> loadRaw(const RawFile& file) {
     const VolumeGeometry geometry =
         VolumeGeometry::aligned(file.size, file.spacingMm, file.originMm.value_or(0.5 * file.spacingMm));
     try {
-        Result<std::vector<std::int16_t>> voxels = readVoxels(file, geometry.voxelCount());
+        Result<Voxels> voxels = readVoxels(file, geometry.voxelCount());
         if (!voxels)
             return voxels.error();
         return Volume(geometry, *std::move(voxels));

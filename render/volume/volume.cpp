@@ -43,11 +43,21 @@ Result<void> checkSpacing(dvec3 spacingMm) {
     return {};
 }
 
-Volume::Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding,
-               std::string remarks)
+Volume::Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding, std::string remarks)
     : geometry_(geometry), voxels_(std::move(voxels)), padding_(std::move(padding)), remarks_(std::move(remarks)) {
     assert(voxels_.size() == geometry_.voxelCount());
     assert(padding_.empty() || padding_.size() == voxels_.size());
+    findRanges();
+}
+
+Volume Volume::clamped(std::int16_t lowest, std::int16_t highest) && {
+    for (std::int16_t& hu : voxels_)
+        hu = std::clamp(hu, lowest, highest);
+    findRanges();
+    return std::move(*this);
+}
+
+void Volume::findRanges() {
     const auto [low, high] = std::minmax_element(voxels_.begin(), voxels_.end());
     storedRange_ = {*low, *high};
     if (padding_.empty()) {
@@ -56,8 +66,10 @@ Volume::Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::v
         return;
     }
     paddingCount_ = std::size_t(std::count(padding_.begin(), padding_.end(), true));
-    if (paddingCount_ == voxels_.size())
+    if (paddingCount_ == voxels_.size()) {
+        lowestHu_ = highestHu_ = kAirHu;
         return;
+    }
     lowestHu_ = INT16_MAX;
     highestHu_ = INT16_MIN;
     for (std::size_t i = 0; i < voxels_.size(); ++i) {

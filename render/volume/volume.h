@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/base/cells.h"
+#include "render/base/huge_pages.h"
 #include "render/base/portable.h"
 #include "render/base/result.h"
 
@@ -20,6 +21,9 @@ namespace pdr {
 /// least; below it, steps through the grid are lost in the last place of a float.
 inline constexpr double kLowestSpacingMm = 1e-6;
 inline constexpr double kHighestSpacingMm = 1e6;
+
+/// Hounsfield units of a grid, x fastest, then y, then z.
+using Voxels = HugePageVector<std::int16_t>;
 
 /// Where a grid lies in the patient.
 struct VolumeGeometry {
@@ -51,8 +55,11 @@ class Volume {
     /// `voxels` holds geometry.voxelCount() values. `padding` is empty or has one flag per voxel: true = the scanner
     /// measured nothing there. Such voxels should hold kAirHu; statistics leave them out.
     /// `remarks`: see remarks().
-    Volume(VolumeGeometry geometry, std::vector<std::int16_t> voxels, std::vector<bool> padding = {},
-           std::string remarks = {});
+    Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding = {}, std::string remarks = {});
+
+    /// The same volume with every voxel clamped to [lowest, highest] HU, padding included; what is padding stays so. In
+    /// the same memory: *this is then empty. Needs lowest <= highest.
+    Volume clamped(std::int16_t lowest, std::int16_t highest) &&;
 
     const VolumeGeometry& geometry() const { return geometry_; }
     ivec3 size() const { return geometry_.size; }
@@ -70,8 +77,10 @@ class Volume {
     const std::string& remarks() const { return remarks_; }
 
   private:
+    void findRanges();
+
     VolumeGeometry geometry_;
-    std::vector<std::int16_t> voxels_;
+    Voxels voxels_;
     std::vector<bool> padding_;
     std::size_t paddingCount_ = 0;
     std::int16_t lowestHu_ = kAirHu;

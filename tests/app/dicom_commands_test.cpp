@@ -42,7 +42,7 @@ class DicomCommandsTest : public QObject {
 
     /// A file like InVesalius' matrix.dat: every voxel tells its row and its slice.
     QString craniumFile() const {
-        std::vector<std::int16_t> voxels;
+        Voxels voxels;
         for (int z = 0; z < 108; ++z)
             for (int y = 0; y < 256; ++y)
                 voxels.insert(voxels.end(), 256, std::int16_t(y * 100 + z));

@@ -50,7 +50,7 @@ class BenchFilteringTest : public QObject {
     QString sceneFile(const QByteArray& model, std::int16_t lowest) {
         QFile voxels(folder_.filePath("volume.raw"));
         const auto volume = test::bumpyVolume({20, 20, 20}, dvec3(1), 1);
-        std::vector<std::int16_t> hu(volume->voxels().begin(), volume->voxels().end());
+        Voxels hu(volume->voxels().begin(), volume->voxels().end());
         hu[0] = lowest;
         (void)voxels.open(QIODevice::WriteOnly);
         voxels.write(reinterpret_cast<const char*>(hu.data()), qint64(2 * hu.size()));

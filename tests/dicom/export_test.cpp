@@ -24,7 +24,7 @@ namespace {
 const ExportFacts kFacts{"Test^Grid", "T1", "Tests", "Ramp", "A ramp, made for a test."};
 
 Volume ramp(const VolumeGeometry& geometry) {
-    std::vector<std::int16_t> voxels(geometry.voxelCount());
+    Voxels voxels(geometry.voxelCount());
     for (std::size_t i = 0; i < voxels.size(); ++i)
         voxels[i] = std::int16_t(int(i * 7919 % 4096) - 1024);
     return Volume(geometry, std::move(voxels));

@@ -56,7 +56,7 @@ class PublishedBugsTest : public QObject {
     /// B1, volren: the opacity of a cell's highest density, taken for the highest opacity of its densities.
     void opacityOfTheHighestDensityIsNoBound() {
         const auto prepared = Flattener().prepare(windowed());
-        const std::vector<HuRange>& cells = prepared->ranges->cells();
+        const auto& cells = prepared->ranges->cells();
         const auto naive = [&](std::size_t cell, ivec3) {
             return cells[cell] == kEmptyRange
                        ? 0
@@ -162,7 +162,7 @@ class PublishedBugsTest : public QObject {
         const auto device = test::testedDevice();
         const auto loose = test::prepared(scene);
         auto bounds = std::make_shared<Majorants>(*loose->majorants);
-        for (std::vector<float>* grid : {&bounds->fine, &bounds->coarse})
+        for (auto* grid : {&bounds->fine, &bounds->coarse})
             for (float& bound : *grid)
                 bound *= 7;
         loose->flat.majorants.fine = bounds->fine.data();

@@ -55,7 +55,7 @@ inline std::shared_ptr<const Volume> unevenSurface(dvec3 spacing, double steepne
     const dmat4 turned = glm::rotate(dmat4(1), 0.7, glm::normalize(dvec3(1, 2, -0.5)));
     dmat4 map = glm::scale(turned, spacing);
     map[3] = map * dvec4(-0.5 * dvec3(size - 1) + 0.13, 1);
-    std::vector<std::int16_t> voxels;
+    Voxels voxels;
     for (int k = 0; k < size.z; ++k)
         for (int j = 0; j < size.y; ++j)
             for (int i = 0; i < size.x; ++i) {

@@ -17,7 +17,7 @@ namespace pdr::test {
 /// A volume whose every voxel is value(i, j, k), voxels of `spacing` mm, corner of the box at the origin.
 template <class Value>
 std::shared_ptr<const Volume> makeVolume(ivec3 size, dvec3 spacing, Value&& value) {
-    std::vector<std::int16_t> voxels;
+    Voxels voxels;
     voxels.reserve(std::size_t(size.x) * size.y * size.z);
     for (int k = 0; k < size.z; ++k)
         for (int j = 0; j < size.y; ++j)

@@ -22,7 +22,7 @@ inline std::vector<Preset> twoPresets() {
 
 inline std::shared_ptr<const Volume> cube() {
     return std::make_shared<const Volume>(VolumeGeometry::aligned({4, 4, 4}, {10, 10, 10}, {-15, 85, 185}),
-                                          std::vector<std::int16_t>(64, 100));
+                                          Voxels(64, 100));
 }
 
 struct Told {

@@ -151,7 +151,7 @@ RayList primaryRays(const FlatScene& scene, int edge) {
 
 std::vector<std::unique_ptr<Tracker>> allTrackers(const PreparedScene& prepared) {
     const FlatScene& scene = prepared.flat;
-    const std::vector<float>& bounds = prepared.majorants->coarse;
+    const auto& bounds = prepared.majorants->coarse;
     const float highest = std::max(*std::max_element(bounds.begin(), bounds.end()), 1e-30f);
     std::vector<std::unique_ptr<Tracker>> trackers;
     trackers.push_back(

@@ -95,7 +95,8 @@ Scene sceneFrom(Bytes bytes) {
     Scene scene = sceneFromText({text.data(), text.size()}, "the scene that was sent", "")->scene;
     scene.revision = packet.take<std::uint64_t>();
     const VolumeGeometry geometry = packet.take<VolumeGeometry>();
-    scene.volume = std::make_shared<Volume>(geometry, packet.takeAll<std::int16_t>());
+    const std::vector<std::int16_t> voxels = packet.takeAll<std::int16_t>();
+    scene.volume = std::make_shared<Volume>(geometry, Voxels(voxels.begin(), voxels.end()));
     return scene;
 }
 

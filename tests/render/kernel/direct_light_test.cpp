@@ -177,7 +177,7 @@ class DirectLightTest : public QObject {
         map[2] = {0, 0, 3, 0};
         map[3] = {10, -20, 30, 1};
         Scene scene = cube();
-        scene.volume = std::make_shared<Volume>(VolumeGeometry{{8, 6, 4}, map}, std::vector<std::int16_t>(192, 0));
+        scene.volume = std::make_shared<Volume>(VolumeGeometry{{8, 6, 4}, map}, Voxels(192, 0));
         const auto prepared = test::prepared(scene);
         for (const dvec3 index : {dvec3(0), dvec3(7, 5, 3), dvec3(-0.5, 5.5, 1.25), dvec3(3.5, 2.5, 1.5)}) {
             const dvec3 truth = dvec3(map * dvec4(index, 1)) - scene.volume->geometry().centreMm();

@@ -39,7 +39,7 @@ Film otherPicture(Scene scene) {
     return picture(scene);
 }
 
-Scene withGeometry(Scene scene, const VolumeGeometry& geometry, std::vector<std::int16_t> voxels) {
+Scene withGeometry(Scene scene, const VolumeGeometry& geometry, Voxels voxels) {
     scene.volume = std::make_shared<Volume>(geometry, std::move(voxels));
     return scene;
 }
@@ -57,7 +57,7 @@ Scene storedOtherwise(const Scene& scene, ivec3 axis, glm::bvec3 back) {
         oldFromNew[3][axis[i]] = back[i] ? geometry.size[i] - 1 : 0;
     }
     geometry.patientFromIndex = old.patientFromIndex * oldFromNew;
-    std::vector<std::int16_t> voxels;
+    Voxels voxels;
     for (int k = 0; k < geometry.size.z; ++k)
         for (int j = 0; j < geometry.size.y; ++j)
             for (int i = 0; i < geometry.size.x; ++i) {
@@ -123,7 +123,7 @@ class PropertiesTest : public QObject {
             Scene scene = test::anyScene(seed);
             const VolumeGeometry geometry = scene.volume->geometry();
             const float hu = float(int(random() % 2000) - 800);
-            scene = withGeometry(scene, geometry, std::vector<std::int16_t>(geometry.voxelCount(), std::int16_t(hu)));
+            scene = withGeometry(scene, geometry, Voxels(geometry.voxelCount(), std::int16_t(hu)));
             for (TransferNode& node : scene.transferFunction.nodes)
                 node.albedo = vec3(0);
             scene.lights.clear();

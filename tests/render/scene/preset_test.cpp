@@ -21,7 +21,7 @@ static Preset bone() {
 static Scene sceneWith(double sizeMm) {
     Scene scene;
     scene.volume = std::make_shared<const Volume>(
-        VolumeGeometry::aligned({2, 2, 2}, dvec3(sizeMm / 2), dvec3(sizeMm / 4)), std::vector<std::int16_t>(8));
+        VolumeGeometry::aligned({2, 2, 2}, dvec3(sizeMm / 2), dvec3(sizeMm / 4)), Voxels(8));
     scene.camera = standardView(StandardView::anterior, scene.volume->geometry().centreMm(),
                                 scene.volume->geometry().radiusMm(), 1);
     return scene;

@@ -1,0 +1,36 @@
+#include "render/base/huge_pages.h"
+
+#include <sys/mman.h>
+
+#include <cstdint>
+
+namespace pdr {
+
+namespace {
+
+constexpr std::size_t kHugePage = std::size_t(2) << 20;
+
+/// Smaller arrays are not worth whole pages: up to half of one would be wasted on each.
+bool usesHugePages(std::size_t bytes) {
+    return bytes >= 2 * kHugePage;
+}
+
+}  // namespace
+
+void* allocateInHugePages(std::size_t bytes) {
+    if (!usesHugePages(bytes))
+        return ::operator new(bytes);
+    void* memory = ::operator new(bytes, std::align_val_t(kHugePage));
+    madvise(memory, bytes / kHugePage * kHugePage,
+            MADV_HUGEPAGE);  // a wish: where it is not granted, all works as well
+    return memory;
+}
+
+void freeHugePages(void* memory, std::size_t bytes) {
+    if (usesHugePages(bytes))
+        ::operator delete(memory, std::align_val_t(kHugePage));
+    else
+        ::operator delete(memory);
+}
+
+}  // namespace pdr

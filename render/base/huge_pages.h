@@ -1,0 +1,32 @@
+#pragma once
+/// Memory for large arrays that are read here and there, in pages of 2 MB where the system lends them. In pages of 4 kB
+/// nearly each read of a large volume has to look its page up first, which costs more than the read.
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace pdr {
+
+/// As operator new. Throws std::bad_alloc.
+void* allocateInHugePages(std::size_t bytes);
+void freeHugePages(void* memory, std::size_t bytes);
+
+template <class T>
+struct HugePageAllocator {
+    using value_type = T;
+
+    HugePageAllocator() = default;
+    template <class Other>
+    HugePageAllocator(const HugePageAllocator<Other>&) {}
+
+    T* allocate(std::size_t count) { return static_cast<T*>(allocateInHugePages(count * sizeof(T))); }
+    void deallocate(T* memory, std::size_t count) { freeHugePages(memory, count * sizeof(T)); }
+
+    bool operator==(const HugePageAllocator&) const = default;
+};
+
+template <class T>
+using HugePageVector = std::vector<T, HugePageAllocator<T>>;
+
+}  // namespace pdr

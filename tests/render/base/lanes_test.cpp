@@ -1,0 +1,45 @@
+/// What lanes read at once is what they read one by one.
+
+#include <QTest>
+#include <random>
+#include <vector>
+
+#include "render/base/lanes.h"
+
+using namespace pdr;
+
+class LanesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    /// From the first entry to the last, floats that are no numbers among them; pairs that straddle lines and pages.
+    void bothWaysToGatherReadTheSame() {
+        std::mt19937 random(7);
+        std::vector<float> floats(100'000);
+        std::vector<std::int16_t> pairs(floats.size() + 1);
+        for (float& value : floats)
+            value = std::bit_cast<float>(std::uint32_t(random()));
+        for (std::int16_t& value : pairs)
+            value = std::int16_t(random());
+        for (int round = 0; round < 10'000; ++round) {
+            IntLanes index{};
+            for (int lane = 0; lane < kLanes; ++lane)
+                index[lane] = int(random() % floats.size());
+            if (round == 0)
+                index[0] = 0, index[1] = int(floats.size() - 1);
+            const IntLanes atOnce = bitsOf(gatherAtOnce(floats.data(), index));
+            const IntLanes oneByOne = bitsOf(gatherOneByOne(floats.data(), index));
+            QVERIFY(!any(atOnce != oneByOne));
+            QVERIFY(!any(gatherPairsAtOnce(pairs.data(), index) != gatherPairsOneByOne(pairs.data(), index)));
+            FloatLanes first, second;
+            gatherPair(pairs.data(), index, first, second);
+            for (int lane = 0; lane < kLanes; ++lane) {
+                QCOMPARE(first[lane], float(pairs[std::size_t(index[lane])]));
+                QCOMPARE(second[lane], float(pairs[std::size_t(index[lane]) + 1]));
+            }
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(LanesTest)
+#include "lanes_test.moc"

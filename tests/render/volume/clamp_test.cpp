@@ -1,0 +1,51 @@
+/// Clamping a volume, and the memory that voxels lie in.
+
+#include <QTest>
+#include <algorithm>
+#include <numeric>
+
+#include "render/volume/clamp.h"
+
+using namespace pdr;
+
+class ClampTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void clampsInTheSameMemory() {
+        Voxels voxels(4 * 3 * 2);
+        std::iota(voxels.begin(), voxels.end(), std::int16_t(-10));
+        std::vector<bool> padding(voxels.size());
+        padding[0] = true;
+        Volume volume(VolumeGeometry::aligned({4, 3, 2}, dvec3(1), dvec3(0)), std::move(voxels), padding, "clipped");
+        const std::int16_t* before = volume.voxels().data();
+        const Volume result = clamped(std::move(volume), std::pair(-4, 7));
+        QVERIFY(result.voxels().data() == before);
+        for (std::size_t i = 0; i < 24; ++i)
+            QCOMPARE(int(result.voxels()[i]), std::clamp(int(i) - 10, -4, 7));
+        QCOMPARE(int(result.lowestHu()), -4);
+        QCOMPARE(int(result.highestHu()), 7);
+        QCOMPARE(int(result.storedRange().lowest), -4);
+        QVERIFY(result.isPadding(0) && !result.isPadding(1));
+        QCOMPARE(result.paddingCount(), std::size_t(1));
+        QCOMPARE(result.remarks(), std::string("clipped"));
+    }
+
+    /// Of any size, below and above that of a page, whole pages and not; nothing is said about who gets large pages.
+    void largeArraysHoldTheirValues() {
+        for (const std::size_t bytes : {0u, 1u, 4095u, (4u << 20) - 2, 4u << 20, (4u << 20) + 2, (9u << 20) + 6}) {
+            Voxels voxels(bytes / 2);
+            for (std::size_t i = 0; i < voxels.size(); ++i)
+                voxels[i] = std::int16_t(i * 31);
+            Voxels copy = voxels;
+            copy.push_back(5);
+            bool equal = true;
+            for (std::size_t i = 0; i < voxels.size(); ++i)
+                equal = equal && copy[i] == std::int16_t(i * 31) && voxels[i] == copy[i];
+            QVERIFY(equal);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ClampTest)
+#include "clamp_test.moc"
