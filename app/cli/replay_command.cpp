@@ -17,16 +17,25 @@ void printTriple(const char* what, const Vector& v) {
     std::printf("%s(%.6g, %.6g, %.6g)", what, double(v.x), double(v.y), double(v.z));
 }
 
+void printCollected(const ReplayedSegment& segment) {
+    if (segment.collected == vec3(0))
+        return;
+    printTriple("    meets lights, which bring ", segment.collected);
+    std::printf("\n");
+}
+
 void printSegment(int number, const ReplayedSegment& segment) {
     std::printf("%d ", number);
     printTriple("from ", segment.startMm);
     printTriple(" mm towards ", segment.direction);
     if (segment.collision < 0) {
         std::printf(segment.length > 0 ? ", through to the end: no event\n" : ": nothing in its way\n");
+        printCollected(segment);
         return;
     }
     const bool surface = segment.event.normal != vec3(0);
     std::printf(", event after %.6g mm\n", double(segment.collision));
+    printCollected(segment);
     printTriple("    at ", segment.eventMm);
     std::printf(" mm: %.6g HU, extinction %.6g per mm, %s\n", double(segment.hu), double(segment.extinction),
                 surface ? "a surface reflects" : "the phase function scatters");

@@ -160,6 +160,7 @@ struct FlatScene {
     int lightCount;
     bool lightsInView;      ///< the camera sees one of them
     bool sampleDirections;  ///< events look for light also where they scatter it to; see directLight()
+    bool lightAlongPath;    ///< and there a path that goes on collects it itself; see continuationFindsLight()
     bool plainBackground;   ///< behind the volume it looks the same everywhere
     bool lit;               ///< scattered light may come from somewhere: a light shines, or tissue does
     FlatEnvironment environment;

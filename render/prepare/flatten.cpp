@@ -125,6 +125,8 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     flat.features = neededFeatures(needs(scene));
     flat.maxBounces = has(flat.features, kBounces) ? scene.maxBounces : 1;  // for programs that hold all effects, too
     flat.sampleDirections = searchesAlongScatter(scene);
+    // A path passes nothing that was cut away, and all else that stands in its way: so does the light that it collects.
+    flat.lightAlongPath = flat.sampleDirections && !flat.unshadowed && !(flat.clip.count > 0 && flat.clip.shadows);
     flat.lit = !isProjection(scene.model) &&
                (shines(prepared->lights) || !scene.environment.isBlack() || (flat.features & kEmission) != 0);
     flat.seed = scene.seed;

@@ -35,6 +35,7 @@ class PathRecorder {
 
     void light(const PathVertex& vertex, float transmittance) {
         ReplayedSegment& segment = segments_.back();
+        segment.collected = vertex.collected;
         if (!(segment.collision >= 0))
             return;
         segment.emitted = vertex.emitted;

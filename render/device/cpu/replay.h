@@ -14,6 +14,7 @@ struct ReplayedSegment {
     dvec3 startMm{0};         ///< patient space
     vec3 direction{0};        ///< unit, patient axes
     float length = 0;         ///< mm that it may go; <= 0: it misses the volume
+    vec3 collected{0};        ///< radiance that it adds: lights that it met on its way
     float collision = -1;     ///< mm to the event; < 0: none, the path leaves, and the rest below is empty
     dvec3 eventMm{0};         ///< patient space
     float hu = 0;             ///< there

@@ -2,6 +2,7 @@
 /// Light that reaches an event straight from a light: one light path for each event, chosen among all lights.
 
 #include "render/kernel/clip.h"
+#include "render/kernel/transport/camera_ray.h"
 #include "render/kernel/transport/environment.h"
 #include "render/kernel/transport/event.h"
 #include "render/kernel/transport/lights.h"
@@ -41,21 +42,38 @@ struct LightReservoir {
     }
 };
 
+/// visit(light, hit) for each light that a ray meets. `place`: the ray's origin, `direction`: unit; both local.
+template <std::uint32_t F, class Visit>
+PDR_HD inline void forLightsMet(const FlatScene& scene, vec3 place, vec3 direction, Visit&& visit) {
+    for (int i = 0; has(F, kPlacedLights) && i < scene.lightCount; ++i) {
+        const FlatLight& light = scene.lights[i];
+        const LightHit hit = intersectLight(light, place - light.position, direction);
+        if (hit.met && hit.distance > 0)
+            visit(light, hit);
+    }
+}
+
+/// Whether the path, where it goes on from its event number `bounce`, collects the light that it meets on its next
+/// segment (lightOnSegment). Its last event has no next segment and looks along a direction of its own.
+PDR_HD inline bool continuationFindsLight(const FlatScene& scene, int bounce) {
+    return scene.lightAlongPath && bounce + 1 < scene.maxBounces;
+}
+
 /// Light that reaches the event straight from one of the lights and is scattered back along the path. Every light is
-/// sampled; where it pays, light is also looked for in one direction that the event scatters to. What both ways can
-/// find counts for each by its fraction.
+/// sampled; where it pays, light is also looked for in a direction that the event scatters to: here, or by the path
+/// itself where it goes on. What both ways can find counts for each by its fraction.
 template <std::uint32_t F>
 PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Random& random, int bounce) {
     RandomStream onLight = random.stream(bounce, BounceDimension::light);
     RandomStream chances = random.stream(bounce, BounceDimension::choice);
-    const bool alongScatter = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
+    const bool bothWays = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
     const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, event.position) : vec3(0);
     LightReservoir choice;
     const auto offer = [&](vec3 wi, float distance, vec3 radiance) {
         choice.offer({{event.position, scene.volume.indexFromLocal * wi, distance}, radiance}, chances.pair().x);
     };
     const auto offerSample = [&](const LightSample& light) {
-        const float other = alongScatter && light.pdf > 0 ? scatterPdf<F>(scene, event, light.wi) : 0;
+        const float other = bothWays && light.pdf > 0 ? scatterPdf<F>(scene, event, light.wi) : 0;
         offer(light.wi, light.distance,
               scatterEval<F>(scene, event, light.wi) * light.radiance * powerHeuristic(light.pdf, other));
     };
@@ -67,15 +85,12 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
         const vec2 choice = texel.pair();
         offerSample(sampleEnvironment(scene.environment, choice, texel.pair()));
     }
-    if (alongScatter) {
+    if (bothWays && !continuationFindsLight(scene, bounce)) {
         const Scattered along = scatterSample<F>(scene, event, random.stream(bounce, BounceDimension::direction));
         const float density = scatterPdf<F>(scene, event, along.wi);
-        for (int i = 0; has(F, kPlacedLights) && i < scene.lightCount; ++i) {
-            const LightHit hit = intersectLight(scene.lights[i], place - scene.lights[i].position, along.wi);
-            if (hit.met && hit.distance > 0)
-                offer(along.wi, hit.distance,
-                      along.weight * scene.lights[i].radiance * powerHeuristic(density, hit.pdf));
-        }
+        forLightsMet<F>(scene, place, along.wi, [&](const FlatLight& light, const LightHit& hit) {
+            offer(along.wi, hit.distance, along.weight * light.radiance * powerHeuristic(density, hit.pdf));
+        });
         if constexpr (has(F, kEnvironment))
             offer(along.wi, kFarAway,
                   along.weight * environmentRadiance(scene.environment, along.wi) *
@@ -88,6 +103,23 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
     if (scene.unshadowed)
         path.ray.length = 0;
     return path;
+}
+
+/// Light that a path meets on a segment, found with `pdf`, that ends at an event after `collision` mm (negative: it
+/// leaves the volume): of the lights on its way there, and from all around where it leaves. The other way to find it
+/// was directLight() at the event before.
+template <std::uint32_t F>
+PDR_HD inline vec3 lightOnSegment(const FlatScene& scene, const PathSegment& segment, float pdf, float collision) {
+    vec3 radiance(0);
+    const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, segment.ray.origin) : vec3(0);
+    forLightsMet<F>(scene, place, segment.direction, [&](const FlatLight& light, const LightHit& hit) {
+        if (collision < 0 || hit.distance < collision)
+            radiance += light.radiance * powerHeuristic(pdf, hit.pdf);
+    });
+    if (has(F, kEnvironment) && collision < 0)
+        radiance += environmentRadiance(scene.environment, segment.direction) *
+                    powerHeuristic(pdf, environmentPdf(scene.environment, segment.direction));
+    return radiance;
 }
 
 }  // namespace pdr

@@ -9,13 +9,13 @@
 ///   c_e       emission per optical depth: its weight is 1, since the collision's pdf is T sigma_t    shadeVertex
 ///   a f       albedo and phase function, or a surface's BRDF with its cosine                  scatterEval, event.h
 ///   int_S2    next-event estimation of light from the lights, one light path by resampling (Talbot et al. 2005) with
-///             multiple importance sampling (Veach & Guibas 1995)                              directLight
+///             multiple importance sampling (Veach & Guibas 1995)              directLight, lightOnSegment
 ///             and, with kBounces, one continuation of the path; Russian roulette keeps its mean    sampleContinuation
 ///
 ///   startPath -> traceSegment (track, shadeVertex, track towards the light) -> traceSegment -> ...
 /// A path is a value that goes through these steps; a GPU's thread takes one at a time (traceSegment), the CPU many in
-/// step (device/cpu/pixel_batch.h): both track rays in their own way and call endSegment and addLight in between. All
-/// light comes in by next-event estimation: a path that leaves the volume after an event adds nothing more.
+/// step (device/cpu/pixel_batch.h): both track rays in their own way and call endSegment and addLight in between. Light
+/// that a path can meet where it goes on is collected there, with its weight beside next-event estimation.
 
 #include "render/base/health.h"
 #include "render/kernel/transport/camera_ray.h"
@@ -30,6 +30,7 @@ struct Path {
     Random random;
     PathSegment segment;
     vec3 throughput{1.0f};  ///< of radiance from the next event to the camera
+    float pdf = 0;          ///< with which the last event found the segment's direction [1/sr]
 };
 
 /// `depths`: where tissue lies along the pixel's view; see FlatViewBounds.
@@ -83,6 +84,8 @@ PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const 
     const Scattered scattered =
         scatterSample<F>(scene, event, path.random.stream(bounce, BounceDimension::continuation));
     path.throughput *= scattered.weight;
+    if (has(F, kPlacedLights | kEnvironment) && continuationFindsLight(scene, bounce))
+        path.pdf = scatterPdf<F>(scene, event, scattered.wi);
     const vec3 direction = scene.volume.indexFromLocal * scattered.wi;
     path.segment = {{event.position, direction, cutLength(scene.clip, event.position, direction, kFarAway)},
                     scattered.wi};
@@ -95,7 +98,8 @@ struct PathVertex {
     vec3 emitted{0.0f};     ///< radiance, linear Rec. 709
     LightPath scattered{};  ///< to be traced unless it isDark()
     bool continues = false;
-    bool cut = false;  ///< it would have gone on, but may not
+    bool cut = false;      ///< it would have gone on, but may not
+    vec3 collected{0.0f};  ///< radiance of the lights that the segment met
 };
 
 /// `collision` is the distance of the event [mm]. Its pdf is T sigma_t and emission is counted per optical depth, so
@@ -139,12 +143,18 @@ PDR_HD inline void noteFaults(const PathSample& sample, Note&& note) {
 template <std::uint32_t F>
 PDR_HD inline PathVertex endSegment(const FlatScene& scene, Path& path, float collision, int bounce,
                                     PathSample& sample) {
-    if (!(collision >= 0)) {
-        if (bounce == 0 || collision != collision)
-            sample.radiance = missed(scene, path.segment, collision);
+    if (collision != collision || (bounce == 0 && collision < 0)) {
+        sample.radiance = missed(scene, path.segment, collision);
         return {};
     }
-    const PathVertex vertex = shadeVertex<F>(scene, path, collision, bounce);
+    vec3 collected(0);
+    if (has(F, kBounces) && bounce > 0 && scene.lightAlongPath)
+        collected = path.throughput * lightOnSegment<F>(scene, path.segment, path.pdf, collision);
+    sample.radiance += collected;
+    if (collision < 0)
+        return {.collected = collected};
+    PathVertex vertex = shadeVertex<F>(scene, path, collision, bounce);
+    vertex.collected = collected;
     sample.tissue = true;
     sample.cut = vertex.cut;
     sample.radiance += vertex.emitted;

@@ -9,7 +9,7 @@ using namespace pdr;
 
 namespace {
 
-constexpr int kComparisons = 20;  ///< in this file: one false alarm in 1e4 runs of all of it
+constexpr int kComparisons = 24;  ///< in this file: one false alarm in 1e4 runs of all of it
 
 /// A speck of thin isotropic tissue (0.1 mm, optical depth 0.001) about the origin, seen straight on. In light whose
 /// radiance, integrated over all directions, is 1 it shows kSpeck.
@@ -57,6 +57,12 @@ Scene shinyScene() {
 test::ImageMean searched(const Scene& scene, bool alongScatter) {
     const auto prepared = test::prepared(scene);
     prepared->flat.sampleDirections = alongScatter;
+    return test::imageMean(test::sampled(prepared, 2048));
+}
+
+test::ImageMean collected(const Scene& scene, bool alongPath) {
+    const auto prepared = test::prepared(scene);
+    prepared->flat.lightAlongPath = alongPath;
     return test::imageMean(test::sampled(prepared, 2048));
 }
 
@@ -170,6 +176,52 @@ class LightTest : public QObject {
         texels[2 * 16 + 2] = vec3(20);
         scene.environment = {vec3(1), false, {}, image({16, 8}, texels)};
         verifyEqual(searched(scene, true), searched(scene, false));
+    }
+
+    void lightAlongThePathIsWhatEventsWouldLookFor_data() {
+        QTest::addColumn<int>("maxBounces");
+        QTest::addColumn<bool>("picture");
+        QTest::addColumn<bool>("cut");
+        QTest::newRow("2 events") << 2 << false << false;
+        QTest::newRow("3 events, picture") << 3 << true << false;
+        QTest::newRow("many events") << 1000 << false << false;
+        QTest::newRow("many events, picture, cut") << 1000 << true << true;
+    }
+    /// Whether each event looks for light along its scattering or the path collects it there. One of the lights stands
+    /// in the tissue: paths meet it on their way to an event, or end before it.
+    void lightAlongThePathIsWhatEventsWouldLookFor() {
+        QFETCH(int, maxBounces);
+        QFETCH(bool, picture);
+        QFETCH(bool, cut);
+        Scene scene = shinyScene();
+        const dvec3 centre = scene.volume->geometry().centreMm();
+        scene.model = Model::multipleScattering;
+        scene.maxBounces = maxBounces;
+        scene.film = {16, 16};
+        scene.transferFunction.extinctionPerMm = 0.1f;
+        scene.lights.push_back(SphereLight{centre + dvec3(10, 5, 0), 6, vec3(4)});
+        scene.environment = {vec3(0.5f), false, vec3(0.1f)};
+        if (picture) {
+            std::vector<vec3> texels(16 * 8, vec3(0.2f));
+            texels[2 * 16 + 2] = vec3(20);
+            scene.environment = {vec3(1), false, {}, image({16, 8}, texels)};
+        }
+        if (cut)
+            scene.clip.planes = {{centre + dvec3(0, 0, 12), {0, 0.3, 1}}};
+        verifyEqual(collected(scene, true), collected(scene, false));
+    }
+
+    /// What was cut away may still throw its shadow, which paths do not meet: there events look for light themselves.
+    void lightAlongThePathIsNotCollectedThroughShadowsOfWhatWasCutAway() {
+        Scene scene = shinyScene();
+        scene.model = Model::multipleScattering;
+        scene.clip.planes = {{scene.volume->geometry().centreMm(), {0, 0.3, 1}}};
+        QVERIFY(test::prepared(scene)->flat.lightAlongPath);
+        scene.clip.shadows = true;
+        QVERIFY(!test::prepared(scene)->flat.lightAlongPath);
+        scene.clip = {};
+        scene.unshadowed = true;
+        QVERIFY(!test::prepared(scene)->flat.lightAlongPath);
     }
 
     /// A light in view in front of the tissue, behind it, and inside it: the tissue takes exp(-depth) of its light.
