@@ -8,12 +8,15 @@ endif()
 function(pdr_watch_threads directory)
   foreach(pattern ${ARGN})
     file(GLOB files CONFIGURE_DEPENDS ${directory}/${pattern})
+    if(NOT files)
+      message(FATAL_ERROR "${directory}/${pattern}: no such file; what moved must be looked for at its new place")
+    endif()
     set_source_files_properties(${files} DIRECTORY ${directory} PROPERTIES COMPILE_OPTIONS "-fsanitize=thread;-O1;-g")
   endforeach()
 endfunction()
 
 pdr_watch_threads(${PROJECT_SOURCE_DIR}/render session/*.cpp)
 pdr_watch_threads(${PROJECT_SOURCE_DIR}/app render_bridge.cpp import_job.cpp document.cpp window_content.cpp wiring.cpp)
-pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/render session_test.cpp first_look_test.cpp faults_test.cpp
-                  exceptions_test.cpp)
+pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/render session/session_test.cpp session/first_look_test.cpp
+                  session/faults_test.cpp device/exceptions_test.cpp)
 pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/app import_job_test.cpp picture_on_screen_test.cpp)
