@@ -92,6 +92,11 @@ def _is_list(text: str) -> bool:
     return False
 
 
+def _begins_statement(text: str) -> bool:
+    """Whether a keyword stands first that no expression begins with: `if (a)` without what is done then."""
+    return re.match(r"(if|for|while|switch|return)\b", text) is not None
+
+
 def _planted(was: str, bugs: list[tuple[Bug, Place]]) -> str:
     """What ends in a semicolon is a statement, all else an expression."""
     text = was
@@ -112,8 +117,8 @@ def plant(source: Path, bugs: list[Bug]) -> dict[str, str]:
     for bug in bugs:
         for place in bug.places:
             try:
-                if not place.was.rstrip().endswith(";") and _is_list(place.was):
-                    raise TableError(f"is a list, must be one expression or a statement: {place.was!r}")
+                if not place.was.rstrip().endswith(";") and (_is_list(place.was) or _begins_statement(place.was)):
+                    raise TableError(f"must be one expression or a whole statement: {place.was!r}")
                 file = _file_of(source, place)
                 if file not in texts:
                     texts[file] = (source / file).read_text()
