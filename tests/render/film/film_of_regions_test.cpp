@@ -84,6 +84,8 @@ class FilmOfRegionsTest : public QObject {
         QCOMPARE(progress.counts().least, std::uint64_t(0));
         QCOMPARE(progress.counts().most, std::uint64_t(10));
         QCOMPARE(progress.counts().mean, 10.0 * 16 * 32 / (70 * 45));
+        progress.advance({164, 232, 6, 13}, 148);
+        QCOMPARE(progress.counts().mean, (10.0 * 16 * 32 + 20.0 * 6 * 13) / (70 * 45));
         QVERIFY(progress.evenTiles({100, 200, 0, 0}).empty());
     }
 
