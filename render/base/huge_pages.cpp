@@ -2,8 +2,6 @@
 
 #include <sys/mman.h>
 
-#include <cstdint>
-
 namespace pdr {
 
 namespace {
@@ -21,8 +19,8 @@ void* allocateInHugePages(std::size_t bytes) {
     if (!usesHugePages(bytes))
         return ::operator new(bytes);
     void* memory = ::operator new(bytes, std::align_val_t(kHugePage));
-    madvise(memory, bytes / kHugePage * kHugePage,
-            MADV_HUGEPAGE);  // a wish: where it is not granted, all works as well
+    // A wish: where it is not granted, all works as well.
+    madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
     return memory;
 }
 

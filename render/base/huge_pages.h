@@ -1,6 +1,6 @@
 #pragma once
-/// Memory for large arrays that are read here and there, in pages of 2 MB where the system lends them. In pages of 4 kB
-/// nearly each read of a large volume has to look its page up first, which costs more than the read.
+/// Memory for large arrays that are read here and there, in pages of 2 MB where the system lends them. The processor
+/// remembers where a few thousand pages lie: of 4 kB each, that is less than a large volume.
 
 #include <cstddef>
 #include <new>
