@@ -106,6 +106,7 @@ struct FlatPlane {
     vec3 normal;
     float offset;
 };
+static_assert(sizeof(FlatPlane) == sizeof(vec3) + sizeof(float));  // sent like the tables above
 
 struct FlatClip {
     const FlatPlane* planes;
