@@ -24,6 +24,18 @@ void printCollected(const ReplayedSegment& segment) {
     std::printf("\n");
 }
 
+void printLight(const ReplayedLight& light) {
+    if (light.radiance == vec3(0)) {
+        std::printf("    no light reaches it\n");
+        return;
+    }
+    printTriple("    light from ", light.direction);
+    if (light.distance < 1e29f)
+        std::printf(", %.6g mm away", double(light.distance));
+    printTriple(", brings ", light.radiance);
+    std::printf(" times a transmittance of %.6g\n", double(light.transmittance));
+}
+
 void printSegment(int number, const ReplayedSegment& segment) {
     std::printf("%d ", number);
     printTriple("from ", segment.startMm);
@@ -45,15 +57,8 @@ void printSegment(int number, const ReplayedSegment& segment) {
     if (segment.emitted != vec3(0))
         printTriple(", glow ", segment.emitted);
     std::printf("\n");
-    if (segment.direct == vec3(0)) {
-        std::printf("    no light reaches it\n");
-    } else {
-        printTriple("    light from ", segment.lightDirection);
-        if (segment.lightDistance < 1e29f)
-            std::printf(", %.6g mm away", double(segment.lightDistance));
-        printTriple(", brings ", segment.direct);
-        std::printf(" times a transmittance of %.6g\n", double(segment.transmittance));
-    }
+    for (const ReplayedLight& light : segment.lights)
+        printLight(light);
     printTriple("    the path goes on with ", segment.throughput);
     std::printf("\n");
 }

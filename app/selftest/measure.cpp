@@ -17,7 +17,7 @@ namespace {
 constexpr double kPiExact = 3.14159265358979323846;
 constexpr std::uint32_t kSamplesPerLaunch = 16;  ///< few, so that Ctrl-C is heard soon
 
-/// Mean over a picture, whose pixels are independent.
+/// Mean over a picture, whose pixels are independent: so are the draws of their errors.
 Measurement pictureMean(const Film& film) {
     Measurement result;
     double squares = 0;
@@ -25,7 +25,7 @@ Measurement pictureMean(const Film& film) {
         for (int x = 0; x < film.size().x; ++x) {
             const PixelEstimate pixel = film.pixel(x, y);
             result.value += pixel.mean.x;
-            squares += pixel.standardError.x * pixel.standardError.x;
+            squares += pixel.errorDraw.x * pixel.errorDraw.x;
         }
     const double pixels = double(film.size().x) * film.size().y;
     result.value /= pixels;
@@ -88,8 +88,7 @@ Result<Measurement> freeFlights(Device& device, const Case& reference, std::uint
         const Result<Measurement> fraction = rendered(device, scene, samples, cancelled);
         if (!fraction)
             return fraction.error();
-        const double flights = double(samplesPerPixel(scene, samples)) * scene.film.x * scene.film.y;
-        const double z = (fraction->value - p) / std::sqrt(p * (1 - p) / flights);
+        const double z = (fraction->value - p) / fraction->standardError;
         result.value += z * z;
         result.health.add(fraction->health);
     }

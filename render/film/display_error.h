@@ -1,7 +1,7 @@
 #pragma once
-/// How far what a display shows may be from what it would show without noise: [f(m - 2 s), f(m + 2 s)] around f(m),
-/// with the tone curve f, a mean m and its standard error s, clipped to what a display can show. Two-sided, since the
-/// curve is steep in the dark: f'(m) s would be wrong by tens of levels there. The same numbers on every device.
+/// How far what a display shows may be from what it would show without noise: |f(m + d) - f(m)| with the tone curve f,
+/// a mean m and a draw d of its error (errorDrawOf), clipped to what a display can show. Not f'(m) d: the curve is
+/// steep in the dark, where that would be wrong by tens of levels. The same numbers on every device.
 
 #include <cmath>
 #include <cstdint>
@@ -11,23 +11,18 @@
 
 namespace pdr {
 
-/// The farther end of a channel's interval, in levels; mean and standard error in units of the exposure. The curve is
-/// concave: unless the interval reaches below black, the lower end is the farther one.
-PDR_HD inline float levelsOff(const float* curve, float mean, float standardError) {
-    if (!(standardError > 0))
-        return 0;
-    const float shown = exactLevelOf(curve, mean), off = 2 * standardError;
-    if (mean >= off)
-        return shown - exactLevelOf(curve, mean - off);
-    return glm::max(shown, exactLevelOf(curve, mean + off) - shown);
+/// Of a channel, in levels; mean and draw in units of the exposure.
+PDR_HD inline float levelsOff(const float* curve, float mean, float draw) {
+    const float shown = exactLevelOf(curve, mean), other = exactLevelOf(curve, mean + draw);
+    return glm::max(shown - other, other - shown);
 }
 
 /// Of the worst channel of a pixel, in linear radiance.
-PDR_HD inline float levelsOff(const float* curve, dvec3 mean, dvec3 standardError, double exposure) {
-    const vec3 shownMean(mean / exposure), shownError(standardError / exposure);
+PDR_HD inline float levelsOff(const float* curve, dvec3 mean, dvec3 draw, double exposure) {
+    const vec3 shownMean(mean / exposure), shownDraw(draw / exposure);
     float worst = 0;
     for (int channel = 0; channel < 3; ++channel)
-        worst = glm::max(worst, levelsOff(curve, shownMean[channel], shownError[channel]));
+        worst = glm::max(worst, levelsOff(curve, shownMean[channel], shownDraw[channel]));
     return worst;
 }
 

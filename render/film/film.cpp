@@ -161,8 +161,8 @@ Result<void> Film::merge(const TileResult& result) {
 PixelEstimate Film::pixel(int x, int y) const {
     const std::size_t index = std::size_t(y) * std::size_t(area().width) + std::size_t(x);
     const Moments moments = at(index);
-    return {moments.mean, standardErrorOf(moments), moments.count, halvesOf(moments),
-            (block_[index].seen & kSeenTissue) != 0};
+    return {moments.mean,  standardErrorOf(moments), errorDrawOf(moments),
+            moments.count, halvesOf(moments),        (block_[index].seen & kSeenTissue) != 0};
 }
 
 template <class Look>
@@ -172,9 +172,9 @@ std::pair<StatusSums, ErrorCounts> Film::survey(const Look& look) const {
     const auto add = [&](const Pixels& pixels, Sums sums) {
         for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
             const Moments known = at(i);
-            const dvec3 standardError = standardErrorOf(known);
-            sums.first.add(known, standardError, block_[i].seen);
-            look(i, known, standardError, sums.second);
+            const dvec3 draw = errorDrawOf(known);
+            sums.first.add(known, draw, block_[i].seen);
+            look(i, known, draw, sums.second);
         }
         return sums;
     };
@@ -194,12 +194,11 @@ FilmStatus Film::status() const {
 
 FilmStatus Film::status(double exposure, const PixelLook& look) const {
     const float* curve = displayCurve();
-    const auto [sums, errors] =
-        survey([&](std::size_t pixel, const Moments& known, dvec3 standardError, ErrorCounts& counts) {
-            if (knowsItsError(known, block_[pixel].seen))
-                ++counts.pixels[errorBinOf(levelsOff(curve, known.mean, standardError, exposure))];
-            look(pixel, known);
-        });
+    const auto [sums, errors] = survey([&](std::size_t pixel, const Moments& known, dvec3 draw, ErrorCounts& counts) {
+        if (knowsItsError(known, block_[pixel].seen))
+            ++counts.pixels[errorBinOf(levelsOff(curve, known.mean, draw, exposure))];
+        look(pixel, known);
+    });
     return statusOf(sums, moments_.size(), samples(), health_, {errors, exposure});
 }
 

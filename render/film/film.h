@@ -22,7 +22,8 @@ namespace pdr {
 /// One pixel, as far as it is known.
 struct PixelEstimate {
     dvec3 mean{0.0};
-    dvec3 standardError{0.0};  ///< of the mean; 0 below 2 samples
+    dvec3 standardError{0.0};  ///< of the mean, at most; 0 below 2 samples
+    dvec3 errorDraw{0.0};      ///< see errorDrawOf()
     std::uint64_t count = 0;
     HalfMeans halves;
     bool tissue = false;  ///< a sample met some
@@ -95,7 +96,7 @@ class Film {
     FilmContent content() const { return {progress_, moments_, block_, health_}; }
 
   private:
-    /// Sums over all pixels; look(index, what is known, its standard error, counts) adds to the counts.
+    /// Sums over all pixels; look(index, what is known, a draw of its error, counts) adds to the counts.
     template <class Look>
     std::pair<StatusSums, ErrorCounts> survey(const Look& look) const;
     Moments at(std::size_t index) const { return merged(moments_[index], block_[index]); }

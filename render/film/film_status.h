@@ -20,7 +20,8 @@ struct FilmStatus {
     std::uint64_t mostSamplesPerPixel = 0;
     Health health;
     double meanLuminance = 0;  ///< of all pixels
-    /// Root mean square over the tissue of the standard error (its luminance), divided by the tissue's mean luminance.
+    /// Root mean square over the tissue of the error's luminance, divided by the tissue's mean luminance: from what the
+    /// two halves of the samples differ, or, of fewer than 100 pixels, from standard errors, which say more than that.
     /// Unknown below 2 samples and while nothing that chance decides was seen; 0 for an image without noise.
     double relativeError = 0;
     /// 95 % of the tissue is shown within so many display levels of what it would be without noise, [0, 255]; see

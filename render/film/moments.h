@@ -61,7 +61,21 @@ PDR_HD inline PixelSums nextBlock(const PixelSums& full) {
     return {.seen = full.seen};
 }
 
-/// Of the mean; 0 below 2 samples.
+/// One draw from the distribution of the mean's error: half of what the two halves differ. Of independent halves the
+/// mean and the difference have the same variance, however even the samples within a half are (Owen 1997, "Monte Carlo
+/// variance of scrambled net quadrature", section 5: replicates). One draw says nothing of its pixel; those of many
+/// pixels say how far these are off. 0 below 2 samples, and where all samples were alike.
+PDR_HD inline dvec3 errorDrawOf(const Moments& moments) {
+    const double odd = double(moments.count - moments.evenCount), even = double(moments.evenCount);
+    if (odd == 0 || even == 0)
+        return dvec3(0.0);
+    const HalfMeans halves = halvesOf(moments);
+    const dvec3 draw = (halves.even - halves.odd) * (std::sqrt(even * odd) / (even + odd));
+    return {moments.m2.x > 0 ? draw.x : 0, moments.m2.y > 0 ? draw.y : 0, moments.m2.z > 0 ? draw.z : 0};
+}
+
+/// Of the mean, as if samples were independent: where they are low-discrepancy points it is less than that. 0 below 2
+/// samples.
 PDR_HD inline dvec3 standardErrorOf(const Moments& moments) {
     if (moments.count < 2)
         return dvec3(0.0);

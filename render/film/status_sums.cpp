@@ -11,12 +11,17 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 constexpr double kSureEnough = 3;  ///< -ln(1 - 0.95): what did not come in n draws has a chance of at most 3 / n
 constexpr double kDisplayFraction = 0.95;
 
+/// From so many draws on, their mean square is the error's to 7 % (chi-square); from fewer it may say far too little.
+constexpr double kDrawsToJudge = 100;
+
 /// Of the tissue, or of all pixels where there is none.
 double relativeErrorOf(const StatusSums& sums, std::size_t pixels) {
     const bool tissue = sums.tissue > 0;
     const double count = tissue ? double(sums.tissue) : double(pixels);
     const double mean = (tissue ? sums.tissueLuminance : sums.luminance) / count;
-    const double error = std::sqrt((tissue ? sums.tissueSquaredErrors : sums.squaredErrors) / count);
+    const double draws = tissue ? sums.tissueDraws : sums.squaredDraws;
+    const double atMost = tissue ? sums.tissueErrors : sums.squaredErrors;
+    const double error = std::sqrt((count >= kDrawsToJudge ? draws : atMost) / count);
     return error > 0 ? error / mean : 0;
 }
 

@@ -19,25 +19,29 @@ PDR_HD inline bool knowsItsError(const Moments& pixel, std::uint32_t seen) {
 
 /// Sums over some of an image's pixels.
 struct StatusSums {
-    double luminance = 0, squaredErrors = 0;              ///< errors: standard errors' luminance
-    double tissueLuminance = 0, tissueSquaredErrors = 0;  ///< of pixels that have seen tissue
-    double tissuePower = 0;                               ///< their samples' mean squared luminance
-    std::uint64_t tissue = 0;                             ///< pixels that have seen some
-    std::uint64_t unlit = 0;                              ///< of these, pixels without light that may only be unlucky
-    std::uint64_t fewBright = 0;                          ///< of these, pixels that less than two samples could make
-    std::uint64_t chance = 0;                             ///< pixels that chance has a part in
+    double luminance = 0, tissueLuminance = 0;   ///< of all pixels; of those that have seen tissue
+    double squaredDraws = 0, tissueDraws = 0;    ///< squares of the luminance of errors' draws; likewise
+    double squaredErrors = 0, tissueErrors = 0;  ///< squares of standard errors' luminance; likewise
+    double tissuePower = 0;                      ///< mean squared luminance of the tissue's samples
+    std::uint64_t tissue = 0;                    ///< pixels that have seen some
+    std::uint64_t unlit = 0;                     ///< of these, pixels without light that may only be unlucky
+    std::uint64_t fewBright = 0;                 ///< of these, pixels that less than two samples could make
+    std::uint64_t chance = 0;                    ///< pixels that chance has a part in
 
     /// `seen`: kSeen...
-    PDR_HD void add(const Moments& pixel, dvec3 standardError, std::uint32_t seen) {
-        const double error = pdr::luminance(standardError), light = pdr::luminance(pixel.mean);
+    PDR_HD void add(const Moments& pixel, dvec3 errorDraw, std::uint32_t seen) {
+        const double draw = pdr::luminance(errorDraw), light = pdr::luminance(pixel.mean);
+        const double error = pdr::luminance(standardErrorOf(pixel));
         luminance += light;
+        squaredDraws += draw * draw;
         squaredErrors += error * error;
         chance += (seen & kSeenChance) != 0;
         if ((seen & kSeenTissue) == 0)
             return;
         ++tissue;
         tissueLuminance += light;
-        tissueSquaredErrors += error * error;
+        tissueDraws += draw * draw;
+        tissueErrors += error * error;
         tissuePower += light * light + double(pixel.count) * error * error;
         unlit += isUnlit(pixel, seen);
         // k bright samples among many dark ones give a standard error of mean / sqrt(k).
@@ -45,9 +49,11 @@ struct StatusSums {
     }
     PDR_HD void add(const StatusSums& other) {
         luminance += other.luminance;
-        squaredErrors += other.squaredErrors;
         tissueLuminance += other.tissueLuminance;
-        tissueSquaredErrors += other.tissueSquaredErrors;
+        squaredDraws += other.squaredDraws;
+        tissueDraws += other.tissueDraws;
+        squaredErrors += other.squaredErrors;
+        tissueErrors += other.tissueErrors;
         tissuePower += other.tissuePower;
         tissue += other.tissue;
         unlit += other.unlit;

@@ -150,6 +150,8 @@ struct FlatOptics {
     float windowLow, windowHigh;  ///< HU shown black and white by maximumIntensity
 };
 
+struct SobolTable;
+
 struct FlatScene {
     FlatVolume volume;
     FlatTransferFunction transferFunction;
@@ -173,7 +175,8 @@ struct FlatScene {
     float phaseG;
     float surfaceFactor;  ///< see surfaceNormal() [mm/HU]; 0: no surfaces
     std::uint64_t seed;
-    std::uint32_t features;  ///< kernel/features.h
+    const SobolTable* sobol;  ///< kernel/sobol.h
+    std::uint32_t features;   ///< kernel/features.h
 };
 
 }  // namespace pdr

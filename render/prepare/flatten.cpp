@@ -6,6 +6,7 @@
 
 #include "render/kernel/bounds/view_footprint.h"
 #include "render/kernel/features.h"
+#include "render/kernel/sobol.h"
 #include "render/kernel/transport/event.h"
 #include "render/kernel/transport/majorant_traversal.h"
 #include "render/prepare/flatten_lights.h"
@@ -130,6 +131,7 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     flat.lit = !isProjection(scene.model) &&
                (shines(prepared->lights) || !scene.environment.isBlack() || (flat.features & kEmission) != 0);
     flat.seed = scene.seed;
+    flat.sobol = &kSobolTable;
     return prepared;
 }
 

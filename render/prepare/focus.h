@@ -8,7 +8,7 @@
 namespace pdr {
 
 /// Depth along the view [mm from the eye], through a pinhole, at which half of the light from `pixel` (x, y) has met an
-/// event; nothing where less than half of it does, or outside the image. A few rays by delta tracking.
+/// event; nothing where less than half of it does, or outside the image.
 std::optional<double> depthUnder(const PreparedScene& scene, ivec2 pixel);
 
 }  // namespace pdr

@@ -177,16 +177,10 @@ Effect placedLights(const Subject& subject) {
         return off(kName, "no light is a rectangle or a sphere");
     if (const std::string why = whyNothingScatters(subject, false); !why.empty())
         return off(kName, why);
-    const auto remove = [](Scene& s) { std::erase_if(s.lights, isPlaced); };
-    if (std::ranges::any_of(scene.lights, [](const Light& light) { return isPlaced(light) && shines(light); }))
-        return effect(kName, true, "a light is a rectangle or a sphere", "", kPlacedLights, remove);
-    if (scene.environment.isBlack())
-        return off(kName, "no rectangle and no sphere shines");
-    // The environment is looked for last, by a number that depends on how many lights were asked before.
-    Effect dark =
-        effect(kName, true, "no rectangle and no sphere shines: could be left out", "", kPlacedLights, remove);
-    dark.couldBeLeftOut = true;
-    return dark;
+    return effect(
+        kName, std::ranges::any_of(scene.lights, [](const Light& light) { return isPlaced(light) && shines(light); }),
+        "a light is a rectangle or a sphere", "no rectangle and no sphere shines", kPlacedLights,
+        [](Scene& s) { std::erase_if(s.lights, isPlaced); });
 }
 
 Effect lightsInView(const Scene& scene) {

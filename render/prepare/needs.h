@@ -16,7 +16,7 @@ struct Effect {
     std::string reason;          ///< a phrase: "the gradient factor is 0"
     std::uint32_t features = 0;  ///< bits of kernel/features.h that it compiles in; 0: a number in the kernel decides
     void (*leaveOut)(Scene&) = nullptr;  ///< makes a scene do without it; null where nothing in a scene can
-    bool couldBeLeftOut = false;         ///< needed only to keep the order of random numbers: it shows nowhere
+    bool couldBeLeftOut = false;         ///< needed only so that other samples are not taken: it shows nowhere
 };
 
 /// Every effect that this version knows, in a fixed order. An effect is off where what the scene says of it cannot

@@ -179,10 +179,10 @@ class CliPicturesTest : public QObject {
     }
 
     void grayLevelsStop() {
-        const ProgramRun result = BallScene::run({"render", scene(), "-o", at("e.png"), "--levels", "16", "--json"});
+        const ProgramRun result = BallScene::run({"render", scene(), "-o", at("e.png"), "--levels", "4", "--json"});
         const QJsonObject facts = QJsonDocument::fromJson(result.out).object();
         QCOMPARE(facts["stoppedBy"].toString(), QString("levels"));
-        QVERIFY(facts["displayError"].toDouble(-1) > 8 && facts["displayError"].toDouble() <= 16);
+        QVERIFY(facts["displayError"].toDouble(-1) > 2 && facts["displayError"].toDouble() <= 4);
         const ProgramRun early = BallScene::run({"render", scene(), "-o", at("e.png"), "--samples", "31", "--json"});
         QVERIFY(QJsonDocument::fromJson(early.out).object()["displayError"].isNull());
     }

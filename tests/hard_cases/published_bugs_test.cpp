@@ -170,7 +170,7 @@ class PublishedBugsTest : public QObject {
         const Film tight = test::render(scene, 8192, *device), far = test::sampled(loose, 8192);
         QVERIFY(std::fabs(test::z(tight, truth)) < test::allowedZ(2));
         QVERIFY(std::fabs(test::z(far, truth)) < test::allowedZ(2));
-        QVERIFY(!test::sameBits(tight, far));
+        QVERIFY(test::sameBits(tight, far));  // the first flight asks bounds only where nothing is
         QVERIFY(std::fabs(test::z(tight, 1.02 * truth)) > test::allowedZ(2));  // 2 % would be seen
     }
 

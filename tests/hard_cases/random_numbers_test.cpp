@@ -102,9 +102,9 @@ class RandomNumbersTest : public QObject {
                         1e-5f);
             const LightSample light = sampleRectangle(panel, vec3(0, 0, -5), u);
             QVERIFY(std::isfinite(light.radiance.x) && light.radiance.x > 0 && light.distance >= 5);
-            LightReservoir choice;
+            LightReservoir choice(u.x);
             for (int i = 0; i < lights; ++i)
-                choice.offer({{vec3(float(i)), vec3(0), 1}, vec3(i < 9 ? 1.0f : 0.0f)}, u.x);
+                choice.offer({{vec3(float(i)), vec3(0), 1}, vec3(i < 9 ? 1.0f : 0.0f)});
             QVERIFY(choice.path().radiance.x > 0 && choice.path().ray.origin.x < 9);  // never the dark one
         }
     }

@@ -31,7 +31,7 @@ RayEstimate estimate(const Film& film) {
         for (int x = 0; x < film.size().x; ++x) {
             const PixelEstimate pixel = film.pixel(x, y);
             sum.mean += pixel.mean;
-            sum.standardError += pixel.standardError * pixel.standardError;
+            sum.standardError += pixel.errorDraw * pixel.errorDraw;
         }
     const double pixels = double(film.size().x) * film.size().y;
     return {sum.mean / pixels, glm::sqrt(sum.standardError) / pixels};

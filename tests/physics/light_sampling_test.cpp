@@ -253,10 +253,9 @@ class LightSamplingTest : public QObject {
         RandomStream random = Random(9, 1, 0).stream(0, BounceDimension::choice);
         test::Sample brought[5];
         for (int i = 0; i < kSamples; ++i) {
-            LightReservoir choice;
+            LightReservoir choice(random.pair().x);
             for (int light = 0; light < 5; ++light)
-                choice.offer({{vec3(float(light)), vec3(0), 1}, vec3(1, 2, 0.5f) * float(strengths[light])},
-                             random.pair().x);
+                choice.offer({{vec3(float(light)), vec3(0), 1}, vec3(1, 2, 0.5f) * float(strengths[light])});
             const LightPath path = choice.path();
             for (int light = 0; light < 5; ++light)
                 brought[light].add(path.ray.origin.x == float(light) ? path.radiance.y : 0);

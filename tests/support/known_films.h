@@ -32,18 +32,18 @@ void grow(Film& film, std::uint64_t count, Value&& value, Seen&& seen) {
     }
 }
 
-/// A film whose pixels hold n samples, half of them mean + spread, half mean - spread: its standard error is
-/// spread / sqrt(n - 1), without any chance.
+/// A film whose pixels hold n samples, n even: the mean of the even ones is mean + off, that of the odd ones mean -
+/// off, so that `off` is the draw of the error; `spread` is their standard deviation, without any chance.
 struct Known {
-    double mean, spread;
+    double mean, off, spread = off;
     std::uint32_t seen = kSeenTissue | kSeenChance;
 };
 inline Film knownFilm(const std::vector<Known>& pixels, std::uint32_t n) {
     FilmContent content = Film(ivec2(int(pixels.size()), 1), 1).content();
     content.progress.advance(content.progress.area(), n);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const auto& [mean, spread, seen] = pixels[i];
-        content.moments[i] = {dvec3(mean), dvec3(n * spread * spread), n, vec3(float(mean)), n / 2};
+        const auto& [mean, off, spread, seen] = pixels[i];
+        content.moments[i] = {dvec3(mean), dvec3(n * spread * spread), n, vec3(float(mean + off)), n / 2};
         content.block[i].seen = seen;
     }
     return Film(1, std::move(content));
@@ -72,19 +72,14 @@ inline double curve(double radiance, double exposure) {
     return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
 }
 
-inline double twoSided(double mean, double standardError, double exposure) {
-    const double here = curve(mean, exposure);
-    return std::max(here - curve(mean - 2 * standardError, exposure), curve(mean + 2 * standardError, exposure) - here);
-}
-
-/// The spread that n samples about `mean` must have for the screen to be `levels` off.
-inline double spreadFor(double levels, double mean, double exposure, std::uint32_t n) {
-    double low = 0, high = 10 * mean;
+/// The draw of a pixel's error with which the screen is `levels` off: downwards, where there are more of them.
+inline double drawFor(double levels, double mean, double exposure) {
+    double low = 0, high = mean;
     for (int i = 0; i < 200; ++i) {
         const double middle = 0.5 * (low + high);
-        (twoSided(mean, middle / std::sqrt(n - 1.0), exposure) < levels ? low : high) = middle;
+        (curve(mean, exposure) - curve(mean - middle, exposure) < levels ? low : high) = middle;
     }
-    return high;
+    return -high;
 }
 
 }  // namespace pdr::test

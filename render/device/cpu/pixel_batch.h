@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "render/device/cpu/flight_batch.h"
 #include "render/device/cpu/lane_tracker.h"
 #include "render/device/cpu/sample_origin.h"
 #include "render/kernel/transport/integrator.h"
@@ -51,36 +52,63 @@ class PixelBatch {
     /// Every path goes on to its next event and meets the light there; what has not ended stays in order.
     template <std::uint32_t F>
     void traceSegments(const FlatScene& scene) {
-        rays_.clear();
-        for (int row = 0; row < active_; ++row)
-            rays_.add(paths_[row].segment.ray, distanceStream(paths_[row], bounces_[row]));
-        rays_.track<DeltaTracking>(scene);
-        for (const int row : rays_.overMajorant())
-            sampleOf(row).overMajorant = true;
-        lights_.clear();
+        traceCollisions(scene);
         for (int row = 0; row < active_; ++row)
             endRow<F>(scene, row);
         traceLights(scene);
         keepWhatContinues();
     }
 
+    void traceCollisions(const FlatScene& scene) {
+        flights_.clear();
+        rays_.clear();
+        for (int row = 0; row < active_; ++row) {
+            const Path& path = paths_[row];
+            if (fliesExactly(bounces_[row])) {
+                flights_.add(path.segment.ray, path.sampler.depth());
+            } else {
+                rowOfRay_[rays_.size()] = row;
+                rays_.add(path.segment.ray, distanceStream(path, bounces_[row]));
+            }
+        }
+        flights_.fly(scene);
+        rays_.track<DeltaTracking>(scene);
+        for (const int ray : rays_.overMajorant())
+            sampleOf(rowOfRay_[ray]).overMajorant = true;
+        for (int row = 0, flight = 0, ray = 0; row < active_; ++row)
+            collision_[row] = fliesExactly(bounces_[row]) ? flights_.distance(flight++) : rays_.result(ray++);
+        flights_.clear();
+        rays_.clear();
+    }
+
     template <std::uint32_t F>
     PDR_HD_INLINE void endRow(const FlatScene& scene, int row) {
-        const PathVertex vertex = endSegment<F>(scene, paths_[row], rays_.result(row), bounces_[row], sampleOf(row));
+        const Path& path = paths_[row];
+        const PathVertex vertex = endSegment<F>(scene, paths_[row], collision_[row], bounces_[row], sampleOf(row));
         continues_[row] = vertex.continues;
-        if (isDark(vertex.scattered))
-            return;
-        scattered_[lights_.size()] = vertex.scattered.radiance;
-        rowOfLight_[lights_.size()] = row;
-        lights_.add(vertex.scattered.ray, shadowStream(paths_[row], bounces_[row]));
+        for (int i = 0; i < kMostLightPaths; ++i) {
+            const LightPath& light = vertex.scattered[i];
+            if (isDark(light))
+                continue;
+            if (fliesExactly(bounces_[row])) {
+                lightOfFlight_[flights_.size()] = {row, light.radiance};
+                flights_.add(light.ray, shadowDepth(path, i));
+            } else {
+                lightOfRay_[rays_.size()] = {row, light.radiance};
+                rays_.add(light.ray, shadowStream(path, bounces_[row]));
+            }
+        }
     }
 
     void traceLights(const FlatScene& scene) {
-        lights_.track<RatioTracking>(scene);
-        for (const int light : lights_.overMajorant())
-            sampleOf(rowOfLight_[light]).overMajorant = true;
-        for (int light = 0; light < lights_.size(); ++light)
-            addLight(sampleOf(rowOfLight_[light]), scattered_[light], lights_.result(light));
+        flights_.fly(scene);
+        for (int flight = 0; flight < flights_.size(); ++flight)
+            addLight(lightOfFlight_[flight], shadowTransmittance(flights_.distance(flight), flights_.passed(flight)));
+        rays_.track<RatioTracking>(scene);
+        for (const int ray : rays_.overMajorant())
+            sampleOf(lightOfRay_[ray].row).overMajorant = true;
+        for (int ray = 0; ray < rays_.size(); ++ray)
+            addLight(lightOfRay_[ray], rays_.result(ray));
     }
 
     void keepWhatContinues() {
@@ -117,19 +145,30 @@ class PixelBatch {
             }
     }
 
+    /// Light on its way to the event of a path.
+    struct LightOfRow {
+        int row;
+        vec3 radiance;
+    };
+    void addLight(const LightOfRow& light, float transmittance) {
+        pdr::addLight(sampleOf(light.row), light.radiance, transmittance);
+    }
     PathSample& sampleOf(int row) { return samples_[indices_[row]]; }
 
     std::vector<PathSample> samples_;  ///< of the tile: pixel by pixel, row by row
-    // by path on its way; its segment's ray has the same row
+    // by path on its way
     int active_ = 0;
     std::array<Path, RayBatch::kCapacity> paths_;
     std::array<int, RayBatch::kCapacity> bounces_;
     std::array<std::size_t, RayBatch::kCapacity> indices_;  ///< in samples_
     std::array<bool, RayBatch::kCapacity> continues_;
-    // by light path, which has the row of its ray
-    std::array<int, RayBatch::kCapacity> rowOfLight_;
-    std::array<vec3, RayBatch::kCapacity> scattered_;
-    RayBatch rays_, lights_;
+    std::array<float, RayBatch::kCapacity> collision_;  ///< see endSegment()
+    // by ray: of segments first, then of light paths
+    FlightBatch flights_;
+    RayBatch rays_;
+    std::array<int, RayBatch::kCapacity> rowOfRay_;
+    std::array<LightOfRow, FlightBatch::kCapacity> lightOfFlight_;
+    std::array<LightOfRow, RayBatch::kCapacity> lightOfRay_;
 };
 
 }  // namespace pdr

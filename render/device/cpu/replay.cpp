@@ -30,19 +30,21 @@ class PathRecorder {
         segment.hu = hounsfield(scene_.volume, place);
         segment.extinction = extinction(scene_, place);
         segment.event =
-            eventAt<kAll>(scene_, place, -path.segment.direction, path.random.stream(bounce, BounceDimension::event));
+            eventAt<kAll>(scene_, place, -path.segment.direction, path.sampler.number(bounce, BounceDimension::event));
     }
 
-    void light(const PathVertex& vertex, float transmittance) {
+    void light(const PathVertex& vertex, const float* transmittances) {
         ReplayedSegment& segment = segments_.back();
         segment.collected = vertex.collected;
         if (!(segment.collision >= 0))
             return;
         segment.emitted = vertex.emitted;
-        segment.direct = vertex.scattered.radiance;
-        segment.lightDirection = scene_.volume.localFromIndex * vertex.scattered.ray.direction;
-        segment.lightDistance = vertex.scattered.ray.length;
-        segment.transmittance = transmittance;
+        const int lightPaths = lightPathsFrom(int(segments_.size()) - 1);
+        for (int i = 0; i < lightPaths; ++i) {
+            const LightPath& light = vertex.scattered[i];
+            segment.lights.push_back({light.radiance, scene_.volume.localFromIndex * light.ray.direction,
+                                      light.ray.length, transmittances[i]});
+        }
         segment.throughput = path_->throughput;
     }
 

@@ -9,23 +9,28 @@
 
 namespace pdr {
 
+/// Light that is looked for from an event.
+struct ReplayedLight {
+    vec3 radiance{0};         ///< that it adds to the sample where nothing is in its way; 0: none was found
+    vec3 direction{0};        ///< unit, patient axes
+    float distance = 0;       ///< mm
+    float transmittance = 0;  ///< of the way to it, as estimated
+};
+
 /// A way of the path, and what it met at its end.
 struct ReplayedSegment {
-    dvec3 startMm{0};         ///< patient space
-    vec3 direction{0};        ///< unit, patient axes
-    float length = 0;         ///< mm that it may go; <= 0: it misses the volume
-    vec3 collected{0};        ///< radiance that it adds: lights that it met on its way
-    float collision = -1;     ///< mm to the event; < 0: none, the path leaves, and the rest below is empty
-    dvec3 eventMm{0};         ///< patient space
-    float hu = 0;             ///< there
-    float extinction = 0;     ///< there [1/mm]
-    Event event{};            ///< a normal of 0: the phase function scatters
-    vec3 emitted{0};          ///< radiance that it adds to the sample
-    vec3 direct{0};           ///< radiance that the chosen light adds where nothing is in its way
-    vec3 lightDirection{0};   ///< unit, patient axes
-    float lightDistance = 0;  ///< mm
-    float transmittance = 0;  ///< of the way to that light, as estimated
-    vec3 throughput{1.0f};    ///< of the path after the event
+    dvec3 startMm{0};                   ///< patient space
+    vec3 direction{0};                  ///< unit, patient axes
+    float length = 0;                   ///< mm that it may go; <= 0: it misses the volume
+    vec3 collected{0};                  ///< radiance that it adds: lights that it met on its way
+    float collision = -1;               ///< mm to the event; < 0: none, the path leaves, and the rest below is empty
+    dvec3 eventMm{0};                   ///< patient space
+    float hu = 0;                       ///< there
+    float extinction = 0;               ///< there [1/mm]
+    Event event{};                      ///< a normal of 0: the phase function scatters
+    vec3 emitted{0};                    ///< radiance that it adds to the sample
+    std::vector<ReplayedLight> lights;  ///< one after the other
+    vec3 throughput{1.0f};              ///< of the path after the event
 };
 
 struct Replay {

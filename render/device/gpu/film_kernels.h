@@ -51,10 +51,10 @@ struct ResolveKernel {
         for (std::int64_t pixel = begin; pixel < end; ++pixel) {
             const Moments known = merged(moments[pixel], block[pixel]);
             const std::uint32_t seen = block[pixel].seen;
-            const dvec3 standardError = standardErrorOf(known);
-            mine.add(known, standardError, seen);
+            const dvec3 draw = errorDrawOf(known);
+            mine.add(known, draw, seen);
             if (knowsItsError(known, seen))
-                atomicAddTo(counts.pixels[errorBinOf(levelsOff(curve, known.mean, standardError, exposure))], 1u);
+                atomicAddTo(counts.pixels[errorBinOf(levelsOff(curve, known.mean, draw, exposure))], 1u);
             auto* rgba = reinterpret_cast<std::uint8_t*>(frame) + layout.pixelsAt() + pixel * 4;
             for (int channel = 0; channel < 3; ++channel)
                 rgba[channel] = levelOf(thresholds, known.mean[channel], exposure);

@@ -65,6 +65,7 @@ class GpuScene {
     GpuTable<G, float> optics_{gpu_};
     GpuTable<G, FlatLight> lights_{gpu_};
     GpuTable<G, FlatPlane> planes_{gpu_};
+    GpuTable<G, SobolTable> sobol_{gpu_};
     std::shared_ptr<const EnvironmentTables> environment_;
     GpuArray<G, vec3> texels_{gpu_};
     GpuArray<G, float> density_{gpu_}, rowSums_{gpu_}, columnSums_{gpu_};
@@ -176,12 +177,14 @@ void GpuScene<G>::sendTables(const PreparedScene& scene) {
     optics_.update(scene.optics);
     lights_.update(scene.lights);
     planes_.update(scene.clipPlanes);
+    sobol_.update({scene.flat.sobol, 1});
     flat_.transferFunction.pieces = pieces_.data();
     flat_.transferFunction.materials = materials_.data();
     flat_.transferFunction.pieceAt = pieceAt_.data();
     flat_.optics.table = optics_.data();
     flat_.lights = lights_.data();
     flat_.clip.planes = planes_.data();
+    flat_.sobol = sobol_.data();
 }
 
 template <Gpu G>
@@ -261,6 +264,7 @@ void GpuScene<G>::forget() {
     optics_.forget();
     lights_.forget();
     planes_.forget();
+    sobol_.forget();
     environment_ = nullptr;
 }
 

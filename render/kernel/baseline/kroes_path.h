@@ -31,17 +31,17 @@ PDR_HD inline LightSample sampleSurroundings(const FlatEnvironment& environment,
 }
 
 /// Light that reaches the event from one of the lights.
-PDR_HD inline LightPath lightOfOne(const FlatScene& scene, const Event& event, const Random& random) {
+PDR_HD inline LightPath lightOfOne(const FlatScene& scene, const Event& event, const Sampler& sampler) {
     const int lights = scene.lightCount + (isLight(scene.environment) ? 1 : 0);
     if (lights == 0)
         return {{event.position, vec3(0), 0}, vec3(0)};
-    const float choice = random.stream(0, BounceDimension::choice).pair().x;
+    const float choice = sampler.number(0, BounceDimension::choice);
     const int picked = glm::min(int(choice * float(lights)), lights - 1);
     const LightSample light =
         picked < scene.lightCount
             ? sampleLight<kAll>(scene.lights[picked], localPosition(scene.volume, event.position),
-                                random.stream(0, BounceDimension::light).pair())
-            : sampleSurroundings(scene.environment, random.stream(0, BounceDimension::environment));
+                                sampler.pair(0, BounceDimension::light))
+            : sampleSurroundings(scene.environment, sampler.stream(0, BounceDimension::environment));
     const vec3 wi = scene.volume.indexFromLocal * light.wi;
     const bool cutAway = scene.clip.count > 0 && !scene.clip.shadows;
     const float distance = cutAway ? cutLength(scene.clip, event.position, wi, light.distance) : light.distance;
@@ -57,7 +57,7 @@ PDR_HD inline PathSample kroesSample(const FlatScene& scene, ivec2 pixel, std::u
     const Path path = startPath(scene, pixel, sample, depths);
     const float step = marchStep(scene.volume, kExposureRenderStep);
     const float collision =
-        marchToCollision(scene, path.segment.ray, path.random.stream(0, BounceDimension::distance), step);
+        marchToCollision(scene, path.segment.ray, path.sampler.stream(0, BounceDimension::distance), step);
     PathSample result;
     if (!(collision >= 0)) {
         result.radiance = missed(scene, path.segment, collision);
@@ -65,12 +65,12 @@ PDR_HD inline PathSample kroesSample(const FlatScene& scene, ivec2 pixel, std::u
     }
     result.tissue = true;
     const Event event = eventAt<kroes::kAll>(scene, path.segment.ray.origin + path.segment.ray.direction * collision,
-                                             -path.segment.direction, path.random.stream(0, BounceDimension::event));
+                                             -path.segment.direction, path.sampler.number(0, BounceDimension::event));
     result.radiance = event.material.emission;
-    const LightPath light = kroes::lightOfOne(scene, event, path.random);
+    const LightPath light = kroes::lightOfOne(scene, event, path.sampler);
     if (isDark(light))
         return result;
-    const float left = marchTransmittance(scene, light.ray, path.random.stream(0, BounceDimension::shadow), step);
+    const float left = marchTransmittance(scene, light.ray, path.sampler.stream(0, BounceDimension::shadow), step);
     addLight(result, light.radiance, left);
     return result;
 }

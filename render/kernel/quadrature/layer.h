@@ -12,8 +12,8 @@
 /// the largest distance of the concave 1 - exp(-D w) from its chord. With a = D / 2 that distance is largest where
 /// exp(a (1 - 2 w)) = sinh(a) / a, and ln(sinh(a) / a) <= a^2 / 6 makes it at most (D / 8) (1 - exp(-D)).
 
-#include "render/kernel/quadrature/attenuation.h"
-#include "render/kernel/quadrature/optics.h"
+#include "render/kernel/attenuation.h"
+#include "render/kernel/walk/optics.h"
 
 namespace pdr {
 

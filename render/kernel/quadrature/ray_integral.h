@@ -4,13 +4,13 @@
 /// with sigma the extinction, c the source (albedo + emission: each tissue shines as if white light of radiance 1
 /// reached it from all sides unshadowed) and B what lies behind.
 ///
-/// A step goes through one cell between voxels and one linear piece of the curve, whose borders are met exactly; there
-/// is no step length. In it sigma and c are cubic polynomials of the way, so the optical depth and int sigma c ds are
-/// exact. Only how a step is seen through itself is approximated, within a bound (layer.h). Steps whose bounds add up
-/// to more than the tolerance are halved. Rounding is not part of the bound.
+/// A step goes through one cell between voxels and one linear piece of the curve (piece_walk.h). In it sigma and c are
+/// cubic polynomials of the way, so the optical depth and int sigma c ds are exact. Only how a step is seen through
+/// itself is approximated, within a bound (layer.h). Steps whose bounds add up to more than the tolerance are halved.
+/// Rounding is not part of the bound.
 
-#include "render/kernel/quadrature/cell_walk.h"
 #include "render/kernel/quadrature/layer.h"
+#include "render/kernel/walk/piece_walk.h"
 
 namespace pdr {
 
@@ -33,32 +33,32 @@ class RayIntegral {
         walk_.start(scene.majorants, origin, direction, length);
     }
 
-    PDR_HD Mask going() const { return walk_.walking() | (way_.length > 0.0f); }
+    PDR_HD Mask going() const { return walk_.going(); }
 
     PDR_HD RayResult<Real> result() const {
         RayResult<Real> result = sum_;
+        result.exceeded = walk_.exceeded() ? Real{} + 1.0f : Real{};
         if constexpr (Model == FlatModel::absorption)
             result.left = attenuation(depth_).left;
         return result;
     }
 
-    /// One step: lanes that look for tissue move, or those that are in it go on, whichever are more.
     PDR_HD_INLINE void step(const FlatScene& scene) {
-        const Mask inCell = way_.length > 0.0f;
-        const Mask seeking = walk_.walking() & !inCell;
-        if (count(seeking) >= count(inCell))
-            seek(scene, seeking);
-        else
-            goOn(scene, inCell);
+        Mask gone{};
+        walk_.step(scene, [&](const PieceOfWay<Real>& way, Mask ready, Mask forced) {
+            gone = add(scene.optics, way, ready, forced);
+            return gone;
+        });
+        if constexpr (Model == FlatModel::absorption)
+            walk_.stop(gone & (depth_ > kOpaqueDepth));
+        if constexpr (Model == FlatModel::emissionAbsorption)
+            walk_.stop(gone & nothingMoreToSee(scene));
     }
 
     /// Where `mask` holds: lane l begins the ray of lane from[l] of `other`, which has been started only.
     void take(Mask mask, const RayIntegral& other, Int from) {
         const auto fresh = [mask](Real& mine, Real first) { mine = mask ? first : mine; };
         walk_.take(mask, other.walk_, from);
-        fresh(way_.length, Real{});
-        fresh(reach_, Real{} + 1.0f);
-        fresh(sum_.exceeded, Real{});
         fresh(depth_, Real{});
         fresh(sum_.left, Real{} + 1.0f);
         for (int channel = 0; channel < 3; ++channel) {
@@ -68,62 +68,11 @@ class RayIntegral {
     }
 
   private:
-    static constexpr float kShortest = 0x1p-24f;  ///< fraction of a cell's way below which a step is not halved
-
-    PDR_HD_INLINE void seek(const FlatScene& scene, Mask seeking) {
-        const Mask met = walk_.step(scene, seeking, Real{}, way_);
-        const Mask clear = (way_.hu.highest() < scene.optics.clearUpTo) | (way_.hu.lowest() >= scene.optics.clearFrom);
-        way_.length = (met & clear) ? Real{} : way_.length;
-    }
-
-    /// The next step of the way through the cell where the ray is.
-    PDR_HD_INLINE void goOn(const FlatScene& scene, Mask inCell) {
-        const FlatOptics& optics = scene.optics;
-        Cubic<Real> before, behind;
-        way_.hu.split(reach_, before, behind);
-        const OpticsPiece<Real> piece = pieceAtBegin(scene, before);
-        const Mask fits =
-            (before.lowest() >= piece.start - optics.rounding) & (before.highest() <= piece.end + optics.rounding);
-        const Mask crosses = inCell & !fits & before.monotone();
-        Real reach = reach_;
-        if (any(crosses)) {
-            const Real border = before.b3 < before.b0 ? piece.start : piece.end;
-            const Real fraction = reach_ * before.whereIs(border, crosses);
-            reach = crosses ? fraction : reach_;
-            way_.hu.split(reach, before, behind);
-            before.b3 = crosses ? border : before.b3;
-            behind.b0 = crosses ? border : behind.b0;
-        }
-        // Where a step had to be that short, the tolerance cannot be kept: from there on all steps are taken.
-        sum_.exceeded = (inCell & (reach_ <= kShortest)) ? Real{} + 1.0f : sum_.exceeded;
-        const Mask forced = sum_.exceeded > 0.0f;
-        const Mask ready = inCell & (fits | crosses | forced);
-        const Real length = way_.length * reach;
-        const Mask gone = ready & add(optics, piece, before, length, ready, forced);
-        reach_ = inCell ? (gone ? Real{} + 1.0f : 0.5f * reach) : reach_;
-        reach_ = max(reach_, Real{} + kShortest);
-        const Mask split = gone & (reach < 1.0f);
-        way_.hu.b0 = split ? behind.b0 : way_.hu.b0;
-        way_.hu.b1 = split ? behind.b1 : way_.hu.b1;
-        way_.hu.b2 = split ? behind.b2 : way_.hu.b2;
-        way_.hu.b3 = split ? behind.b3 : way_.hu.b3;
-        way_.length = gone ? way_.length - length : way_.length;
-        if constexpr (Model == FlatModel::absorption)
-            stop(gone & (depth_ > kOpaqueDepth));
-        if constexpr (Model == FlatModel::emissionAbsorption)
-            stop(gone & nothingMoreToSee(scene));
-    }
-
-    PDR_HD_INLINE void stop(Mask mask) {
-        walk_.stop(mask);
-        way_.length = mask ? Real{} : way_.length;
-    }
-
     /// Adds a way through one piece where `ready` holds. Result: where it was added; elsewhere it must be halved.
-    PDR_HD_INLINE Mask add(const FlatOptics& optics, const OpticsPiece<Real>& piece, const Cubic<Real>& hu, Real length,
-                           Mask ready, Mask forced) {
-        const OpticsAlong<Real> along = opticsAlong(optics, piece, hu);
-        const Real depth = along.meanExtinction * length;
+    PDR_HD_INLINE Mask add(const FlatOptics& optics, const PieceOfWay<Real>& way, Mask ready, Mask forced) {
+        const OpticsPiece<Real>& piece = way.piece;
+        const OpticsAlong<Real> along = opticsAlong(optics, piece, way.hu);
+        const Real depth = along.meanExtinction * way.length;
         if constexpr (Model == FlatModel::absorption) {
             depth_ = ready ? depth_ + depth : depth_;
             return ready;
@@ -177,9 +126,7 @@ class RayIntegral {
         return dark & (sum_.left * optics.brightest.z <= optics.cutOff * sum_.value[2]);
     }
 
-    CellWalk<Real> walk_;
-    HuAlong<Real> way_{};         ///< what is left of the way through the cell where the ray is
-    Real reach_ = Real{} + 1.0f;  ///< fraction of it that is tried next
+    PieceWalk<Real> walk_;
     RayResult<Real> sum_;
     Real bound_[3]{};  ///< on the error of what was gathered
     Real depth_{};     ///< optical depth (absorption)

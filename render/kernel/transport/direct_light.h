@@ -2,6 +2,7 @@
 /// Light that reaches an event straight from a light: one light path for each event, chosen among all lights.
 
 #include "render/kernel/clip.h"
+#include "render/kernel/sampler.h"
 #include "render/kernel/transport/camera_ray.h"
 #include "render/kernel/transport/environment.h"
 #include "render/kernel/transport/event.h"
@@ -25,13 +26,21 @@ PDR_HD inline bool isDark(const LightPath& light) {
 struct LightReservoir {
     LightPath chosen{{vec3(0), vec3(0), 0}, vec3(0)};
     float weight = 0, total = 0;
+    float u;  ///< what is left of the number that chooses: uniform, whatever was chosen so far
 
-    PDR_HD void offer(const LightPath& path, float u) {
+    PDR_HD explicit LightReservoir(float number) : u(number) {}
+
+    PDR_HD void offer(const LightPath& path) {
         const float strength = std::fabs(path.radiance.x + path.radiance.y + path.radiance.z);
+        if (strength == 0)
+            return;
         total += strength;
         if (strength == total || !(u * total >= strength)) {  // what is no number is chosen, to be counted
             chosen = path;
             weight = strength;
+            u *= total / strength;
+        } else {
+            u = (u * total - strength) / (total - strength);
         }
     }
     PDR_HD LightPath path() const {
@@ -63,14 +72,12 @@ PDR_HD inline bool continuationFindsLight(const FlatScene& scene, int bounce) {
 /// sampled; where it pays, light is also looked for in a direction that the event scatters to: here, or by the path
 /// itself where it goes on. What both ways can find counts for each by its fraction.
 template <std::uint32_t F>
-PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Random& random, int bounce) {
-    RandomStream onLight = random.stream(bounce, BounceDimension::light);
-    RandomStream chances = random.stream(bounce, BounceDimension::choice);
+PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Sampler& sampler, int bounce) {
     const bool bothWays = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
     const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, event.position) : vec3(0);
-    LightReservoir choice;
+    LightReservoir choice(sampler.number(bounce, BounceDimension::choice));
     const auto offer = [&](vec3 wi, float distance, vec3 radiance) {
-        choice.offer({{event.position, scene.volume.indexFromLocal * wi, distance}, radiance}, chances.pair().x);
+        choice.offer({{event.position, scene.volume.indexFromLocal * wi, distance}, radiance});
     };
     const auto offerSample = [&](const LightSample& light) {
         const float other = bothWays && light.pdf > 0 ? scatterPdf<F>(scene, event, light.wi) : 0;
@@ -78,15 +85,15 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
               scatterEval<F>(scene, event, light.wi) * light.radiance * powerHeuristic(light.pdf, other));
     };
 
+    // All lights share a place: only one of them is chosen.
+    const vec2 onLight = has(F, kPlacedLights) ? sampler.pair(bounce, BounceDimension::light) : vec2(0);
     for (int i = 0; i < scene.lightCount; ++i)
-        offerSample(sampleLight<F>(scene.lights[i], place, has(F, kPlacedLights) ? onLight.pair() : vec2(0)));
-    if (has(F, kEnvironment) && scene.environment.texels != nullptr) {
-        RandomStream texel = random.stream(bounce, BounceDimension::environment);
-        const vec2 choice = texel.pair();
-        offerSample(sampleEnvironment(scene.environment, choice, texel.pair()));
-    }
+        offerSample(sampleLight<F>(scene.lights[i], place, onLight));
+    if (has(F, kEnvironment) && scene.environment.texels != nullptr)
+        offerSample(sampleEnvironment(scene.environment, sampler.pair(bounce, BounceDimension::environment),
+                                      sampler.stream(bounce, BounceDimension::environment).pair()));
     if (bothWays && !continuationFindsLight(scene, bounce)) {
-        const Scattered along = scatterSample<F>(scene, event, random.stream(bounce, BounceDimension::direction));
+        const Scattered along = scatterSample<F>(scene, event, sampler.triple(bounce, BounceDimension::direction));
         const float density = scatterPdf<F>(scene, event, along.wi);
         forLightsMet<F>(scene, place, along.wi, [&](const FlatLight& light, const LightHit& hit) {
             offer(along.wi, hit.distance, along.weight * light.radiance * powerHeuristic(density, hit.pdf));

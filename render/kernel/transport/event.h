@@ -3,7 +3,6 @@
 
 #include "render/kernel/features.h"
 #include "render/kernel/medium.h"
-#include "render/kernel/random.h"
 #include "render/kernel/transport/phase.h"
 #include "render/kernel/transport/surface.h"
 
@@ -41,12 +40,13 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo,
     return glm::dot(normal, wo) < 0 ? -normal : normal;
 }
 
+/// `u` decides whether the event is at a surface.
 template <std::uint32_t F>
-PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 wo, RandomStream random) {
+PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 wo, float u) {
     const float hu = hounsfield(scene.volume, position);
     Event event{position, wo, materialAt(scene.transferFunction, hu), vec3(0)};
     if constexpr (has(F, kSurface))
-        event.normal = surfaceNormal(scene, position, wo, hu, random.pair().x);
+        event.normal = surfaceNormal(scene, position, wo, hu, u);
     return event;
 }
 
@@ -78,11 +78,10 @@ struct Scattered {
 };
 
 template <std::uint32_t F>
-PDR_HD inline Scattered scatterSample(const FlatScene& scene, const Event& event, RandomStream random) {
-    const vec2 u = random.pair();
+PDR_HD inline Scattered scatterSample(const FlatScene& scene, const Event& event, vec3 u) {
     if (!isSurface<F>(event))
-        return {phaseSample(scene.phaseG, event.wo, u), event.material.albedo};
-    const vec3 wi = surfaceSample(event.material, event.normal, event.wo, random.pair().x, u);
+        return {phaseSample(scene.phaseG, event.wo, vec2(u)), event.material.albedo};
+    const vec3 wi = surfaceSample(event.material, event.normal, event.wo, u.z, vec2(u));
     const float pdf = surfacePdf(event.material, event.normal, event.wo, wi);
     if (!(pdf > 0))
         return {wi, vec3(0)};

@@ -21,13 +21,14 @@
 #include "render/kernel/transport/camera_ray.h"
 #include "render/kernel/transport/direct_light.h"
 #include "render/kernel/transport/event.h"
+#include "render/kernel/transport/free_flight.h"
 #include "render/kernel/transport/tracking.h"
 
 namespace pdr {
 
 /// One sample of one pixel, on its way to its next event.
 struct Path {
-    Random random;
+    Sampler sampler;
     PathSegment segment;
     vec3 throughput{1.0f};  ///< of radiance from the next event to the camera
     float pdf = 0;          ///< with which the last event found the segment's direction [1/sr]
@@ -35,18 +36,42 @@ struct Path {
 
 /// `depths`: where tissue lies along the pixel's view; see FlatViewBounds.
 PDR_HD_INLINE Path startPath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
-    const Random random(scene.seed, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x), sample);
-    const vec2 filter = random.stream(Dimension::filter).pair();
-    const vec2 lens = scene.camera.focus > 0 ? sampleUniformDisk(random.stream(Dimension::lens).pair()) : vec2(0);
-    return {random, generateCameraRay(scene, vec2(pixel) + filter, lens, depths)};
+    const Sampler sampler(*scene.sobol, scene.seed, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x), sample);
+    const vec2 filter = sampler.pair(Dimension::filter);
+    const vec2 lens = scene.camera.focus > 0 ? sampleUniformDisk(sampler.pair(Dimension::lens)) : vec2(0);
+    return {sampler, generateCameraRay(scene, vec2(pixel) + filter, lens, depths)};
 }
 
-/// The random numbers along a segment, and along the light path from its end.
+/// The first segment of a path flies exactly, and so does the light of its event: there low-discrepancy numbers pay.
+/// What is behind is tracked, which costs less for the same noise.
+PDR_HD inline bool fliesExactly(int bounce) {
+    return bounce == 0;
+}
+
+/// Light paths from an event. From the first there are two, which cost less than all that leads to it: half of the
+/// shadows' noise for a third more time.
+inline constexpr int kMostLightPaths = 2;
+PDR_HD inline int lightPathsFrom(int bounce) {
+    return fliesExactly(bounce) ? kMostLightPaths : 1;
+}
+
+/// The random numbers along a segment that is tracked, and along the light path from its end.
 PDR_HD inline RandomStream distanceStream(const Path& path, int bounce) {
-    return path.random.stream(bounce, BounceDimension::distance);
+    return path.sampler.stream(bounce, BounceDimension::distance);
 }
 PDR_HD inline RandomStream shadowStream(const Path& path, int bounce) {
-    return path.random.stream(bounce, BounceDimension::shadow);
+    return path.sampler.stream(bounce, BounceDimension::shadow);
+}
+
+/// The transmittance of a light path that flies exactly, with Russian roulette where little is left: a flight of the
+/// depth shadowDepth() ends there, and one that does not leaves shadowTransmittance().
+inline constexpr float kShadowRouletteBelow = 0.1f;
+PDR_HD inline float shadowDepth(const Path& path, int lightPath) {
+    return negativeLog(kShadowRouletteBelow *
+                       path.sampler.branch(lightPath, kMostLightPaths).number(0, BounceDimension::shadow));
+}
+PDR_HD inline float shadowTransmittance(float distance, float passed) {
+    return distance >= 0 ? 0 : glm::max(attenuation(passed).left, kShadowRouletteBelow);
 }
 
 /// What the camera sees along a segment that meets no event.
@@ -82,21 +107,21 @@ PDR_HD inline bool russianRoulette(vec3& throughput, float u) {
 template <std::uint32_t F>
 PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const Event& event, int bounce) {
     const Scattered scattered =
-        scatterSample<F>(scene, event, path.random.stream(bounce, BounceDimension::continuation));
+        scatterSample<F>(scene, event, path.sampler.triple(bounce, BounceDimension::continuation));
     path.throughput *= scattered.weight;
     if (has(F, kPlacedLights | kEnvironment) && continuationFindsLight(scene, bounce))
         path.pdf = scatterPdf<F>(scene, event, scattered.wi);
     const vec3 direction = scene.volume.indexFromLocal * scattered.wi;
     path.segment = {{event.position, direction, cutLength(scene.clip, event.position, direction, kFarAway)},
                     scattered.wi};
-    return russianRoulette(path.throughput, path.random.stream(bounce, BounceDimension::roulette).pair().x);
+    return russianRoulette(path.throughput, path.sampler.number(bounce, BounceDimension::roulette));
 }
 
 /// What happens at the end of a segment: light that starts there, light that is scattered there, and whether the path,
 /// now on its next segment, goes on.
 struct PathVertex {
-    vec3 emitted{0.0f};     ///< radiance, linear Rec. 709
-    LightPath scattered{};  ///< to be traced unless it isDark()
+    vec3 emitted{0.0f};                      ///< radiance, linear Rec. 709
+    LightPath scattered[kMostLightPaths]{};  ///< to be traced unless they are isDark(); all together
     bool continues = false;
     bool cut = false;      ///< it would have gone on, but may not
     vec3 collected{0.0f};  ///< radiance of the lights that the segment met
@@ -107,12 +132,15 @@ struct PathVertex {
 template <std::uint32_t F>
 PDR_HD inline PathVertex shadeVertex(const FlatScene& scene, Path& path, float collision, int bounce) {
     const Event event = eventAt<F>(scene, path.segment.ray.origin + path.segment.ray.direction * collision,
-                                   -path.segment.direction, path.random.stream(bounce, BounceDimension::event));
-    PathVertex met{has(F, kEmission) ? event.material.emission : vec3(0),
-                   directLight<F>(scene, event, path.random, bounce), false, false};
+                                   -path.segment.direction, path.sampler.number(bounce, BounceDimension::event));
+    PathVertex met{has(F, kEmission) ? event.material.emission : vec3(0)};
+    const int lightPaths = lightPathsFrom(bounce);
+    for (int i = 0; i < lightPaths; ++i) {
+        met.scattered[i] = directLight<F>(scene, event, path.sampler.branch(i, lightPaths), bounce);
+        met.scattered[i].radiance *= path.throughput / float(lightPaths);
+    }
     if constexpr (has(F, kBounces)) {
         met.emitted *= path.throughput;
-        met.scattered.radiance *= path.throughput;
         const bool alive = scene.maxBounces > 1 && sampleContinuation<F>(scene, path, event, bounce);
         met.cut = alive && bounce + 1 >= scene.maxBounces;
         met.continues = alive && !met.cut;
@@ -170,23 +198,32 @@ PDR_HD inline void addLight(PathSample& sample, vec3 radiance, float transmittan
 /// A visitor that records nothing.
 struct NullVisitor {
     PDR_HD void segment(const Path&, int, float) {}
-    PDR_HD void light(const PathVertex&, float) {}
+    PDR_HD void light(const PathVertex&, const float*) {}
 };
 
 /// One segment of a path, and what is met at its end; false where the path ends.
 template <std::uint32_t F, class Visitor>
 PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, PathSample& sample, Visitor&& visitor) {
+    const bool exact = fliesExactly(bounce);
     const float collision =
-        track<DeltaTracking>(scene, path.segment.ray, distanceStream(path, bounce), sample.overMajorant);
+        exact ? freeFlight(scene, path.segment.ray, path.sampler.depth()).distance
+              : track<DeltaTracking>(scene, path.segment.ray, distanceStream(path, bounce), sample.overMajorant);
     visitor.segment(path, bounce, collision);
     const PathVertex vertex = endSegment<F>(scene, path, collision, bounce, sample);
-    float transmittance = 0;
-    if (!isDark(vertex.scattered)) {
-        transmittance =
-            track<RatioTracking>(scene, vertex.scattered.ray, shadowStream(path, bounce), sample.overMajorant);
-        addLight(sample, vertex.scattered.radiance, transmittance);
+    float transmittances[kMostLightPaths]{};
+    for (int i = 0; i < kMostLightPaths; ++i) {
+        const LightPath& light = vertex.scattered[i];
+        if (isDark(light))
+            continue;
+        if (exact) {
+            const Flight flight = freeFlight(scene, light.ray, shadowDepth(path, i));
+            transmittances[i] = shadowTransmittance(flight.distance, flight.passed);
+        } else {
+            transmittances[i] = track<RatioTracking>(scene, light.ray, shadowStream(path, bounce), sample.overMajorant);
+        }
+        addLight(sample, light.radiance, transmittances[i]);
     }
-    visitor.light(vertex, transmittance);
+    visitor.light(vertex, transmittances);
     return vertex.continues;
 }
 

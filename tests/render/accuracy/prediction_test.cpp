@@ -35,14 +35,14 @@ class PredictionTest : public QObject {
         QVERIFY(!nextQualityStep({.samplesPerPixel = 100, .displayError = 0}, 10));
     }
 
-    /// A forecast from 64 samples holds when the samples are taken.
+    /// What was foretold from 64 samples is reached when they are taken: low-discrepancy points may reach it sooner.
     void forecastComesTrue() {
         Scene scene = test::plainScene(test::bumpyVolume({40, 40, 40}, dvec3(1), 3), 1);
         scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 600, .opacity = 1}};
         const FilmStatus early = test::render(scene, 64).status();
         const double needed = samplesToReach(early.relativeError / 5, early);
         const FilmStatus late = test::render(scene, std::uint64_t(needed)).status();
-        QVERIFY(std::fabs(late.relativeError / (early.relativeError / 5) - 1) < 0.03);
+        QVERIFY(late.relativeError < 1.03 * early.relativeError / 5);
     }
 };
 

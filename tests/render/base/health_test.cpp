@@ -38,8 +38,8 @@ void verifyReplayShows(const PreparedScene& prepared, Fault fault, const FaultCo
                             .arg(replay.radiance.x)
                             .arg(replay.segments.size())
                             .arg(replay.segments[0].collision)
-                            .arg(replay.segments[0].direct.x)
-                            .arg(replay.segments[0].transmittance)));
+                            .arg(replay.segments[0].lights[0].radiance.x)
+                            .arg(replay.segments[0].lights[0].transmittance)));
     QVERIFY(!replay.segments.empty());
 }
 
@@ -76,7 +76,9 @@ class HealthTest : public QObject {
     }
 
     void extinctionAboveItsBoundIsCounted() {
-        const auto prepared = test::prepared(glowing());
+        Scene scene = glowing();
+        scene.model = Model::multipleScattering;  // behind the first event rays are tracked
+        const auto prepared = test::prepared(scene);
         auto majorants = std::make_shared<Majorants>(*prepared->majorants);
         for (float& bound : majorants->fine)
             bound *= 0.5f;

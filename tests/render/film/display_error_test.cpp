@@ -1,4 +1,4 @@
-/// How far what a screen shows may be off: the tone curve, two-sided intervals and their percentile, in closed form.
+/// How far what a screen shows may be off: the tone curve, draws of errors and their percentile, in closed form.
 
 #include <QTest>
 #include <cmath>
@@ -26,21 +26,24 @@ class DisplayErrorTest : public QObject {
         QCOMPARE(exactLevelOf(displayCurve(), NAN), 0.0f);
     }
 
-    /// Bright, in the dark, where the interval reaches below black, and near white.
-    void aPixelIsOffByItsFartherEnd() {
-        const auto off = [](dvec3 mean, dvec3 standardError, double exposure) {
-            return levelsOff(displayCurve(), mean, standardError, exposure);
+    /// Bright, in the dark, where a draw reaches below black, and near white.
+    void aPixelIsOffByWhatItsDrawWouldShow() {
+        const auto off = [](dvec3 mean, dvec3 draw, double exposure) {
+            return levelsOff(displayCurve(), mean, draw, exposure);
+        };
+        const auto truth = [](double mean, double draw, double exposure) {
+            return std::fabs(curve(mean + draw, exposure) - curve(mean, exposure));
         };
         for (const double exposure : {0.5, 4.0})
             for (const double mean : {1e-4, 0.003, 0.1, 0.7, 3.0, 20.0})
-                for (const double fraction : {1e-3, 0.03, 0.3, 0.49, 0.51, 2.0, 40.0}) {
+                for (const double fraction : {1e-3, 0.03, 0.3, 0.97, 1.1, 40.0, -0.001, -0.1, -0.9, -2.0}) {
                     const double got = off(dvec3(mean), dvec3(fraction * mean), exposure);
-                    QVERIFY2(std::fabs(got - twoSided(mean, fraction * mean, exposure)) < 0.01,
+                    QVERIFY2(std::fabs(got - truth(mean, fraction * mean, exposure)) < 0.01,
                              qPrintable(QString("%1 %2: %3").arg(mean).arg(fraction).arg(got)));
                 }
         const double slope = (curve(0.10001, 1) - curve(0.1, 1)) / 1e-5;
-        QVERIFY(twoSided(0.1, 0.04, 1) > 2 * 0.04 * slope + 9);  // the slope alone is wrong by levels
-        QVERIFY(std::fabs(off(dvec3(0.5, 0.5, 3), dvec3(0.01, 0.2, 0), 1) - twoSided(0.5, 0.2, 1)) < 0.01);
+        QVERIFY(truth(0.1, -0.08, 1) > 0.08 * slope + 9);  // the slope alone is wrong by levels
+        QVERIFY(std::fabs(off(dvec3(0.5, 0.5, 3), dvec3(0.01, -0.2, 0), 1) - truth(0.5, -0.2, 1)) < 0.01);
     }
 
     /// Pixels that are off by 0 to `most` levels, evenly: 95 % of them by at most 0.95 of it. A bin is 0.27 levels wide
@@ -60,12 +63,12 @@ class DisplayErrorTest : public QObject {
         std::vector<Known> pixels;
         for (int i = 0; i < 2000; ++i) {
             const double mean = 0.4 + 0.2 * (i % 7);
-            pixels.push_back({mean, spreadFor((i + 0.5) / 2000 * most, mean, exposure, n)});
+            pixels.push_back({mean, drawFor((i + 0.5) / 2000 * most, mean, exposure), 1});
         }
         const double alone = shownStatus(knownFilm(pixels, n), exposure).displayError;
         QVERIFY2(std::fabs(alone - 0.95 * most) < tolerance, qPrintable(QString::number(alone)));
         for (int i = 0; i < 6000; ++i)  // and ground beside them, of which no sample met tissue
-            pixels.push_back({i % 2 ? 0.0 : 1.0, i % 2 ? 0.0 : 9.0, kSeenChance});
+            pixels.push_back({i % 2 ? 0.0 : 1.0, i % 2 ? 0.0 : 9.0, 9, kSeenChance});
         QCOMPARE(shownStatus(knownFilm(pixels, n), exposure).displayError, alone);
     }
 
@@ -74,7 +77,7 @@ class DisplayErrorTest : public QObject {
         QVERIFY(std::isinf(shownStatus(knownFilm(pixels, 31), 1).displayError));
         QVERIFY(std::isfinite(shownStatus(knownFilm(pixels, 32), 1).displayError));
         QVERIFY(std::isinf(knownFilm(pixels, 32).status().displayError));  // without a display
-        const std::vector<Known> ground(50, {0.5, 0.2, 0});
+        const std::vector<Known> ground(50, {0.5, 0.2, 0.2, 0});
         QVERIFY(std::isinf(shownStatus(knownFilm(ground, 32), 1).displayError));
         QVERIFY(std::isfinite(shownStatus(knownFilm(ground, 32), 1).relativeError));  // of all pixels
     }
@@ -82,10 +85,10 @@ class DisplayErrorTest : public QObject {
     /// 10 % of the tissue has seen no light: of n samples 3 / n may still be as bright as those that did elsewhere.
     void tissueWithoutLightIsNotWithoutError() {
         const std::uint32_t n = 64;
-        std::vector<Known> pixels(900, {0.5, 0.5});  // samples of 0 and of 1
-        pixels.insert(pixels.end(), 100, {0, 0});
+        std::vector<Known> pixels(900, {0.5, 0.0625, 0.5});  // samples of 0 and of 1
+        pixels.insert(pixels.end(), 100, {0, 0, 0});
         const double bright = (0.25 + n * 0.25 / (n - 1)) / 0.5;
-        const double known = twoSided(0.5, 0.5 / std::sqrt(n - 1.0), 1), unlit = curve(3.0 / n * bright, 1);
+        const double known = curve(0.5625, 1) - curve(0.5, 1), unlit = curve(3.0 / n * bright, 1);
         QVERIFY(unlit > known + 5);
         const double off = shownStatus(knownFilm(pixels, n), 1).displayError;
         QVERIFY2(std::fabs(off - unlit) < 0.4, qPrintable(QString("%1, not %2").arg(off).arg(unlit)));

@@ -33,17 +33,19 @@ class ErrorTruthTest : public QObject {
         Film film(size, 0);
         grow(film, n, uniform, [](std::size_t) { return kSeenTissue | kSeenChance; });
         const double pixels = double(pixelsOf(film));
-        double squares = 0, covered = 0, missed = 0;
+        double squares = 0, draws = 0, covered = 0, missed = 0;
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {
                 const PixelEstimate pixel = film.pixel(x, y);
                 QVERIFY(pixel.tissue && pixel.count == n);
                 squares += pixel.standardError.x * pixel.standardError.x / pixels;
+                draws += pixel.errorDraw.x * pixel.errorDraw.x / pixels;
                 covered += std::fabs(pixel.mean.x - 0.5) <= 1.96 * pixel.standardError.x;
                 missed += (pixel.mean.x - 0.5) * (pixel.mean.x - 0.5) / pixels;
             }
         const double truth = 1.0 / 12 / double(n);
         QVERIFY(std::fabs(squares / truth - 1) < kSigmas * std::sqrt(0.8 / double(n) / pixels));
+        QVERIFY(std::fabs(draws / truth - 1) < kSigmas * std::sqrt(2 / pixels));
         QVERIFY(std::fabs(missed / truth - 1) < kSigmas * std::sqrt(2 / pixels));
         QVERIFY(std::fabs(covered / pixels - 0.95) < kSigmas * std::sqrt(0.95 * 0.05 / pixels));
     }
@@ -63,8 +65,8 @@ class ErrorTruthTest : public QObject {
         const FilmStatus status = shownStatus(film, 1);
         const double truth = std::sqrt((1 + 9) / 2.0 / 12 / double(n)) / ((0.5 + 2.5) / 2);
         QCOMPARE(status.tissuePixels, std::uint64_t(1200));
-        // Half of the variance's relative error (9/10 of it from 600 pixels), and that of the mean.
-        const double allowed = kSigmas * std::hypot(0.5 * std::sqrt(0.8 / double(n) / 600), truth / std::sqrt(1200));
+        // Half of the variance's relative error (9/10 of it from the draws of 600 pixels), and that of the mean.
+        const double allowed = kSigmas * std::hypot(0.5 * std::sqrt(2.0 / 600), truth / std::sqrt(1200));
         QVERIFY2(std::fabs(status.relativeError / truth - 1) < allowed,
                  qPrintable(QString("%1 %2").arg(status.relativeError / truth).arg(allowed)));
         QVERIFY(std::fabs(status.meanLuminance / ((0.5 + 2.5 + 10) / 4) - 1) < 0.01);
@@ -72,11 +74,11 @@ class ErrorTruthTest : public QObject {
 
     void nothingSeenYetIsUnknownAndNotWithoutError() {
         for (const double all : {0.0, 1.0}) {
-            const FilmStatus status = shownStatus(knownFilm(std::vector<Known>(20, {all, 0}), 640), 1);
+            const FilmStatus status = shownStatus(knownFilm(std::vector<Known>(20, {all, 0, 0}), 640), 1);
             QVERIFY(std::isinf(status.relativeError) && std::isinf(status.displayError));
             QCOMPARE(status.unseenShare, 3 / (640.0 * 20));
         }
-        const FilmStatus sure = shownStatus(knownFilm(std::vector<Known>(20, {1, 0, kSeenTissue}), 640), 1);
+        const FilmStatus sure = shownStatus(knownFilm(std::vector<Known>(20, {1, 0, 0, kSeenTissue}), 640), 1);
         QCOMPARE(sure.relativeError, 0.0);
         QCOMPARE(sure.displayError, 0.0);
         QCOMPARE(sure.unseenShare, 0.0);
@@ -84,7 +86,7 @@ class ErrorTruthTest : public QObject {
 
     /// What was foretold from 64 samples is there when they are taken.
     void whatIsForetoldComesTrue() {
-        Film film(ivec2(40, 40), 0);
+        Film film(ivec2(200, 200), 0);  // 40,000 draws: 0.35 % of their root mean square
         const auto goOn = [&](double count) {
             grow(film, std::uint64_t(std::llround(count)), uniform,
                  [](std::size_t) { return kSeenTissue | kSeenChance; });
@@ -100,7 +102,7 @@ class ErrorTruthTest : public QObject {
         QVERIFY2(std::fabs(later.displayError / step->levels - 1) < 0.06,
                  qPrintable(QString("%1 for %2").arg(later.displayError).arg(step->levels)));
         const FilmStatus late = goOn(truth);
-        QVERIFY(std::fabs(late.relativeError / (early.relativeError / 4) - 1) < 0.01);
+        QVERIFY(std::fabs(late.relativeError / (early.relativeError / 4) - 1) < kSigmas * 0.005);
     }
 
     /// One sample in a hundred brings light: what few samples tell is a lower bound, and said to be one.
@@ -117,8 +119,17 @@ class ErrorTruthTest : public QObject {
         QVERIFY(!shownStatus(film, 1).fewBrightSamples);
     }
 
-    /// A real scene against a far better picture of it: nearly all pixels lie within their two standard errors, and
-    /// more than 95 % within what is said of 95 %.
+    /// Of few pixels the draws say little: there the standard errors hold, which never say too little.
+    void ofFewPixelsTheStandardErrorsHold() {
+        std::vector<Known> pixels(99, {1, 0.001, 1});
+        const std::uint32_t n = 64;
+        QVERIFY(std::fabs(shownStatus(knownFilm(pixels, n), 1).relativeError * std::sqrt(n - 1.0) - 1) < 1e-6);
+        pixels.push_back({1, 0.001, 1});
+        QVERIFY(std::fabs(shownStatus(knownFilm(pixels, n), 1).relativeError / 0.001 - 1) < 1e-4);
+    }
+
+    /// A real scene against a far better picture of it: 95 % of the tissue lies within what is said of 95 %, and nearly
+    /// all pixels within their two standard errors, which low-discrepancy points stay below.
     void aPictureLiesWhereItSays() {
         Scene scene = test::tissueScene();
         scene.film = {30, 22};
@@ -141,13 +152,14 @@ class ErrorTruthTest : public QObject {
                                                           curve(truth.mean[channel], exposure)));
                         ++tissue;
                         within += off <= status.displayError;
-                        withinOwn += off <= levelsOff(displayCurve(), pixel.mean, pixel.standardError, exposure);
+                        const dvec3 outside = glm::abs(pixel.mean - truth.mean) - 2.0 * pixel.standardError;
+                        withinOwn += glm::max(glm::max(outside.x, outside.y), outside.z) <= 0;
                     }
             }
             qInfo("%llu samples: %.1f %% of the tissue within its own error, %.1f %% within that of 95 %%",
                   static_cast<unsigned long long>(n), 100 * withinOwn / tissue, 100 * within / tissue);
-            QVERIFY(within / tissue > 0.95);
-            QVERIFY(withinOwn / tissue > 0.92 && withinOwn / tissue < 0.99);
+            QVERIFY(within / tissue > 0.93 && within / tissue < 0.97);
+            QVERIFY(withinOwn / tissue > 0.95);
         }
     }
 

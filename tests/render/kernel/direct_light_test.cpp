@@ -50,7 +50,7 @@ class DirectLightTest : public QObject {
         const Event event{vec3(3, 2, 1), vec3(0, 1, 0), {.albedo = vec3(0.8f)}, vec3(0)};
         int firstChosen = 0;
         for (std::uint64_t i = 0; i < 1000; ++i) {
-            const LightPath path = directLight<0>(prepared->flat, event, Random(1, 0, i), 0);
+            const LightPath path = directLight<0>(prepared->flat, event, Sampler(kSobolTable, 1, 0, i), 0);
             QVERIFY(std::fabs(path.radiance.x / (0.8 / (4 * M_PI) * 4.5) - 1) < 1e-5);
             firstChosen += path.ray.direction.z > 0;
         }

@@ -72,8 +72,8 @@ Compared compared(const FlatScene& scene, std::uint64_t samples) {
             const ivec2 pixel(i % film.x, i / film.x);
             const Path path = startPath(scene, pixel, sample, depthBounds(scene, pixel));
             const Ray& ray = path.segment.ray;
-            const RandomStream flight = path.random.stream(0, BounceDimension::distance);
-            const RandomStream shadow = path.random.stream(0, BounceDimension::shadow);
+            const RandomStream flight = path.sampler.stream(0, BounceDimension::distance);
+            const RandomStream shadow = path.sampler.stream(0, BounceDimension::shadow);
             const float ends = marchToCollision(scene, ray, flight, step);
             const float truth = track<DeltaTracking>(scene, ray, flight);
             if (ends < 0 || truth < 0)

@@ -22,7 +22,7 @@ Scene fog() {
 struct Events {
     int count = 0;
     void segment(const Path&, int, float collision) { count += collision >= 0; }
-    void light(const PathVertex&, float) {}
+    void light(const PathVertex&, const float*) {}
 };
 
 }  // namespace
@@ -75,7 +75,7 @@ class PathsTest : public QObject {
         for (const float before : {0.3f, 0.1f, 0.01f}) {
             test::Sample kept, forwards;
             for (std::uint64_t i = 0; i < 200'000; ++i) {
-                Path path{Random(1, 2, i), {}, vec3(before)};
+                Path path{Sampler(kSobolTable, 1, 2, i), {}, vec3(before)};
                 const bool alive = sampleContinuation<kBounces>(prepared->flat, path, event, 3);
                 const double after = alive ? path.throughput.x : 0;
                 kept.add(after);

@@ -154,21 +154,23 @@ class TrackingTest : public QObject {
         }
     }
 
-    /// A voxel in which 10^12 free paths of one side's bound lie beside nothing at all: its rays end, as no number, and
-    /// the picture counts them.
+    /// A voxel in which 16 million free paths of one side's bound lie beside nothing at all: rays that are tracked
+    /// through it end, as no number, and the picture counts them.
     void aRayThatWouldNeverEndIsCounted() {
         Scene scene = test::plainScene(
-            test::makeVolume({2, 2, 2}, dvec3(1e6), [](int i, int, int) { return i == 0 ? 0 : 1000; }), 1e6f);
+            test::makeVolume({2, 2, 2}, dvec3(1e6), [](int i, int, int) { return i == 0 ? 0 : 1000; }), 16);
         scene.transferFunction.nodes = {{.hu = 1000, .opacity = 0}, {.hu = 1000, .opacity = 1}};
+        scene.model = Model::multipleScattering;  // the first flight is exact and ends; later ones are tracked
         scene.film = {1, 1};
-        scene.camera = {Camera::Type::orthographic, {1e6, -1e7, 1e6}, {1e6, 0, 1e6}, {0, 0, 1}, 35, 1e3};
+        scene.camera = {Camera::Type::orthographic, {-1e7, 5e5, 5e5}, {1e6, 5e5, 5e5}, {0, 0, 1}, 35, 1e3};
         const auto prepared = Flattener().prepare(scene);
         QVERIFY(prepared->flat.majorants.dense);
-        const Ray ray{{0.5f, 0.1f, 0.5f}, prepared->flat.volume.indexFromLocal * vec3(0, 1, 0), 1e5f};
+        const Ray ray{{0.5f, -0.5f, 0.5f}, prepared->flat.volume.indexFromLocal * vec3(0, 1, 0), 2e6f};
         QVERIFY(std::isnan(track<RatioTracking>(prepared->flat, ray, stream(1))));
-        const Film film = test::sampled(prepared, 1);
-        QCOMPARE(film.status().health.of(Fault::notANumber).count, 1u);
-        QCOMPARE(film.pixel(0, 0).count, 0u);
+        const Film film = test::sampled(prepared, 4);
+        const std::uint64_t endless = film.status().health.of(Fault::notANumber).count;
+        QVERIFY(endless > 0);
+        QCOMPARE(film.pixel(0, 0).count, 4 - endless);
     }
 
     /// Where voxels are walked, collisions lie where a tracker behind one bound finds them, and no bound is broken.

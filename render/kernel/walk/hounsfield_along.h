@@ -2,8 +2,8 @@
 /// The HU along a straight way through one cell between eight voxel centres: trilinear interpolation along a line is a
 /// cubic polynomial, exactly.
 
-#include "render/kernel/quadrature/cubic.h"
 #include "render/kernel/voxel_cell.h"
+#include "render/kernel/walk/cubic.h"
 
 namespace pdr {
 

@@ -11,6 +11,36 @@ PDR_HD inline Real abs(Real x) {
     return max(x, -x);
 }
 
+/// Where in [0, 1] a monotone function that runs from `first` to `last` has the value `level` between them; lanes
+/// outside `mask` are left out. Newton's method inside a bracket that only ever shrinks.
+///   Function   at(s), and its derivative slopeAt(s)
+template <class Real, class Function>
+PDR_HD_INLINE Real whereMonotoneIs(const Function& function, Real level, Real first, Real last,
+                                   typename SimdTraits<Real>::Mask mask) {
+    using Mask = typename SimdTraits<Real>::Mask;
+    constexpr int kMostSteps = 32;
+    // A step of Newton's method leaves at most |curvature| step^2 / 2, which is below the rounding of the values here.
+    constexpr float kSettled = 1e-4f;
+    constexpr float kNarrowest = 1e-7f;
+    const Mask rises = last > first;
+    Real low{}, high = Real{} + 1.0f;
+    Real s = max(min((level - first) / (last - first), high), low);
+    Mask open = mask;
+    for (int i = 0; i < kMostSteps && any(open); ++i) {
+        const Real beyond = function.at(s) - level;
+        const Mask tooFar = rises ? beyond > 0.0f : beyond < 0.0f;
+        high = tooFar ? s : high;
+        low = tooFar ? low : s;
+        const Real newton = s - beyond / function.slopeAt(s);
+        const Mask inside = (newton >= low) & (newton <= high);
+        const Real next = inside ? newton : 0.5f * (low + high);
+        const Mask settled = (inside & (abs(next - s) <= kSettled)) | (high - low <= kNarrowest);
+        s = open ? next : s;
+        open = open & !settled;
+    }
+    return s;
+}
+
 template <class Real>
 struct Cubic {
     using Mask = typename SimdTraits<Real>::Mask;
@@ -55,32 +85,7 @@ struct Cubic {
     }
 
     /// Where a monotone cubic has the value `level`, which lies between b0 and b3; lanes outside `mask` are left out.
-    /// Newton's method inside a bracket that only ever shrinks.
-    PDR_HD_INLINE Real whereIs(Real level, Mask mask) const {
-        const Mask rises = b3 > b0;
-        Real low{}, high = Real{} + 1.0f;
-        Real s = max(min((level - b0) / (b3 - b0), high), low);
-        Mask open = mask;
-        for (int i = 0; i < kMostSteps && any(open); ++i) {
-            const Real beyond = at(s) - level;
-            const Mask tooFar = rises ? beyond > 0.0f : beyond < 0.0f;
-            high = tooFar ? s : high;
-            low = tooFar ? low : s;
-            const Real newton = s - beyond / slopeAt(s);
-            const Mask inside = (newton >= low) & (newton <= high);
-            const Real next = inside ? newton : 0.5f * (low + high);
-            const Mask settled = (inside & (abs(next - s) <= kSettled)) | (high - low <= kNarrowest);
-            s = open ? next : s;
-            open = open & !settled;
-        }
-        return s;
-    }
-
-  private:
-    static constexpr int kMostSteps = 32;
-    /// A step of Newton's method leaves at most |curvature| step^2 / 2, which is below the rounding of the values here.
-    static constexpr float kSettled = 1e-4f;
-    static constexpr float kNarrowest = 1e-7f;
+    PDR_HD_INLINE Real whereIs(Real level, Mask mask) const { return whereMonotoneIs(*this, level, b0, b3, mask); }
 };
 
 }  // namespace pdr

@@ -3,7 +3,7 @@
 /// coarse cell (16 voxels) or a fine one (4 voxels) whose bound does not exceed a bar. See FlatMajorants and GridRay.
 
 #include "render/kernel/grid_ray.h"
-#include "render/kernel/quadrature/hounsfield_along.h"
+#include "render/kernel/walk/hounsfield_along.h"
 
 namespace pdr {
 
@@ -30,6 +30,8 @@ class CellWalk {
 
     PDR_HD Mask walking() const { return t_ < end_; }
     PDR_HD void stop(Mask mask) { end_ = mask ? Real{} - 1.0f : end_; }
+    /// mm from the ray's origin to where it is.
+    PDR_HD Real reached() const { return t_; }
 
     /// Where `mask` holds: lane l goes on where lane from[l] of `other` is.
     void take(Mask mask, const CellWalk& other, Int from) {

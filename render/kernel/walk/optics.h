@@ -2,7 +2,7 @@
 /// The transfer function for models without scattering: piece by piece, extinction and source linear in the HU.
 
 #include "render/kernel/flat_scene.h"
-#include "render/kernel/quadrature/cubic.h"
+#include "render/kernel/walk/cubic.h"
 
 namespace pdr {
 

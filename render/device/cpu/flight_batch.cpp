@@ -1,0 +1,34 @@
+#include "render/device/cpu/flight_batch.h"
+
+namespace pdr {
+
+/// The batch as a list of rays for lanes.
+struct FlightBatch::InLanes {
+    using Walk = FreeFlight<FloatLanes>;
+    FlightBatch& batch;
+
+    int size() const { return batch.size_; }
+    Walk started(const FlatScene& scene, int row) const {
+        Walk walk;
+        walk.start(scene, batch.rays_.origins(row), batch.rays_.directions(row), batch.rays_.lengths(row),
+                   batch.rays_.lanes(batch.depth_, row));
+        return walk;
+    }
+    void keep(const FlatScene&, const Walk& walk, int lane, int ray) {
+        batch.distance_[ray] = walk.distance[lane];
+        batch.passed_[ray] = walk.passed[lane];
+    }
+};
+
+void FlightBatch::fly(const FlatScene& scene) {
+    InLanes rays{*this};
+    if (lanesCanRead(scene.volume))
+        return walkInLanes<FreeFlight<FloatLanes>>(rays, scene);
+    for (int row = 0; row < size_; ++row) {
+        const Flight flight = freeFlight(scene, rays_.at(row), depth_[row]);
+        distance_[row] = flight.distance;
+        passed_[row] = flight.passed;
+    }
+}
+
+}  // namespace pdr

@@ -1,0 +1,40 @@
+#pragma once
+/// Many free flights, kLanes at a time.
+
+#include <array>
+
+#include "render/device/cpu/lane_group.h"
+#include "render/kernel/transport/free_flight.h"
+
+namespace pdr {
+
+/// A list of rays, each with the optical depth that it flies, and, after fly(), what became of them.
+class FlightBatch {
+  public:
+    static constexpr int kCapacity = 1024;
+
+    void clear() { size_ = 0; }
+    int size() const { return size_; }
+    bool full() const { return size_ == kCapacity; }
+    /// See Flight.
+    float distance(int ray) const { return distance_[ray]; }
+    float passed(int ray) const { return passed_[ray]; }
+
+    /// Adds a ray; its number is its place in the order of adding.
+    void add(const Ray& ray, float depth) {
+        rays_.set(size_, ray);
+        depth_[size_] = depth;
+        ++size_;
+    }
+
+    void fly(const FlatScene& scene);
+
+  private:
+    struct InLanes;
+
+    alignas(64) RayColumns<kCapacity> rays_;
+    alignas(64) std::array<float, kCapacity> depth_, distance_, passed_;
+    int size_ = 0;
+};
+
+}  // namespace pdr

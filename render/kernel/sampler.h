@@ -1,0 +1,113 @@
+#pragma once
+/// The numbers of one path. Those that decide most of the noise - the place in the pixel and on the lens, and all up to
+/// the first event and its light - are coordinates of low-discrepancy points (sobol.h); all others are hashed
+/// (random.h).
+///   sequences   a pixel has two, scrambled apart: one for its even and one for its odd samples, so that the means of
+///               both halves are independent estimates, however even each is
+///   addressed   as all random numbers: by seed, pixel, sample, bounce and dimension
+
+#include "render/kernel/random.h"
+#include "render/kernel/sobol.h"
+
+namespace pdr {
+
+/// -ln(1 - x) for x = (fraction + 1/2) 2^-32: a distance by optical depth, exponentially distributed, in
+/// [1.2e-10, 23]. Without cancellation for small x.
+PDR_HD inline float freePathDepth(std::uint32_t fraction) {
+    const float x = (float(fraction) + 0.5f) * 0x1p-32f;
+    const float rest = (float(~fraction) + 0.5f) * 0x1p-32f;
+    if (x > 0.5f)
+        return negativeLog(rest);
+    const float near = 1 - x;  // what rounding took from x is put right by the ratio (Kahan)
+    return near == 1 ? x : negativeLog(near) * (x / (1 - near));
+}
+
+class Sampler {
+  public:
+    Sampler() = default;
+    PDR_HD Sampler(const SobolTable& points, std::uint64_t seed, std::uint32_t pixel, std::uint64_t sample)
+        : random_(seed, pixel, sample),
+          points_(&points),
+          scramble_(mixBits(mixBits(~seed + sample % 2) + pixel)),
+          point_(std::uint32_t(sample / 2)) {}
+
+    PDR_HD vec2 pair(Dimension dimension) const {
+        const int first = dimension == Dimension::filter ? 0 : 16;
+        return {number(first), number(first + 1)};
+    }
+    PDR_HD float number(int bounce, BounceDimension dimension) const {
+        const int first = coordinateOf(dimension);
+        return bounce == 0 && first >= 0 ? number(first) : stream(bounce, dimension).pair().x;
+    }
+    PDR_HD vec2 pair(int bounce, BounceDimension dimension) const {
+        const int first = coordinateOf(dimension);
+        return bounce == 0 && first >= 0 ? vec2(number(first), number(first + 1)) : stream(bounce, dimension).pair();
+    }
+    /// A pair and a third number.
+    PDR_HD vec3 triple(int bounce, BounceDimension dimension) const {
+        const int first = coordinateOf(dimension);
+        if (bounce == 0 && first >= 0)
+            return {number(first), number(first + 1), number(first + 2)};
+        RandomStream random = stream(bounce, dimension);
+        const vec2 u = random.pair();
+        return {u, random.pair().x};
+    }
+    /// The optical depth up to the first event.
+    PDR_HD float depth() const { return freePathDepth(coordinate(coordinateOf(BounceDimension::distance))); }
+
+    /// As many numbers as are asked for, all hashed.
+    PDR_HD RandomStream stream(int bounce, BounceDimension dimension) const {
+        return random_.stream(bounce + (branch_ << 24), dimension);
+    }
+
+    /// For the light path number i of `count` from the first event: the next points of a denser sequence.
+    PDR_HD Sampler branch(int i, int count) const {
+        Sampler branch = *this;
+        branch.point_ = point_ * std::uint32_t(count) + std::uint32_t(i);
+        branch.branch_ = i;
+        return branch;
+    }
+
+  private:
+    /// The first coordinate of what a dimension of the first event asks for; the lower, the more even in company. -1:
+    /// hashed.
+    PDR_HD static constexpr int coordinateOf(BounceDimension dimension) {
+        switch (dimension) {
+            case BounceDimension::distance:
+                return 2;
+            case BounceDimension::light:
+                return 3;
+            case BounceDimension::choice:
+                return 5;
+            case BounceDimension::shadow:
+                return 6;
+            case BounceDimension::event:
+                return 7;
+            case BounceDimension::direction:
+                return 8;
+            case BounceDimension::environment:
+                return 11;
+            case BounceDimension::continuation:
+                return 13;
+            case BounceDimension::roulette:
+                return -1;
+        }
+        return -1;
+    }
+
+    PDR_HD std::uint32_t coordinate(int dimension) const {
+        std::uint64_t seed = (scramble_ + std::uint64_t(dimension)) * 0x9E3779B97F4A7C15ull;
+        seed = (seed ^ (seed >> 32)) * 0xD6E8FEB86659FD93ull;
+        return owenScrambled(sobolCoordinate(*points_, dimension, point_), std::uint32_t(seed >> 32));
+    }
+    /// In [2^-24, 1 - 2^-24].
+    PDR_HD float number(int dimension) const { return (float(coordinate(dimension) >> 9) + 0.5f) * 0x1p-23f; }
+
+    Random random_;
+    const SobolTable* points_;
+    std::uint64_t scramble_;
+    std::uint32_t point_;
+    int branch_ = 0;
+};
+
+}  // namespace pdr

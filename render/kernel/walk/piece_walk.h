@@ -1,0 +1,109 @@
+#pragma once
+/// A ray on its way through the cells between voxels and, in each, through the linear pieces of the curve. Their
+/// borders are met exactly: there is no step length. On each way that it passes the HU are a cubic polynomial, and
+/// extinction and source are linear in them.
+
+#include "render/kernel/walk/cell_walk.h"
+#include "render/kernel/walk/optics.h"
+
+namespace pdr {
+
+/// A way inside one cell and one piece of the curve.
+template <class Real>
+struct PieceOfWay {
+    OpticsPiece<Real> piece;
+    Cubic<Real> hu;
+    Real begin;   ///< mm from the ray's origin
+    Real length;  ///< mm
+};
+
+template <class Real>
+class PieceWalk {
+  public:
+    using Int = typename SimdTraits<Real>::Int;
+    using Mask = typename SimdTraits<Real>::Mask;
+
+    PDR_HD_INLINE void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
+                             Real length) {
+        cells_.start(grid, origin, direction, length);
+    }
+
+    PDR_HD Mask going() const { return cells_.walking() | (inCell_.length > 0.0f); }
+    PDR_HD void stop(Mask mask) {
+        cells_.stop(mask);
+        inCell_.length = mask ? Real{} : inCell_.length;
+    }
+    /// Where a way could not be made short enough. From there on all ways are passed, whatever `pass` says.
+    PDR_HD Mask exceeded() const { return exceeded_ > 0.0f; }
+
+    /// One step: lanes that look for tissue move, or those that are in it go on, whichever are more.
+    /// pass(way, ready, forced): lanes that could pass `way` (all of them must where `forced` holds); the result tells
+    /// which did, and the way of the others is halved.
+    template <class Pass>
+    PDR_HD_INLINE void step(const FlatScene& scene, Pass&& pass) {
+        const Mask inCell = inCell_.length > 0.0f;
+        const Mask seeking = cells_.walking() & !inCell;
+        if (count(seeking) >= count(inCell))
+            seek(scene, seeking);
+        else
+            goOn(scene, inCell, pass);
+    }
+
+    /// Where `mask` holds: lane l begins the ray of lane from[l] of `other`, which has been started only.
+    void take(Mask mask, const PieceWalk& other, Int from) {
+        cells_.take(mask, other.cells_, from);
+        inCell_.length = mask ? Real{} : inCell_.length;
+        reach_ = mask ? Real{} + 1.0f : reach_;
+        exceeded_ = mask ? Real{} : exceeded_;
+    }
+
+  private:
+    static constexpr float kShortest = 0x1p-24f;  ///< fraction of a cell's way below which a way is not halved
+
+    PDR_HD_INLINE void seek(const FlatScene& scene, Mask seeking) {
+        const Mask met = cells_.step(scene, seeking, Real{}, inCell_);
+        const Mask clear =
+            (inCell_.hu.highest() < scene.optics.clearUpTo) | (inCell_.hu.lowest() >= scene.optics.clearFrom);
+        inCell_.length = (met & clear) ? Real{} : inCell_.length;
+    }
+
+    /// The next way through the cell where the ray is.
+    template <class Pass>
+    PDR_HD_INLINE void goOn(const FlatScene& scene, Mask inCell, Pass&& pass) {
+        Cubic<Real> before, behind;
+        inCell_.hu.split(reach_, before, behind);
+        const OpticsPiece<Real> piece = pieceAtBegin(scene, before);
+        const float rounding = scene.optics.rounding;
+        const Mask fits = (before.lowest() >= piece.start - rounding) & (before.highest() <= piece.end + rounding);
+        const Mask crosses = inCell & !fits & before.monotone();
+        Real reach = reach_;
+        if (any(crosses)) {
+            const Real border = before.b3 < before.b0 ? piece.start : piece.end;
+            const Real fraction = reach_ * before.whereIs(border, crosses);
+            reach = crosses ? fraction : reach_;
+            inCell_.hu.split(reach, before, behind);
+            before.b3 = crosses ? border : before.b3;
+            behind.b0 = crosses ? border : behind.b0;
+        }
+        exceeded_ = (inCell & (reach_ <= kShortest)) ? Real{} + 1.0f : exceeded_;
+        const Mask ready = inCell & (fits | crosses | exceeded());
+        const Real length = inCell_.length * reach;
+        const Mask gone =
+            ready & pass(PieceOfWay<Real>{piece, before, cells_.reached() - inCell_.length, length}, ready, exceeded());
+        reach_ = inCell ? (gone ? Real{} + 1.0f : 0.5f * reach) : reach_;
+        reach_ = max(reach_, Real{} + kShortest);
+        const Mask split = gone & (reach < 1.0f);
+        inCell_.hu.b0 = split ? behind.b0 : inCell_.hu.b0;
+        inCell_.hu.b1 = split ? behind.b1 : inCell_.hu.b1;
+        inCell_.hu.b2 = split ? behind.b2 : inCell_.hu.b2;
+        inCell_.hu.b3 = split ? behind.b3 : inCell_.hu.b3;
+        inCell_.length = gone ? inCell_.length - length : inCell_.length;
+    }
+
+    CellWalk<Real> cells_;
+    HuAlong<Real> inCell_{};      ///< what is left of the way through the cell where the ray is
+    Real reach_ = Real{} + 1.0f;  ///< fraction of it that is tried next
+    Real exceeded_{};             ///< 1: it was made as short as it can be
+};
+
+}  // namespace pdr
