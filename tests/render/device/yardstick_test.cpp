@@ -69,6 +69,29 @@ class YardstickTest : public QObject {
         QVERIFY(off > 0.0215 && off < 0.0285);
     }
 
+    /// The variance falls by n^-1.4 at least, from 16 to 256 samples: by n^-1, as that of independent samples does, as soon
+    /// as numbers that are none of the points decide anything that shows. Between pictures of two seeds.
+    void theErrorFallsFasterThanByTheRootOfTheSamples() {
+        QString reason;
+        std::optional<Scene> scene = yardstick(reason);
+        if (!scene)
+            PDR_SKIP_FOR_WANT_OF_DATA(qPrintable("the cranium is not here: " + reason));
+        const auto variance = [&](std::uint64_t samples) {
+            scene->seed = 1;
+            const Film one = test::render(*scene, samples);
+            scene->seed = 2;
+            const Film two = test::render(*scene, samples);
+            double squares = 0;
+            for (int y = 0; y < 256; ++y)
+                for (int x = 0; x < 256; ++x)
+                    squares += std::pow(one.pixel(x, y).mean.x - two.pixel(x, y).mean.x, 2);
+            return squares;
+        };
+        const double exponent = std::log(variance(16) / variance(256)) / std::log(16);
+        qInfo("variance falls by n^-%.2f", exponent);
+        QVERIFY(exponent > 1.4);
+    }
+
     void macrocellsGiveTheImageOfOneGlobalBound() {
         QString reason;
         std::optional<Scene> scene = yardstick(reason);
