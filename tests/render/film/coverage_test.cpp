@@ -1,0 +1,126 @@
+/// Whether what is stated of a picture's error holds, scene by scene: over seeds, against a far better picture. Few
+/// seeds here; PDR_COVERAGE_SEEDS=200 takes as many, more samples too, and prints what came of them.
+///   levels   the fraction of the tissue that lies within the levels stated for 95 % of it
+///   mean     how often the 95 % interval of the picture's mean, from the draws of its pixels' errors, holds the truth
+///   pixels   the fraction of pixels whose mean lies within two standard errors of the truth
+
+#include <QTest>
+#include <cmath>
+
+#include "render/scene/preset.h"
+#include "tests/support/known_films.h"
+#include "tests/support/tissue_scene.h"
+
+using namespace pdr;
+
+namespace {
+
+constexpr float kExposure = 0.5f;
+constexpr ivec2 kFilm(28, 22);
+
+Scene lens() {
+    Scene scene = test::tissueScene();
+    scene.camera.apertureMm = 12;
+    return scene;
+}
+
+Scene forwardFog() {
+    Scene scene = test::plainScene(test::bumpyVolume({40, 40, 40}, dvec3(2), 5), 0.1f);
+    scene.transferFunction.nodes = {{.hu = -600, .opacity = 0.05f, .albedo = vec3(0.95f)},
+                                    {.hu = 600, .opacity = 1, .albedo = vec3(0.95f)}};
+    scene.model = Model::multipleScattering;
+    scene.phaseG = 0.9f;
+    return scene;
+}
+
+Scene smallBrightLamp() {
+    Scene scene = test::tissueScene();
+    const dvec3 centre = scene.volume->geometry().centreMm();
+    scene.environment = {};
+    scene.lights = {SphereLight{centre + dvec3(5, -60, 40), 1, vec3(3000)}};
+    return scene;
+}
+
+Scene manyBounces() {
+    Scene scene = test::tissueScene();
+    scene.model = Model::multipleScattering;
+    return scene;
+}
+
+using MakeScene = Scene (*)();
+
+struct Coverage {
+    double levels = 0, mean = 0, pixels = 0;
+    double fewBright = 0;  ///< pictures that say that they rest on few bright samples
+};
+
+/// Of one picture.
+Coverage covered(const Film& film, const Film& truth) {
+    const FilmStatus status = test::shownStatus(film, kExposure);
+    double tissue = 0, within = 0, own = 0, off = 0, squares = 0;
+    for (int y = 0; y < kFilm.y; ++y)
+        for (int x = 0; x < kFilm.x; ++x) {
+            const PixelEstimate pixel = film.pixel(x, y), best = truth.pixel(x, y);
+            off += pixel.mean.y - best.mean.y;
+            squares += pixel.errorDraw.y * pixel.errorDraw.y;
+            if (!pixel.tissue)
+                continue;
+            double levels = 0;
+            for (int channel = 0; channel < 3; ++channel)
+                levels = std::max(levels, std::fabs(test::curve(pixel.mean[channel], kExposure) -
+                                                    test::curve(best.mean[channel], kExposure)));
+            ++tissue;
+            within += levels <= status.displayError;
+            own += std::fabs(pixel.mean.y - best.mean.y) <= 2 * pixel.standardError.y;
+        }
+    return {within / tissue, double(std::fabs(off) <= 1.96 * std::sqrt(squares)), own / tissue,
+            double(status.fewBrightSamples)};
+}
+
+}  // namespace
+
+class CoverageTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void whatIsStatedHolds_data() {
+        QTest::addColumn<MakeScene>("made");
+        QTest::addColumn<bool>("rareLight");  // most of a pixel's light comes by paths that few samples find
+        QTest::newRow("tissue") << MakeScene(test::tissueScene) << false;
+        QTest::newRow("lens") << MakeScene(lens) << false;
+        QTest::newRow("forward fog") << MakeScene(forwardFog) << true;
+        QTest::newRow("small bright lamp") << MakeScene(smallBrightLamp) << false;
+        QTest::newRow("many bounces") << MakeScene(manyBounces) << false;
+    }
+    void whatIsStatedHolds() {
+        QFETCH(MakeScene, made);
+        QFETCH(bool, rareLight);
+        const int asked = qEnvironmentVariableIntValue("PDR_COVERAGE_SEEDS");
+        const int seeds = std::max(asked, 12);
+        Scene scene = made();
+        scene.film = kFilm;
+        scene.seed = 9'999;
+        const Film truth = test::render(scene, asked > 0 ? 65'536 : 8'192);
+        for (const std::uint64_t samples : {64, 256, 1024}) {
+            if (asked == 0 && samples > 256)
+                break;
+            Coverage sum;
+            for (int seed = 1; seed <= seeds; ++seed) {
+                scene.seed = std::uint64_t(seed);
+                const Coverage one = covered(test::render(scene, samples), truth);
+                sum.levels += one.levels / seeds, sum.mean += one.mean / seeds, sum.pixels += one.pixels / seeds;
+                sum.fewBright += one.fewBright / seeds;
+            }
+            qInfo("%4d samples, %d seeds: levels %.1f %%, mean %.1f %%, pixels %.1f %%; %.0f %% rest on few samples",
+                  int(samples), seeds, 100 * sum.levels, 100 * sum.mean, 100 * sum.pixels, 100 * sum.fewBright);
+            // Where light is rare a pixel that has not found it thinks too well of itself, and so does the picture a
+            // little, unless it says that it rests on few samples.
+            QVERIFY(sum.levels > (rareLight ? 0.9 : 0.93) && (sum.levels < 0.97 || sum.fewBright > 0));
+            QVERIFY(sum.pixels > (rareLight ? 0.4 : 0.9));
+            QVERIFY(sum.mean > 0.6);  // of 12 seeds: fails by chance once in 300,000 where it is 95 %
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(CoverageTest)
+#include "coverage_test.moc"
