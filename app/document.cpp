@@ -121,6 +121,19 @@ void Document::setBrightness(double stops, bool moving) {
     emit displayChanged(display());
 }
 
+Display Document::display() const {
+    Display display = displayOf(setup_);
+    display.smoothed = smoothed_;
+    return display;
+}
+
+void Document::setSmoothed(bool smoothed) {
+    if (smoothed == smoothed_)
+        return;
+    smoothed_ = smoothed;
+    emit displayChanged(display());
+}
+
 void Document::setViewSize(ivec2 pixels) {
     const ivec2 film = filmFor(pixels);
     if (film == film_)

@@ -31,7 +31,9 @@ class Document : public QObject {
     const Scene& scene() const { return scene_; }
     /// The preset whose look this is; -1: the user has changed it.
     int preset() const;
-    Display display() const { return displayOf(setup_); }
+    Display display() const;
+    /// Whether the picture is shown without its noise.
+    bool smoothed() const { return smoothed_; }
     bool canUndo() const { return !past_.empty(); }
     bool canRedo() const { return !future_.empty(); }
 
@@ -51,6 +53,8 @@ class Document : public QObject {
     void setSchedule(const pdr::Schedule& schedule);
     /// Only what is shown changes, not what is computed. A step to undo of its own, one for each gesture as well.
     void setBrightness(double stops, bool moving = false);
+    /// Only for the eye; no step to undo.
+    void setSmoothed(bool smoothed);
     /// The view's size in pixels; no step to undo. The picture begins anew where its film has another size.
     void setViewSize(pdr::ivec2 pixels);
     void undo();
@@ -79,8 +83,9 @@ class Document : public QObject {
     std::vector<Preset> presets_;
     std::shared_ptr<const Volume> volume_;
     PictureSetup setup_;  ///< all that undo brings back
+    bool smoothed_ = true;
     ivec2 film_ = Scene{}.film;
-    Scene scene_;  ///< of the three
+    Scene scene_;  ///< of volume, setup and film
     std::deque<PictureSetup> past_;
     std::vector<PictureSetup> future_;
     Gesture gesture_ = Gesture::none;

@@ -11,7 +11,8 @@
 namespace pdr::app {
 namespace {
 
-Result<void> write(const FilmView& view, const Display& display, bool exr, const QString& file) {
+Result<void> write(const FilmView& view, Display display, bool exr, const QString& file) {
+    display.smoothed = display.smoothed && canBeSmoothed(view.scene);
     const Film& film = view.film;
     const Provenance provenance = provenanceOf(view.scene, film.status(), view.seconds);
     const std::filesystem::path path = ui::fromQt(file);

@@ -101,7 +101,8 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         showNoPicture(parts, ui::MainWindow::tr("No picture"));
         return showFailure(parts, {frame->error, "", ""});
     }
-    parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->lookName)});
+    const QString mark = frame->smoothed ? ui::smoothedText(frame->smoothedError) : QString();
+    parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->lookName), mark});
     parts.window.setPictureAvailable(true);
     showStatus(parts);
 }
@@ -114,7 +115,8 @@ void showStatus(const DesktopParts& parts) {
     if (frame->coarse)
         text << ui::MainWindow::tr("coarse, the full picture follows");
     else
-        text << ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused())
+        text << (frame->smoothed ? ui::smoothedText(frame->smoothedError) + ui::MainWindow::tr("; raw: ") : QString()) +
+                    ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused())
              << ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency});
     const QString comparison = ui::comparisonText(frame->schedule, frame->estimator);
     if (!comparison.isEmpty())
@@ -132,6 +134,7 @@ void showDocument(const DesktopParts& parts) {
     parts.window.look().setBrightness(document.setup().stops);
     parts.window.rendering().setEstimator(document.setup().estimator);
     parts.window.rendering().setSchedule(document.setup().schedule);
+    parts.window.setSmoothed(document.smoothed());
     parts.window.setUndoAvailable(document.canUndo(), document.canRedo());
 }
 

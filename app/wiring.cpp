@@ -38,6 +38,7 @@ void wireEdits(const DesktopParts& parts) {
                      [&document] { document.setView(StandardView::anterior); });
     QObject::connect(&window.look(), &ui::LookPanel::presetChosen, &document, &Document::setPreset);
     QObject::connect(&window.look(), &ui::LookPanel::brightnessChosen, &document, &Document::setBrightness);
+    QObject::connect(&window, &ui::MainWindow::smoothingChosen, &document, &Document::setSmoothed);
     QObject::connect(&window.rendering(), &ui::RenderPanel::estimatorChosen, &document, &Document::setEstimator);
     QObject::connect(&window.rendering(), &ui::RenderPanel::scheduleChosen, &document, &Document::setSchedule);
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);

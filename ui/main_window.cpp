@@ -101,6 +101,10 @@ void MainWindow::setPaused(bool paused) {
     look_->setPaused(paused);
 }
 
+void MainWindow::setSmoothed(bool smoothed) {
+    smoothed_->setChecked(smoothed);
+}
+
 void MainWindow::setPictureAvailable(bool available) {
     save_->setEnabled(available);
 }
@@ -158,6 +162,9 @@ void MainWindow::fillViewMenu() {
     pause_->setShortcutContext(Qt::WidgetShortcut);  // elsewhere Space presses the button that has the focus
     viewport_->addAction(pause_);
     connect(pause_, &QAction::triggered, this, &MainWindow::pauseChosen);
+    smoothed_ = menu->addAction(tr("&Smoothed"), QKeySequence(Qt::Key_S));
+    smoothed_->setCheckable(true);
+    connect(smoothed_, &QAction::triggered, this, &MainWindow::smoothingChosen);
     menu->addSeparator();
     menu->addAction(seriesDock_->toggleViewAction());
     menu->addAction(lookDock_->toggleViewAction());

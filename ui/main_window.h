@@ -36,6 +36,7 @@ class MainWindow : public QMainWindow {
     void setLastFolder(const QString& folder);
     void setUndoAvailable(bool undo, bool redo);
     void setPaused(bool paused);
+    void setSmoothed(bool smoothed);
     /// Whether there is a picture to save.
     void setPictureAvailable(bool available);
 
@@ -47,6 +48,7 @@ class MainWindow : public QMainWindow {
     void viewChosen(pdr::StandardView view);
     void resetRequested();
     void pauseChosen(bool paused);
+    void smoothingChosen(bool smoothed);
     void cancelRequested();
     /// The window was minimised, or is back.
     void minimisedChanged(bool minimised);
@@ -83,6 +85,7 @@ class MainWindow : public QMainWindow {
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QAction* pause_ = nullptr;
+    QAction* smoothed_ = nullptr;
     QAction* alone_ = nullptr;
     QByteArray stateBeforeAlone_;
     QString lastFolder_;

@@ -72,6 +72,14 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
     return parts.join(", ");
 }
 
+QString smoothedText(const std::optional<SmoothedError>& error) {
+    if (!error)
+        return translated("smoothed: error not known yet");
+    return translated("smoothed: within ±%1 levels, at most ±%2")
+        .arg(QString::fromStdString(levelsText(error->levels)),
+             QString::fromStdString(levelsText(error->levelsAtMost)));
+}
+
 QString comparisonText(const Schedule& schedule, Estimator estimator) {
     QStringList parts;
     if (schedule.kind != Schedule::Kind::pd) {

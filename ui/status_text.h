@@ -2,8 +2,9 @@
 /// How good the picture is by now, in one line of words.
 
 #include <QString>
+#include <optional>
 
-#include "render/film/film.h"
+#include "render/film/smoothing_judgement.h"
 #include "ui/render_panel.h"
 
 namespace pdr::ui {
@@ -11,6 +12,10 @@ namespace pdr::ui {
 /// "95 % of the tissue within ±9 of 255 grey levels, 256 samples, 31 iterations/s, ±8 in about 19 s"; "estimating"
 /// below kSamplesToEstimate samples; "paused" stands in front when the rendering holds. Nothing without samples.
 QString statusText(const FilmStatus& status, double iterationsPerSecond, bool paused);
+
+/// What stands beside a smoothed picture: "smoothed: within ±5 levels, at most ±7", for 95 % of the tissue, or that it
+/// is not known yet.
+QString smoothedText(const std::optional<SmoothedError>& error);
 
 /// A device to choose: "CPU (2 threads)".
 QString deviceText(const QString& name, const QString& details);

@@ -227,7 +227,7 @@ void Viewport::paintLetters(QPainter& painter) const {
 /// Also where nothing else of the window is seen.
 void Viewport::paintLook(QPainter& painter) const {
     painter.setFont(font());
-    QStringList lines{picture_->look, tr("Not for diagnostic use")};
+    QStringList lines{picture_->look, picture_->mark, tr("Not for diagnostic use")};
     lines.removeAll({});
     const QRect area = rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
     paintText(painter, area, Qt::AlignLeft | Qt::AlignBottom, lines.join('\n'));

@@ -22,7 +22,8 @@ class Viewport : public QWidget {
     struct Shown {
         QImage image;   ///< of whatever size: it is stretched to the view's height
         Camera camera;  ///< that it was made with; letters and cube are painted from it
-        QString look;   ///< written into a corner
+        QString look;   ///< written into a corner, ...
+        QString mark;   ///< ... with what else must be known of the picture; empty: nothing
     };
 
     void setPicture(const Shown& picture);

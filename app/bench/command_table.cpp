@@ -65,6 +65,19 @@ constexpr Command kCommands[] = {
      "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"
      "  --quick       20 s instead of about 5 minutes on two cores; finds larger biases only\n"
      "  --seed N      of the random numbers; default 1\n"},
+    {"smoothing", smoothing,
+     "SCENE.json [--samples N] [--reference N] [--rounds N] [--threads N]\n"
+     "                            [--width N] [--height N] [--exposure E]",
+     "Says how far the raw and the smoothed picture are from one of many samples, beside what is stated of both, and "
+     "what\n"
+     "both cost, for 1, 4, 16, ... samples per pixel.\n",
+     "  --samples N    the most, from 1; default 64\n"
+     "  --reference N  samples of the picture to compare with, from 2; default 1024\n"
+     "  --rounds N     of which the median time counts, from 1; default 5\n"
+     "  --threads N    of the CPU; default 0: one per core\n"
+     "  --width N      pixels of the picture; default 960\n"
+     "  --height N     default 640\n"
+     "  --exposure E   radiance that is shown as 1 - 1/e; default 1\n"},
 };
 
 std::string usageOf(const Command& command) {

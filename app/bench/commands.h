@@ -52,4 +52,10 @@ int parity(const Arguments& arguments);
 /// table. 1: the device deviates, or the test was broken off. WORDS: only cases whose name or family holds them.
 int selftest(const Arguments& arguments);
 
+/// smoothing SCENE.json [--samples N] [--reference N] [--rounds N] [--threads N] [--width N] [--height N] [--exposure
+/// E]: how far the raw and the smoothed picture are from one of many samples, beside what is stated of both, for 1, 4,
+/// 16,
+/// ... N samples; and what both cost.
+int smoothing(const Arguments& arguments);
+
 }  // namespace pdr::bench

@@ -63,7 +63,8 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     if (!picture)
         return picture.error();
     const Provenance facts = provenanceOf(work->scene, result->film, result->seconds);
-    const WrittenFiles written = writePictures(**picture, work->display, facts, options.outputs);
+    const Display display{work->display.exposure, options.smoothed && canBeSmoothed(work->scene)};
+    const WrittenFiles written = writePictures(**picture, display, facts, options.outputs);
     for (const Error& trouble : written.troubles)
         failed(trouble);
     const RenderReport report{written.files, work->scene.film, work->scene.seed,

@@ -62,6 +62,8 @@ void describeRender(QCommandLineParser& parser) {
          "E"},
         {"device", "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ...",
          "NAME", "auto"},
+        {"smoothed",
+         "Take the noise out of PNG files, and fine detail that it hides; their error is written into them."},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
     });
 }
@@ -221,6 +223,7 @@ void readRender(const QCommandLineParser& parser, RenderOptions& options) {
     options.outputs = readOutputs(parser);
     options.stops = readStops(Reader(parser));
     options.threads = readThreads(parser);
+    options.smoothed = parser.isSet("smoothed");
     options.json = parser.isSet("json");
     options.device = readDevice(parser);
 }

@@ -21,6 +21,7 @@ struct RenderOptions {
     Stops stops;                                 ///< 256 samples when nothing was asked for
     std::string device = "auto";                 ///< as openDevice() takes it
     int threads = 0;                             ///< 0 = one per core
+    bool smoothed = false;                       ///< PNG files
     bool json = false;
     bool help = false;
 };

@@ -26,8 +26,10 @@ class Accumulator {
     virtual Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) = 0;
     /// Of the whole area.
     Result<void> accumulate(std::uint32_t n, std::stop_token stop) { return accumulate(area(), n, std::move(stop)); }
-    /// Orders a picture of what is there, tone mapped. At most maxInFlight() may be waiting to be read back.
-    virtual Result<void> resolve(const Display& display) = 0;
+    /// Orders a picture of what is there, tone mapped; whether it is smoothed, the picture says. At most maxInFlight()
+    /// may be waiting to be read back. After a stop request a smoothed one is worthless.
+    virtual Result<void> resolve(const Display& display, std::stop_token stop) = 0;
+    Result<void> resolve(const Display& display) { return resolve(display, {}); }
     /// The oldest picture that was ordered; waits for it. One must have been ordered.
     virtual Result<Picture> readback() = 0;
     /// Pictures that may be ordered before the first is taken: 1 where nothing goes on behind, else more.

@@ -4,7 +4,8 @@
 namespace pdr {
 
 struct Display {
-    float exposure = 1;  ///< radiance that is shown as 1 - 1/e; (0, 1e30]
+    float exposure = 1;     ///< radiance that is shown as 1 - 1/e; (0, 1e30]
+    bool smoothed = false;  ///< denoise/smoothing.h: the noise is taken away, and fine detail with it
     bool operator==(const Display&) const = default;
 };
 

@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "render/base/replacing_file.h"
+#include "render/film/levels_text.h"
+#include "render/film/smoothed_view.h"
 #include "render/film/tone_map.h"
 
 namespace pdr {
@@ -66,6 +68,12 @@ std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
     if (!from.remarks.empty())
         all.emplace_back("pdrender/remarks", from.remarks);
     return all;
+}
+
+std::string smoothedFact(const std::optional<SmoothedError>& error) {
+    return error ? "95 % of the tissue within " + levelsText(error->levels) + " of 255 levels, at most " +
+                       levelsText(error->levelsAtMost)
+                 : "error not known";
 }
 
 // ---- PNG
@@ -187,14 +195,20 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
 
 }  // namespace
 
-Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
+Result<void> writePng(const Film& film, const Display& wanted, const Provenance& provenance,
                       const std::filesystem::path& path) {
     Result<ReplacingFile> file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
         return file.error();
 
+    SmoothedView view;
+    if (wanted.smoothed)
+        view.judge(film, {});
+    const Display display = view.better(wanted);
     std::vector<std::uint8_t> rgba = toneMap(film, display);
     auto keys = facts(provenance);
+    if (display.smoothed)
+        keys.emplace_back("pdrender/smoothed", smoothedFact(view.error(display.exposure)));
     keys.emplace_back("pdrender/exposure", text(display.exposure));
     keys.emplace_back("Software", provenance.program);
     keys.emplace_back("Comment", "Not for diagnostic use.");

@@ -30,7 +30,8 @@ struct Provenance {
     std::string remarks;    ///< on the import of the voxels, in words: "lossy clipped"; empty: none
 };
 
-/// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks.
+/// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks. A smoothed one says so there, with its error; where
+/// the film itself is better, that is written instead.
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
                       const std::filesystem::path& path);
 

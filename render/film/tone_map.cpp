@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render/film/levels.h"
+#include "render/film/noisy_film.h"
 #include "render/film/tone_curve.h"
 
 namespace pdr {
@@ -66,7 +67,9 @@ std::uint8_t displayLevel(double radiance, const Display& display) {
     return levelOf(displayThresholds().data(), radiance, display.exposure);
 }
 
-Picture pictureOf(const Film& film, const Display& display) {
+namespace {
+
+Picture rawPictureOf(const Film& film, const Display& display) {
     const double* thresholds = displayThresholds().data();
     const float* curve = displayCurve();
     Picture picture{std::vector<std::uint8_t>(std::size_t(film.size().x) * std::size_t(film.size().y) * 4), {}};
@@ -78,6 +81,29 @@ Picture pictureOf(const Film& film, const Display& display) {
         out[3] = 255;
     });
     return picture;
+}
+
+Picture smoothedPictureOf(const Film& film, const Display& display, const std::stop_token& stop) {
+    const NoisyFilm noisy = noisyFilm(film);
+    const denoise::Colours smooth = denoise::smoothed(noisy.all.mean, noisy.all.variance, noisy.ratio, stop);
+    const ivec2 size = film.size();
+    Picture picture{std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4, 255),
+                    film.status(display.exposure, [](auto&&...) {}), true};
+    denoise::eachBand(size.y, {}, [&](int begin, int end) {
+        std::uint8_t* out = &picture.rgba[std::size_t(begin) * std::size_t(size.x) * 4];
+        for (int y = begin; y < end; ++y)
+            for (int x = 0; x < size.x; ++x, out += 4)
+                for (int c = 0; c < 3; ++c)
+                    out[c] = levelNear(displayThresholds().data(), displayCurve(), noisy.unit * smooth[c].row(y)[x],
+                                       display.exposure);
+    });
+    return picture;
+}
+
+}  // namespace
+
+Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop) {
+    return display.smoothed ? smoothedPictureOf(film, display, stop) : rawPictureOf(film, display);
 }
 
 std::vector<std::uint8_t> toneMap(const Film& film, const Display& display) {

@@ -2,6 +2,7 @@
 /// Linear radiance to display levels: 1 - exp(-L / exposure) per channel, then the sRGB curve (IEC 61966-2-1), rounded.
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "render/film/display.h"
@@ -15,11 +16,13 @@ std::uint8_t displayLevel(double radiance, const Display& display);
 /// What a screen shows of a film.
 struct Picture {
     std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top
-    FilmStatus status;               ///< of the film when it was shown
+    FilmStatus status;               ///< of the film, as it is without smoothing, when it was shown
+    bool smoothed = false;           ///< the pixels are not the film's own
 };
 
-/// The whole film as it is now.
-Picture pictureOf(const Film& film, const Display& display);
+/// The whole film as it is now. The same bits for any number of threads. After a stop request a smoothed one is
+/// worthless.
+Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop = {});
 
 /// Its pixels alone: the whole film as RGBA8 bytes (alpha 255), row by row from the top.
 std::vector<std::uint8_t> toneMap(const Film& film, const Display& display);

@@ -62,6 +62,10 @@ bool isProjection(Model model) {
     return model != Model::singleScattering && model != Model::multipleScattering;
 }
 
+bool canBeSmoothed(const Scene& scene) {
+    return !isProjection(scene.model) && scene.schedule.kind == Schedule::Kind::pd;
+}
+
 Result<void> Scene::check() const {
     for (const auto& ok : {transferFunction.check(), FieldCheck::check(*this), pdr::check(window),
                            checkEstimator(*this), checkLights(*this), camera.check(), checkClip(clip)})

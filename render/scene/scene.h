@@ -56,4 +56,8 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
+/// Whether smoothing can do its pictures any good: projections have no noise, and Exposure Render's schedule is there
+/// to be compared with.
+bool canBeSmoothed(const Scene& scene);
+
 }  // namespace pdr

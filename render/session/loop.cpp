@@ -162,6 +162,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     waiting_ = 0;
     fresh_ = true;
     frameSeconds_ = 0;
+    smoothedView_.clear();
     meter_.clear();
     checkpoint_ = std::move(film);
     checkpointAt_ = clock_();

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "render/film/smoothed_view.h"
 #include "render/session/film_on_device.h"
 #include "render/session/render_commands.h"
 #include "render/session/session.h"
@@ -39,6 +40,8 @@ class Session::Loop {
     Result<void> show(const RenderCommands::Iteration& step);
     Result<std::vector<Picture>> takeAllBut(int left);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
+    Display wantedDisplay();
+    Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
     Result<void> keepCheckpoint();
     Result<void> takeSnapshots();
     void send(std::vector<Picture> pictures, std::uint32_t n);
@@ -80,6 +83,8 @@ class Session::Loop {
     bool fresh_ = false;         ///< the first one from this device is
     double frameSeconds_ = 0;    ///< of the frame in the making
     double seconds_ = 0;         ///< of all of them
+    SmoothedView smoothedView_;
+    float exposure_ = 1;  ///< that it was last shown with
 
     FrameTimer meter_;
     bool measuring_ = false;  ///< the frame in the making, with nothing behind it

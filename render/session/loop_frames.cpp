@@ -26,8 +26,14 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
         return;
     }
     const bool frameEnds = !step.render || done_ >= wanted(step.pace);
+    if (done && frameEnds && !coarse_)
+        done = judgeSmoothing(step);
+    if (done && !coarse_ && step.stop.stop_requested())
+        return;  // the film is whole, but it will not be needed
     if (done && samples_ > 0 && frameEnds)
         done = show(step);
+    if (place_.film() == nullptr)
+        return;  // its picture was broken off
     if (done && samples_ > 0 && !coarse_)
         done = takeSnapshots();
     if (done && samples_ > 0 && !coarse_ && !place_.info().hostMemory)
@@ -73,15 +79,39 @@ Result<void> Session::Loop::accumulate(const RenderCommands::Iteration& step) {
     return {};
 }
 
+Display Session::Loop::wantedDisplay() {
+    Display display = commands.display();
+    display.smoothed = display.smoothed && canBeSmoothed(scene_);
+    return display;
+}
+
+/// Where the hand rests, and a smoothed picture is wanted.
+Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
+    if (!wantedDisplay().smoothed || !smoothedView_.isDue(samples_))
+        return {};
+    const double start = clock_();
+    const Result<std::shared_ptr<const Film>> film = place_.film()->film();
+    if (!film)
+        return film.error();
+    smoothedView_.judge(**film, step.stop);
+    seconds_ += secondsSince(start);
+    return {};
+}
+
 /// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing
 /// goes on behind.
 Result<void> Session::Loop::show(const RenderCommands::Iteration& step) {
     Accumulator& film = *place_.film();
-    const Display display = commands.display();
+    const Display display = smoothedView_.better(wantedDisplay());
+    exposure_ = display.exposure;
     const bool atOnce = fresh_ || coarse_ || measuring_ || !step.render;
     const double start = clock_();
-    if (Result<void> ordered = film.resolve(display); !ordered)
+    if (Result<void> ordered = film.resolve(display, step.stop); !ordered)
         return ordered;
+    if (display.smoothed && step.stop.stop_requested()) {
+        place_.tearFilm();
+        return {};
+    }
     ++waiting_;
     Result<std::vector<Picture>> pictures = takeAllBut(atOnce ? 0 : film.maxInFlight() - 1);
     if (!pictures)
@@ -166,6 +196,9 @@ void Session::Loop::send(std::vector<Picture> pictures, std::uint32_t n) {
         frame->size = place_.size();
         frame->rgba = std::move(picture.rgba);
         frame->status = picture.status;
+        frame->smoothed = picture.smoothed;
+        if (picture.smoothed)
+            frame->smoothedError = smoothedView_.error(exposure_);
         frame->seconds = seconds_;
         frame->iterationsPerSecond = meter_.iterationsPerSecond();
         frame->iterations = n;

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
+#include "render/film/smoothing_judgement.h"
 #include "render/scene/camera.h"
 #include "render/scene/model.h"
 #include "render/timing/frame_budget.h"
@@ -30,11 +32,13 @@ struct Frame {
     ivec2 size{0};                   ///< pixels; fewer than scene.film where it is coarse: stretch it
     std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top; empty with an error or a notice
     FilmStatus status;
-    double seconds = 0;              ///< spent on this revision
-    double iterationsPerSecond = 0;  ///< lately
-    std::uint32_t iterations = 0;    ///< n, the iterations from one frame to the next
-    double efficiency = 0;           ///< lately: the part of the time that went into iterations, (0, 1]; 0 = not known
-    std::string device;              ///< its name: "cpu"
+    bool smoothed = false;                       ///< `rgba` is; the status is still that of the film
+    std::optional<SmoothedError> smoothedError;  ///< none: not known yet
+    double seconds = 0;                          ///< spent on this revision
+    double iterationsPerSecond = 0;              ///< lately
+    std::uint32_t iterations = 0;                ///< n, the iterations from one frame to the next
+    double efficiency = 0;  ///< lately: the part of the time that went into iterations, (0, 1]; 0 = not known
+    std::string device;     ///< its name: "cpu"
     Schedule schedule;
     std::string error;   ///< for the user, when rendering failed and holds
     std::string notice;  ///< for the user, when it goes on, but not as was asked: whole sentences

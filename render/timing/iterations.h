@@ -40,9 +40,15 @@ inline std::uint32_t iterationsForFrameRate(double framesPerSecond, double itera
     return allowedIterations(std::floor(left / iterationSeconds * (1 + 1e-12)));
 }
 
-/// As many as `targetEfficiency` asks for, but no more than leave `framesPerSecond`.
+/// Of frames that come too late anyway, as smoothed ones may: the part of the time that goes into iterations at least.
+inline constexpr double kLateEfficiency = 0.8;
+
+/// As many as `targetEfficiency` asks for, but no more than leave `framesPerSecond`; where not even one leaves that, as
+/// many as kLateEfficiency asks for.
 inline std::uint32_t iterationsPerFrame(double targetEfficiency, double framesPerSecond, double iterationSeconds,
                                         double otherSeconds) {
+    if (iterationSeconds > 0 && iterationSeconds + otherSeconds > 1 / framesPerSecond)
+        return iterationsForEfficiency(std::min(targetEfficiency, kLateEfficiency), iterationSeconds, otherSeconds);
     return std::min(iterationsForEfficiency(targetEfficiency, iterationSeconds, otherSeconds),
                     iterationsForFrameRate(framesPerSecond, iterationSeconds, otherSeconds));
 }

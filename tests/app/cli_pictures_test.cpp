@@ -44,6 +44,24 @@ class CliPicturesTest : public QObject {
     }
 
   private slots:
+    void pngIsSmoothedWhereThatIsAskedForAndExrNever() {
+        const auto render = [&](const QStringList& options) {
+            const ProgramRun result = BallScene::run(QStringList{"render", scene(), "-o", at("s.png"), "-o",
+                                                                 at("s.exr"), "--samples", "16", "--size", "192x160"} +
+                                                     options);
+            return result.code == 0 ? QImage(at("s.png")) : QImage();
+        };
+        const QImage raw = render({});
+        const std::vector<float> film = exrPixels(at("s.exr"));
+        const QImage smoothed = render({"--smoothed"});
+        QVERIFY(!raw.isNull() && raw.text("pdrender/smoothed").isEmpty());
+        QVERIFY2(smoothed.text("pdrender/smoothed").startsWith("95 % of the tissue within "),
+                 qPrintable(smoothed.text("pdrender/smoothed")));
+        QVERIFY(raw != smoothed);
+        QVERIFY(film == exrPixels(at("s.exr")));
+        QVERIFY(render({"--smoothed", "--model", "emissionAbsorption"}).text("pdrender/smoothed").isEmpty());
+    }
+
     void everyModelMakesItsOwnPicture() {
         QSet<QByteArray> pictures;
         for (const char* model : {"absorption", "emission", "emissionAbsorption", "singleScattering",

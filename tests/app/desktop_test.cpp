@@ -59,6 +59,7 @@ class TestDesktop : public QObject {
     void aDragIsSeenWhileTheHandMoves();
     void aPresetChangesThePicture();
     void brightnessWorksWithoutARestart();
+    void aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne();
     void pauseHoldsTheSamples();
     void theFilmFollowsTheWindow();
     void undoBringsTheFirstViewBack();
@@ -183,6 +184,19 @@ void TestDesktop::brightnessWorksWithoutARestart() {
     QTRY_VERIFY_WITH_TIMEOUT(light() > 1.2 * before, test::kPatience);
     QCOMPARE(trial.frames.back()->revision, revision);
     QVERIFY(trial.frames.back()->status.samplesPerPixel >= samples);
+}
+
+void TestDesktop::aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne() {
+    Trial trial;
+    trial.openAndWait(series_);
+    const auto status = [&] { return trial.desktop.window().status().findChild<QLabel*>()->text(); };
+    QTRY_VERIFY_WITH_TIMEOUT(status().contains(QString::fromUtf8("smoothed: within ±")), test::kPatience);
+    QVERIFY2(status().contains("; raw: "), qPrintable(status()));
+    const std::uint64_t revision = trial.frames.back()->revision;
+    QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_S);
+    QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.back()->smoothed, test::kPatience);
+    QVERIFY2(!status().contains("smoothed"), qPrintable(status()));
+    QCOMPARE(trial.frames.back()->revision, revision);
 }
 
 void TestDesktop::pauseHoldsTheSamples() {

@@ -20,6 +20,7 @@ class TestDocument : public QObject {
     void manyStepsBackAndForthAreExact();
     void theEstimatorIsAnEditLikeOthers();
     void brightnessChangesTheDisplayAndIsAStepOfItsOwn();
+    void theRawPictureIsAChoiceForTheEye();
     void undoOfAViewLeavesTheBrightness();
     void theWayBackIsLongButEnds();
     void theScheduleIsAnEditLikeOthers();
@@ -159,6 +160,20 @@ void TestDocument::brightnessChangesTheDisplayAndIsAStepOfItsOwn() {
     told.document.undo();  // the view
     QVERIFY(told.document.scene().camera != left);
     QCOMPARE(told.scenes.size(), std::size_t(3));
+}
+
+void TestDocument::theRawPictureIsAChoiceForTheEye() {
+    Told told;
+    QVERIFY(told.displays.back().smoothed && told.document.smoothed());
+    told.document.setSmoothed(false);
+    QVERIFY(!told.displays.back().smoothed);
+    QCOMPARE(told.scenes.size(), std::size_t(1));  // nothing is computed anew
+    QVERIFY(!told.document.canUndo());
+    told.document.setPreset(1);
+    QVERIFY(!told.displays.back().smoothed);
+    QCOMPARE(told.document.preset(), 1);
+    told.document.setSmoothed(true);
+    QVERIFY(told.displays.back().smoothed);
 }
 
 void TestDocument::undoOfAViewLeavesTheBrightness() {

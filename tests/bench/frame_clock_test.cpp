@@ -38,7 +38,7 @@ class SlowFilm final : public Accumulator {
         diary_.iterations += int(n);
         return {};
     }
-    Result<void> resolve(const Display&) override {
+    Result<void> resolve(const Display&, std::stop_token) override {
         ++diary_.shown;
         diary_.mostWaiting = std::max(diary_.mostWaiting, diary_.shown - diary_.taken);
         return {};

@@ -60,6 +60,7 @@ class FailingAccumulator final : public Accumulator {
         : film_(std::move(film)), mishaps_(std::move(mishaps)) {}
 
     using Accumulator::accumulate;
+    using Accumulator::resolve;
 
     Tile area() const override { return film_->area(); }
 
@@ -72,12 +73,12 @@ class FailingAccumulator final : public Accumulator {
         return accumulated;
     }
 
-    Result<void> resolve(const Display& display) override {
+    Result<void> resolve(const Display& display, std::stop_token stop) override {
         mishaps_->before("resolve");
         if (Result<void> well = mishaps_->call(mishaps_->resolves); !well)
             return well;
         spend(mishaps_->displaySeconds, {});
-        if (Result<void> shown = film_->resolve(display); !shown)
+        if (Result<void> shown = film_->resolve(display, stop); !shown)
             return shown;
         Result<Picture> picture = film_->readback();  // whatever the inner film's own maxInFlight() is
         if (!picture)

@@ -19,6 +19,7 @@ class TestMainWindow : public QObject {
     void theSixViewsHaveKeys_data();
     void theSixViewsHaveKeys();
     void theFirstViewAndPauseHaveKeys();
+    void theRawPictureHasAKey();
     void undoAndRedoHaveKeysAndNeedSomethingToUndo();
     void keysWorkWhenThePictureIsAlone();
     void theKeysAreShownAndGoAwayAgain();
@@ -77,6 +78,18 @@ void TestMainWindow::theFirstViewAndPauseHaveKeys() {
     QCOMPARE(pause.count(), 2);
     QCOMPARE(pause[0][0].toBool(), true);
     QCOMPARE(pause[1][0].toBool(), false);
+}
+
+void TestMainWindow::theRawPictureHasAKey() {
+    MainWindow window;
+    activate(window);
+    window.setSmoothed(true);
+    QSignalSpy chosen(&window, &MainWindow::smoothingChosen);
+    QTest::keyClick(&window.viewport(), Qt::Key_S);
+    QTest::keyClick(&window.viewport(), Qt::Key_S);
+    QCOMPARE(chosen.count(), 2);
+    QCOMPARE(chosen[0][0].toBool(), false);
+    QCOMPARE(chosen[1][0].toBool(), true);
 }
 
 void TestMainWindow::undoAndRedoHaveKeysAndNeedSomethingToUndo() {

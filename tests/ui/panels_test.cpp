@@ -56,6 +56,7 @@ class TestPanels : public QObject {
     void theStatusSaysErrorSamplesAndSpeed_data();
     void theStatusSaysErrorSamplesAndSpeed();
     void theStatusSaysWhatItDoesNotKnow();
+    void aSmoothedPictureIsMarkedWithItsError();
     void theStatusNamesTheDeviceAndItsIterations();
     void theStatusSaysWhatIsForComparison();
     void aLongStatusDoesNotWidenTheWindow();
@@ -238,6 +239,12 @@ void TestPanels::theStatusSaysWhatItDoesNotKnow() {
     status.displayError = 10.4;
     status.fewBrightSamples = true;
     QVERIFY(statusText(status, 1, false).endsWith(QString::fromUtf8("±8 in at least 28 s")));
+}
+
+void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
+    QCOMPARE(smoothedText(SmoothedError{.levels = 4.2, .levelsAtMost = 6.9}),
+             QString::fromUtf8("smoothed: within ±5 levels, at most ±7"));
+    QCOMPARE(smoothedText(std::nullopt), "smoothed: error not known yet");
 }
 
 void TestPanels::theStatusNamesTheDeviceAndItsIterations() {

@@ -37,6 +37,7 @@ class KroesAccumulator final : public Accumulator {
     }
 
     using Accumulator::accumulate;
+    using Accumulator::resolve;
 
     Tile area() const override { return area_; }
 
@@ -78,9 +79,10 @@ class KroesAccumulator final : public Accumulator {
         return {};
     }
 
-    Result<void> resolve(const Display& display) override {
-        if (stale_ || display != display_) {
-            display_ = display;
+    /// Never smoothed: such pictures are there to be compared with.
+    Result<void> resolve(const Display& display, std::stop_token) override {
+        if (stale_ || display.exposure != display_.exposure) {
+            display_ = {display.exposure};
             stale_ = true;
             toneMap();
             if (std::optional<Error> error = gpu_.takeError())

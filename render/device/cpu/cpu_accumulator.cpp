@@ -19,8 +19,8 @@ Result<void> CpuAccumulator::accumulate(const Tile& region, std::uint32_t n, std
     return {};
 }
 
-Result<void> CpuAccumulator::resolve(const Display& display) {
-    shown_.push_back(pictureOf(film_, display));
+Result<void> CpuAccumulator::resolve(const Display& display, std::stop_token stop) {
+    shown_.push_back(pictureOf(film_, display, stop));
     return {};
 }
 

@@ -18,10 +18,11 @@ class CpuAccumulator final : public Accumulator {
         : tracer_(tracer), scene_(scene), film_(area, revision) {}
 
     using Accumulator::accumulate;
+    using Accumulator::resolve;
 
     Tile area() const override { return film_.area(); }
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
-    Result<void> resolve(const Display& display) override;
+    Result<void> resolve(const Display& display, std::stop_token stop) override;
     Result<Picture> readback() override;
     int maxInFlight() const override { return 1; }
     Result<std::shared_ptr<const Film>> film() override { return std::make_shared<const Film>(film_); }

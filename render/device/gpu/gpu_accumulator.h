@@ -7,6 +7,8 @@
 #include <cassert>
 #include <chrono>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 #include "render/device/accumulator.h"
 #include "render/device/gpu/film_kernels.h"
@@ -27,10 +29,11 @@ class GpuAccumulator final : public Accumulator {
     }
 
     using Accumulator::accumulate;
+    using Accumulator::resolve;
 
     Tile area() const override { return progress_.area(); }
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
-    Result<void> resolve(const Display& display) override;
+    Result<void> resolve(const Display& display, std::stop_token stop) override;
     Result<Picture> readback() override;
     int maxInFlight() const override { return kMaxInFlight; }
     Result<std::shared_ptr<const Film>> film() override;
@@ -54,10 +57,12 @@ class GpuAccumulator final : public Accumulator {
         std::uint64_t id = 0;
         SampleCounts samples;
         double exposure = 1;
+        std::optional<Picture> smoothed;  ///< made on the host: nothing else of the slot counts
     };
 
     std::int64_t pixels() const { return layout_.pixels; }
     void launch(const Tile& tile, SampleRange samples);
+    Result<void> resolveOnHost(const Display& display, const std::stop_token& stop);
     Picture pictureIn(const Slot& slot) const;
 
     G& gpu_;
@@ -142,9 +147,12 @@ Result<void> GpuAccumulator<G>::accumulate(const Tile& region, std::uint32_t n, 
 }
 
 template <Gpu G>
-Result<void> GpuAccumulator<G>::resolve(const Display& display) {
+Result<void> GpuAccumulator<G>::resolve(const Display& display, std::stop_token stop) {
     assert(shown_ - taken_ < kMaxInFlight);
+    if (display.smoothed)
+        return resolveOnHost(display, stop);
     Slot& slot = slots_[shown_ % kMaxInFlight];
+    slot.smoothed.reset();
     slot.id = ++shown_;
     slot.samples = progress_.counts();
     slot.exposure = double(display.exposure);
@@ -166,9 +174,20 @@ Result<void> GpuAccumulator<G>::resolve(const Display& display) {
 }
 
 template <Gpu G>
+Result<void> GpuAccumulator<G>::resolveOnHost(const Display& display, const std::stop_token& stop) {
+    const Result<std::shared_ptr<const Film>> known = film();
+    if (!known)
+        return known.error();
+    slots_[shown_++ % kMaxInFlight].smoothed = pictureOf(**known, display, stop);
+    return {};
+}
+
+template <Gpu G>
 Result<Picture> GpuAccumulator<G>::readback() {
     assert(taken_ < shown_);
     Slot& slot = slots_[taken_++ % kMaxInFlight];
+    if (slot.smoothed)
+        return *std::exchange(slot.smoothed, std::nullopt);
     gpu_.await(slot.arrived);
     if (Result<void> done = takeStatus(gpu_); !done)
         return done.error();

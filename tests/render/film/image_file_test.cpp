@@ -16,6 +16,7 @@
 
 #include "render/film/image_file.h"
 #include "render/film/tone_map.h"
+#include "tests/support/noisy_films.h"
 
 using namespace pdr;
 
@@ -81,6 +82,28 @@ class ImageFileTest : public QObject {
         QCOMPARE(image.text("pdrender/model"), QString("singleScattering"));
         QCOMPARE(image.text("pdrender/extinctionPerMm"), QString("2.5"));
         QCOMPARE(image.text("Software"), QString("PD-Render 0.1.0"));
+    }
+
+    /// A picture leaves the program without its status line.
+    void aSmoothedPngSaysSoAndHowFarItIs() {
+        const Film film = test::noisyFilmOf(
+            {96, 64}, [](int x, int) { return 0.2 + 0.005 * x; }, 16);
+        const FilmContent before = film.content();
+        const auto text = [&](const pdr::Display& display) {
+            (void)writePng(film, display, kFacts, at("a.png"));
+            return QImage(folder_.filePath("a.png")).text("pdrender/smoothed");
+        };
+        QVERIFY(text({1, false}).isEmpty());
+        const QImage raw(folder_.filePath("a.png"));
+        QVERIFY2(QRegularExpression("^95 % of the tissue within [0-9.]+ of 255 levels, at most [0-9.]+$")
+                     .match(text({1, true}))
+                     .hasMatch(),
+                 qPrintable(text({1, true})));
+        const QImage smoothed(folder_.filePath("a.png"));
+        const std::vector<std::uint8_t> shown = toneMap(film, {1, true});
+        QCOMPARE(smoothed.pixel(5, 0), qRgb(shown[20], shown[21], shown[22]));
+        QVERIFY(raw != smoothed);
+        QVERIFY(sameBits(before, film.content()));
     }
 
     void aBiasedEstimatorIsSaid() {

@@ -133,6 +133,30 @@ class SessionTest : public QObject {
         QCOMPARE(after->status.samplesPerPixel, before->status.samplesPerPixel);
     }
 
+    /// Toggling changes neither the film nor its status; the judgement comes with the samples.
+    void aSmoothedPictureIsToldWithItsErrorAndTheFilmGoesOn() {
+        test::Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        session.setDisplay({1, true});
+        session.submit(someScene(1), false);
+        const auto judged = screen.await([](const Frame& f) { return f.smoothed && f.smoothedError; });
+        QVERIFY(judged && judged->status.samplesPerPixel >= kSamplesToJudge);
+        QVERIFY(judged->smoothedError->levels <= judged->smoothedError->levelsAtMost);
+        QVERIFY(judged->smoothedError->relativeAtMost < judged->status.relativeError);
+        session.setDisplay({1, false});
+        const auto raw = screen.await([](const Frame& f) { return !f.smoothed; });
+        QVERIFY(!raw->smoothedError && raw->status.samplesPerPixel >= judged->status.samplesPerPixel);
+        std::promise<FilmContent> held;
+        session.requestSnapshot(1, [&](const Result<FilmView>& view) { held.set_value(view->film.content()); });
+        const FilmContent content = held.get_future().get();
+        const Scene scene = someScene(1);
+        const auto device = makeCpuDevice();
+        QVERIFY(device->upload(scene));
+        const auto alone =
+            test::renderedPart(scene, wholeImage(scene.film), content.progress.counts().least, *device, 1);
+        QVERIFY(sameBits(content, alone->content()));
+    }
+
     void sceneThatCannotBeRenderedIsSaid() {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());

@@ -43,6 +43,14 @@ class IterationsTest : public QObject {
         QCOMPARE(iterationsPerFrame(0.99, 30, 0, 1), 1u);
     }
 
+    /// A picture that takes a second cannot come 30 times in one; then the time goes into samples.
+    void aRateThatCannotBeHeldIsNotPaidFor() {
+        QCOMPARE(iterationsPerFrame(0.99, 30, 0.1, 1), 40u);
+        QCOMPARE(iterationsPerFrame(0.5, 30, 0.1, 1), 10u);
+        QCOMPARE(iterationsPerFrame(0.99, 10, 0.05, 0.05), 1u);
+        QCOMPARE(iterationsPerFrame(0.99, 30, 1, 0.001), 1u);
+    }
+
     void timesThatAreNothingOrNoNumbersDoNoHarm() {
         QCOMPARE(iterationsForEfficiency(0.9, 0, 1e-3), kMostIterationsPerFrame);
         QCOMPARE(iterationsForEfficiency(1, 1e-3, 1e-3), kMostIterationsPerFrame);

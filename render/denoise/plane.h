@@ -1,0 +1,68 @@
+#pragma once
+/// One number for each pixel of a picture, and what filters do with such planes. Beyond its edges a plane goes on as
+/// its mirror image, kBorder pixels far, so that a filter may read there without asking; who changes pixels calls
+/// mirror(). Every sum has a fixed order: the bits depend neither on threads nor on the instructions that a machine
+/// has.
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "render/base/portable.h"
+
+namespace pdr::denoise {
+
+class Plane {
+  public:
+    static constexpr int kBorder = 16;
+
+    Plane() = default;
+    /// Of zeros; at least 1 x 1.
+    explicit Plane(ivec2 size)
+        : size_(size),
+          stride_(size.x + 2 * kBorder),
+          values_(std::size_t(stride_) * std::size_t(size.y + 2 * kBorder)) {}
+
+    ivec2 size() const { return size_; }
+    /// From pixel (0, y); both may be kBorder outside.
+    float* row(int y) { return values_.data() + at(y); }
+    const float* row(int y) const { return values_.data() + at(y); }
+    void mirror();
+
+  private:
+    std::size_t at(int y) const { return std::size_t(y + kBorder) * std::size_t(stride_) + kBorder; }
+
+    ivec2 size_{0};
+    int stride_ = 0;
+    std::vector<float> values_;
+};
+
+/// Linear Rec. 709.
+using Colours = std::array<Plane, 3>;
+Colours coloursOf(ivec2 size);
+
+/// f(x, y...) of each pixel of planes of one size.
+template <class F, class... Planes>
+Plane combined(const F& f, const Plane& first, const Planes&... others) {
+    Plane out(first.size());
+    for (int y = 0; y < out.size().y; ++y)
+        for (int x = 0; x < out.size().x; ++x)
+            out.row(y)[x] = f(first.row(y)[x], others.row(y)[x]...);
+    out.mirror();
+    return out;
+}
+
+Plane luminance(const Colours& colours);
+/// The mean over (2 radius + 1)^2 pixels, radius <= kBorder.
+Plane boxed(const Plane& plane, int radius);
+/// `scale` times the sum of 2 x 2 pixels: half as large, rounded up.
+Plane halved(const Plane& plane, float scale);
+/// Adds `coarse`, half as large, bilinearly.
+void addDoubled(const Plane& coarse, Plane& fine);
+
+/// work(first row, row after the last) for bands of some rows each, on many threads; none begins after a stop request.
+void eachBand(int height, const std::stop_token& stop, const std::function<void(int, int)>& work);
+
+}  // namespace pdr::denoise

@@ -1,0 +1,61 @@
+#include "render/denoise/smoothing.h"
+
+#include <algorithm>
+
+namespace pdr::denoise {
+namespace {
+
+constexpr int kScales = 4, kSmallest = 16;  ///< pixels an edge, below which there is no coarser scale
+constexpr int kVarianceRadius = 2, kRatioRadius = 10;
+constexpr float kMostRatio = 2, kLeastVariance = 1e-6f, kTiny = 1e-9f;
+
+NoisyPicture halved(const NoisyPicture& picture) {
+    NoisyPicture half;
+    for (int c = 0; c < 3; ++c)
+        half.mean[c] = halved(picture.mean[c], 0.25f);
+    half.luminance = halved(picture.luminance, 0.25f);
+    half.variance = halved(picture.variance, 0.0625f);
+    return half;
+}
+
+/// What the coarser scale says takes the place of this one's low frequencies.
+Colours onScales(const NoisyPicture& picture, int scales, const std::stop_token& stop) {
+    Colours fine = nonLocalMeans(picture, stop);
+    const ivec2 size = picture.luminance.size();
+    if (scales <= 1 || std::min(size.x, size.y) < kSmallest)
+        return fine;
+    const Colours coarse = onScales(halved(picture), scales - 1, stop);
+    for (int c = 0; c < 3; ++c)
+        addDoubled(combined([](float better, float here) { return better - here; }, coarse[c], halved(fine[c], 0.25f)),
+                   fine[c]);
+    return fine;
+}
+
+}  // namespace
+
+Plane noiseRatio(const Plane& differences, const Plane& presumed) {
+    const Plane real = combined([](float difference) { return difference * difference; }, differences);
+    return combined([](float is, float said) { return std::min(kMostRatio, is / (said + kTiny)); },
+                    boxed(real, kRatioRadius), boxed(presumed, kRatioRadius));
+}
+
+Plane varianceAround(const Plane& luminance) {
+    constexpr float kPixels = (2 * kVarianceRadius + 1) * (2 * kVarianceRadius + 1);
+    const Plane squares = combined([](float value) { return value * value; }, luminance);
+    return combined(
+        [](float square, float mean) { return std::max(0.0f, square - mean * mean) * (kPixels / (kPixels - 1)); },
+        boxed(squares, kVarianceRadius), boxed(luminance, kVarianceRadius));
+}
+
+Colours smoothed(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop) {
+    const Plane local = boxed(variance, kVarianceRadius);
+    const Plane real = combined([](float presumed, float r) { return presumed * r + kLeastVariance; }, local, ratio);
+    Colours out = onScales({mean, luminance(mean), real}, kScales, stop);
+    for (int c = 0; c < 3; ++c)
+        out[c] =
+            combined([](float smooth, float raw, float noise) { return noise == 0 ? raw : std::max(smooth, 0.0f); },
+                     out[c], mean[c], local);
+    return out;
+}
+
+}  // namespace pdr::denoise

@@ -1,0 +1,31 @@
+#include "render/film/smoothed_view.h"
+
+#include <utility>
+
+namespace pdr {
+
+void SmoothedView::judge(const Film& film, const std::stop_token& stop) {
+    std::optional<SmoothingJudgement> judgement = SmoothingJudgement::of(film, stop);
+    if (!judgement)
+        return;
+    judgement_ = std::move(judgement);
+    judgedSamples_ = film.samplesPerPixel();
+    exposure_ = 0;
+    const std::optional<SmoothedError> linear = judgement_->overAll(1);
+    pays_ = !linear || smoothingPays(*linear, film.status());
+}
+
+Display SmoothedView::better(Display wanted) const {
+    wanted.smoothed = wanted.smoothed && pays_;
+    return wanted;
+}
+
+std::optional<SmoothedError> SmoothedView::error(double exposure) {
+    if (judgement_ && exposure != exposure_) {
+        error_ = judgement_->overAll(exposure);
+        exposure_ = exposure;
+    }
+    return error_;
+}
+
+}  // namespace pdr

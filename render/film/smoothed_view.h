@@ -1,0 +1,32 @@
+#pragma once
+/// What is known of the smoothed picture of the film in hand, and whether it is the one to show: where the raw one is
+/// known to be as good, that is shown, so that the view becomes the film by itself.
+
+#include "render/film/display.h"
+#include "render/film/smoothing_judgement.h"
+
+namespace pdr {
+
+class SmoothedView {
+  public:
+    /// Another film.
+    void clear() { *this = {}; }
+    /// Whether a film of so many samples is to be judged: at each doubling.
+    bool isDue(std::uint64_t samples) const { return samples >= kSamplesToJudge && samples >= 2 * judgedSamples_; }
+    /// Nothing changes after a stop request.
+    void judge(const Film& film, const std::stop_token& stop);
+
+    /// `wanted`, raw where that is better.
+    Display better(Display wanted) const;
+    /// Of the smoothed picture when it was last judged, on a display of that exposure; later ones are better.
+    std::optional<SmoothedError> error(double exposure);
+
+  private:
+    std::optional<SmoothingJudgement> judgement_;
+    std::uint64_t judgedSamples_ = 0;
+    bool pays_ = true;
+    std::optional<SmoothedError> error_;  ///< with ...
+    double exposure_ = 0;                 ///< 0: not yet asked for
+};
+
+}  // namespace pdr

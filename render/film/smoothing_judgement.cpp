@@ -1,0 +1,152 @@
+#include "render/film/smoothing_judgement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/film/tone_curve.h"
+
+namespace pdr {
+namespace {
+
+constexpr int kTile = 16;  ///< pixels an edge whose errors count as one draw: wider than most blotches
+constexpr int kFewestTiles = 16;
+constexpr double kSureEnough = 1.645;  ///< standard deviations of a one-sided 95 %
+
+float square(float value) {
+    return value * value;
+}
+
+/// The luminance or a channel of a pixel: of each half of its samples, smooth and raw.
+struct Halves {
+    float smoothEven, smoothOdd, even, odd;
+
+    float smooth() const { return (smoothEven + smoothOdd) / 2; }
+    float raw() const { return (even + odd) / 2; }
+    /// Of smooth(). The raw halves' own noise is taken off, and what the mean of the smooth ones has less than either.
+    float squaredError() const {
+        const float judged = square(smoothEven - odd) + square(smoothOdd - even);
+        return (judged - square(even - odd)) / 2 - square(smoothEven - smoothOdd) / 4;
+    }
+};
+
+Halves luminanceOf(const std::array<Halves, 3>& channels) {
+    const auto sum = [&](float Halves::*part) {
+        return 0.2126f * channels[0].*part + 0.7152f * channels[1].*part + 0.0722f * channels[2].*part;
+    };
+    return {sum(&Halves::smoothEven), sum(&Halves::smoothOdd), sum(&Halves::even), sum(&Halves::odd)};
+}
+
+/// Levels per radiance, in units of the exposure, for what is off by about `error`: how steeply the curve rises to
+/// `radiance` from as much below. It bends most in the dark, where its tangent would say too little.
+float levelSlope(float radiance, float error) {
+    const float* curve = displayCurve();
+    const float step = std::max(error, radiance / 16 + 0x1p-14f);
+    const float low = std::max(radiance - step, 0.0f), high = std::max(radiance, low + 0x1p-14f);
+    return (exactLevelOf(curve, high) - exactLevelOf(curve, low)) / (high - low);
+}
+
+Tile intersection(const Tile& a, const Tile& b) {
+    const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+    const int right = std::min(a.x + a.width, b.x + b.width), below = std::min(a.y + a.height, b.y + b.height);
+    return {x, y, std::max(right - x, 0), std::max(below - y, 0)};
+}
+
+}  // namespace
+
+/// Sums over tiles.
+struct SmoothingJudgement::Sums {
+    double tiles = 0, pixels = 0, luminance = 0;
+    dvec4 errors{0.0};   ///< squared: of the luminance, and of each channel in levels
+    dvec4 squares{0.0};  ///< of the tiles' errors
+
+    void add(const Sums& tile) {
+        tiles += tile.pixels > 0;
+        pixels += tile.pixels;
+        luminance += tile.luminance;
+        errors += tile.errors;
+        squares += tile.errors * tile.errors;
+    }
+    /// Sums that chance has made negative say that there is no error.
+    dvec4 rootMeans(double sigmas) const {
+        const dvec4 spread = glm::sqrt(glm::max(squares - errors * errors / tiles, dvec4(0.0)));
+        return glm::sqrt(glm::max(errors + sigmas * spread, dvec4(0.0)) / pixels);
+    }
+};
+
+std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const std::stop_token& stop) {
+    if (film.samplesPerPixel() < kSamplesToJudge)
+        return std::nullopt;
+    const NoisyFilm noisy = noisyFilm(film);
+    const denoise::Colours even = denoise::smoothed(noisy.even.mean, noisy.even.variance, noisy.ratio, stop);
+    const denoise::Colours odd = denoise::smoothed(noisy.odd.mean, noisy.odd.variance, noisy.ratio, stop);
+    if (stop.stop_requested())
+        return std::nullopt;
+    return SmoothingJudgement(film, noisy, even, odd);
+}
+
+SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy, const denoise::Colours& even,
+                                       const denoise::Colours& odd)
+    : area_(film.area()), unit_(noisy.unit) {
+    evidence_.reserve(std::size_t(area_.width) * std::size_t(area_.height));
+    for (int y = 0; y < area_.height; ++y)
+        for (int x = 0; x < area_.width; ++x) {
+            Evidence& pixel = evidence_.emplace_back();
+            std::array<Halves, 3> channels;
+            for (int c = 0; c < 3; ++c) {
+                channels[c] = {even[c].row(y)[x], odd[c].row(y)[x], noisy.even.mean[c].row(y)[x],
+                               noisy.odd.mean[c].row(y)[x]};
+                pixel.smooth[c] = channels[c].smooth();
+                pixel.squaredErrors[c] = channels[c].squaredError();
+            }
+            const Halves luminance = luminanceOf(channels);
+            pixel.luminance = luminance.raw();
+            pixel.squaredError = luminance.squaredError();
+            pixel.tissue = film.pixel(x, y).tissue;
+            tissue_ = tissue_ || pixel.tissue;
+        }
+}
+
+/// `exposure` in units of unit_; `error`: about how far pixels are off, in units of the exposure.
+SmoothingJudgement::Sums SmoothingJudgement::sumsIn(const Tile& tile, float exposure, float error) const {
+    Sums sums;
+    for (int y = tile.y; y < tile.y + tile.height; ++y)
+        for (int x = tile.x; x < tile.x + tile.width; ++x) {
+            const std::size_t row = std::size_t(y - area_.y) * std::size_t(area_.width);
+            const Evidence& pixel = evidence_[row + std::size_t(x - area_.x)];
+            if (tissue_ && !pixel.tissue)
+                continue;
+            ++sums.pixels;
+            sums.luminance += double(pixel.luminance);
+            sums.errors[0] += double(pixel.squaredError);
+            for (int c = 0; c < 3; ++c) {
+                const float slope = levelSlope(pixel.smooth[c] / exposure, error) / exposure;
+                sums.errors[c + 1] += double(slope * slope * pixel.squaredErrors[c]);
+            }
+        }
+    return sums;
+}
+
+SmoothingJudgement::Sums SmoothingJudgement::sumsOver(const Tile& region, float exposure, float error) const {
+    Sums sums;
+    for (int y = region.y; y < region.y + region.height; y += kTile)
+        for (int x = region.x; x < region.x + region.width; x += kTile)
+            sums.add(sumsIn(intersection({x, y, kTile, kTile}, region), exposure, error));
+    return sums;
+}
+
+std::optional<SmoothedError> SmoothingJudgement::over(const Tile& region, double exposure) const {
+    const Tile inside = intersection(region, area_);
+    const auto inUnits = float(exposure / unit_);
+    const Sums linear = sumsOver(inside, inUnits, 0);
+    if (linear.tiles < kFewestTiles)
+        return std::nullopt;
+    const double error = linear.rootMeans(0)[0], atMost = linear.rootMeans(kSureEnough)[0];
+    const Sums shown = sumsOver(inside, inUnits, float(atMost) / inUnits);
+    const double mean = linear.luminance / linear.pixels;
+    const auto relative = [mean](double off) { return off > 0 ? off / mean : 0; };
+    const auto worstChannel = [](const dvec4& all) { return 2 * std::max({all[1], all[2], all[3]}); };
+    return SmoothedError{relative(error), relative(atMost), worstChannel(shown.rootMeans(0)),
+                         worstChannel(shown.rootMeans(kSureEnough))};
+}
+
+}  // namespace pdr

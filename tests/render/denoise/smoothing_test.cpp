@@ -1,0 +1,161 @@
+#include <tbb/global_control.h>
+#include <QTest>
+
+#include "tests/support/noisy_films.h"
+
+using namespace pdr;
+using namespace pdr::test;
+
+namespace {
+
+const std::vector<ivec2> kSizes{{1, 1}, {2, 1}, {1, 7}, {5, 3}, {16, 16}, {17, 31}, {40, 33}};
+
+double flat(int, int) {
+    return 0.3;
+}
+
+/// A disc before a darker ground.
+double disc(int x, int y) {
+    return std::hypot(x - 48, y - 32) < 20 ? 0.8 : 0.1;
+}
+
+double rmsError(const std::vector<double>& radiance, ivec2 size, const Truth& truth) {
+    double squares = 0;
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+        const double off = radiance[i] - truth(int(i) % size.x, int(i) / size.x);
+        squares += off * off / double(radiance.size());
+    }
+    return std::sqrt(squares);
+}
+
+std::vector<double> rawRadiance(const Film& film) {
+    std::vector<double> radiance;
+    for (std::size_t i = 0; i < pixelsOf(film); ++i)
+        radiance.push_back(film.pixel(int(i) % film.size().x, int(i) / film.size().x).mean.x);
+    return radiance;
+}
+
+double meanOf(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values)
+        sum += value / double(values.size());
+    return sum;
+}
+
+std::vector<double> onThreads(int threads, const Film& film) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    return smoothRadiance(film);
+}
+
+}  // namespace
+
+class SmoothingTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void threadsChangeNoBit() {
+        const Film film = noisyFilmOf({150, 130}, disc, 8);
+        QVERIFY(onThreads(1, film) == onThreads(3, film));
+    }
+
+    void noiseGoesAndLightStays() {
+        const ivec2 size(96, 64);
+        for (const std::uint64_t samples : {4, 16, 64}) {
+            const Film film = noisyFilmOf(size, flat, samples);
+            const std::vector<double> raw = rawRadiance(film), smooth = smoothRadiance(film);
+            QVERIFY(rmsError(smooth, size, flat) < 0.1 * rmsError(raw, size, flat));
+            QVERIFY(std::fabs(meanOf(smooth) / meanOf(raw) - 1) < 0.01);
+        }
+    }
+
+    void edgesStay() {
+        const ivec2 size(96, 64);
+        const Film film = noisyFilmOf(size, disc, 16);
+        const std::vector<double> raw = rawRadiance(film), smooth = smoothRadiance(film);
+        QVERIFY2(rmsError(smooth, size, disc) < 0.4 * rmsError(raw, size, disc),
+                 qPrintable(QString::number(rmsError(smooth, size, disc) / rmsError(raw, size, disc))));
+        QVERIFY(std::fabs(meanOf(smooth) / meanOf(raw) - 1) < 0.01);
+        for (int x = 44; x < 53; ++x) {
+            QVERIFY(smooth[std::size_t(15 * 96 + x)] > 0.6);  // 17 pixels from the middle
+            QVERIFY(smooth[std::size_t(5 * 96 + x)] < 0.2);   // 27
+        }
+    }
+
+    /// Samples that differ, but whose means are the same: there is noise to take away, and nothing to change.
+    void aConstantPictureStaysConstant() {
+        for (const ivec2 size : kSizes) {
+            Film film(size, 1);
+            grow(
+                film, 8, [](std::size_t, std::uint64_t sample) { return sample % 4 < 2 ? 0.25 : 0.75; },
+                [](std::size_t) { return kSeenTissue; });
+            for (const double radiance : smoothRadiance(film))
+                QVERIFY(radiance == 0.5);
+        }
+    }
+
+    void aPictureWithoutNoiseIsLeftAlone() {
+        const Film film = noisyFilmOf({96, 64}, disc, 8, 0);
+        const std::vector<double> raw = rawRadiance(film), smooth = smoothRadiance(film);
+        for (std::size_t i = 0; i < raw.size(); ++i)
+            QVERIFY(float(smooth[i]) == float(raw[i]));
+    }
+
+    void emptyGroundFarFromNoiseStaysBlack() {
+        const auto corner = [](int x, int y) { return x < 20 && y < 20 ? 0.5 : 0.0; };
+        const std::vector<double> smooth = smoothRadiance(noisyFilmOf({96, 64}, corner, 4));
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 96; ++x)
+                if (x >= 23 || y >= 23)
+                    QVERIFY(smooth[std::size_t(y * 96 + x)] == 0);
+    }
+
+    /// A filter that measured in radiances would blur a dim scene and leave a bright one noisy.
+    void brightnessChangesNoBit() {
+        const auto scaled = [](double scale) {
+            return smoothRadiance(noisyFilmOf(
+                {60, 50}, [=](int x, int y) { return scale * disc(x, y); }, 8));
+        };
+        const std::vector<double> here = scaled(1), bright = scaled(0x1p40), dim = scaled(0x1p-40);
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            QVERIFY(bright[i] == here[i] * 0x1p40);
+            QVERIFY(dim[i] == here[i] * 0x1p-40);
+        }
+    }
+
+    void nothingIsNegativeOrNoNumber() {
+        const std::vector<Truth> truths{[](int, int) { return 0.0; }, disc,
+                                        [](int x, int y) { return x == 3 && y == 2 ? 1e30 : 1e-6; },
+                                        [](int x, int) { return x % 2 == 0 ? 1e-30 : 1e30; }};
+        for (const ivec2 size : kSizes)
+            for (const Truth& truth : truths)
+                for (const std::uint64_t samples : {0, 1, 2, 3, 65})
+                    for (const double radiance : smoothRadiance(noisyFilmOf(size, truth, samples)))
+                        QVERIFY(radiance >= 0 && std::isfinite(radiance));
+    }
+
+    /// Then the neighbours tell how strong the noise is.
+    void oneSampleIsSmoothedToo() {
+        const ivec2 size(96, 64);
+        const Film film = noisyFilmOf(size, flat, 1);
+        QVERIFY(rmsError(smoothRadiance(film), size, flat) < 0.25 * rmsError(rawRadiance(film), size, flat));
+    }
+
+    /// Samples that fill each half evenly: their noise is a fifth of what their spread lets expect. A filter that
+    /// believed the spread would blur the grating.
+    void noiseThatIsLessThanItsSamplesSayIsMeasured() {
+        const ivec2 size(96, 64);
+        const auto grating = [](int x, int) { return 0.5 + 0.06 * (x / 4 % 2); };
+        Film film(size, 1);
+        const auto stratified = [&](std::size_t pixel, std::uint64_t sample) {
+            const double place = double(sample / 2) + 4 * chance(9, pixel, sample);
+            return grating(int(pixel) % size.x, 0) * (0.5 + std::fmod(place, 16) / 16);
+        };
+        grow(film, 32, stratified, [](std::size_t) { return kSeenTissue; });
+        const std::vector<double> raw = rawRadiance(film), smooth = smoothRadiance(film);
+        QVERIFY(rmsError(smooth, size, grating) < 0.7 * rmsError(raw, size, grating));
+        QVERIFY(rmsError(smooth, size, grating) < 0.012);
+    }
+};
+
+QTEST_GUILESS_MAIN(SmoothingTest)
+#include "smoothing_test.moc"
