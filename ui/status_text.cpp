@@ -13,6 +13,8 @@
 namespace pdr::ui {
 namespace {
 
+constexpr int kFaintestPercent = 5;  ///< contrast of fine lines that hardly anybody sees on a screen
+
 QString translated(const char* text) {
     return QCoreApplication::translate("statusText", text);
 }
@@ -75,9 +77,14 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
 QString smoothedText(const std::optional<SmoothedError>& error) {
     if (!error)
         return translated("smoothed: error not known yet");
-    return translated("smoothed: within ±%1 levels, at most ±%2")
-        .arg(QString::fromStdString(levelsText(error->levels)),
-             QString::fromStdString(levelsText(error->levelsAtMost)));
+    const QString text = translated("smoothed: within ±%1 levels, at most ±%2")
+                             .arg(QString::fromStdString(levelsText(error->levels)),
+                                  QString::fromStdString(levelsText(error->levelsAtMost)));
+    const int hidden = int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)));
+    if (hidden < kFaintestPercent)
+        return text;
+    return text + (hidden < 100 ? translated(", fine detail below %1 % contrast is not shown yet").arg(hidden)
+                                : translated(", fine detail is not shown yet"));
 }
 
 QString comparisonText(const Schedule& schedule, Estimator estimator) {

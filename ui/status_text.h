@@ -13,8 +13,8 @@ namespace pdr::ui {
 /// below kSamplesToEstimate samples; "paused" stands in front when the rendering holds. Nothing without samples.
 QString statusText(const FilmStatus& status, double iterationsPerSecond, bool paused);
 
-/// What stands beside a smoothed picture: "smoothed: within ±5 levels, at most ±7", for 95 % of the tissue, or that it
-/// is not known yet.
+/// What stands beside a smoothed picture: "smoothed: within ±5 levels, at most ±7, fine detail below 38 % contrast is
+/// not shown yet"; the levels are for 95 % of the tissue. Or that it is not known yet.
 QString smoothedText(const std::optional<SmoothedError>& error);
 
 /// A device to choose: "CPU (2 threads)".

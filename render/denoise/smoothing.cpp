@@ -47,14 +47,17 @@ Plane varianceAround(const Plane& luminance) {
         boxed(squares, kVarianceRadius), boxed(luminance, kVarianceRadius));
 }
 
+Plane realVariance(const Plane& variance, const Plane& ratio) {
+    return combined([](float presumed, float r) { return presumed * r; }, boxed(variance, kVarianceRadius), ratio);
+}
+
 Colours smoothed(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop) {
-    const Plane local = boxed(variance, kVarianceRadius);
-    const Plane real = combined([](float presumed, float r) { return presumed * r + kLeastVariance; }, local, ratio);
-    Colours out = onScales({mean, luminance(mean), real}, kScales, stop);
+    const Plane noise = realVariance(variance, ratio);
+    const Plane counted = combined([](float real) { return real + kLeastVariance; }, noise);
+    Colours out = onScales({mean, luminance(mean), counted}, kScales, stop);
     for (int c = 0; c < 3; ++c)
-        out[c] =
-            combined([](float smooth, float raw, float noise) { return noise == 0 ? raw : std::max(smooth, 0.0f); },
-                     out[c], mean[c], local);
+        out[c] = combined([](float smooth, float raw, float real) { return real == 0 ? raw : std::max(smooth, 0.0f); },
+                          out[c], mean[c], noise);
     return out;
 }
 

@@ -15,9 +15,12 @@ Plane noiseRatio(const Plane& differences, const Plane& presumed);
 /// The variance of a picture's luminance as its neighbours tell it, where nothing else is known: edges count as noise.
 Plane varianceAround(const Plane& luminance);
 
-/// `mean` without its noise, never below 0. `variance`: presumed for its luminance; where it is 0 in 5 x 5 pixels the
-/// picture stays as it is. Radiances should be about 1: less than 0.1 % of that counts as noise. After a stop request
-/// it is worthless.
+/// The real variance of a picture's luminance, averaged over 5 x 5 pixels. `variance`: the presumed one.
+Plane realVariance(const Plane& variance, const Plane& ratio);
+
+/// `mean` without its noise, never below 0. `variance`: presumed for its luminance; where the real one is 0 the picture
+/// stays as it is. Radiances should be about 1: less than 0.1 % of that counts as noise. After a stop request it is
+/// worthless.
 Colours smoothed(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop = {});
 
 }  // namespace pdr::denoise

@@ -10,6 +10,7 @@
 #include <ImfStandardAttributes.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csetjmp>
 #include <sstream>
@@ -71,9 +72,11 @@ std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
 }
 
 std::string smoothedFact(const std::optional<SmoothedError>& error) {
-    return error ? "95 % of the tissue within " + levelsText(error->levels) + " of 255 levels, at most " +
-                       levelsText(error->levelsAtMost)
-                 : "error not known";
+    if (!error)
+        return "error not known";
+    return "95 % of the tissue within " + levelsText(error->levels) + " of 255 levels, at most " +
+           levelsText(error->levelsAtMost) + "; lines of 2 pixels below " +
+           std::to_string(int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)))) + " % contrast may be missing";
 }
 
 // ---- PNG

@@ -95,10 +95,13 @@ class ImageFileTest : public QObject {
         };
         QVERIFY(text({1, false}).isEmpty());
         const QImage raw(folder_.filePath("a.png"));
-        QVERIFY2(QRegularExpression("^95 % of the tissue within [0-9.]+ of 255 levels, at most [0-9.]+$")
-                     .match(text({1, true}))
-                     .hasMatch(),
-                 qPrintable(text({1, true})));
+        QVERIFY2(
+            QRegularExpression(
+                "^95 % of the tissue within [0-9.]+ of 255 levels, at most [0-9.]+; lines of 2 pixels below [0-9]+ % "
+                "contrast may be missing$")
+                .match(text({1, true}))
+                .hasMatch(),
+            qPrintable(text({1, true})));
         const QImage smoothed(folder_.filePath("a.png"));
         const std::vector<std::uint8_t> shown = toneMap(film, {1, true});
         QCOMPARE(smoothed.pixel(5, 0), qRgb(shown[20], shown[21], shown[22]));

@@ -33,6 +33,32 @@ double trueError(const Film& film, const Truth& truth, const Tile& region) {
     return std::sqrt(squares / pixels) / (mean / pixels);
 }
 
+/// A line of 2 x 60 pixels in each 70 x 75, upright in every other one.
+bool lineAt(int x, int y) {
+    const int i = x % 70 - 5, j = y % 75 - 7;
+    const auto [along, across] = (x / 70 + y / 75) % 2 == 0 ? std::pair(i, j) : std::pair(j, i);
+    return along >= 0 && along < 60 && (across == 30 || across == 31);
+}
+
+/// The part of its contrast that each line keeps in the smoothed picture `with`, ascending; `without`: the same film
+/// without them.
+std::vector<double> keptOfLines(const Film& without, const Film& with, double contrast) {
+    const ivec2 size = with.size(), cells = size / ivec2(70, 75);
+    const std::vector<double> plain = smoothRadiance(without), drawn = smoothRadiance(with);
+    std::vector<double> light(std::size_t(cells.x * cells.y)), kept(light.size());
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            if (lineAt(x, y)) {
+                const std::size_t line = std::size_t(y / 75 * cells.x + x / 70), pixel = std::size_t(y * size.x + x);
+                light[line] += contrast * plain[pixel];
+                kept[line] += plain[pixel] - drawn[pixel];
+            }
+    for (std::size_t line = 0; line < kept.size(); ++line)
+        kept[line] /= light[line];
+    std::ranges::sort(kept);
+    return kept;
+}
+
 Scene litTissue() {
     Scene scene = tissueScene();
     scene.film = {122, 90};
@@ -105,6 +131,28 @@ class SmoothingJudgementTest : public QObject {
                     QVERIFY(error->levelsAtMost < 60);
                 }
         QVERIFY2(held >= films - 2, qPrintable(QString::number(held)));
+    }
+
+    /// Lines of 2 x 60 pixels, drawn into the samples: nine in ten of the stated contrast keep 60 % of it, and of a
+    /// third of that contrast they lose more than half, though the picture's error does not tell.
+    void whatContrastIsHiddenIsStated_data() {
+        QTest::addColumn<int>("samples");
+        for (const int samples : {16, 64, 256})
+            QTest::addRow("%d samples", samples) << samples;
+    }
+    void whatContrastIsHiddenIsStated() {
+        QFETCH(int, samples);
+        const ivec2 size(420, 300);
+        const auto shade = [](int x, int y) { return 0.5 + 0.1 * std::sin(0.05 * x) + 0.1 * std::cos(0.07 * y); };
+        const Film plain = noisyFilmOf(size, shade, std::uint64_t(samples));
+        const double stated = SmoothingJudgement::of(plain)->overAll(1)->hiddenContrast;
+        const auto kept = [&](double contrast) {
+            const auto drawn = [&](int x, int y) { return shade(x, y) * (lineAt(x, y) ? 1 - contrast : 1); };
+            return keptOfLines(plain, noisyFilmOf(size, drawn, std::uint64_t(samples)), contrast);
+        };
+        const std::vector<double> clear = kept(std::min(stated, 1.0)), faint = kept(stated / 3);
+        QVERIFY2(clear[2] >= 0.6, qPrintable(QString("%1 of contrast %2").arg(clear[2]).arg(stated)));
+        QVERIFY2(faint[12] < 0.5, qPrintable(QString("%1 of contrast %2").arg(faint[12]).arg(stated / 3)));
     }
 
     void aRegionHasItsOwnStatementIfItIsLargeEnough() {
