@@ -101,7 +101,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         showNoPicture(parts, ui::MainWindow::tr("No picture"));
         return showFailure(parts, {frame->error, "", ""});
     }
-    const QString mark = frame->smoothed ? ui::smoothedText(frame->smoothedError) : QString();
+    const QString mark = frame->smoothed ? ui::smoothedTexts(frame->smoothedError).join('\n') : QString();
     parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->lookName), mark});
     parts.window.setPictureAvailable(true);
     showStatus(parts);
@@ -115,7 +115,8 @@ void showStatus(const DesktopParts& parts) {
     if (frame->coarse)
         text << ui::MainWindow::tr("coarse, the full picture follows");
     else
-        text << (frame->smoothed ? ui::smoothedText(frame->smoothedError) + ui::MainWindow::tr("; raw: ") : QString()) +
+        text << (frame->smoothed ? ui::smoothedTexts(frame->smoothedError).join(", ") + ui::MainWindow::tr("; raw: ")
+                                 : QString()) +
                     ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused())
              << ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency});
     const QString comparison = ui::comparisonText(frame->schedule, frame->estimator);

@@ -74,17 +74,18 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, bool pa
     return parts.join(", ");
 }
 
-QString smoothedText(const std::optional<SmoothedError>& error) {
+QStringList smoothedTexts(const std::optional<SmoothedError>& error) {
     if (!error)
-        return translated("smoothed: error not known yet");
-    const QString text = translated("smoothed: within ±%1 levels, at most ±%2")
-                             .arg(QString::fromStdString(levelsText(error->levels)),
-                                  QString::fromStdString(levelsText(error->levelsAtMost)));
+        return {translated("smoothed: error not known yet")};
+    QStringList texts{translated("smoothed: within ±%1 levels, at most ±%2")
+                          .arg(QString::fromStdString(levelsText(error->levels)),
+                               QString::fromStdString(levelsText(error->levelsAtMost)))};
     const int hidden = int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)));
-    if (hidden < kFaintestPercent)
-        return text;
-    return text + (hidden < 100 ? translated(", fine detail below %1 % contrast is not shown yet").arg(hidden)
-                                : translated(", fine detail is not shown yet"));
+    if (hidden >= 100)
+        texts << translated("fine detail is not shown yet");
+    else if (hidden >= kFaintestPercent)
+        texts << translated("fine detail below %1 % contrast is not shown yet").arg(hidden);
+    return texts;
 }
 
 QString comparisonText(const Schedule& schedule, Estimator estimator) {

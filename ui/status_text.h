@@ -2,6 +2,7 @@
 /// How good the picture is by now, in one line of words.
 
 #include <QString>
+#include <QStringList>
 #include <optional>
 
 #include "render/film/smoothing_judgement.h"
@@ -13,9 +14,9 @@ namespace pdr::ui {
 /// below kSamplesToEstimate samples; "paused" stands in front when the rendering holds. Nothing without samples.
 QString statusText(const FilmStatus& status, double iterationsPerSecond, bool paused);
 
-/// What stands beside a smoothed picture: "smoothed: within ±5 levels, at most ±7, fine detail below 38 % contrast is
-/// not shown yet"; the levels are for 95 % of the tissue. Or that it is not known yet.
-QString smoothedText(const std::optional<SmoothedError>& error);
+/// What stands beside a smoothed picture: "smoothed: within ±5 levels, at most ±7", for 95 % of the tissue, and "fine
+/// detail below 38 % contrast is not shown yet"; or that it is not known yet.
+QStringList smoothedTexts(const std::optional<SmoothedError>& error);
 
 /// A device to choose: "CPU (2 threads)".
 QString deviceText(const QString& name, const QString& details);
