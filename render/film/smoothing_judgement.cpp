@@ -41,10 +41,10 @@ Halves luminanceOf(const std::array<Halves, 3>& channels) {
 }
 
 /// Levels per radiance, in units of the exposure, for what is off by about `error`: how steeply the curve rises to
-/// `radiance` from as much below. It bends most in the dark, where its tangent would say too little.
+/// `radiance` from twice as much below. It bends most in the dark, where its tangent would say too little.
 float levelSlope(float radiance, float error) {
     const float* curve = displayCurve();
-    const float step = std::max(error, radiance / 16 + 0x1p-14f);
+    const float step = std::max(2 * error, radiance / 16 + 0x1p-14f);
     const float low = std::max(radiance - step, 0.0f), high = std::max(radiance, low + 0x1p-14f);
     return (exactLevelOf(curve, high) - exactLevelOf(curve, low)) / (high - low);
 }

@@ -51,7 +51,8 @@ TrueError trueError(const Film& film, const Display& display, const Film& refere
         const PixelEstimate truth = reference.pixel(int(i) % film.size().x, int(i) / film.size().x);
         if (!truth.tissue)
             continue;
-        const double off = luminance(radiance[i] - truth.mean), noise = luminance(truth.standardError);
+        const double off = luminance(radiance[i] - truth.mean);
+        const double noise = luminance(truth.halves.even - truth.halves.odd) / 2;  // also of points that are no chance
         squares += off * off - noise * noise;
         mean += luminance(truth.mean);
         float worst = 0;
