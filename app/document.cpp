@@ -10,15 +10,10 @@
 namespace pdr::app {
 namespace {
 
-constexpr double kFilled = 0.92;  ///< fraction of the picture that the volume takes; the rest is for the letters
+constexpr double kFilled = 0.92;     ///< fraction of the picture that the volume takes; the rest is for the letters
+constexpr int kLargestFilm = 16384;  ///< pixels along a side that a Scene takes
 
 }  // namespace
-
-ivec2 filmFor(ivec2 pixels) {
-    const int longer = std::max(pixels.x, pixels.y);
-    const double scale = longer > kLargestSide ? double(kLargestSide) / longer : 1.0;
-    return glm::max(ivec2(glm::round(dvec2(pixels) * scale)), ivec2(1));
-}
 
 Document::Document(std::vector<Preset> presets) : presets_(std::move(presets)) {
     assert(!presets_.empty());
@@ -135,7 +130,7 @@ void Document::setSmoothed(bool smoothed) {
 }
 
 void Document::setViewSize(ivec2 pixels) {
-    const ivec2 film = filmFor(pixels);
+    const ivec2 film = glm::clamp(pixels, ivec2(1), ivec2(kLargestFilm));
     if (film == film_)
         return;
     film_ = film;

@@ -12,11 +12,6 @@
 
 namespace pdr::app {
 
-/// The film for a view of `pixels`: as large, but its longer side at most kLargestSide pixels, so that a processor
-/// without a GPU still shows a picture at once; the view stretches it. At least 1 x 1.
-ivec2 filmFor(ivec2 pixels);
-inline constexpr int kLargestSide = 1024;
-
 class Document : public QObject {
     Q_OBJECT
 
@@ -55,7 +50,8 @@ class Document : public QObject {
     void setBrightness(double stops, bool moving = false);
     /// Only for the eye; no step to undo.
     void setSmoothed(bool smoothed);
-    /// The view's size in pixels; no step to undo. The picture begins anew where its film has another size.
+    /// The view's size in the screen's own pixels, of which the film has as many; no step to undo. The picture begins
+    /// anew where that is another size.
     void setViewSize(pdr::ivec2 pixels);
     void undo();
     void redo();

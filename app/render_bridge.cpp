@@ -65,6 +65,8 @@ void RenderBridge::setDevice(const QString& name) {
 void RenderBridge::setPaused(bool paused) {
     paused_ = paused;
     session_.setPaused(paused_ || unseen_);
+    if (!paused && std::exchange(reached_, false))
+        session_.goOn();
     emit pausedChanged(paused);
 }
 
@@ -129,6 +131,7 @@ void RenderBridge::deliver() {
         return;
     oldestShown_ = frame->revision;
     lastFrame_ = frame->error.empty() ? frame : nullptr;
+    reached_ = frame->reached;
     if (frame->revision == submitted_)
         movingUnseen_ = false;
     if (next_ && !movingUnseen_)

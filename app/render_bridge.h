@@ -21,6 +21,8 @@ class RenderBridge : public QObject {
     explicit RenderBridge(std::unique_ptr<Device> device, int threads = 0);
 
     bool paused() const { return paused_; }
+    /// The picture is as good as rendering makes it by itself; setPaused(false) goes on.
+    bool reached() const { return reached_; }
     /// The device that it began with.
     const DeviceInfo& firstDevice() const { return firstDevice_; }
     /// The picture on the screen; null when there is none.
@@ -67,6 +69,7 @@ class RenderBridge : public QObject {
     Display display_;
     bool paused_ = false;
     bool unseen_ = false;
+    bool reached_ = false;
     int threads_;
     DeviceInfo firstDevice_;
     QString device_;   ///< that the last frame came from

@@ -74,7 +74,7 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
         showNotice(parts, notes);
     parts.window.setSubject(ui::windowSubject(series));
     parts.window.series().setCurrent(index);
-    showNoPicture(parts, {});
+    showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::windowSubject(series)));
     parts.document.open(std::move(volume));
 }
 
@@ -111,19 +111,26 @@ void showStatus(const DesktopParts& parts) {
     const auto& frame = parts.bridge.lastFrame();
     if (!frame)
         return;
+    const RenderBridge& bridge = parts.bridge;
+    parts.window.setPaused(bridge.paused() || bridge.reached());
     QStringList text;
     if (frame->coarse)
         text << ui::MainWindow::tr("coarse, the full picture follows");
     else
         text << (frame->smoothed ? ui::smoothedTexts(frame->smoothedError).join(", ") + ui::MainWindow::tr("; raw: ")
                                  : QString()) +
-                    ui::statusText(frame->status, frame->iterationsPerSecond, parts.bridge.paused())
+                    ui::statusText(frame->status, frame->iterationsPerSecond,
+                                   bridge.paused()    ? ui::Holding::paused
+                                   : bridge.reached() ? ui::Holding::reached
+                                                      : ui::Holding::no)
              << ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency});
+    text << ui::stretchedText(frame->size, parts.window.viewport().sizeInPixels());
     const QString comparison = ui::comparisonText(frame->schedule, frame->estimator);
     if (!comparison.isEmpty())
         text.prepend(comparison);
     for (const Warning& warning : warnings(parts.document.scene()))
         text << QString::fromStdString(warning.text);
+    text.removeAll({});
     parts.window.status().setText(text.join(", "));
 }
 

@@ -56,7 +56,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &bridge, &RenderBridge::setPace);
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
-    QObject::connect(&window, &ui::MainWindow::minimisedChanged, &bridge, &RenderBridge::setUnseen);
+    QObject::connect(&window, &ui::MainWindow::unseenChanged, &bridge, &RenderBridge::setUnseen);
     QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
 }
 

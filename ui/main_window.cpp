@@ -224,7 +224,17 @@ void MainWindow::about() {
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange)
-        emit minimisedChanged(isMinimized());
+        emit unseenChanged(isMinimized());
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    emit unseenChanged(isMinimized());
+}
+
+void MainWindow::hideEvent(QHideEvent* event) {
+    QMainWindow::hideEvent(event);
+    emit unseenChanged(true);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

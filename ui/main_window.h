@@ -50,11 +50,13 @@ class MainWindow : public QMainWindow {
     void pauseChosen(bool paused);
     void smoothingChosen(bool smoothed);
     void cancelRequested();
-    /// The window was minimised, or is back.
-    void minimisedChanged(bool minimised);
+    /// Nobody can see the window, minimised or hidden; or it is back.
+    void unseenChanged(bool unseen);
 
   protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;

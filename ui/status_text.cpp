@@ -57,12 +57,15 @@ QString durationText(double seconds) {
 
 }  // namespace
 
-QString statusText(const FilmStatus& status, double iterationsPerSecond, bool paused) {
+QString statusText(const FilmStatus& status, double iterationsPerSecond, Holding holding) {
     if (status.samplesPerPixel == 0)
         return {};
     QStringList parts;
-    if (paused)
+    const bool paused = holding != Holding::no;
+    if (holding == Holding::paused)
         parts << translated("paused");
+    if (holding == Holding::reached)
+        parts << translated("reached; Space goes on");
     parts << errorText(status) << counted(status.samplesPerPixel, "sample", "samples");
     if (!paused)
         parts << translated("%1 iterations/s").arg(shortNumber(iterationsPerSecond));
@@ -86,6 +89,16 @@ QStringList smoothedTexts(const std::optional<SmoothedError>& error) {
     else if (hidden >= kFaintestPercent)
         texts << translated("fine detail below %1 % contrast is not shown yet").arg(hidden);
     return texts;
+}
+
+QString stretchedText(ivec2 picture, QSize view) {
+    if (picture == ivec2(view.width(), view.height()))
+        return {};
+    return translated("%1 × %2 pixels stretched to %3 × %4")
+        .arg(picture.x)
+        .arg(picture.y)
+        .arg(view.width())
+        .arg(view.height());
 }
 
 QString comparisonText(const Schedule& schedule, Estimator estimator) {

@@ -1,6 +1,7 @@
 #pragma once
 /// How good the picture is by now, in one line of words.
 
+#include <QSize>
 #include <QString>
 #include <QStringList>
 #include <optional>
@@ -10,9 +11,15 @@
 
 namespace pdr::ui {
 
+/// Why rendering holds, if it does.
+enum class Holding { no, paused, reached };
+
 /// "95 % of the tissue within ±9 of 255 grey levels, 256 samples, 31 iterations/s, ±8 in about 19 s"; "estimating"
-/// below kSamplesToEstimate samples; "paused" stands in front when the rendering holds. Nothing without samples.
-QString statusText(const FilmStatus& status, double iterationsPerSecond, bool paused);
+/// below kSamplesToEstimate samples; why the rendering holds stands in front. Nothing without samples.
+QString statusText(const FilmStatus& status, double iterationsPerSecond, Holding holding);
+
+/// "153 × 164 pixels stretched to 765 × 818"; nothing where a picture has the view's pixels.
+QString stretchedText(ivec2 picture, QSize view);
 
 /// What stands beside a smoothed picture: "smoothed: within ±5 levels, at most ±7", for 95 % of the tissue, and "fine
 /// detail below 38 % contrast is not shown yet"; or that it is not known yet.

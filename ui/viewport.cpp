@@ -18,6 +18,7 @@ constexpr double kKeyStep = 1.0 / 24;  // of the view's height: 7.5 degrees
 constexpr double kZoomPerWheelClick = 1.15;
 constexpr double kZoomPerHeight = 8;  // magnification of a drag over the whole height
 constexpr auto kRestAfter = std::chrono::milliseconds(250);
+constexpr auto kSettledAfter = std::chrono::milliseconds(200);
 constexpr int kMargin = 12;
 constexpr int kCubeSide = 64;
 
@@ -41,6 +42,9 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     restTimer_.setSingleShot(true);
     restTimer_.setInterval(kRestAfter);
     connect(&restTimer_, &QTimer::timeout, this, &Viewport::rest);
+    settleTimer_.setSingleShot(true);
+    settleTimer_.setInterval(kSettledAfter);
+    connect(&settleTimer_, &QTimer::timeout, this, [this] { emit sizeInPixelsChanged(sizeInPixels()); });
 }
 
 void Viewport::setPicture(const Shown& picture) {
@@ -72,8 +76,23 @@ QSize Viewport::sizeInPixels() const {
     return (QSizeF(size()) * devicePixelRatioF()).toSize();
 }
 
+/// A screen with other pixels changes the size, too.
+bool Viewport::event(QEvent* event) {
+    if (event->type() == QEvent::ScreenChangeInternal)
+        changeSize();
+    return QWidget::event(event);
+}
+
 void Viewport::resizeEvent(QResizeEvent*) {
-    emit sizeInPixelsChanged(sizeInPixels());
+    changeSize();
+}
+
+/// A window that is dragged larger, panels that come and go: what lies between is worth no picture.
+void Viewport::changeSize() {
+    if (picture_)
+        settleTimer_.start();
+    else
+        emit sizeInPixelsChanged(sizeInPixels());
 }
 
 Viewport::Gesture Viewport::gestureOf(const QMouseEvent& event) {
@@ -197,12 +216,18 @@ void Viewport::paintEvent(QPaintEvent*) {
 /// keeps his size until the new picture comes.
 void Viewport::paintPicture(QPainter& painter) const {
     const QImage& image = picture_->image;
+    if (image.size() == sizeInPixels()) {  // pixel by pixel, also where one is no whole part of a length
+        const double ratio = devicePixelRatioF();
+        painter.scale(1 / ratio, 1 / ratio);
+        painter.drawImage(QPointF(0, 0), image);
+        return painter.resetTransform();
+    }
     const double scale = double(height()) / image.height();
     QRectF target(0, 0, image.width() * scale, height());
     target.moveCenter(QRectF(rect()).center());
     if (std::abs(target.width() - width()) <= 2 * scale)
         target = rect();  // only the rounding of the film's size
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, image.size() != sizeInPixels());
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(target, image);
 }
 

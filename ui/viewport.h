@@ -34,6 +34,8 @@ class Viewport : public QWidget {
     void setCamera(const std::optional<Camera>& camera);
     /// What stands in the middle as long as there is no picture.
     void setMessage(const QString& message);
+    /// What stands there now; nothing with a picture.
+    QString message() const { return picture_ ? QString() : message_; }
 
     /// The view's size in the screen's own pixels.
     QSize sizeInPixels() const;
@@ -46,9 +48,11 @@ class Viewport : public QWidget {
     void cameraEdited(const pdr::Camera& camera, bool moving);
     /// A double click.
     void resetRequested();
+    /// With a picture only when the size has settled: until then the picture is stretched. It may be the old one.
     void sizeInPixelsChanged(QSize size);
 
   protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -64,6 +68,7 @@ class Viewport : public QWidget {
 
     void edit(const Camera& camera);
     void rest();
+    void changeSize();
     void editInSteps(const Camera& camera);
     /// From widget coordinates to fractions of the view's height.
     dvec2 inHeights(QPointF distance) const;
@@ -78,7 +83,8 @@ class Viewport : public QWidget {
     Gesture gesture_ = Gesture::none;
     bool moved_ = false;  ///< the gesture has edited the camera
     QPointF last_;
-    QTimer restTimer_;  ///< wheels and keys have no release: they rest when this runs out
+    QTimer settleTimer_;  ///< the size has settled when this runs out
+    QTimer restTimer_;    ///< wheels and keys have no release: they rest when this runs out
 };
 
 }  // namespace pdr::ui

@@ -24,7 +24,7 @@ double samplesToReachLevels(double target, const FilmStatus& status) {
 std::optional<QualityStep> nextQualityStep(const FilmStatus& status, double samplesPerSecond) {
     if (!(samplesPerSecond > 0) || !std::isfinite(status.displayError))
         return std::nullopt;
-    for (const double step : {32, 16, 8, 4, 2, 1})
+    for (const double step : {32.0, 16.0, 8.0, 4.0, 2.0, kFinestStep})
         if (step < status.displayError) {
             const double more = samplesToReachLevels(step, status) - double(status.samplesPerPixel);
             return QualityStep{step, more / samplesPerSecond, status.fewBrightSamples};

@@ -16,6 +16,9 @@ double samplesToReach(double target, const FilmStatus& status);
 /// The same for an error of the display, in levels (> 0).
 double samplesToReachLevels(double target, const FilmStatus& status);
 
+/// The last of the steps below: what a screen shows has grey levels no finer.
+inline constexpr double kFinestStep = 1;
+
 /// A rounder, smaller error and the time until it is reached.
 struct QualityStep {
     double levels;   ///< 95 % of the tissue within: 32, 16, 8, 4, 2 or 1

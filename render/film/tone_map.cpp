@@ -1,6 +1,7 @@
 #include "render/film/tone_map.h"
 
 #include <cmath>
+#include <utility>
 
 #include "render/film/levels.h"
 #include "render/film/noisy_film.h"
@@ -83,9 +84,8 @@ Picture rawPictureOf(const Film& film, const Display& display) {
     return picture;
 }
 
-Picture smoothedPictureOf(const Film& film, const Display& display, const std::stop_token& stop) {
-    const NoisyFilm noisy = noisyFilm(film);
-    const denoise::Colours smooth = denoise::smoothed(noisy.all.mean, noisy.all.variance, noisy.ratio, stop);
+/// `smooth`: the film's radiance without its noise, in units of `unit`.
+Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display) {
     const ivec2 size = film.size();
     Picture picture{std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4, 255),
                     film.status(display.exposure, [](auto&&...) {}), true};
@@ -94,7 +94,7 @@ Picture smoothedPictureOf(const Film& film, const Display& display, const std::s
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < size.x; ++x, out += 4)
                 for (int c = 0; c < 3; ++c)
-                    out[c] = levelNear(displayThresholds().data(), displayCurve(), noisy.unit * smooth[c].row(y)[x],
+                    out[c] = levelNear(displayThresholds().data(), displayCurve(), unit * smooth[c].row(y)[x],
                                        display.exposure);
     });
     return picture;
@@ -103,7 +103,21 @@ Picture smoothedPictureOf(const Film& film, const Display& display, const std::s
 }  // namespace
 
 Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop) {
-    return display.smoothed ? smoothedPictureOf(film, display, stop) : rawPictureOf(film, display);
+    return Development().picture(film, display, stop);
+}
+
+Picture Development::picture(const Film& film, const Display& display, const std::stop_token& stop) {
+    if (!display.smoothed)
+        return rawPictureOf(film, display);
+    if (!smoothed_ || !smoothed_->isOf(film)) {
+        smoothed_.reset();
+        const NoisyFilm noisy = noisyFilm(film);
+        denoise::Colours radiance = denoise::smoothed(noisy.all.mean, noisy.all.variance, noisy.ratio, stop);
+        if (stop.stop_requested())
+            return {};
+        smoothed_ = SmoothedFilm{film.revision(), film.progress(), noisy.unit, std::move(radiance)};
+    }
+    return smoothedPictureOf(film, smoothed_->radiance, smoothed_->unit, display);
 }
 
 std::vector<std::uint8_t> toneMap(const Film& film, const Display& display) {

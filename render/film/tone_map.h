@@ -2,9 +2,11 @@
 /// Linear radiance to display levels: 1 - exp(-L / exposure) per channel, then the sRGB curve (IEC 61966-2-1), rounded.
 
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
+#include "render/denoise/plane.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
 
@@ -23,6 +25,25 @@ struct Picture {
 /// The whole film as it is now. The same bits for any number of threads. After a stop request a smoothed one is
 /// worthless.
 Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop = {});
+
+/// Pictures of one film after the other. What was smoothed last is kept, since that takes many times as long as the
+/// tone curve: no other exposure of the same samples is smoothed again.
+class Development {
+  public:
+    /// As pictureOf(), to the bit.
+    Picture picture(const Film& film, const Display& display, const std::stop_token& stop = {});
+
+  private:
+    struct SmoothedFilm {
+        std::uint64_t revision;
+        TileProgress progress;
+        double unit;  ///< radiance
+        denoise::Colours radiance;
+        bool isOf(const Film& film) const { return revision == film.revision() && progress == film.progress(); }
+    };
+
+    std::optional<SmoothedFilm> smoothed_;
+};
 
 /// Its pixels alone: the whole film as RGBA8 bytes (alpha 255), row by row from the top.
 std::vector<std::uint8_t> toneMap(const Film& film, const Display& display);

@@ -13,9 +13,6 @@ namespace pdr {
 
 namespace {
 
-constexpr double kCoarseSeconds = 1.0 / 15;  ///< what a coarse frame may take
-constexpr int kCoarsest = 8;                 ///< at most this many pixels of the film to one that is rendered
-
 std::string capitalized(std::string text) {
     if (!text.empty())
         text.front() = char(std::toupper(static_cast<unsigned char>(text.front())));
@@ -70,13 +67,16 @@ RenderCommands::LoopState Session::Loop::state() const {
     return {.scene = place_.hasScene(),
             .film = film,
             .revision = place_.hasScene() ? place_.revision() : 0,
-            .first = film && first_,
-            .unshown = film && samples_ > 0 && (done_ > 0 || waiting_ > 0 || fresh_),
-            .canSnapshot = film && !coarse_ && samples_ > 0};
+            .owed = film && (first_ || coarse() || row_ > 0),
+            .lingers = film && (brightens_ || (moving_ && coarse() && !first_)),
+            .reached = film && reached_,
+            .unshown = film && samples_ > 0 && (done_ > 0 || !waiting_.empty() || fresh_),
+            .canSnapshot = canSnapshot()};
 }
 
 void Session::Loop::clear() {
     goOnFrom(nullptr);
+    coarser_.reset();
     scene_ = {};
     place_.close();
 }
@@ -92,36 +92,44 @@ void Session::Loop::answer(const RenderCommands::Iteration& step) const {
         order.look(reason);
 }
 
-/// Takes a new scene. When interaction ends on a picture that was seen, no second coarse one is needed.
+/// Takes a new scene; that of a hand that has come to rest is the one that is there.
 void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
-    const bool seen = place_.film() != nullptr && coarse_ && !first_ && order.scene.revision == scene_.revision;
+    moving_ = order.moving;
+    if (place_.film() != nullptr && order.scene.revision == scene_.revision)
+        return;
     if (const Result<void> fits = order.scene.check(); !fits) {
         place_.forget();
         return fail(fits.error().text());
     }
     scene_ = order.scene;
-    moving_ = order.moving;
-    beginFilm(moving_ || (!seen && divider() > 1));
+    coarser_.reset();
+    beginFilm(ladder_.first(scene_.film));
 }
 
-/// The scene's film from its beginning, or a coarse one so that its frame comes soon.
-void Session::Loop::beginFilm(bool coarse) {
-    coarse_ = coarse;
+/// A film of the scene from its beginning.
+void Session::Loop::beginFilm(int divider) {
+    divider_ = divider;
     startOver();
-    if (const Result<void> begun = place_.begin(coarse ? coarseScene() : scene_); !begun)
-        failedOnDevice(begun.error());
+    const double start = clock_();
+    if (const Result<void> begun = place_.begin(dividedScene()); !begun)
+        return failedOnDevice(begun.error());
+    ladder_.addBeginning(secondsSince(start));
 }
 
-/// How many pixels of the film become one, along each side, in a coarse frame. 1: a full one comes as soon.
-int Session::Loop::divider() const {
-    const double pixels = double(scene_.film.x) * scene_.film.y;
-    const double affordable = std::max(pixelsPerSecond_ * kCoarseSeconds / kCoarseSamples, 1.0);
-    return std::clamp(int(std::ceil(std::sqrt(pixels / affordable))), 1, kCoarsest);
+/// The next film of the same scene; the picture of the one before stays until this one's is no worse.
+void Session::Loop::beginFiner() {
+    Result<std::shared_ptr<const Film>> film = place_.film()->film();
+    if (!film)
+        return failedOnDevice(film.error());
+    coarser_ = *std::move(film);
+    beginFilm(ResolutionLadder::next(divider_));
 }
 
-Scene Session::Loop::coarseScene() const {
+Scene Session::Loop::dividedScene() const {
     Scene scene = scene_;
-    scene.film = glm::max((scene.film + divider() - 1) / divider(), ivec2(1));
+    if (!coarse())
+        return scene;
+    scene.film = dividedFilm(scene.film, divider_);
     scene.seed ^= mixBits(scene.revision);  // else the grain would stand still on a picture that moves
     return scene;
 }
@@ -158,8 +166,11 @@ void Session::Loop::startOver() {
 void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     samples_ = film ? film->samplesPerPixel() : 0;
     first_ = first_ || samples_ == 0;
+    if (!film || film->samples().most == samples_)
+        row_ = 0;
+    reached_ = false;
     done_ = 0;
-    waiting_ = 0;
+    waiting_.clear();
     fresh_ = true;
     frameSeconds_ = 0;
     smoothedView_.clear();
@@ -204,6 +215,7 @@ void Session::Loop::threw() noexcept {
 
 void Session::Loop::fail(const std::string& sentence) {
     place_.dropFilm();
+    coarser_.reset();
     auto frame = std::make_shared<Frame>();
     frame->revision = revision_;
     frame->error = sentence;

@@ -1,6 +1,7 @@
 #pragma once
 /// The render thread.
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "render/film/smoothed_view.h"
 #include "render/session/film_on_device.h"
 #include "render/session/render_commands.h"
+#include "render/session/resolution_ladder.h"
 #include "render/session/session.h"
 
 namespace pdr {
@@ -21,8 +23,10 @@ class Session::Loop {
     RenderCommands commands;
 
   private:
-    /// Of a coarse frame: fewer, calmer pixels are easier to follow.
-    static constexpr std::uint32_t kCoarseSamples = 4;
+    struct DisplayedPicture {
+        Picture picture;
+        Display display;
+    };
 
     void run(std::stop_token stop);
     void take(const RenderCommands::Iteration& step);
@@ -34,24 +38,27 @@ class Session::Loop {
     void switchTo(const DeviceOpener& open);
     void begin(const RenderCommands::SceneOrder& order);
     void work(const RenderCommands::Iteration& step);
+    void finish(Result<void> done);
 
     // Parts of work(). Errors: the device's.
     Result<void> accumulate(const RenderCommands::Iteration& step);
     Result<void> show(const RenderCommands::Iteration& step);
-    Result<std::vector<Picture>> takeAllBut(int left);
+    Result<void> showCoarser(const RenderCommands::Iteration& step);
+    Result<std::vector<DisplayedPicture>> takeAllBut(std::size_t left);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
-    Display wantedDisplay();
     Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
     Result<void> keepCheckpoint();
     Result<void> takeSnapshots();
-    void send(std::vector<Picture> pictures, std::uint32_t n);
+    void send(std::vector<DisplayedPicture> pictures, std::uint32_t n);
+    std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
+    void addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds);
 
     // Beginnings.
-    void beginFilm(bool coarse);
+    void beginFilm(int divider);
+    void beginFiner();
     void startOver();
     void goOnFrom(std::shared_ptr<const Film> film);
-    int divider() const;
-    Scene coarseScene() const;
+    Scene dividedScene() const;
 
     // When a device fails or refuses.
     void recover(const std::string& reason);
@@ -62,6 +69,13 @@ class Session::Loop {
 
     std::uint32_t wanted(const FrameBudget& pace) const;
     std::uint32_t launch(std::uint32_t wanted) const;
+    int bandRows() const;
+    Tile nextBand() const;
+    bool late() const;
+    bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }
+    double pixels() const { return double(place_.size().x) * place_.size().y; }
+    bool coarse() const { return divider_ > 1; }
+    bool canSnapshot() const { return place_.film() != nullptr && !moving_ && !coarse() && !first_ && row_ == 0; }
 
     double secondsSince(double moment) const { return clock_() - moment; }
 
@@ -73,18 +87,23 @@ class Session::Loop {
     Scene scene_;                 ///< as it was submitted
     std::uint64_t revision_ = 0;  ///< of the scene submitted last, whatever became of it
     bool moving_ = false;
-    bool coarse_ = false;  ///< the film shows the scene in fewer pixels than it asks for
+    int divider_ = 1;  ///< of the film: see ResolutionLadder
+    std::shared_ptr<const Film>
+        coarser_;  ///< whose picture stays until the film's own is no worse; null: there is none
+    Development coarserPictures_;
 
     // Of the film:
-    std::uint64_t samples_ = 0;  ///< that it holds
-    std::uint32_t done_ = 0;     ///< iterations since it was last shown
-    int waiting_ = 0;            ///< pictures ordered and not taken
-    bool first_ = false;         ///< its first picture is still to come
-    bool fresh_ = false;         ///< the first one from this device is
-    double frameSeconds_ = 0;    ///< of the frame in the making
-    double seconds_ = 0;         ///< of all of them
+    std::uint64_t samples_ = 0;    ///< that it holds, everywhere
+    int row_ = 0;                  ///< where its next band begins; 0: no iteration is half made
+    std::uint32_t done_ = 0;       ///< iterations since it was last shown
+    std::deque<Display> waiting_;  ///< what the pictures that were ordered and not taken are made for
+    bool first_ = false;           ///< its first picture is still to come
+    bool fresh_ = false;           ///< the first one from this device is
+    bool reached_ = false;         ///< it was shown as good as was wanted
+    double frameSeconds_ = 0;      ///< of the frame in the making
+    double seconds_ = 0;           ///< of all of them
     SmoothedView smoothedView_;
-    float exposure_ = 1;  ///< that it was last shown with
+    bool brightens_ = false;  ///< its picture, a smoothed one, was just shown on another display
 
     FrameTimer meter_;
     bool measuring_ = false;  ///< the frame in the making, with nothing behind it
@@ -94,7 +113,7 @@ class Session::Loop {
     double checkpointAt_ = 0;
     double checkpointSeconds_ = 0;  ///< what the last one cost
 
-    double pixelsPerSecond_ = 5e6;  ///< a guess until the first frame was timed
+    ResolutionLadder ladder_;
 
     std::jthread thread_;  ///< last: it uses all of the above
 };

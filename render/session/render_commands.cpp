@@ -21,17 +21,22 @@ std::vector<RenderCommands::SnapshotRequest> taken(std::vector<RenderCommands::S
 
 }  // namespace
 
+/// A hand that comes to rest where it is submits the same scene: its film goes on.
 void RenderCommands::submit(Scene scene, bool moving) {
     const std::lock_guard lock(mutex_);
+    if (newest_ != scene.revision) {
+        running_.request_stop();
+        beyond_ = false;
+    }
+    newest_ = scene.revision;
     scene_ = SceneOrder{std::move(scene), moving};
-    running_.request_stop();
     changed_.notify_one();
 }
 
 void RenderCommands::setDisplay(const Display& display) {
     const std::lock_guard lock(mutex_);
+    displayChanged_ = displayChanged_ || !(display == display_);
     display_ = display;
-    displayChanged_ = true;
     changed_.notify_one();
 }
 
@@ -58,9 +63,21 @@ void RenderCommands::setPaused(bool paused) {
     changed_.notify_one();
 }
 
+void RenderCommands::goOn() {
+    const std::lock_guard lock(mutex_);
+    beyond_ = true;
+    changed_.notify_one();
+}
+
+bool RenderCommands::holdsAtTarget() {
+    const std::lock_guard lock(mutex_);
+    return !beyond_;
+}
+
 void RenderCommands::clear() {
     const std::lock_guard lock(mutex_);
     scene_.reset();
+    newest_.reset();
     clear_ = true;
     running_.request_stop();
     changed_.notify_one();
@@ -77,17 +94,24 @@ void RenderCommands::cancel() {
     running_.request_stop();
 }
 
-bool RenderCommands::somethingToDo(const LoopState& state) const {
+/// Whether somebody wants something, now.
+bool RenderCommands::asked(const LoopState& state) const {
     const bool look = std::any_of(looks_.begin(), looks_.end(), [&](const SnapshotRequest& look) {
         return !state.film || state.canSnapshot || look.revision != state.revision;
     });
-    const bool asked = clear_ || scene_ || device_ || displayChanged_ || look;
-    return asked || (state.film && (!paused_ || state.first || state.unshown));
+    return clear_ || scene_ || device_ || displayChanged_ || look;
+}
+
+bool RenderCommands::renders(const LoopState& state) const {
+    const bool holds = paused_ || (state.reached && !beyond_);
+    return !holds || state.owed;
 }
 
 std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& state, std::stop_token stop) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, stop, [&] { return somethingToDo(state); });
+    if (state.lingers)
+        changed_.wait_for(lock, stop, kStill, [&] { return asked(state); });
+    changed_.wait(lock, stop, [&] { return asked(state) || (state.film && (renders(state) || state.unshown)); });
     if (stop.stop_requested())
         return std::nullopt;
     running_ = std::stop_source();
@@ -95,7 +119,8 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     step.clear = std::exchange(clear_, false);
     step.device = std::exchange(device_, nullptr);
     step.order = std::exchange(scene_, std::nullopt);
-    step.render = !paused_ || state.first || step.order;
+    step.render = renders(state) || step.order;
+    step.redisplay = displayChanged_;
     step.pace = pace_;
     step.stop = running_.get_token();
     step.unanswerable = takeUnanswerable(state, step);

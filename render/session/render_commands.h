@@ -1,6 +1,7 @@
 #pragma once
 /// What others ask of the render thread: a mailbox with one slot for each kind of command, where the newest wins.
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -29,7 +30,10 @@ class RenderCommands {
         bool scene = false;          ///< there is one
         bool film = false;           ///< there is one of it
         std::uint64_t revision = 0;  ///< of the scene
-        bool first = false;          ///< its first picture is still to come; that one is made even while paused
+        bool owed = false;           ///< its first full picture is still to come, or an iteration is half made; that
+                                     ///< much is made even while paused
+        bool lingers = false;        ///< what comes next may be in vain, or in the way: a hand that moves soon moves on
+        bool reached = false;        ///< the picture is as good as was wanted
         bool unshown = false;        ///< the film holds what has not been shown
         bool canSnapshot = false;    ///< it can be looked at
     };
@@ -40,7 +44,8 @@ class RenderCommands {
         std::vector<SnapshotRequest> unanswerable;  ///< looks at what is not there and will not come
         DeviceOpener device;                        ///< go on there; empty: as before
         std::optional<SceneOrder> order;
-        bool render = false;  ///< more iterations, if there is a film
+        bool render = false;     ///< more iterations, if there is a film
+        bool redisplay = false;  ///< the display is another one: first show what is there
         FrameBudget pace;
         std::stop_token stop;  ///< of this step
     };
@@ -50,8 +55,12 @@ class RenderCommands {
     void setPace(const FrameBudget& pace);
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
+    /// Also beyond the target, until there is another scene.
+    void goOn();
     void clear();
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
+    /// Whether a picture that is as good as was wanted is left as it is.
+    bool holdsAtTarget();
     /// The newest: what a step shows at its end is not what was wanted at its beginning.
     Display display();
     /// Cancels the running step.
@@ -64,17 +73,23 @@ class RenderCommands {
     std::vector<SnapshotRequest> takeSnapshotRequests(std::uint64_t revision);
 
   private:
-    bool somethingToDo(const LoopState& state) const;
+    /// How long a hand may stand still before it counts as one that rests.
+    static constexpr auto kStill = std::chrono::milliseconds(100);
+
+    bool asked(const LoopState& state) const;
+    bool renders(const LoopState& state) const;
     std::vector<SnapshotRequest> takeUnanswerable(const LoopState& state, const Iteration& step);
 
     std::mutex mutex_;  ///< of all that follows
     std::condition_variable_any changed_;
     std::optional<SceneOrder> scene_;
+    std::optional<std::uint64_t> newest_;  ///< revision of the scene that was submitted last
     DeviceOpener device_;
     Display display_;
     bool displayChanged_ = false;
     FrameBudget pace_;
     bool paused_ = false;
+    bool beyond_ = false;  ///< the target does not count for this scene
     bool clear_ = false;
     std::vector<SnapshotRequest> looks_;
     std::stop_source running_;

@@ -41,6 +41,10 @@ void Session::setPaused(bool paused) {
     loop_->commands.setPaused(paused);
 }
 
+void Session::goOn() {
+    loop_->commands.goOn();
+}
+
 void Session::clear() {
     loop_->commands.clear();
 }

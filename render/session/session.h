@@ -30,6 +30,7 @@ struct Frame {
     Estimator estimator = Estimator::unbiased;
     bool coarse = false;             ///< a first picture, or one during interaction; better ones follow when it ends
     ivec2 size{0};                   ///< pixels; fewer than scene.film where it is coarse: stretch it
+    Display display;                 ///< that it was made for, as it was asked for
     std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top; empty with an error or a notice
     FilmStatus status;
     bool smoothed = false;                       ///< `rgba` is; the status is still that of the film
@@ -40,8 +41,9 @@ struct Frame {
     double efficiency = 0;  ///< lately: the part of the time that went into iterations, (0, 1]; 0 = not known
     std::string device;     ///< its name: "cpu"
     Schedule schedule;
-    std::string error;   ///< for the user, when rendering failed and holds
-    std::string notice;  ///< for the user, when it goes on, but not as was asked: whole sentences
+    bool reached = false;  ///< 95 % of the tissue is within kFinestStep, and rendering holds until more is asked for
+    std::string error;     ///< for the user, when rendering failed and holds
+    std::string notice;    ///< for the user, when it goes on, but not as was asked: whole sentences
 };
 
 /// Called on the render thread; must return soon.
@@ -74,8 +76,8 @@ class Session {
     ~Session();  ///< stops within one launch
 
     /// Renders `scene` from now on; a running launch for an older one is cancelled. The first frame comes soon and
-    /// coarse, unless the device makes a full one as soon. `moving`: the user still drags, so all of them do; submit
-    /// again with false when it rests.
+    /// coarse, unless the device makes a full one as soon; finer ones follow as soon as they are no worse. `moving`:
+    /// the user still drags, so they follow only where he holds still; submit again with false when it rests.
     void submit(Scene scene, bool moving);
     /// Shows what is there with other display settings, without a restart.
     void setDisplay(const Display& display);
@@ -88,6 +90,8 @@ class Session {
     void setDevice(DeviceOpener open);
     /// Holds or goes on.
     void setPaused(bool paused);
+    /// Goes on beyond the accuracy at which it holds by itself, until there is another scene.
+    void goOn();
     /// Shows nothing: scene, film and what the device keeps of them are given back soon.
     void clear();
     /// Calls `look` once, between two launches, as soon as the scene of `revision` has samples and interaction has

@@ -2,7 +2,8 @@
 /// How many iterations a displayed frame gets: by hand, or as many as make the display cheap without making it slow.
 
 #include <cstdint>
-#include <deque>
+
+#include "render/timing/recent.h"
 
 namespace pdr {
 
@@ -33,17 +34,15 @@ class FrameTimer {
     std::uint32_t iterations(const FrameBudget& pace) const;
     /// The part of the time that goes into iterations, (0, 1]; 0 as long as nothing is known.
     double efficiency() const;
-    double iterationsPerSecond() const { return median(rates_); }
+    double iterationsPerSecond() const { return rates_.median(); }
 
   private:
-    using Recent = std::deque<double>;
-    static void keep(Recent& recent, double value);
-    static double median(const Recent& recent);  ///< 0 of nothing
+    static constexpr std::size_t kFrames = 9;
 
-    Recent iterationSeconds_;         ///< Tp, of one iteration
-    Recent displaySeconds_;           ///< Tt + Tc, of one tone map and copy
-    std::uint32_t lastMeasured_ = 0;  ///< n of the last frame whose times are known
-    Recent rates_;                    ///< iterations per second, all in all
+    Recent iterationSeconds_{kFrames};  ///< Tp, of one iteration
+    Recent displaySeconds_{kFrames};    ///< Tt + Tc, of one tone map and copy
+    std::uint32_t lastMeasured_ = 0;    ///< n of the last frame whose times are known
+    Recent rates_{kFrames};             ///< iterations per second, all in all
 };
 
 }  // namespace pdr

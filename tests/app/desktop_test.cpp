@@ -214,12 +214,13 @@ void TestDesktop::pauseHoldsTheSamples() {
 void TestDesktop::theFilmFollowsTheWindow() {
     Trial trial;
     trial.openAndWait(series_);
-    trial.desktop.window().resize(1000, 640);
-    QTest::qWait(50);
-    trial.waitForNewest();
-    const QSize view = trial.desktop.window().viewport().sizeInPixels();
-    QCOMPARE(trial.frames.back()->size.x, view.width());
-    QCOMPARE(trial.frames.back()->size.y, view.height());
+    trial.desktop.window().resize(1500, 640);
+    const auto seen = [&] {
+        const QSize view = trial.desktop.window().viewport().sizeInPixels();
+        return trial.frames.back()->size == ivec2(view.width(), view.height());
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(seen(), test::kPatience);
+    QVERIFY(!trial.frames.back()->coarse);
 }
 
 void TestDesktop::undoBringsTheFirstViewBack() {

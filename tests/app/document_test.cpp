@@ -27,7 +27,7 @@ class TestDocument : public QObject {
     void theWindowsSizeIsNotUndone();
     void aNewVolumeHasNoWayBack();
     void withoutVolumeEditsWait();
-    void theFilmIsCappedAndKeepsItsShape();
+    void theFilmHasTheViewsPixels();
     void aSizeWithTheSameFilmChangesNothing();
     void aHandThatRestsWhereItIsShowsTheSameScene();
     void aDragOfTheBrightnessIsOneStep();
@@ -259,16 +259,21 @@ void TestDocument::withoutVolumeEditsWait() {
     QVERIFY(!document.hasVolume());
 }
 
-void TestDocument::theFilmIsCappedAndKeepsItsShape() {
-    QVERIFY(filmFor({640, 480}) == ivec2(640, 480));
-    QVERIFY(filmFor({4096, 2048}) == ivec2(1024, 512));
-    QVERIFY(filmFor({100, 4000}) == ivec2(26, 1024));
-    QVERIFY(filmFor({0, 0}) == ivec2(1, 1));
+void TestDocument::theFilmHasTheViewsPixels() {
+    Told told;
+    for (const ivec2 size : {ivec2(640, 480), ivec2(3840, 2160), ivec2(1, 4000)}) {
+        told.document.setViewSize(size);
+        QVERIFY(told.scenes.back().film == size);
+    }
+    told.document.setViewSize({0, 0});
+    QVERIFY(told.scenes.back().film == ivec2(1, 1));
+    told.document.setViewSize({100000, 10});
+    QVERIFY(told.scenes.back().check());
 }
 
 void TestDocument::aSizeWithTheSameFilmChangesNothing() {
     Told told;
-    told.document.setViewSize({4096, 2048});
+    told.document.setViewSize({2048, 1024});
     const std::size_t scenes = told.scenes.size();
     told.document.setViewSize({2048, 1024});
     QCOMPARE(told.scenes.size(), scenes);

@@ -226,19 +226,20 @@ void TestPanels::theStatusSaysErrorSamplesAndSpeed() {
     status.samplesPerPixel = samples;
     status.displayError = error;
     status.tissuePixels = 100;
-    QCOMPARE(statusText(status, speed, paused), expected);
+    QCOMPARE(statusText(status, speed, paused ? Holding::paused : Holding::no), expected);
 }
 
 void TestPanels::theStatusSaysWhatItDoesNotKnow() {
     FilmStatus status{.samplesPerPixel = 40};
-    QCOMPARE(statusText(status, 0, true), "paused, no tissue in view, 40 samples");
+    QCOMPARE(statusText(status, 0, Holding::paused), "paused, no tissue in view, 40 samples");
     status.relativeError = std::numeric_limits<double>::infinity();
-    QCOMPARE(statusText(status, 0, true), "paused, error not known, 40 samples");
+    QCOMPARE(statusText(status, 0, Holding::paused), "paused, error not known, 40 samples");
+    QCOMPARE(statusText(status, 0, Holding::reached), "reached; Space goes on, error not known, 40 samples");
     status.unseenShare = 1e-3;
-    QCOMPARE(statusText(status, 0, true), "paused, no light seen yet, 40 samples");
+    QCOMPARE(statusText(status, 0, Holding::paused), "paused, no light seen yet, 40 samples");
     status.displayError = 10.4;
     status.fewBrightSamples = true;
-    QVERIFY(statusText(status, 1, false).endsWith(QString::fromUtf8("±8 in at least 28 s")));
+    QVERIFY(statusText(status, 1, Holding::no).endsWith(QString::fromUtf8("±8 in at least 28 s")));
 }
 
 void TestPanels::aSmoothedPictureIsMarkedWithItsError() {

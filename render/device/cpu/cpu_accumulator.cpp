@@ -20,7 +20,7 @@ Result<void> CpuAccumulator::accumulate(const Tile& region, std::uint32_t n, std
 }
 
 Result<void> CpuAccumulator::resolve(const Display& display, std::stop_token stop) {
-    shown_.push_back(pictureOf(film_, display, stop));
+    shown_.push_back(development_.picture(film_, display, stop));
     return {};
 }
 

@@ -33,6 +33,7 @@ class CpuAccumulator final : public Accumulator {
     CpuTracer& tracer_;
     const std::shared_ptr<const PreparedScene>& scene_;
     Film film_;
+    Development development_;
     std::deque<Picture> shown_;
 };
 

@@ -14,14 +14,14 @@ namespace pdr {
 
 namespace {
 
-/// Pixels along an edge of what one thread takes at a time. The last paths of a task leave lanes empty, so it has some
-/// thousand paths; a sum along a ray is the same for all samples of a pixel.
-int taskEdge(bool scattering, std::uint32_t samples) {
-    constexpr int kPathsPerTask = 4096, kLeast = 16, kProjection = 32;
-    if (!scattering)
-        return kProjection;
-    int edge = 4 * kLeast;
-    while (edge > kLeast && std::uint64_t(edge) * std::uint64_t(edge) * samples > kPathsPerTask)
+/// Pixels along an edge of what one of `threads` takes at a time. The last paths of a task leave lanes empty, so it has
+/// some thousand paths, but no thread goes without tasks; a sum along a ray is the same for all samples of a pixel.
+int taskEdge(bool scattering, std::uint32_t samples, const Tile& tile, int threads) {
+    constexpr int kPathsPerTask = 4096, kTasksPerThread = 4, kLeast = 16, kProjection = 32;
+    const double enoughTasks = double(tile.width) * tile.height / (kTasksPerThread * threads);
+    const double pixels = scattering ? std::min(enoughTasks, double(kPathsPerTask) / samples) : enoughTasks;
+    int edge = scattering ? 4 * kLeast : kProjection;
+    while (edge > kLeast && double(edge) * edge > pixels)
         edge /= 2;
     return edge;
 }
@@ -50,7 +50,7 @@ void CpuTracer::trace(const FlatScene& scene, const Tile& tile, SampleRange samp
                       const std::stop_token& stop) {
     const bool scattering = scene.optics.model == FlatModel::scattering;
     const TileKernel traceTile = kTileKernels[scene.features];
-    const auto task = std::size_t(taskEdge(scattering, samples.count));
+    const auto task = std::size_t(taskEdge(scattering, samples.count, tile, threads_));
     const tbb::blocked_range2d<int> pixels(0, tile.height, task, 0, tile.width, task);
     tbb::enumerable_thread_specific<Health> healths;
     const auto work = [&](const tbb::blocked_range2d<int>& piece) {

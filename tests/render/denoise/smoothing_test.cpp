@@ -1,6 +1,7 @@
 #include <tbb/global_control.h>
 #include <QTest>
 
+#include "render/film/tone_map.h"
 #include "tests/support/noisy_films.h"
 
 using namespace pdr;
@@ -53,6 +54,23 @@ class SmoothingTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// A smoothing that begins after a stop request makes nothing, so what comes whole was not smoothed again.
+    void anotherExposureOfTheSameSamplesIsNotSmoothedAgain() {
+        const Film few = noisyFilmOf({60, 40}, disc, 4), more = noisyFilmOf({60, 40}, disc, 5);
+        std::stop_source stop;
+        stop.request_stop();
+        Development development;
+        QVERIFY(development.picture(few, {1, true}).rgba == pictureOf(few, {1, true}).rgba);
+        for (const float exposure : {0.5f, 2.0f})
+            QVERIFY(development.picture(few, {exposure, true}, stop.get_token()).rgba ==
+                    pictureOf(few, {exposure, true}).rgba);
+        QVERIFY(development.picture(more, {2, true}, stop.get_token()).rgba.empty());
+        QVERIFY(development.picture(more, {2, true}).rgba == pictureOf(more, {2, true}).rgba);
+        QVERIFY(development.picture(more, {2, false}).rgba == pictureOf(more, {2, false}).rgba);
+        const Film another(2, more.content());
+        QVERIFY(development.picture(another, {2, true}, stop.get_token()).rgba.empty());
+    }
+
     void threadsChangeNoBit() {
         const Film film = noisyFilmOf({150, 130}, disc, 8);
         QVERIFY(onThreads(1, film) == onThreads(3, film));

@@ -30,6 +30,12 @@ Scene someScene(std::uint64_t revision = 1) {
     return scene;
 }
 
+/// Its picture, however good it is already.
+void begin(Session& session) {
+    session.submit(someScene(), false);
+    session.goOn();
+}
+
 /// The film as it stands.
 Film filmOf(Session& session) {
     auto film = std::make_shared<std::promise<Film>>();
@@ -95,7 +101,7 @@ class FaultsTest : public QObject {
         mishaps->maxInFlight = ahead;
         test::Screen screen;
         Session session(test::failing(mishaps), screen.sink(), kCpu);
-        session.submit(someScene(), false);
+        begin(session);
         const Film film = filmOf(session);
         QVERIFY(neverInterrupted(film));
         QVERIFY(screen.await(onCpu));
@@ -123,7 +129,7 @@ class FaultsTest : public QObject {
             shown(std::move(frame));
         };
         Session session(test::failing(mishaps), sink, kCpu, test::readingOf(clock));
-        session.submit(someScene(), false);
+        begin(session);
         const auto first = screen.await(onCpu);
         QVERIFY(first);
         QCOMPARE(mishaps->filmsRead.load(), 1);
@@ -155,7 +161,7 @@ class FaultsTest : public QObject {
         mishaps->iterationSeconds = 0.01;
         test::Screen screen;
         Session session(std::make_unique<Host>(mishaps), screen.sink(), DeviceOpener(), test::readingOf(clock));
-        session.submit(someScene(), false);
+        begin(session);
         QVERIFY(screen.await(samples(1000)));  // 10 s
         QCOMPARE(mishaps->filmsRead.load(), 0);
     }
@@ -164,7 +170,7 @@ class FaultsTest : public QObject {
         auto mishaps = std::make_shared<test::Mishaps>();
         test::Screen screen;
         Session session(test::failing(mishaps), screen.sink(), kCpu);
-        session.submit(someScene(), false);
+        begin(session);
         QVERIFY(screen.await(samples(10)));
         session.setPaused(true);
         std::this_thread::sleep_for(50ms);
@@ -185,7 +191,7 @@ class FaultsTest : public QObject {
         mishaps->tooSmall = true;
         test::Screen screen;
         Session session(test::failing(mishaps), screen.sink(), kCpu);
-        session.submit(someScene(), false);
+        begin(session);
         QVERIFY(screen.await(onCpu));
         QCOMPARE(screen.notices().size(), std::size_t(1));
         const QString notice = QString::fromStdString(screen.notices().front());
@@ -204,7 +210,7 @@ class FaultsTest : public QObject {
         };
         test::Screen screen;
         Session session(frail(), screen.sink(), frail);
-        session.submit(someScene(), false);
+        begin(session);
         const auto failed = screen.await([](const Frame& frame) { return !frame.error.empty(); });
         QVERIFY(failed && failed->revision == 1);
         QVERIFY(failed->error.find("the device is lost") != std::string::npos);
@@ -220,7 +226,7 @@ class FaultsTest : public QObject {
         first->gone = true;
         test::Screen screen;
         Session session(test::failing(first), screen.sink(), kCpu);
-        session.submit(someScene(), false);
+        begin(session);
         QVERIFY(screen.await(onCpu));
         session.setDevice(opener(second));
         QVERIFY(screen.await([](const Frame& frame) { return frame.device == "failing"; }));
@@ -239,7 +245,7 @@ class FaultsTest : public QObject {
             mishaps->readbacks = 2;
             test::Screen screen;
             Session session(test::failing(mishaps), screen.sink(), fallback);
-            session.submit(someScene(), false);
+            begin(session);
             const auto failed = screen.await([](const Frame& frame) { return !frame.error.empty(); });
             QVERIFY(failed && failed->error.find("the device is lost") != std::string::npos);
             QVERIFY(screen.notices().empty());
@@ -252,7 +258,7 @@ class FaultsTest : public QObject {
         test::Screen screen;
         Session session(test::failing(one), screen.sink(), kCpu);
         session.setIterationsPerFrame(7);
-        session.submit(someScene(), false);
+        begin(session);
         std::uint64_t before = 0;
         for (int i = 0; i < 20; ++i) {
             session.setDevice(i % 3 == 0 ? kCpu : opener(i % 3 == 1 ? one : other));
@@ -272,7 +278,7 @@ class FaultsTest : public QObject {
         const DeviceOpener none = [] { return Error{"there is no such device", "cuda:7", "Choose cpu."}; };
         test::Screen screen;
         Session session(makeCpuDevice(1), screen.sink(), kCpu);
-        session.submit(someScene(), false);
+        begin(session);
         QVERIFY(screen.await(samples(20)));
         session.setDevice(opener(small));
         QTRY_COMPARE_WITH_TIMEOUT(screen.notices().size(), std::size_t(1), test::kPatience);
@@ -293,7 +299,7 @@ class FaultsTest : public QObject {
         slow->iterationSeconds = 0.02;
         test::Screen screen;
         Session session(test::failing(slow), screen.sink(), kCpu, test::readingOf(clock));
-        session.submit(someScene(), false);
+        begin(session);
         QVERIFY(screen.await(samples(2)));  // its speed is known by now
         session.setIterationsPerFrame(1000);
         session.setDevice(kCpu);

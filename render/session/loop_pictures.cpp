@@ -1,0 +1,141 @@
+/// What the render thread shows of a film, and when.
+
+#include <algorithm>
+#include <utility>
+
+#include "render/accuracy/prediction.h"
+#include "render/session/loop.h"
+
+namespace pdr {
+
+/// At rest, where a smoothed picture is wanted.
+Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
+    if (coarse() || moving_ || !smooths(commands.display()) || !smoothedView_.isDue(samples_))
+        return {};
+    const double start = clock_();
+    const Result<std::shared_ptr<const Film>> film = place_.film()->film();
+    if (!film)
+        return film.error();
+    smoothedView_.judge(**film, step.stop);
+    seconds_ += secondsSince(start);
+    return {};
+}
+
+/// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing
+/// goes on behind. None where smoothing was broken off, since something newer is waiting.
+Result<void> Session::Loop::show(const RenderCommands::Iteration& step) {
+    Accumulator& film = *place_.film();
+    const Display asked = commands.display();
+    const Display display = smoothedView_.better({asked.exposure, smooths(asked)});
+    const bool adds = step.render && !step.redisplay;
+    const bool within = step.render && step.redisplay;  // a frame that goes on
+    const bool atOnce = fresh_ || coarse() || measuring_ || !adds;
+    const double start = clock_();
+    if (Result<void> ordered = film.resolve(display, step.stop); !ordered)
+        return ordered;
+    if (display.smoothed && step.stop.stop_requested()) {
+        place_.tearFilm();
+        return {};
+    }
+    waiting_.push_back(asked);
+    Result<std::vector<DisplayedPicture>> pictures = takeAllBut(atOnce ? 0 : std::size_t(film.maxInFlight() - 1));
+    if (!pictures)
+        return pictures.error();
+    const double displaySeconds = secondsSince(start);
+    first_ = fresh_ = false;
+    coarser_.reset();
+    const std::uint32_t n = within ? 0 : std::exchange(done_, 0);
+    const double frameSeconds = within ? 0 : std::exchange(frameSeconds_, 0);
+    seconds_ += frameSeconds + displaySeconds;
+    if (adds)
+        addTimes(n, frameSeconds, displaySeconds);
+    if (!pictures->empty())
+        reached_ = !coarse() && pictures->back().picture.status.displayError <= kFinestStep;
+    send(*std::move(pictures), wanted(step.pace));
+    return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
+}
+
+/// Of a frame of n iterations. Where work goes on behind, only the sum of both tells something.
+void Session::Loop::addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds) {
+    if (place_.film()->maxInFlight() == 1) {
+        meter_.addFrame(n, iterationSeconds, displaySeconds);
+        ladder_.addFrame(n * pixels(), iterationSeconds);
+        ladder_.addDisplay(pixels(), displaySeconds);
+    } else {
+        meter_.addPeriod(n, iterationSeconds + displaySeconds);
+        ladder_.addFrame(n * pixels(), iterationSeconds + displaySeconds);
+    }
+}
+
+/// On another display.
+Result<void> Session::Loop::showCoarser(const RenderCommands::Iteration& step) {
+    const Display asked = commands.display();
+    Picture picture = coarserPictures_.picture(*coarser_, {asked.exposure, smooths(asked)}, step.stop);
+    if (step.stop.stop_requested())
+        return {};
+    auto frame = frameOf({std::move(picture), asked}, ResolutionLadder::kSamples);
+    frame->size = coarser_->size();
+    frame->coarse = true;
+    sink_(std::move(frame));
+    return {};
+}
+
+Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::takeAllBut(std::size_t left) {
+    std::vector<DisplayedPicture> pictures;
+    while (waiting_.size() > left) {
+        Result<Picture> picture = place_.film()->readback();
+        if (!picture)
+            return picture.error();
+        pictures.push_back({*std::move(picture), waiting_.front()});
+        waiting_.pop_front();
+    }
+    return pictures;
+}
+
+/// Where work goes on behind, what a call takes says nothing. So a frame was made with nothing beside it, in
+/// `frameSeconds`; now its display alone once more, and what is left are its n iterations.
+Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t n, double frameSeconds) {
+    const double start = clock_();
+    if (Result<void> ordered = place_.film()->resolve(display); !ordered)
+        return ordered;
+    if (const Result<Picture> again = place_.film()->readback(); !again)
+        return again.error();
+    const double displaySeconds = secondsSince(start);
+    meter_.addFrame(n, std::max(frameSeconds - displaySeconds, 0.0), displaySeconds);
+    seconds_ += displaySeconds;
+    measuring_ = false;
+    measuredAt_ = clock_();
+    return {};
+}
+
+void Session::Loop::send(std::vector<DisplayedPicture> pictures, std::uint32_t n) {
+    for (DisplayedPicture& picture : pictures)
+        sink_(frameOf(std::move(picture), n));
+}
+
+std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uint32_t n) {
+    auto frame = std::make_shared<Frame>();
+    frame->revision = place_.revision();
+    frame->camera = scene_.camera;
+    frame->lookName = scene_.lookName;
+    frame->estimator = scene_.estimator;
+    frame->coarse = coarse();
+    frame->reached = reached_ && commands.holdsAtTarget();
+    frame->size = place_.size();
+    frame->display = picture.display;
+    frame->rgba = std::move(picture.picture.rgba);
+    frame->status = picture.picture.status;
+    frame->smoothed = picture.picture.smoothed;
+    if (frame->smoothed)
+        frame->smoothedError = smoothedView_.error(frame->display.exposure);
+    frame->seconds = seconds_;
+    frame->iterationsPerSecond = meter_.iterationsPerSecond();
+    frame->iterations = n;
+    if (scene_.schedule.kind == Schedule::Kind::pd)  // else iterations hold their own display
+        frame->efficiency = meter_.efficiency();
+    frame->device = place_.info().name;
+    frame->schedule = scene_.schedule;
+    return frame;
+}
+
+}  // namespace pdr

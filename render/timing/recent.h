@@ -1,0 +1,39 @@
+#pragma once
+/// The last few of many measurements, and their median: one that another program disturbed does not count.
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+namespace pdr {
+
+class Recent {
+  public:
+    /// `most` of them, at least 1.
+    explicit Recent(std::size_t most) : most_(most) {}
+
+    void add(double value) {
+        values_.push_back(value);
+        if (values_.size() > most_)
+            values_.pop_front();
+    }
+    bool empty() const { return values_.empty(); }
+    /// Whether there are as many as the median is taken of.
+    bool full() const { return values_.size() == most_; }
+    /// 0 of nothing.
+    double median() const {
+        if (values_.empty())
+            return 0;
+        std::vector<double> sorted(values_.begin(), values_.end());
+        const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+        std::nth_element(sorted.begin(), middle, sorted.end());
+        return *middle;
+    }
+
+  private:
+    std::size_t most_;
+    std::deque<double> values_;
+};
+
+}  // namespace pdr

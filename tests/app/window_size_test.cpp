@@ -1,0 +1,215 @@
+/// What the window's size does to the picture: it has the screen's own pixels, keeps its samples where the size stays,
+/// and nothing is rendered for a size that goes by, for a window that nobody sees, or for what is finished.
+
+#include <QLabel>
+#include <QTest>
+
+#include "tests/support/desktop_trial.h"
+#include "tests/support/failing_device.h"
+#include "tests/support/patience.h"
+#include "tests/support/phantom_series.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+class TestWindowSize : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void thePictureHasTheScreensOwnPixels();
+    void whatIsStretchedIsSaid();
+    void aSizeThatComesBackKeepsTheSamples_data();
+    void aSizeThatComesBackKeepsTheSamples();
+    void aDragOfTheEdgeBeginsOnceAndShowsTheOldPictureMeanwhile();
+    void aHiddenWindowIsNotRenderedFor();
+    void aFinishedPictureHoldsAndGoesOnWithOneKey();
+    void beforeTheFirstPictureTheViewSaysWhatHappens();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+static QString statusOf(Trial& trial) {
+    return trial.desktop.window().status().findChild<QLabel*>()->text();
+}
+
+static std::uint64_t samplesOf(Trial& trial) {
+    return trial.frames.back()->status.samplesPerPixel;
+}
+
+/// With some samples of the whole picture.
+static void openAndWait(Trial& trial, const QString& series) {
+    trial.openAndWait(series);
+    QTRY_VERIFY_WITH_TIMEOUT(samplesOf(trial) > 5, test::kPatience);
+}
+
+void TestWindowSize::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_), "Head of a phantom");
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+/// Also on a screen with one and a half pixels to a length: what was rendered is what is painted, unaltered.
+void TestWindowSize::thePictureHasTheScreensOwnPixels() {
+    Trial trial;
+    ui::Viewport& viewport = trial.desktop.window().viewport();
+    QCOMPARE(viewport.devicePixelRatioF(), 1.5);
+    openAndWait(trial, series_);
+    QTest::keyClick(&viewport, Qt::Key_Space);
+    (void)trial.heldSamples();
+    const Frame& frame = *trial.frames.back();
+    QCOMPARE(QSize(frame.size.x, frame.size.y), (QSizeF(viewport.size()) * 1.5).toSize());
+    const QImage shown = viewport.grab().toImage();
+    QCOMPARE(shown.size(), QSize(frame.size.x, frame.size.y));
+    int lit = 0;
+    for (int y = frame.size.y / 4; y < frame.size.y * 3 / 4; ++y)  // where nothing is written
+        for (int x = frame.size.x / 4; x < frame.size.x * 3 / 4; ++x) {
+            const std::uint8_t* rgba = &frame.rgba[4 * (std::size_t(y) * std::size_t(frame.size.x) + std::size_t(x))];
+            QCOMPARE(shown.pixel(x, y), qRgb(rgba[0], rgba[1], rgba[2]));
+            lit += rgba[0] > 60;
+        }
+    QVERIFY(lit > 100);
+}
+
+void TestWindowSize::whatIsStretchedIsSaid() {
+    auto mishaps = std::make_shared<test::Mishaps>();
+    mishaps->iterationSeconds = 0.05;
+    Trial trial(test::failing(mishaps));
+    trial.openAndWait(series_);
+    QVERIFY(!statusOf(trial).contains("stretched"));
+    trial.desktop.parts().document.setView(StandardView::left);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->coarse, test::kPatience);
+    const QSize view = trial.desktop.window().viewport().sizeInPixels();
+    const QString text = QString::fromUtf8("%1 × %2 pixels stretched to %3 × %4")
+                             .arg(trial.frames.back()->size.x)
+                             .arg(trial.frames.back()->size.y)
+                             .arg(view.width())
+                             .arg(view.height());
+    QVERIFY2(statusOf(trial).contains(text), qPrintable(statusOf(trial)));
+    trial.waitForNewest();
+    QVERIFY(!statusOf(trial).contains("stretched"));
+}
+
+void TestWindowSize::aSizeThatComesBackKeepsTheSamples_data() {
+    QTest::addColumn<bool>("panel");
+    QTest::newRow("resized") << false;
+    QTest::newRow("a panel comes and goes") << true;
+}
+
+/// A machine that stands still in between may take a size for settled that was none: one of ten attempts counts.
+void TestWindowSize::aSizeThatComesBackKeepsTheSamples() {
+    QFETCH(bool, panel);
+    Trial trial;
+    openAndWait(trial, series_);
+    ui::MainWindow& window = trial.desktop.window();
+    const QSize before = window.viewport().sizeInPixels();
+    const auto comesBack = [&] {
+        if (panel)
+            window.findChild<QDockWidget*>("Series")->hide();
+        else
+            window.resize(700, 600);
+        QTest::qWait(20);
+        const bool went = window.viewport().sizeInPixels() != before;
+        window.findChild<QDockWidget*>("Series")->show();
+        window.resize(900, 500);
+        QTest::qWait(500);
+        return went && window.viewport().sizeInPixels() == before;
+    };
+    const auto kept = [&] {
+        const std::uint64_t revision = trial.desktop.parts().document.scene().revision, samples = samplesOf(trial);
+        return comesBack() && trial.desktop.parts().document.scene().revision == revision &&
+               samplesOf(trial) >= samples;
+    };
+    bool once = false;
+    for (int attempt = 0; attempt < 10 && !once; ++attempt)
+        once = kept();
+    QVERIFY(once);
+}
+
+void TestWindowSize::aDragOfTheEdgeBeginsOnceAndShowsTheOldPictureMeanwhile() {
+    Trial trial;
+    openAndWait(trial, series_);
+    Document& document = trial.desktop.parts().document;
+    ui::MainWindow& window = trial.desktop.window();
+    const std::uint64_t revision = document.scene().revision;
+    for (int i = 1; i <= 20; ++i) {
+        window.resize(900 + 10 * i, 500);
+        QTest::qWait(5);
+        const QImage shown = window.viewport().grab().toImage();
+        QVERIFY(shown.pixelColor(shown.width() / 2, shown.height() / 3).lightness() > 40);
+    }
+    const QSize last = window.viewport().sizeInPixels();
+    QTRY_VERIFY_WITH_TIMEOUT(document.scene().film == ivec2(last.width(), last.height()), test::kPatience);
+    trial.waitForNewest();
+    // A machine that stands still for longer than the size takes to settle makes one more of each standstill.
+    QVERIFY2(document.scene().revision <= revision + 5, qPrintable(QString::number(document.scene().revision)));
+}
+
+void TestWindowSize::aHiddenWindowIsNotRenderedFor() {
+    auto mishaps = std::make_shared<test::Mishaps>();
+    Trial trial(test::failing(mishaps));
+    openAndWait(trial, series_);
+    trial.desktop.parts().document.setViewSize({60, 40});  // whose iterations are soon done
+    const auto becomes = [&](bool rendered) {
+        const auto seen = [&] {
+            const int before = mishaps->accumulates;
+            QTest::qWait(200);
+            return (mishaps->accumulates != before) == rendered;
+        };
+        return QTest::qWaitFor(seen, test::kPatience);
+    };
+    QVERIFY(becomes(true));
+    trial.desktop.window().hide();
+    QVERIFY(becomes(false));
+    trial.desktop.window().show();
+    QVERIFY(becomes(true));
+    trial.desktop.window().showMinimized();
+    QVERIFY(becomes(false));
+    trial.desktop.window().showNormal();
+    QVERIFY(becomes(true));
+    QVERIFY(!trial.desktop.parts().bridge.paused());
+}
+
+void TestWindowSize::aFinishedPictureHoldsAndGoesOnWithOneKey() {
+    Trial trial;
+    RenderBridge& bridge = trial.desktop.parts().bridge;
+    bridge.setPace({.iterations = 100});
+    trial.openAndWait(series_);
+    trial.desktop.parts().document.setViewSize({12, 8});  // small and dark: finished soon
+    trial.desktop.parts().document.setBrightness(-4);
+    QTRY_VERIFY_WITH_TIMEOUT(bridge.reached(), test::kPatience);
+    QVERIFY2(statusOf(trial).contains("reached; Space goes on"), qPrintable(statusOf(trial)));
+    QVERIFY(!bridge.paused());
+    const std::uint64_t held = trial.heldSamples();
+    QTest::qWait(200);
+    QCOMPARE(samplesOf(trial), held);
+    QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(samplesOf(trial) > held, test::kPatience);
+    QVERIFY(!statusOf(trial).contains("reached"));
+    QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
+    QVERIFY(bridge.paused());  // now it is a pause
+}
+
+void TestWindowSize::beforeTheFirstPictureTheViewSaysWhatHappens() {
+    Trial trial;
+    ui::Viewport& viewport = trial.desktop.window().viewport();
+    QString said;
+    QObject::connect(&trial.desktop.parts().document, &Document::sceneChanged, &viewport,
+                     [&] { said = viewport.message(); });
+    trial.openAndWait(series_);
+    QCOMPARE(said, "Preparing the volume of CT series 1...");
+    QVERIFY(viewport.message().isEmpty());
+}
+
+}  // namespace pdr::app
+
+int main(int argc, char** argv) {
+    qputenv("QT_SCALE_FACTOR", "1.5");
+    QApplication application(argc, argv);
+    pdr::app::TestWindowSize test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_size_test.moc"

@@ -1,0 +1,193 @@
+/// How long a picture takes to follow the hand, in the real window: from the event to the end of the painting of the
+/// first picture that knows of it.
+///   interaction FOLDER [--seconds S] [--threads N]
+/// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse tells them, 125 a second: a
+/// drag that turns, and a drag of the brightness. Then single edits, views and presets, one after a rest of a second.
+/// Prints a line each: events that were answered, milliseconds (median, 99 in 100, most), pictures a second, the median
+/// of their widths, and the processor time of the whole program to the time of the clock.
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "app/desktop.h"
+#include "app/presets.h"
+#include "ui/dark_theme.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr int kBetweenEventsMs = 8;
+
+double at(std::vector<double> values, double share) {
+    if (values.empty())
+        return 0;
+    std::ranges::sort(values);
+    return values[std::min(std::size_t(share * double(values.size())), values.size() - 1)];
+}
+
+/// What the hand has done and no picture has shown yet.
+struct Unanswered {
+    double atMs;
+    std::uint64_t revision;
+    Display display;
+};
+
+class Stopwatch {
+  public:
+    explicit Stopwatch(Desktop& desktop) : desktop_(desktop) {
+        clock_.start();
+        QObject::connect(&desktop.parts().bridge, &RenderBridge::frameReady,
+                         [this](const std::shared_ptr<const Frame>& frame) { painted(*frame); });
+    }
+
+    /// Does `edit`, and times its picture.
+    void time(const std::function<void()>& edit) {
+        const double start = nowMs();
+        edit();
+        const Document& document = desktop_.parts().document;
+        unanswered_.push_back({start, document.scene().revision, document.display()});
+    }
+
+    /// For `seconds`: `edit` of 0, 1, 2, ..., every `ms`.
+    void repeat(double seconds, int ms, const std::function<void(int)>& edit) {
+        const double end = nowMs() + 1e3 * seconds;
+        for (int i = 0; nowMs() < end; ++i) {
+            const double next = nowMs() + ms;
+            time([&] { edit(i); });
+            QTest::qWait(std::max(int(next - nowMs()), 0));
+        }
+    }
+
+    /// Prints what was measured under that name, and begins anew.
+    void report(const char* name) {
+        const double seconds = 1e-3 * (nowMs() - beganMs_);
+        std::printf(
+            "%-22s %4zu answered   median %6.1f ms   p99 %6.1f ms   most %6.1f ms   %5.1f pictures/s   "
+            "%4.0f px wide   cpu %.2f\n",
+            name, latencies_.size(), at(latencies_, 0.5), at(latencies_, 0.99), at(latencies_, 1),
+            double(widths_.size()) / seconds, at(widths_, 0.5),
+            (double(std::clock() - beganCpu_) / CLOCKS_PER_SEC) / seconds);
+        std::fflush(stdout);
+        begin();
+    }
+
+    void begin() {
+        latencies_.clear();
+        widths_.clear();
+        unanswered_.clear();
+        beganMs_ = nowMs();
+        beganCpu_ = std::clock();
+    }
+
+    const std::shared_ptr<const Frame>& last() const { return desktop_.parts().bridge.lastFrame(); }
+
+  private:
+    double nowMs() const { return 1e-6 * double(clock_.nsecsElapsed()); }
+
+    void painted(const Frame& frame) {
+        desktop_.window().viewport().repaint();
+        widths_.push_back(frame.size.x);
+        // Displays have no order: those before the one that is shown were overtaken by it.
+        const auto answered = std::find_if(unanswered_.rbegin(), unanswered_.rend(), [&](const Unanswered& event) {
+            return event.revision <= frame.revision && event.display == frame.display;
+        });
+        for (auto left = unanswered_.rend() - answered; left > 0; --left) {
+            latencies_.push_back(nowMs() - unanswered_.front().atMs);
+            unanswered_.pop_front();
+        }
+    }
+
+    Desktop& desktop_;
+    QElapsedTimer clock_;
+    std::deque<Unanswered> unanswered_;
+    std::vector<double> latencies_, widths_;
+    double beganMs_ = 0;
+    std::clock_t beganCpu_ = std::clock();
+};
+
+void mouse(QWidget& widget, QEvent::Type type, QPointF place) {
+    const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, place, widget.mapToGlobal(place), button, held, {});
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+void turn(Desktop& desktop, Stopwatch& watch, double seconds) {
+    ui::Viewport& viewport = desktop.window().viewport();
+    const QPointF middle = viewport.rect().center();
+    mouse(viewport, QEvent::MouseButtonPress, middle);
+    watch.begin();
+    watch.repeat(seconds, kBetweenEventsMs, [&](int i) {
+        mouse(viewport, QEvent::MouseMove, middle + QPointF(200 * std::sin(0.01 * (i + 1)), 0));
+    });
+    watch.report("turning");
+    mouse(viewport, QEvent::MouseButtonRelease, middle);
+}
+
+void brighten(Desktop& desktop, Stopwatch& watch, double seconds) {
+    auto* slider = desktop.window().look().findChild<QSlider*>();
+    slider->setSliderDown(true);
+    watch.begin();
+    watch.repeat(seconds, kBetweenEventsMs, [&](int i) { slider->setValue(int(20 * std::sin(0.05 * (i + 1)))); });
+    watch.report("brightness");
+    slider->setSliderDown(false);
+}
+
+void edits(Desktop& desktop, Stopwatch& watch, double seconds) {
+    Document& document = desktop.parts().document;
+    watch.begin();
+    watch.repeat(seconds, 1000, [&](int i) { document.setView(StandardView(i % 2 ? 0 : 1 + i / 2 % 5)); });
+    watch.report("a view, at rest");
+    watch.begin();
+    watch.repeat(seconds, 1000, [&](int i) { document.setPreset(1 + i % 2); });
+    watch.report("a preset, at rest");
+}
+
+int run(const QString& folder, double seconds, int threads) {
+    QTemporaryDir settings;
+    Desktop desktop(*bundledPresets(), makeCpuDevice(threads), settings.filePath("settings.ini"), threads);
+    Stopwatch watch(desktop);
+    desktop.window().show();
+    desktop.open(folder);
+    if (!QTest::qWaitFor([&] { return watch.last() && !watch.last()->coarse; }, 600'000)) {
+        std::printf("no picture of %s\n", qPrintable(folder));
+        return 1;
+    }
+    const QSize view = desktop.window().viewport().sizeInPixels();
+    std::printf("%s, view of %d x %d pixels\n", qPrintable(folder), view.width(), view.height());
+    turn(desktop, watch, seconds);
+    QTest::qWait(3000);
+    brighten(desktop, watch, seconds);
+    QTest::qWait(1000);
+    edits(desktop, watch, seconds);
+    return 0;
+}
+
+}  // namespace
+}  // namespace pdr::app
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    pdr::ui::applyDarkTheme(application);
+    QCommandLineParser parser;
+    parser.addPositionalArgument("FOLDER", "a folder with a CT");
+    parser.addOption({"seconds", "of each gesture", "S", "10"});
+    parser.addOption({"threads", "0: one per core", "N", "0"});
+    parser.addHelpOption();
+    parser.process(application);
+    if (parser.positionalArguments().size() != 1)
+        parser.showHelp(2);
+    return pdr::app::run(parser.positionalArguments()[0], parser.value("seconds").toDouble(),
+                         parser.value("threads").toInt());
+}

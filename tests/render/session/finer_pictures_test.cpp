@@ -1,0 +1,233 @@
+/// From the first picture of an edit to the full one: never worse than before, whatever the hand does, and the film at
+/// rest is that of the scene alone.
+
+#include <QTest>
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <random>
+#include <thread>
+
+#include "tests/support/failing_device.h"
+#include "tests/support/patience.h"
+#include "tests/support/pictures.h"
+#include "tests/support/reel.h"
+
+using namespace pdr;
+using namespace std::chrono_literals;
+using test::largeScene;
+using test::Reel;
+
+namespace {
+
+/// Each look at it finds it later: by such a clock every device is so slow that it needs bands.
+SessionClock hurrying() {
+    return [now = std::make_shared<std::atomic<double>>(0)] { return *now += 0.03; };
+}
+
+bool isWorse(const Frame& after, const Frame& before) {
+    return after.size.x < before.size.x || after.size.y < before.size.y ||
+           after.status.samplesPerPixel < before.status.samplesPerPixel;
+}
+
+/// Pictures of one scene: none has fewer pixels than the one before, or fewer samples in each of them.
+bool growsNoWorse(const std::vector<std::shared_ptr<const Frame>>& frames) {
+    return std::adjacent_find(frames.begin(), frames.end(), [](const auto& before, const auto& after) {
+               return isWorse(*after, *before);
+           }) == frames.end();
+}
+
+Result<Film> filmOf(Session& session, std::uint64_t revision) {
+    std::promise<Result<Film>> film;
+    session.requestSnapshot(revision, [&](const Result<FilmView>& view) {
+        film.set_value(view ? Result<Film>(view->film) : Result<Film>(view.error()));
+    });
+    return film.get_future().get();
+}
+
+}  // namespace
+
+class FinerPicturesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void noPictureIsWorseThanTheOneBefore_data() { devices(); }
+    void noPictureIsWorseThanTheOneBefore() {
+        QFETCH(QString, device);
+        Reel reel;
+        Session session(made(device), reel.sink());
+        session.setDisplay({.smoothed = true});
+        for (std::uint64_t revision = 1; revision <= 4; ++revision) {
+            session.submit(largeScene(revision), false);
+            QTRY_VERIFY_WITH_TIMEOUT(reel.full(revision, 2), test::kPatience);
+        }
+        for (std::uint64_t revision = 1; revision <= 4; ++revision) {
+            QVERIFY(reel.of(revision).front()->coarse);
+            QVERIFY(growsNoWorse(reel.of(revision)));
+            QVERIFY(reel.of(revision).front()->smoothed);
+        }
+    }
+
+    /// Brightness, while the film behind the picture is not yet as good as the picture.
+    void anotherDisplayIsNeverWorseEither_data() { devices(); }
+    void anotherDisplayIsNeverWorseEither() {
+        QFETCH(QString, device);
+        Reel reel;
+        Session session(made(device), reel.sink());
+        session.submit(largeScene(1), false);
+        std::mt19937 random(1);
+        for (float exposure = 1; !reel.full(1, 3); exposure *= 1.01f) {
+            session.setDisplay({.exposure = exposure});
+            std::this_thread::sleep_for(std::chrono::milliseconds(random() % 20));
+        }
+        QVERIFY(growsNoWorse(reel.of(1)));
+    }
+
+    /// What waits on the way from the coarsest picture to the full one is shown smoothed as well.
+    void everyDisplayOfASmoothedPictureIsSmoothed() {
+        Reel reel;
+        Session session(makeCpuDevice(2), reel.sink());
+        session.submit(largeScene(1), false);
+        for (float exposure = 1; !reel.full(1); exposure *= 1.01f) {
+            session.setDisplay({.exposure = exposure, .smoothed = true});
+            QTest::qWait(120);  // so that samples are added in between
+        }
+        QVERIFY(growsNoWorse(reel.of(1)));
+        for (const auto& frame : reel.of(1))
+            QCOMPARE(frame->smoothed, frame->display.smoothed);
+    }
+
+    /// Each sample would have to be smoothed anew. Half of the displays may come too late for it to wait.
+    void aSmoothedFilmWaitsForAHandThatChangesItsBrightness() {
+        Reel reel;
+        Session session(makeCpuDevice(2), reel.sink());
+        session.setDisplay({.smoothed = true});
+        session.submit(largeScene(1), false);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), test::kPatience);
+        int waited = 0;
+        for (int i = 1; i <= 20; ++i) {
+            const auto before = reel.frames().back();
+            const Display display{.exposure = 1 + 0.1f * float(i), .smoothed = true};
+            session.setDisplay(display);
+            while (reel.frames().back()->display.exposure != display.exposure)
+                std::this_thread::sleep_for(1ms);
+            const FilmStatus& status = reel.frames().back()->status;
+            waited += status.meanSamplesPerPixel == before->status.meanSamplesPerPixel;
+        }
+        QVERIFY(waited >= 10);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 30), test::kPatience);  // and then goes on
+    }
+
+    void aChangedDisplayIsShownAtOnce_data() { devices(); }
+    void aChangedDisplayIsShownAtOnce() {
+        QFETCH(QString, device);
+        Reel reel;
+        Session session(made(device), reel.sink());
+        session.setIterationsPerFrame(10000);  // the next frame is far
+        session.submit(largeScene(1), false);
+        QTRY_VERIFY_WITH_TIMEOUT(!reel.of(1).empty(), test::kPatience);
+        for (int i = 1; i <= 20; ++i) {
+            const Display display{.exposure = 1 + 0.1f * float(i)};
+            session.setDisplay(display);
+            QTRY_VERIFY_WITH_TIMEOUT(reel.frames().back()->display == display, test::kPatience);
+        }
+        QVERIFY(reel.frames().back()->status.samplesPerPixel < 10000);
+        QVERIFY(growsNoWorse(reel.of(1)));
+    }
+
+    void whatIsShownBetweenTheBandsOfAnIterationIsTheFilm() {
+        Reel reel;
+        Session session(makeCpuDevice(2), reel.sink(), {}, hurrying());
+        session.submit(largeScene(1), false);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), test::kPatience);
+        const auto uneven = [&] {
+            const FilmStatus& status = reel.frames().back()->status;
+            return status.mostSamplesPerPixel == status.samplesPerPixel + 1;
+        };
+        const auto many = [&] { return reel.frames().back()->status.samplesPerPixel > 200; };
+        bool seen = false;
+        for (float exposure = 1; !seen && !many(); exposure *= 1.001f) {
+            session.setDisplay({.exposure = exposure});
+            std::this_thread::sleep_for(1ms);
+            seen = uneven();
+        }
+        QVERIFY(seen);
+        const Result<Film> film = filmOf(session, 1);
+        QVERIFY(film);
+        QCOMPARE(film->samples().most, film->samplesPerPixel());
+        QVERIFY(test::sameBits(*film, test::render(largeScene(1), film->samplesPerPixel())));
+    }
+
+    /// The device is changed between two bands.
+    void anotherDeviceGoesOnWithinAnIteration() {
+        Reel reel;
+        Session session(makeCpuDevice(2), reel.sink(), {}, hurrying());
+        session.submit(largeScene(1), false);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), test::kPatience);
+        for (int i = 0; i < 12; ++i) {
+            session.setDevice([i]() -> Result<std::unique_ptr<Device>> {
+                if (i % 2)
+                    return makeCpuDevice(1);
+                return test::failing(std::make_shared<test::Mishaps>());
+            });
+            std::this_thread::sleep_for(std::chrono::milliseconds(7 * i));
+        }
+        const Result<Film> film = filmOf(session, 1);
+        QVERIFY(film);
+        QVERIFY(test::sameBits(*film, test::render(largeScene(1), film->samplesPerPixel())));
+    }
+
+    void aHandThatHoldsStillSeesTheFullPicture() {
+        Reel reel;
+        Session session(makeCpuDevice(2), reel.sink());
+        session.submit(largeScene(1), true);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), test::kPatience / 10);  // what is planted makes it wait as long
+        QVERIFY(reel.of(1).front()->coarse && growsNoWorse(reel.of(1)));
+    }
+
+    void aHandThatRestsKeepsWhatIsThere() {
+        Reel reel;
+        Session session(makeCpuDevice(2), reel.sink());
+        session.submit(largeScene(1), true);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 5), test::kPatience);
+        session.submit(largeScene(1), false);
+        const Result<Film> film = filmOf(session, 1);
+        QVERIFY(film && test::sameBits(*film, test::render(largeScene(1), film->samplesPerPixel())));
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 10), test::kPatience);
+        QVERIFY(growsNoWorse(reel.of(1)));
+    }
+
+    /// A scene that costs a hundred times as much as the one before shows its first picture with what is there in time.
+    void aFirstPictureThatWouldBeLateHasFewerSamples() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->clock = std::make_shared<test::FakeClock>();
+        Reel reel;
+        Session session(test::failing(mishaps), reel.sink(), {}, test::readingOf(mishaps->clock));
+        session.submit(largeScene(1), false);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), test::kPatience);
+        mishaps->iterationSeconds = 0.06;
+        session.submit(largeScene(2), true);
+        QTRY_VERIFY_WITH_TIMEOUT(!reel.of(2).empty(), test::kPatience);
+        QVERIFY(reel.of(2).front()->coarse);
+        QCOMPARE(reel.of(2).front()->status.samplesPerPixel, std::uint64_t(1));
+    }
+
+  private:
+    static void devices() {
+        QTest::addColumn<QString>("device");
+        QTest::newRow("cpu") << "cpu";
+        QTest::newRow("gpu") << "gpu";
+        QTest::newRow("gpu with work behind") << "behind";
+    }
+    static std::unique_ptr<Device> made(const QString& device) {
+        if (device == "cpu")
+            return makeCpuDevice(2);
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->iterationSeconds = 0.02;
+        mishaps->maxInFlight = device == "behind" ? 2 : 1;
+        return test::failing(mishaps);
+    }
+};
+
+QTEST_GUILESS_MAIN(FinerPicturesTest)
+#include "finer_pictures_test.moc"

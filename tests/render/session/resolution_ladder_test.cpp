@@ -1,0 +1,92 @@
+/// First pictures come in time on any device, and the steps from there to the full film are cheap.
+
+#include <QTest>
+#include <cmath>
+
+#include "render/session/resolution_ladder.h"
+
+using namespace pdr;
+
+namespace {
+
+constexpr ivec2 kFilm{1600, 1000};
+
+ResolutionLadder measured(double samplesPerSecond, double beginning = 0) {
+    ResolutionLadder ladder;
+    ladder.addBeginning(beginning);
+    ladder.addFrame(samplesPerSecond, 1);
+    return ladder;
+}
+
+double samplesOf(int divider) {
+    const ivec2 size = dividedFilm(kFilm, divider);
+    return double(size.x) * size.y * ResolutionLadder::kSamples;
+}
+
+}  // namespace
+
+class ResolutionLadderTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aFirstPictureComesInTimeAndNoCoarserThanThat() {
+        for (const double speed : {1e6, 3e6, 1e7, 5e7, 1e9})
+            for (const double beginning : {0.0, 0.01, 0.02}) {
+                const ResolutionLadder ladder = measured(speed, beginning);
+                const int divider = ladder.first(kFilm);
+                QVERIFY(divider >= 1 && divider <= ResolutionLadder::kCoarsest);
+                const auto seconds = [&](int at) { return beginning + samplesOf(at) / speed; };
+                // Films have whole pixels, and the last of them may be cut off.
+                if (divider < ResolutionLadder::kCoarsest)
+                    QVERIFY(seconds(divider) <= 1.1 * ResolutionLadder::kFrameSeconds);
+                if (divider > 1)
+                    QVERIFY(seconds(divider - 1) > ResolutionLadder::kFrameSeconds);
+            }
+    }
+
+    /// A display that takes as long as the samples.
+    void whatADisplayCostsIsLeftForIt() {
+        const ResolutionLadder quick = measured(4e6);
+        ResolutionLadder ladder = quick;
+        ladder.addDisplay(1e6, 1);
+        const ivec2 size = dividedFilm(kFilm, ladder.first(kFilm));
+        const double pixels = double(size.x) * size.y, samples = samplesOf(ladder.first(kFilm)) / ladder.speed();
+        QVERIFY(ladder.first(kFilm) > quick.first(kFilm));
+        QVERIFY(samples + pixels * 1e-6 <= 1.1 * ResolutionLadder::kFrameSeconds);
+        QVERIFY(std::abs(ladder.secondsForSamples(pixels) - (ResolutionLadder::kFrameSeconds - pixels * 1e-6)) < 1e-9);
+    }
+
+    void aSlowDeviceStillShowsSomething() {
+        QCOMPARE(measured(1).first(kFilm), ResolutionLadder::kCoarsest);
+        QVERIFY(measured(1e6, 10).first(kFilm) <= ResolutionLadder::kCoarsest);
+        QVERIFY(measured(1e6, 10).secondsForSamples(1) > 0);
+        QVERIFY(dividedFilm({3, 1}, 16) == ivec2(1, 1));
+    }
+
+    void oneSlowFrameChangesNothing() {
+        ResolutionLadder ladder = measured(1e7);
+        for (int i = 0; i < 4; ++i)
+            ladder.addFrame(1e7, 1);
+        const int usual = ladder.first(kFilm);
+        ladder.addFrame(1e7, 50);
+        ladder.addFrame(1e7, 0);  // a clock that stood still
+        QCOMPARE(ladder.first(kFilm), usual);
+        for (int i = 0; i < 3; ++i)
+            ladder.addFrame(1e7, 9);
+        QVERIFY(ladder.first(kFilm) > usual);
+    }
+
+    void theStepsEndAtTheFilmAndCostAThirdOfIt() {
+        for (int first = 1; first <= ResolutionLadder::kCoarsest; ++first) {
+            double cost = 0;
+            int divider = first;
+            for (; divider > 1; divider = ResolutionLadder::next(divider))
+                cost += samplesOf(divider) / samplesOf(1);
+            QCOMPARE(divider, 1);
+            QVERIFY(cost < 0.35);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ResolutionLadderTest)
+#include "resolution_ladder_test.moc"

@@ -1,0 +1,97 @@
+/// Rendering ends by itself where more of it would not be seen, says so, and goes on when it is asked to.
+
+#include <QTest>
+#include <ctime>
+
+#include "render/accuracy/prediction.h"
+#include "tests/support/reel.h"
+#include "tests/support/screen.h"
+
+using namespace pdr;
+
+namespace {
+
+Scene smallScene(std::uint64_t revision) {
+    Scene scene = test::largeScene(revision);
+    scene.film = {24, 16};
+    return scene;
+}
+
+struct Held {
+    test::Screen screen;
+    Session session{makeCpuDevice(2), screen.sink()};
+
+    Held() { session.setIterationsPerFrame(50); }
+    std::shared_ptr<const Frame> reached(std::uint64_t revision) {
+        session.submit(smallScene(revision), false);
+        return screen.await([&](const Frame& frame) { return frame.revision == revision && frame.reached; });
+    }
+};
+
+}  // namespace
+
+class TargetTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void renderingHoldsAtTheLastStep() {
+        Held held;
+        const auto frame = held.reached(1);
+        QVERIFY(frame && frame->status.displayError <= kFinestStep);
+        QVERIFY(frame->status.samplesPerPixel >= kSamplesToEstimate);
+        const int shown = held.screen.count();
+        const std::clock_t start = std::clock();
+        QTest::qWait(300);
+        QVERIFY(double(std::clock() - start) / CLOCKS_PER_SEC < 0.1);
+        QCOMPARE(held.screen.count(), shown);
+    }
+
+    void beforeThatItGoesOn() {
+        Held held;
+        held.session.setIterationsPerFrame(1);
+        held.session.submit(smallScene(1), false);
+        const auto early = held.screen.await([](const Frame& frame) { return !frame.coarse; });
+        QVERIFY(early && !early->reached);
+        QVERIFY(!(early->status.displayError <= kFinestStep));
+        held.session.setIterationsPerFrame(50);
+        QVERIFY(held.screen.await([](const Frame& frame) { return frame.reached; }));
+    }
+
+    void moreIsRenderedOnRequestUntilThereIsAnotherScene() {
+        Held held;
+        const auto frame = held.reached(1);
+        QVERIFY(frame);
+        held.session.goOn();
+        const auto more = held.screen.await(
+            [&](const Frame& f) { return f.status.samplesPerPixel > 2 * frame->status.samplesPerPixel; });
+        QVERIFY(more && !more->reached);
+        held.session.submit(smallScene(2), false);
+        const auto next = held.screen.await([&](const Frame& f) {
+            return f.revision == 2 && (f.reached || f.status.samplesPerPixel > 4 * frame->status.samplesPerPixel);
+        });
+        QVERIFY(next && next->reached);
+    }
+
+    void aDisplayThatShowsMoreOfTheNoiseGoesOn() {
+        Held held;
+        const auto frame = held.reached(1);
+        QVERIFY(frame);
+        held.session.setDisplay({.exposure = 0.2f});
+        QVERIFY(held.screen.await([&](const Frame& f) {
+            return f.display.exposure == 0.2f && f.status.samplesPerPixel > frame->status.samplesPerPixel;
+        }));
+    }
+
+    void aPauseStaysAPause() {
+        Held held;
+        QVERIFY(held.reached(1));
+        held.session.setPaused(true);
+        held.session.goOn();
+        const int shown = held.screen.count();
+        QTest::qWait(200);
+        QCOMPARE(held.screen.count(), shown);
+    }
+};
+
+QTEST_GUILESS_MAIN(TargetTest)
+#include "target_test.moc"
