@@ -6,6 +6,7 @@
 ///
 ///   T(t)      transmittance, exp(-int_0^t sigma_t ds)            track<RatioTracking>     Novak et al. 2014
 ///   sigma_t   extinction; T sigma_t is the pdf of the collision   track<DeltaTracking>     Woodcock et al. 1965
+///             both exactly up to the first event and its light    freeFlight               by inversion
 ///   c_e       emission per optical depth: its weight is 1, since the collision's pdf is T sigma_t    shadeVertex
 ///   a f       albedo and phase function, or a surface's BRDF with its cosine                  scatterEval, event.h
 ///   int_S2    next-event estimation of light from the lights, one light path by resampling (Talbot et al. 2005) with
@@ -48,8 +49,7 @@ PDR_HD inline bool fliesExactly(int bounce) {
     return bounce == 0;
 }
 
-/// Light paths from an event. From the first there are two, which cost less than all that leads to it: half of the
-/// shadows' noise for a third more time.
+/// Light paths from an event. From the first there are two: what leads to it is paid for once.
 inline constexpr int kMostLightPaths = 2;
 PDR_HD inline int lightPathsFrom(int bounce) {
     return fliesExactly(bounce) ? kMostLightPaths : 1;
