@@ -42,7 +42,7 @@ class Session::Loop {
 
     // Parts of work(). Errors: the device's.
     Result<void> accumulate(const RenderCommands::Iteration& step);
-    Result<void> show(const RenderCommands::Iteration& step);
+    Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
     Result<std::vector<DisplayedPicture>> takeAllBut(std::size_t left);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);

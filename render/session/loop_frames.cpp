@@ -20,7 +20,7 @@ constexpr double kMeasureSeconds = 2;         ///< between two frames whose disp
 void Session::Loop::work(const RenderCommands::Iteration& step) {
     brightens_ = step.redisplay && !first_ && !coarse() && smooths(commands.display());
     if (step.redisplay && (!first_ || coarser_))
-        return finish(first_ ? showCoarser(step) : show(step));
+        return finish(first_ ? showCoarser(step) : show(step, false));
     if (step.render && coarse() && !first_)
         beginFiner();
     if (place_.film() == nullptr)
@@ -36,7 +36,7 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     if (done && frameEnds)
         done = judgeSmoothing(step);
     if (done && samples_ > 0 && frameEnds)
-        done = show(step);
+        done = show(step, step.render);
     finish(std::move(done));
 }
 

@@ -22,13 +22,13 @@ Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step
 }
 
 /// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing
-/// goes on behind. None where smoothing was broken off, since something newer is waiting.
-Result<void> Session::Loop::show(const RenderCommands::Iteration& step) {
+/// goes on behind. `adds`: it shows new iterations. None where smoothing was broken off, since something newer is
+/// waiting.
+Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool adds) {
     Accumulator& film = *place_.film();
     const Display asked = commands.display();
     const Display display = smoothedView_.better({asked.exposure, smooths(asked)});
-    const bool adds = step.render && !step.redisplay;
-    const bool within = step.render && step.redisplay;  // a frame that goes on
+    const bool within = step.render && !adds;  // a frame that goes on
     const bool atOnce = fresh_ || coarse() || measuring_ || !adds;
     const double start = clock_();
     if (Result<void> ordered = film.resolve(display, step.stop); !ordered)
