@@ -103,6 +103,7 @@ void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
     }
     scene_ = order.scene;
     coarser_.reset();
+    passing_ = moving_;
     beginFilm(ladder_.first(scene_.film));
 }
 
@@ -122,6 +123,7 @@ void Session::Loop::beginFiner() {
     if (!film)
         return failedOnDevice(film.error());
     coarser_ = *std::move(film);
+    passing_ = false;
     beginFilm(ResolutionLadder::next(divider_));
 }
 

@@ -74,7 +74,8 @@ class Session::Loop {
     bool late() const;
     bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }
     double pixels() const { return double(place_.size().x) * place_.size().y; }
-    bool coarse() const { return divider_ > 1; }
+    /// Whether the film is not yet the scene's own.
+    bool coarse() const { return divider_ > 1 || passing_; }
     bool canSnapshot() const { return place_.film() != nullptr && !moving_ && !coarse() && !first_ && row_ == 0; }
 
     double secondsSince(double moment) const { return clock_() - moment; }
@@ -87,7 +88,8 @@ class Session::Loop {
     Scene scene_;                 ///< as it was submitted
     std::uint64_t revision_ = 0;  ///< of the scene submitted last, whatever became of it
     bool moving_ = false;
-    int divider_ = 1;  ///< of the film: see ResolutionLadder
+    int divider_ = 1;       ///< of the film: see ResolutionLadder
+    bool passing_ = false;  ///< it was begun while the user dragged: with random numbers of its own
     std::shared_ptr<const Film>
         coarser_;  ///< whose picture stays until the film's own is no worse; null: there is none
     Development coarserPictures_;

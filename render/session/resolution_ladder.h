@@ -34,7 +34,7 @@ class ResolutionLadder {
     /// The first divider for a full film of `size` pixels.
     int first(ivec2 size) const;
     /// The next finer one: half as coarse. Together such steps cost a third of the full film's first picture.
-    static int next(int divider) { return divider / 2; }
+    static int next(int divider) { return divider > 1 ? divider / 2 : 1; }
 
   private:
     static constexpr std::size_t kRecent = 5;
