@@ -8,7 +8,7 @@
 
 namespace pdr {
 
-/// At rest, where a smoothed picture is wanted.
+/// At rest, where a smoothed picture is wanted. It takes longer than a picture may: brightness does not wait for it.
 Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
     if (coarse() || moving_ || !smooths(commands.display()) || !smoothedView_.isDue(samples_))
         return {};
@@ -16,7 +16,7 @@ Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step
     const Result<std::shared_ptr<const Film>> film = place_.film()->film();
     if (!film)
         return film.error();
-    smoothedView_.judge(**film, step.stop);
+    smoothedView_.judge(**film, step.detour);
     seconds_ += secondsSince(start);
     return {};
 }

@@ -25,7 +25,7 @@ std::vector<RenderCommands::SnapshotRequest> taken(std::vector<RenderCommands::S
 void RenderCommands::submit(Scene scene, bool moving) {
     const std::lock_guard lock(mutex_);
     if (newest_ != scene.revision) {
-        running_.request_stop();
+        breakOff();
         beyond_ = false;
     }
     newest_ = scene.revision;
@@ -35,8 +35,11 @@ void RenderCommands::submit(Scene scene, bool moving) {
 
 void RenderCommands::setDisplay(const Display& display) {
     const std::lock_guard lock(mutex_);
-    displayChanged_ = displayChanged_ || !(display == display_);
+    if (display == display_)
+        return;
+    displayChanged_ = true;
     display_ = display;
+    detour_.request_stop();
     changed_.notify_one();
 }
 
@@ -79,7 +82,7 @@ void RenderCommands::clear() {
     scene_.reset();
     newest_.reset();
     clear_ = true;
-    running_.request_stop();
+    breakOff();
     changed_.notify_one();
 }
 
@@ -91,7 +94,12 @@ void RenderCommands::requestSnapshot(std::uint64_t revision, SnapshotObserver lo
 
 void RenderCommands::cancel() {
     const std::lock_guard lock(mutex_);
+    breakOff();
+}
+
+void RenderCommands::breakOff() {
     running_.request_stop();
+    detour_.request_stop();
 }
 
 /// Whether somebody wants something, now.
@@ -115,6 +123,7 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     if (stop.stop_requested())
         return std::nullopt;
     running_ = std::stop_source();
+    detour_ = std::stop_source();
     Iteration step;
     step.clear = std::exchange(clear_, false);
     step.device = std::exchange(device_, nullptr);
@@ -123,6 +132,7 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     step.redisplay = displayChanged_;
     step.pace = pace_;
     step.stop = running_.get_token();
+    step.detour = detour_.get_token();
     step.unanswerable = takeUnanswerable(state, step);
     displayChanged_ = false;
     return step;

@@ -47,7 +47,8 @@ class RenderCommands {
         bool render = false;     ///< more iterations, if there is a film
         bool redisplay = false;  ///< the display is another one: first show what is there
         FrameBudget pace;
-        std::stop_token stop;  ///< of this step
+        std::stop_token stop;    ///< of this step
+        std::stop_token detour;  ///< of what is no part of its picture: another display ends that, too
     };
 
     void submit(Scene scene, bool moving);
@@ -79,6 +80,7 @@ class RenderCommands {
     bool asked(const LoopState& state) const;
     bool renders(const LoopState& state) const;
     std::vector<SnapshotRequest> takeUnanswerable(const LoopState& state, const Iteration& step);
+    void breakOff();
 
     std::mutex mutex_;  ///< of all that follows
     std::condition_variable_any changed_;
@@ -92,7 +94,7 @@ class RenderCommands {
     bool beyond_ = false;  ///< the target does not count for this scene
     bool clear_ = false;
     std::vector<SnapshotRequest> looks_;
-    std::stop_source running_;
+    std::stop_source running_, detour_;  ///< see Iteration
 };
 
 }  // namespace pdr

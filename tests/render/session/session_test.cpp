@@ -3,6 +3,7 @@
 #include <future>
 #include <thread>
 
+#include "render/session/render_commands.h"
 #include "tests/support/processor_time.h"
 #include "tests/support/scenes.h"
 #include "tests/support/screen.h"
@@ -52,6 +53,22 @@ class SessionTest : public QObject {
         session.submit(someScene(2), false);
         QVERIFY(screen.await([](const Frame& f) { return f.revision == 2; }));
         QVERIFY(spent.seconds() < 2);
+    }
+
+    /// What takes longer than a picture may, and is no part of it, is broken off for another display; samples are not.
+    void anotherDisplayEndsWhatIsNoPartOfThePicture() {
+        RenderCommands commands;
+        commands.submit(someScene(1), false);
+        const auto step = commands.next({}, {});
+        QVERIFY(step && step->order);
+        commands.setDisplay(commands.display());
+        QVERIFY(!step->detour.stop_requested());
+        commands.setDisplay({.exposure = 2});
+        QVERIFY(step->detour.stop_requested() && !step->stop.stop_requested());
+        const auto next = commands.next({.scene = true, .film = true, .revision = 1}, {});
+        QVERIFY(next && next->redisplay && !next->detour.stop_requested());
+        commands.submit(someScene(2), false);
+        QVERIFY(next->detour.stop_requested() && next->stop.stop_requested());
     }
 
     void newestSceneWinsAtOnceInExposureRendersOrderToo() {
