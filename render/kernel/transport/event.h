@@ -1,6 +1,7 @@
 #pragma once
 /// A collision in the medium: where it is and how it sends light on, by a surface or by the phase function.
 
+#include "render/kernel/attenuation.h"
 #include "render/kernel/features.h"
 #include "render/kernel/medium.h"
 #include "render/kernel/transport/phase.h"
@@ -33,7 +34,7 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo,
     const float steepness = glm::length(gradient);
     if (!(steepness > 0))
         return vec3(0);
-    const float probability = most * -std::expm1(-scene.surfaceFactor * steepness);
+    const float probability = most * attenuation(scene.surfaceFactor * steepness).taken;
     if (u >= probability)
         return vec3(0);
     const vec3 normal = gradient / steepness;
