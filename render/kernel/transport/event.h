@@ -3,6 +3,7 @@
 
 #include "render/kernel/attenuation.h"
 #include "render/kernel/features.h"
+#include "render/kernel/gradient.h"
 #include "render/kernel/medium.h"
 #include "render/kernel/transport/phase.h"
 #include "render/kernel/transport/surface.h"
@@ -24,7 +25,7 @@ PDR_HD inline float surfaceFactorOf(float gradientFactor) {
 }
 
 /// A surface is the more likely the denser and the steeper the tissue: P = opacity (1 - exp(-surfaceFactor |grad|)),
-/// Kroes, Post & Botha 2012. No gradient, no surface. P is never above the opacity, so the gradient, which costs 48
+/// Kroes, Post & Botha 2012. No gradient, no surface. P is never above the opacity, so the gradient, which costs 64
 /// voxels, is looked at only where the number lies below that.
 PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
     const float most = opacity(scene.transferFunction, hu);
