@@ -63,7 +63,7 @@ struct CameraKernel {
     };
 
     PDR_HD bool start(std::int64_t i, Walk& walk) const {
-        TracedSample sample;
+        TracedSample sample{};
         if (!target.at(first + i, sample))
             return false;
         const vec2 depths = depthBounds(scene, sample.from.pixel);
@@ -97,7 +97,7 @@ struct ShadeKernel {
         if (i >= lists.counts->flights)
             return;
         const FirstFlight& flight = lists.flights[i];
-        TracedSample sample;
+        TracedSample sample{};
         target.at(flight.index, sample);
         Path path{pathSampler(scene, sample.from.pixel, sample.from.sample), flight.segment};
         PathSample found;
