@@ -84,9 +84,10 @@ Picture rawPictureOf(const Film& film, const Display& display) {
     return picture;
 }
 
-/// `smooth`: the film's radiance without its noise, in units of `unit`.
+}  // namespace
+
 Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display) {
-    const ivec2 size = film.size();
+    const ivec2 size = smooth[0].size();
     Picture picture{std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4, 255),
                     film.status(display.exposure, [](auto&&...) {}), true};
     denoise::eachBand(size.y, {}, [&](int begin, int end) {
@@ -99,8 +100,6 @@ Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, doub
     });
     return picture;
 }
-
-}  // namespace
 
 Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop) {
     return Development().picture(film, display, stop);

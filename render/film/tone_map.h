@@ -26,6 +26,9 @@ struct Picture {
 /// worthless.
 Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop = {});
 
+/// A film's radiance without its noise, in units of `unit`, as a picture of the film; it may be finer than that.
+Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display);
+
 /// Pictures of one film after the other. What was smoothed last is kept, since that takes many times as long as the
 /// tone curve: no other exposure of the same samples is smoothed again.
 class Development {
