@@ -4,10 +4,24 @@
 #include <utility>
 
 #include "dicom/import.h"
+#include "render/base/errors.h"
 #include "render/base/thrown.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
+namespace {
+
+/// Returns false if it was cancelled.
+bool waitUntilFreed(const std::weak_ptr<const Volume>& volume, const Progress& progress) {
+    while (!volume.expired()) {
+        if (!progress(0, "closing the series before"))
+            return false;
+        QThread::msleep(5);
+    }
+    return true;
+}
+
+}  // namespace
 
 ImportJob::ImportJob() {
     worker_.moveToThread(&thread_);
@@ -34,7 +48,10 @@ void ImportJob::scanFolder(const QString& folder) {
 void ImportJob::loadSeries(int index) {
     if (index < 0 || index >= int(scan_.series.size()))
         return;
-    start([this, index, series = scan_.series[std::size_t(index)]](const Progress& progress) -> std::function<void()> {
+    start([this, index, series = scan_.series[std::size_t(index)],
+           before = lastLoaded_](const Progress& progress) -> std::function<void()> {
+        if (!waitUntilFreed(before, progress))
+            return failure(pdr::cancelled());
         std::vector<dicom::Note> notes;
         auto result = dicom::loadSeries(series, dicom::Padding::maskAsAir, progress, &notes);
         if (!result)
@@ -42,6 +59,7 @@ void ImportJob::loadSeries(int index) {
         auto volume = std::make_shared<const Volume>(std::move(*result));
         return [this, index, volume, notes] {
             loadNotes_ = notes;
+            lastLoaded_ = volume;
             emit loaded(volume, index);
         };
     });

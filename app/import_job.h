@@ -31,7 +31,8 @@ class ImportJob : public QObject {
   public slots:
     /// Reads the headers in `folder`; ends with scanned() or failed().
     void scanFolder(const QString& folder);
-    /// Reads the pixels of a loadable series of the last scan; ends with loaded() or failed().
+    /// Reads the pixels of a loadable series of the last scan; ends with loaded() or failed(). Begins when the volume
+    /// that was loaded last has been let go of by all who held it: memory may not have room for two.
     void loadSeries(int index);
     /// Gives up what runs; ends with cancelled(). Nothing happens when nothing runs.
     void cancel();
@@ -62,6 +63,7 @@ class ImportJob : public QObject {
 
     dicom::ScanResult scan_;
     std::vector<dicom::Note> loadNotes_;
+    std::weak_ptr<const Volume> lastLoaded_;
     std::atomic<std::uint64_t> job_ = 0;  ///< the one that may go on; older ones are cancelled
     bool running_ = false;
     QThread thread_;  ///< begins with the first job

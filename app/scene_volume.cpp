@@ -4,7 +4,6 @@
 
 #include "app/series_choice.h"
 #include "dicom/import.h"
-#include "render/volume/clamp.h"
 
 namespace pdr::app {
 namespace {
@@ -35,7 +34,7 @@ Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& pr
     auto volume = dicom::loadSeries(*series, dicom::Padding::maskAsAir, part(progress, 0.1, 1), &notes);
     if (!volume)
         return volume.error();
-    return FetchedVolume{std::make_shared<const Volume>(clamped(*std::move(volume), source.clampHu)), std::move(notes)};
+    return FetchedVolume{std::make_shared<const Volume>(asWanted(*std::move(volume), source)), std::move(notes)};
 }
 
 }  // namespace pdr::app

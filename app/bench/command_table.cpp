@@ -65,6 +65,13 @@ constexpr Command kCommands[] = {
      "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"
      "  --quick       20 s instead of about 5 minutes on two cores; finds larger biases only\n"
      "  --seed N      of the random numbers; default 1\n"},
+    {"warps", warps, "SCENE.json [--samples N] [--width N] [--height N]",
+     "Says how full a GPU's warps are in the queues that they walk, without a GPU: walks and steps for each sample, "
+     "of\n"
+     "lanes and of warps, and how many of a warp's 32 lanes are busy in each.\n",
+     "  --samples N   samples per pixel, from 1; default 1\n"
+     "  --width N     pixels of the picture, from 1; default 480\n"
+     "  --height N    from 1; default 270\n"},
     {"smoothing", smoothing,
      "SCENE.json [--samples N] [--reference N] [--rounds N] [--threads N]\n"
      "                            [--width N] [--height N] [--exposure E]",

@@ -52,6 +52,10 @@ int parity(const Arguments& arguments);
 /// table. 1: the device deviates, or the test was broken off. WORDS: only cases whose name or family holds them.
 int selftest(const Arguments& arguments);
 
+/// warps SCENE.json [--samples N] [--width N] [--height N]: how full a GPU's warps are in the queues that it walks, by
+/// warps that are played on the CPU: walks and steps for each sample, of lanes and of warps.
+int warps(const Arguments& arguments);
+
 /// smoothing SCENE.json [--samples N] [--reference N] [--rounds N] [--threads N] [--width N] [--height N] [--exposure
 /// E]: how far the raw and the smoothed picture are from one of many samples, beside what is stated of both, for 1, 4,
 /// 16,

@@ -54,6 +54,8 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads)
         return makeCpuDevice(threads);
     if (name == "emulated")
         return makeEmulatedGpu(threads);
+    if (name == "lockstep")
+        return makeLockstepGpu(threads);
     if (name == "auto") {
         Result<std::unique_ptr<Device>> gpu = makeCudaDevice(0);
         return gpu ? std::move(gpu) : Result<std::unique_ptr<Device>>(makeCpuDevice(threads));

@@ -31,6 +31,14 @@ PDR_HD_INLINE Attenuation<Real> attenuation(Real depth) {
     return {depth > kOpaqueDepth ? Real{} : left, depth > kOpaqueDepth ? Real{} + 1.0f : taken};
 }
 
+/// The optical depth that takes that share of the light, in [0, 1 - 2^-24]: -ln(1 - taken), without cancellation.
+template <class Real>
+PDR_HD_INLINE Real depthThatTakes(Real taken) {
+    const Real left = 1.0f - taken;
+    // What rounding took from the share is put right by the ratio (Kahan).
+    return left == 1.0f ? taken : negativeLog(left) * (taken / (1.0f - left));
+}
+
 /// How far in front of the middle of a layer light is absorbed on average, as a fraction of the layer's optical depth:
 /// 1/2 - integral of w D exp(-D w) dw over [0, 1] / (1 - exp(-D)) = L(D / 2) / 2 with Langevin's function
 /// L(a) = coth(a) - 1 / a. Below a = 1 its continued fraction, cut after four levels.

@@ -93,7 +93,7 @@ static_assert(sizeof(FlatLight) == sizeof(LightType) + 5 * sizeof(vec3) + 2 * si
 struct FlatEnvironment {
     vec3 zenith, nadir;       ///< radiance from straight above (+z) and below; a picture is multiplied by zenith
     bool visible;             ///< whether the camera sees it
-    float turn;               ///< radians: the picture is turned by this from +y towards +x
+    float turn;               ///< whole turns: the picture is turned by this from +y towards +x
     ivec2 size;               ///< texels
     const vec3* texels;       ///< radiance, rows from the zenith
     const float* pdf;         ///< of each texel's directions when sampled by its light [1/sr]

@@ -6,6 +6,7 @@
 ///               both halves are independent estimates, however even each is
 ///   addressed   as all random numbers: by seed, pixel, sample, bounce and dimension
 
+#include "render/kernel/attenuation.h"
 #include "render/kernel/random.h"
 #include "render/kernel/sobol.h"
 
@@ -16,10 +17,7 @@ namespace pdr {
 PDR_HD inline float freePathDepth(std::uint32_t fraction) {
     const float x = (float(fraction) + 0.5f) * 0x1p-32f;
     const float rest = (float(~fraction) + 0.5f) * 0x1p-32f;
-    if (x > 0.5f)
-        return negativeLog(rest);
-    const float near = 1 - x;  // what rounding took from x is put right by the ratio (Kahan)
-    return near == 1 ? x : negativeLog(near) * (x / (1 - near));
+    return x > 0.5f ? negativeLog(rest) : depthThatTakes(x);
 }
 
 class Sampler {

@@ -1,6 +1,6 @@
 #pragma once
-/// The volume between its voxels: trilinear interpolation, borders clamped, and its gradient. In float, but for the
-/// function of single places where the volume has a texture: that one is filtered as texture units do.
+/// The volume between its voxels: trilinear interpolation, borders clamped. In float, but for the function of single
+/// places where the volume has a texture: that one is filtered as texture units do.
 
 #include "render/kernel/texture.h"
 #include "render/kernel/voxel_cell.h"
@@ -49,21 +49,6 @@ PDR_HD_INLINE FloatLanes hounsfield(const FlatVolume& volume, const Vec3<FloatLa
 /// Local position [mm] of an index-space position.
 PDR_HD inline vec3 localPosition(const FlatVolume& volume, vec3 position) {
     return volume.localFromIndex * (position - 0.5f * volume.lastIndex);
-}
-
-/// The gradient of what read(position) returns [HU].
-template <class Read>
-PDR_HD inline vec3 gradientOf(const FlatVolume& volume, vec3 position, Read&& read) {
-    const auto difference = [&](vec3 offset) { return 0.5f * (read(position + offset) - read(position - offset)); };
-    const vec3 perIndex(difference({1, 0, 0}), difference({0, 1, 0}), difference({0, 0, 1}));
-    return glm::transpose(volume.indexFromLocal) * perIndex;
-}
-
-/// Gradient of the HU in local space [HU/mm], by central differences over one voxel to each side.
-PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
-    if (volume.texture != 0) [[unlikely]]  // asked once: on the CPU, six times would be felt
-        return gradientOf(volume, position, [&](vec3 place) { return textureHounsfield(volume, place); });
-    return gradientOf(volume, position, [&](vec3 place) { return interpolatedHounsfield(volume, place); });
 }
 
 }  // namespace pdr

@@ -22,12 +22,19 @@ PDR_HD_INLINE VoxelCell<float> cellAt(const FlatVolume& volume, const Vec3<int>&
     return cell;
 }
 
+/// See below: a ray alone leaves it to the processor.
+PDR_HD_INLINE void prefetchCell(const FlatVolume&, const Vec3<int>&) {}
+
 #if !defined(__CUDACC__)
 
-/// The same in step. For volumes of at least two voxels along x and fewer than 2^31 in all: neighbours along x are read
-/// as one word.
+/// Distance from the first voxel. Lanes: for volumes of fewer than 2^31 voxels.
+inline IntLanes voxelIndex(const FlatVolume& volume, const Vec3<IntLanes>& voxel) {
+    return (voxel.z * volume.size.y + voxel.y) * volume.size.x + voxel.x;
+}
+
+/// The same in step. For volumes of at least two voxels along x: neighbours along x are read as one word.
 PDR_HD_INLINE VoxelCell<FloatLanes> cellAt(const FlatVolume& volume, const Vec3<IntLanes>& corner) {
-    const IntLanes index = (corner.z * volume.size.y + corner.y) * volume.size.x + corner.x;
+    const IntLanes index = voxelIndex(volume, corner);
     VoxelCell<FloatLanes> cell;
     cell.lowest = {toFloat(corner.x), toFloat(corner.y), toFloat(corner.z)};
     const auto row = [&](int n, std::int64_t from) {
@@ -40,21 +47,32 @@ PDR_HD_INLINE VoxelCell<FloatLanes> cellAt(const FlatVolume& volume, const Vec3<
     return cell;
 }
 
+/// Asks for the memory of a cell ahead of reading it.
+PDR_HD_INLINE void prefetchCell(const FlatVolume& volume, const Vec3<IntLanes>& corner) {
+    const IntLanes index = voxelIndex(volume, corner);
+    for (const std::int64_t from : {std::int64_t(0), volume.stepY, volume.stepZ, volume.stepZ + volume.stepY})
+        prefetch(volume.voxels + from, index);
+}
+
 #endif
 
-/// The cell whose lowest corner is voxel `corner`, at the volume's borders the outermost one; any cell where `mask`
-/// does not hold.
+/// The lowest corner of the cell at voxel `corner`, at the volume's borders of the outermost one; of any cell where
+/// `mask` does not hold.
 template <class Int, class Mask>
-PDR_HD_INLINE auto nearestCell(const FlatVolume& volume, const Vec3<Int>& corner, Mask mask) {
+PDR_HD_INLINE Vec3<Int> nearestCorner(const FlatVolume& volume, const Vec3<Int>& corner, Mask mask) {
     const auto inside = [mask](Int value, float last) {
         const Int high = Int{} + int(last);
         value = value < 0 ? Int{} : value;
         value = value > high ? high : value;
         return mask ? value : Int{};
     };
-    const Vec3<Int> nearest{inside(corner.x, volume.lastCorner.x), inside(corner.y, volume.lastCorner.y),
-                            inside(corner.z, volume.lastCorner.z)};
-    return cellAt(volume, nearest);
+    return {inside(corner.x, volume.lastCorner.x), inside(corner.y, volume.lastCorner.y),
+            inside(corner.z, volume.lastCorner.z)};
+}
+
+template <class Int, class Mask>
+PDR_HD_INLINE auto nearestCell(const FlatVolume& volume, const Vec3<Int>& corner, Mask mask) {
+    return cellAt(volume, nearestCorner(volume, corner, mask));
 }
 
 /// Where `position` (index space) lies in the cell, along each axis in [0, 1]: beside it as on its border.

@@ -43,7 +43,7 @@ FlatEnvironment flatEnvironment(const Environment& environment, const Environmen
     flat.visible = environment.visible;
     if (tables == nullptr)
         return flat;
-    flat.turn = float(glm::radians(std::remainder(environment.rotationDegrees, 360.0)));
+    flat.turn = float(std::remainder(environment.rotationDegrees, 360.0) / 360);
     flat.size = tables->image->size;
     flat.texels = tables->image->texels.data();
     flat.pdf = tables->density.data();

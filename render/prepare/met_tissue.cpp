@@ -6,12 +6,14 @@ namespace pdr {
 
 namespace {
 
-/// Central differences over one voxel to each side are at most half the range of the HU, along every axis.
+/// Of the four shares that voxels have in the slope of a cubic B-spline those above 0 add up to 3/4 at most, half-way
+/// between two of them: along every axis it is at most that part of the range of the HU. It is taken between
+/// values of two sums each, and a sum may round by kHuSlack.
 double steepestIn(const Volume& volume) {
     const HuRange range = volume.storedRange();
     if (range.lowest == range.highest)
         return 0;
-    const double difference = 0.5 * (double(range.highest) - range.lowest) + kHuSlack;
+    const double difference = 0.75 * (double(range.highest) - range.lowest) + 4 * kHuSlack;
     const glm::dmat3 perMm = glm::transpose(glm::inverse(glm::dmat3(volume.geometry().patientFromIndex)));
     return difference * (glm::length(perMm[0]) + glm::length(perMm[1]) + glm::length(perMm[2]));
 }

@@ -41,6 +41,7 @@ VolumeSource sourceOf(const VolumeFields& fields, const std::filesystem::path& f
         source.seriesUid = fields.series.value_or("");
     }
     source.clampHu = fields.clampHu;
+    source.reconstruction = fields.reconstruction;
     if (source.clampHu && source.clampHu->first > source.clampHu->second)
         fail("volume.clampHu", "must begin with the lower value");
     return source;
@@ -57,6 +58,7 @@ VolumeFields fieldsOf(const VolumeSource& source) {
             fields.series = source.seriesUid;
     }
     fields.clampHu = source.clampHu;
+    fields.reconstruction = source.reconstruction;
     return fields;
 }
 
@@ -158,6 +160,10 @@ std::string sceneText(const SceneFile& file) {
     return jsonText(kFormat, FieldWriter::written(fields));
 }
 
+Volume asWanted(Volume volume, const VolumeSource& source) {
+    return reconstructed(clamped(std::move(volume), source.clampHu), source.reconstruction);
+}
+
 Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source) {
     Result<Volume> volume = loadRaw(source.raw);
     if (!volume) {
@@ -165,7 +171,7 @@ Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source)
         error.where += " (volume.raw)";
         return error;
     }
-    return std::make_shared<const Volume>(clamped(*std::move(volume), source.clampHu));
+    return std::make_shared<const Volume>(asWanted(*std::move(volume), source));
 }
 
 }  // namespace pdr

@@ -12,6 +12,7 @@
 #include "render/base/result.h"
 #include "render/scene/scene.h"
 #include "render/volume/raw_file.h"
+#include "render/volume/reconstruction.h"
 
 namespace pdr {
 
@@ -21,6 +22,7 @@ struct VolumeSource {
     std::string seriesUid;                       ///< empty: the first loadable series
     RawFile raw;                                 ///< its path is empty for a DICOM folder
     std::optional<std::pair<int, int>> clampHu;  ///< voxels are clamped to [first, second]; in [-32768, 32767]
+    Reconstruction reconstruction = Reconstruction::linear;
     bool operator==(const VolumeSource&) const = default;
 };
 
@@ -42,7 +44,10 @@ Result<SceneFile> sceneFromText(std::string_view text, const std::string& where,
 /// hold. Paths are written as they are.
 std::string sceneText(const SceneFile& file);
 
-/// The voxels of a raw file, clamped as `source` says. Errors: those of loadRaw(), the field named beside the file.
+/// `volume` as `source` wants it: clamped, and then reconstructed.
+Volume asWanted(Volume volume, const VolumeSource& source);
+
+/// The voxels of a raw file, as `source` wants them. Errors: those of loadRaw(), the field named beside the file.
 Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source);
 
 }  // namespace pdr

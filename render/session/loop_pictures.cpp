@@ -12,6 +12,8 @@ namespace pdr {
 Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
     if (coarse() || moving_ || !smooths(commands.display()) || !smoothedView_.isDue(samples_))
         return {};
+    if (step.detour.stop_requested())
+        return {};  // a copy of the film would be made in vain
     const double start = clock_();
     const Result<std::shared_ptr<const Film>> film = place_.film()->film();
     if (!film)

@@ -19,6 +19,7 @@ class TestImportJob : public QObject {
   private slots:
     void initTestCase();
     void aSeriesIsScannedAndLoaded();
+    void aSeriesIsNotReadBeforeTheOneBeforeIsFreed();
     void aMissingFolderIsAnErrorWithAWayOut();
     void anEmptyFolderIsAnError();
     void progressIsTold();
@@ -54,6 +55,23 @@ void TestImportJob::aSeriesIsScannedAndLoaded() {
     QTRY_VERIFY_WITH_TIMEOUT(volume, test::kPatience);
     QVERIFY(volume->size() == ivec3(64, 57, 64));
     QCOMPARE(finished.count(), 2);
+}
+
+void TestImportJob::aSeriesIsNotReadBeforeTheOneBeforeIsFreed() {
+    ImportJob job;
+    QSignalSpy scanned(&job, &ImportJob::scanned), loads(&job, &ImportJob::loaded);
+    std::shared_ptr<const Volume> volume;
+    connect(&job, &ImportJob::loaded, this, [&](std::shared_ptr<const Volume> loaded, int) { volume = loaded; });
+    job.scanFolder(series_);
+    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, test::kPatience);
+    job.loadSeries(0);
+    QTRY_COMPARE_WITH_TIMEOUT(loads.count(), 1, test::kPatience);
+    loads.clear();  // it holds the volume, too
+    job.loadSeries(0);
+    QTest::qWait(300);
+    QCOMPARE(loads.count(), 0);
+    volume.reset();
+    QTRY_COMPARE_WITH_TIMEOUT(loads.count(), 1, test::kPatience);
 }
 
 static Error errorOf(const QString& folder) {

@@ -3,6 +3,7 @@
 /// render/kernel. Lengths are millimetres, places are patient space.
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "render/scene/clip.h"
@@ -52,18 +53,33 @@ class Grid {
         return sum;
     }
 
-    /// [HU/mm], patient space: central differences over a voxel to each side, by the chain rule.
+    /// [HU/mm], patient space: of the cubic B-spline that has the voxels as coefficients, by the chain rule. Voxels
+    /// are repeated beyond the borders.
     dvec3 gradient(dvec3 index) const {
-        dvec3 perVoxel;
-        for (int axis = 0; axis < 3; ++axis) {
-            dvec3 step(0);
-            step[axis] = 1;
-            perVoxel[axis] = (hu(index + step) - hu(index - step)) / 2;
+        const ivec3 corner(glm::floor(index));
+        dvec3 perVoxel(0);
+        for (int n = 0; n < 64; ++n) {
+            const ivec3 at = corner + ivec3(n % 4, n / 4 % 4, n / 16) - 1;
+            const dvec3 away = index - dvec3(at), share(spline(away.x), spline(away.y), spline(away.z));
+            const ivec3 nearest = glm::clamp(at, ivec3(0), size_ - 1);
+            perVoxel += voxel(nearest.x, nearest.y, nearest.z) * dvec3(splineSlope(away.x) * share.y * share.z,
+                                                                       share.x * splineSlope(away.y) * share.z,
+                                                                       share.x * share.y * splineSlope(away.z));
         }
         return covariant_ * perVoxel;
     }
 
   private:
+    /// The cubic B-spline: (|x + 2|^3 - 4 |x + 1|^3 + 6 |x|^3 - 4 |x - 1|^3 + |x - 2|^3) / 12; and its derivative.
+    static double spline(double x) {
+        const auto cube = [](double d) { return std::fabs(d) * d * d; };
+        return (cube(x + 2) - 4 * cube(x + 1) + 6 * cube(x) - 4 * cube(x - 1) + cube(x - 2)) / 12;
+    }
+    static double splineSlope(double x) {
+        const auto square = [](double d) { return std::fabs(d) * d; };
+        return (square(x + 2) - 4 * square(x + 1) + 6 * square(x) - 4 * square(x - 1) + square(x - 2)) / 4;
+    }
+
     double voxel(int i, int j, int k) const { return voxels_[(std::size_t(k) * size_.y + j) * size_.x + i]; }
 
     std::span<const std::int16_t> voxels_;

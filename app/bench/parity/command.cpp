@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -15,7 +14,6 @@ namespace pdr::bench {
 namespace {
 
 constexpr std::uint32_t kSamples = 16;
-constexpr double kPixelTolerance = 1e-4, kPixelFraction = 0.999, kMeanTolerance = 1e-6;
 
 using Shot = Result<std::shared_ptr<const Film>>;
 
@@ -47,25 +45,23 @@ class Verdicts {
     bool all_ = true;
 };
 
-/// The same samples on both: nearly all pixels agree, and so do the means.
+/// The same samples on both: bit by bit. Where they are not, how many pixels still are and how far off the mean is.
 void compareWithCpu(Verdicts& verdicts, Device& device, Device& cpu, const ParityScene& one) {
     const Shot theirs = shot(cpu, one.scene, kSamples), ours = shot(device, one.scene, kSamples);
     if (!theirs || !ours)
         return verdicts.failed(one.name, theirs ? ours.error() : theirs.error());
+    const double truth = (*theirs)->status().meanLuminance;
+    if (identical(**theirs, **ours))
+        return verdicts.line(one.name, truth > 0);
     const ivec2 size = one.scene.film;
     int agree = 0;
     for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-            const double a = luminance((*theirs)->pixel(x, y).mean), b = luminance((*ours)->pixel(x, y).mean);
-            agree += std::fabs(a - b) <= kPixelTolerance * std::max(a, b);
-        }
-    const double fraction = double(agree) / (double(size.x) * size.y);
-    const double truth = (*theirs)->status().meanLuminance;
-    const double mean = (*ours)->status().meanLuminance / truth - 1;
+        for (int x = 0; x < size.x; ++x)
+            agree += (*theirs)->pixel(x, y).mean == (*ours)->pixel(x, y).mean;
     char figures[120];
-    std::snprintf(figures, sizeof figures, "%.3f %% of the pixels agree, mean %+.1e%s", 100 * fraction, mean,
-                  identical(**theirs, **ours) ? ", bit by bit" : "");
-    verdicts.line(one.name, truth > 0 && fraction >= kPixelFraction && std::fabs(mean) <= kMeanTolerance, figures);
+    std::snprintf(figures, sizeof figures, "%.3f %% of the pixels agree, mean %+.1e",
+                  100 * double(agree) / (double(size.x) * size.y), (*ours)->status().meanLuminance / truth - 1);
+    verdicts.line(one.name, false, figures);
 }
 
 /// 100 samples tile by tile, some tiles far ahead of others on the way.
@@ -144,9 +140,8 @@ int parity(const Arguments& arguments) {
     if (!device)
         return fail(device.error());
     const DeviceInfo info = (*device)->info();
-    std::printf("%s (%s) against the CPU: %u samples a pixel; %.1f %% of the pixels within %g, means within %g\n",
-                info.name.c_str(), info.details.c_str(), kSamples, 100 * kPixelFraction, kPixelTolerance,
-                kMeanTolerance);
+    std::printf("%s (%s) against the CPU: %u samples a pixel, bit by bit\n", info.name.c_str(), info.details.c_str(),
+                kSamples);
     const auto cpu = makeCpuDevice();
     Verdicts verdicts;
     for (const ParityScene& one : scenes)

@@ -29,7 +29,7 @@ class GpuFrameSampler final : public FrameSampler {
   public:
     /// All must outlive it.
     GpuFrameSampler(G& gpu, const GpuScene<G>& scene)
-        : gpu_(gpu), scene_(scene), radiance_(gpu), seen_(gpu), health_(gpu, 1) {}
+        : gpu_(gpu), scene_(scene), radiance_(gpu), paths_(gpu), seen_(gpu), health_(gpu, 1) {}
 
     void restart(const Tile& area) override {
         area_ = area;
@@ -37,15 +37,14 @@ class GpuFrameSampler final : public FrameSampler {
         radiance_.resize(pixels);
         seen_.resize(pixels);
         seen_.clear();
-        const GpuHealth perfect;
-        health_.copyFrom(&perfect);
+        gpu_.launch(ForgetFaultsKernel{health_.data()}, 1, GpuStream::compute);
     }
 
     Result<void> sample(std::uint64_t number, SampledPixel* frame, std::stop_token) override {
         if (Result<void> scene = scene_.isThere(); !scene)
             return scene;
         const TraceTarget target{{area_, {number, 1}}, radiance_.data(), health_.data(), seen_.data(), area_.width};
-        traceLaunchFor<G>(scene_.flat())(gpu_, scene_.flat(), target);
+        traceLaunchFor<G>(scene_.flat())(gpu_, scene_.flat(), target, paths_);
         gpu_.launch(KeepSampleKernel{target, frame}, target.grid.pixels(), GpuStream::compute);
         return takeStatus(gpu_);
     }
@@ -54,8 +53,7 @@ class GpuFrameSampler final : public FrameSampler {
         GpuHealth counted;
         health_.copyTo(&counted);
         gpu_.awaitAll();
-        const GpuHealth perfect;
-        health_.copyFrom(&perfect);
+        gpu_.launch(ForgetFaultsKernel{health_.data()}, 1, GpuStream::compute);
         if (Result<void> done = takeStatus(gpu_); !done)
             return done.error();
         return toHealth(counted);
@@ -69,6 +67,7 @@ class GpuFrameSampler final : public FrameSampler {
     const GpuScene<G>& scene_;
     Tile area_;
     GpuArray<G, vec3> radiance_;
+    PathListMemory<G> paths_;
     GpuArray<G, std::uint32_t> seen_;
     GpuArray<G, GpuHealth> health_;
 };

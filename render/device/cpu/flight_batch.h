@@ -15,7 +15,6 @@ class FlightBatch {
 
     void clear() { size_ = 0; }
     int size() const { return size_; }
-    bool full() const { return size_ == kCapacity; }
     /// See Flight.
     float distance(int ray) const { return distance_[ray]; }
     float passed(int ray) const { return passed_[ray]; }

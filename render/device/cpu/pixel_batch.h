@@ -166,6 +166,7 @@ class PixelBatch {
     // by ray: of segments first, then of light paths
     FlightBatch flights_;
     RayBatch rays_;
+    static_assert(FlightBatch::kCapacity >= kMostLightPaths * RayBatch::kCapacity);  // of all paths at once
     std::array<int, RayBatch::kCapacity> rowOfRay_;
     std::array<LightOfRow, FlightBatch::kCapacity> lightOfFlight_;
     std::array<LightOfRow, RayBatch::kCapacity> lightOfRay_;

@@ -13,6 +13,15 @@ TraceLaunch<CudaGpu> pathLaunch<CudaGpu>(std::uint32_t needed) {
     return kLaunches[needed / kMasksPerFile][needed % kMasksPerFile];
 }
 
+template <>
+void launchCamera<CudaGpu>(CudaGpu& gpu, const CameraKernel& kernel, std::int64_t samples) {
+    gpu.launchQueued(kernel, samples, GpuStream::compute);
+}
+template <>
+void launchShadow<CudaGpu>(CudaGpu& gpu, const ShadowKernel& kernel, std::int64_t samples) {
+    gpu.launchQueued(kernel, samples, GpuStream::compute);
+}
+
 namespace {
 
 constexpr const char* kName = "cuda";

@@ -16,7 +16,7 @@ CudaGpu::CudaGpu(int index) : index_(index), name_("cuda:" + std::to_string(inde
     name_ = properties.name;
     for (cudaStream_t& stream : streams_)
         check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
-    next_ = static_cast<unsigned long long*>(allocate(sizeof *next_));
+    next_ = static_cast<std::uint64_t*>(allocate(sizeof *next_));
 }
 
 CudaGpu::~CudaGpu() {

@@ -11,6 +11,7 @@
 
 #include "render/base/result.h"
 #include "render/device/gpu/gpu.h"
+#include "render/device/gpu/walk_queue.h"
 #include "render/kernel/features.h"
 
 namespace pdr {
@@ -23,31 +24,21 @@ __global__ void forEachIndex(const __grid_constant__ Program program, std::int64
         program(index);
 }
 
-/// Threads that stay: 32 in step go through their walks step by step, and those that have ended take the next indices
-/// from the queue, together.
-template <class Program>
-__global__ void walkQueue(const __grid_constant__ Program program, std::int64_t count, unsigned long long* next) {
-    constexpr unsigned kAll = 0xFFFFFFFFu;
-    const unsigned lane = threadIdx.x % 32;
-    typename Program::Walk walk;
-    bool walking = false, more = true;
-    while (true) {
-        const unsigned idle = __ballot_sync(kAll, !walking);
-        if (idle == kAll && !more)
-            return;
-        if (idle != 0 && more) {
-            unsigned long long first = 0;
-            if (lane == 0)
-                first = atomicAdd(next, static_cast<unsigned long long>(__popc(idle)));
-            first = __shfl_sync(kAll, first, 0);
-            const std::int64_t index = std::int64_t(first) + __popc(idle & ((1u << lane) - 1));
-            more = std::int64_t(first) < count;
-            if (!walking && index < count)
-                walking = program.start(index, walk);
-        }
-        if (walking)
-            walking = program.step(walk);
+/// See gpu/walk_queue.h.
+struct CudaWarp {
+    static constexpr unsigned kAll = 0xFFFFFFFFu;
+
+    __device__ int lane() const { return int(threadIdx.x % kWarp); }
+    __device__ std::uint32_t ballot(bool vote) const { return __ballot_sync(kAll, vote); }
+    __device__ std::uint64_t broadcast(std::uint64_t word) const {
+        return __shfl_sync(kAll, static_cast<unsigned long long>(word), 0);
     }
+    static __device__ int bitsIn(std::uint32_t bits) { return __popc(bits); }
+};
+
+template <class Program>
+__global__ void walkQueued(const __grid_constant__ Program program, std::int64_t count, std::uint64_t* next) {
+    walkQueue(CudaWarp(), program, count, *next);
 }
 
 class CudaGpu {
@@ -66,6 +57,7 @@ class CudaGpu {
     };
 
     static constexpr std::uint32_t kSpecializedFeatures = kFeatureMasks - 1;
+    static constexpr std::int64_t kPathsTogether = 1 << 20;
 
     /// GPU number `index`, from 0.
     explicit CudaGpu(int index);
@@ -106,9 +98,9 @@ class CudaGpu {
         if (!ready() || count <= 0)
             return;
         const auto needed = unsigned((count + kThreads - 1) / kThreads);
-        const unsigned blocks = std::min(needed, residentBlocks(reinterpret_cast<const void*>(walkQueue<Program>)));
+        const unsigned blocks = std::min(needed, residentBlocks(reinterpret_cast<const void*>(walkQueued<Program>)));
         check(cudaMemsetAsync(next_, 0, sizeof *next_, of(stream)), "a launch");
-        walkQueue<<<blocks, kThreads, 0, of(stream)>>>(program, count, next_);
+        walkQueued<<<blocks, kThreads, 0, of(stream)>>>(program, count, next_);
         check(cudaGetLastError(), "a launch");
     }
 
@@ -130,7 +122,7 @@ class CudaGpu {
     int index_;
     std::string name_;
     std::array<cudaStream_t, 2> streams_{};
-    unsigned long long* next_ = nullptr;  ///< of the queue
+    std::uint64_t* next_ = nullptr;  ///< of the queue
     std::map<const void*, unsigned> residentBlocks_;
     std::optional<Error> error_;
 };

@@ -10,7 +10,7 @@ namespace {
 
 template <std::uint32_t First, std::size_t... Masks>
 std::array<TraceLaunch<CudaGpu>, kMasksPerFile> launches(std::index_sequence<Masks...>) {
-    return {launchTrace<CudaGpu, PathSampler<First + std::uint32_t(Masks)>>...};
+    return {launchPaths<CudaGpu, First + std::uint32_t(Masks)>...};
 }
 
 }  // namespace

@@ -16,5 +16,9 @@ std::array<TraceLaunch<CudaGpu>, kMasksPerFile> pathLaunchesFrom();
 
 template <>
 TraceLaunch<CudaGpu> pathLaunch<CudaGpu>(std::uint32_t needed);
+template <>
+void launchCamera<CudaGpu>(CudaGpu& gpu, const CameraKernel& kernel, std::int64_t samples);
+template <>
+void launchShadow<CudaGpu>(CudaGpu& gpu, const ShadowKernel& kernel, std::int64_t samples);
 
 }  // namespace pdr

@@ -11,4 +11,7 @@ namespace pdr {
 /// `threads` 0 = one per core. Not among devicesHere().
 std::unique_ptr<Device> makeEmulatedGpu(int threads = 0);
 
+/// The same whose queues are walked by warps in step, by the text that does so on a GPU. Slower still.
+std::unique_ptr<Device> makeLockstepGpu(int threads = 0);
+
 }  // namespace pdr

@@ -44,8 +44,10 @@ struct HostGpu::Threads {
     tbb::task_arena arena;
 };
 
-HostGpu::HostGpu(std::size_t totalBytes, int threads)
-    : total_(totalBytes > 0 ? totalBytes : machineMemory()), threads_(std::make_unique<Threads>(threadsOr(threads))) {}
+HostGpu::HostGpu(std::size_t totalBytes, int threads, Walks walks)
+    : total_(totalBytes > 0 ? totalBytes : machineMemory()),
+      threads_(std::make_unique<Threads>(threadsOr(threads))),
+      walks_(walks) {}
 
 HostGpu::~HostGpu() {
     for (const auto& [memory, bytes] : allocated_)

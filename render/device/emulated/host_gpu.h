@@ -1,19 +1,23 @@
 #pragma once
 /// A Gpu (gpu/gpu.h) made of the CPU's threads and memory: what is written for GPUs runs on the CPU too, to be compared
 /// there and to be tested without one. Every order is carried out before the call returns, so that both streams are in
-/// order and every event is reached.
+/// order and every event is reached. The walks of a queue go one by one to their ends, or in warps, as a GPU's do.
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 
 #include "render/base/result.h"
+#include "render/device/emulated/lockstep_warp.h"
+#include "render/device/emulated/warp_counts.h"
 #include "render/device/gpu/gpu.h"
 
 namespace pdr {
@@ -24,12 +28,16 @@ class HostGpu {
 
     /// One program with all effects: it need not be fast.
     static constexpr std::uint32_t kSpecializedFeatures = 0;
+    /// Few, so that pictures of tests take many turns.
+    static constexpr std::int64_t kPathsTogether = 1'000;
 
     /// A program is sent to a GPU by value, in so many bytes at most.
     static constexpr std::size_t kLargestProgram = 4096;
 
+    enum class Walks { oneByOne, inWarps };
+
     /// `totalBytes` of memory, 0 = all that the machine has; `threads` 0 = one per core.
-    explicit HostGpu(std::size_t totalBytes = 0, int threads = 0);
+    explicit HostGpu(std::size_t totalBytes = 0, int threads = 0, Walks walks = Walks::oneByOne);
     ~HostGpu();
     HostGpu(const HostGpu&) = delete;
     HostGpu& operator=(const HostGpu&) = delete;
@@ -58,6 +66,8 @@ class HostGpu {
     }
     template <class Program>
     void launchQueued(Program program, std::int64_t count, GpuStream) {
+        if (walks_ == Walks::inWarps)
+            return launchWarps(program, count);
         const auto walk = [&program](std::int64_t index) {
             typename Program::Walk at{};
             for (bool going = program.start(index, at); going;)
@@ -72,6 +82,9 @@ class HostGpu {
     void awaitAll() {}
 
     std::optional<Error> takeError();
+
+    /// What the warps of each queue have done so far, by the queue's name (kName); nothing where there are none.
+    const std::map<std::string, WarpCounts>& warpCounts() const { return warpCounts_; }
 
     /// Bytes that were allocated, pinned ones too, and not yet released.
     std::size_t allocated() const;
@@ -96,6 +109,30 @@ class HostGpu {
         });
     }
 
+    /// As a GPU does it: by the text that runs there. Some warps share the queue.
+    template <class Program>
+    void launchWarps(const Program& program, std::int64_t count) {
+        constexpr std::int64_t kWarps = 3;
+        std::uint64_t next = 0;
+        run<Program>([&](std::int64_t) { walkInWarp(program, count, next); }, count > 0 ? kWarps : 0, Order::queued);
+    }
+
+    template <class Program>
+    void walkInWarp(const Program& program, std::int64_t count, std::uint64_t& next) {
+        WarpCounts counts;
+        WalkCounts since;
+        const CountedWalks<Program> counted{program, since};
+        const bool together =
+            LockstepWarp().run([&](const LockstepWarp::Lane& lane) { walkQueue(lane, counted, count, next); },
+                               [&] { counts.add(std::exchange(since, {})); });
+        if (!together)
+            fail({"the threads of a warp have lost each other", name(), "This is a bug in the program.",
+                  ErrorKind::deviceLost});
+        const std::lock_guard lock(mutex_);
+        if constexpr (requires { Program::kName; })
+            warpCounts_[Program::kName].add(counts);
+    }
+
     /// Calls piece(begin, end) from all threads so that [0, count) is covered.
     void distribute(std::int64_t count, Order order, const std::function<void(std::int64_t, std::int64_t)>& piece);
 
@@ -106,10 +143,12 @@ class HostGpu {
 
     std::size_t total_;
     std::unique_ptr<Threads> threads_;
+    Walks walks_;
 
     mutable std::mutex mutex_;                          ///< of the rest
     std::unordered_map<void*, std::size_t> allocated_;  ///< bytes by address, pinned ones too
     std::size_t used_ = 0, pinned_ = 0;                 ///< bytes
+    std::map<std::string, WarpCounts> warpCounts_;
     std::optional<Error> error_;
 };
 

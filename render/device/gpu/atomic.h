@@ -8,11 +8,12 @@
 
 namespace pdr {
 
-PDR_HD inline void atomicAddTo(std::uint64_t& target, std::uint64_t value) {
+/// Result: `target` as it was.
+PDR_HD inline std::uint64_t atomicAddTo(std::uint64_t& target, std::uint64_t value) {
 #if defined(__CUDA_ARCH__)
-    atomicAdd(reinterpret_cast<unsigned long long*>(&target), static_cast<unsigned long long>(value));
+    return atomicAdd(reinterpret_cast<unsigned long long*>(&target), static_cast<unsigned long long>(value));
 #else
-    std::atomic_ref(target).fetch_add(value, std::memory_order_relaxed);
+    return std::atomic_ref(target).fetch_add(value, std::memory_order_relaxed);
 #endif
 }
 

@@ -45,14 +45,14 @@ class GpuAccumulator final : public Accumulator {
 
     /// A picture on its way.
     struct Slot {
-        explicit Slot(G& gpu) : onDevice(gpu), onHost(gpu, 0) {}
+        explicit Slot(G& gpu) : onDevice(gpu), onHost(gpu) {}
         void resize(std::size_t bytes) {
             onDevice.resize(bytes);
             onHost.resize(bytes);
         }
 
         GpuArray<G, std::byte> onDevice;
-        PinnedBytes<G> onHost;
+        PinnedArray<G, std::byte> onHost;
         typename G::Event developed{}, arrived{};
         std::uint64_t id = 0;
         SampleCounts samples;
@@ -75,6 +75,7 @@ class GpuAccumulator final : public Accumulator {
     GpuArray<G, PixelSums> block_{gpu_};
     GpuArray<G, Moments> moments_{gpu_};
     GpuArray<G, vec3> radiance_{gpu_};
+    PathListMemory<G> paths_{gpu_};
     GpuArray<G, std::uint32_t> seen_{gpu_};  ///< what was seen here and is not yet in block_
     GpuArray<G, StatusSums> sums_{gpu_};
     GpuArray<G, ErrorCounts> errors_{gpu_};
@@ -108,8 +109,7 @@ Result<void> GpuAccumulator<G>::restart(const Tile& area, std::uint64_t revision
     moments_.clear();
     seen_.clear();
     errors_.clear();
-    const GpuHealth perfect;
-    health_.copyFrom(&perfect);
+    gpu_.launch(ForgetFaultsKernel{health_.data()}, 1, GpuStream::compute);
     if (thresholds_.size() == 0) {
         thresholds_.assign(displayThresholds());
         curve_.assign({displayCurve(), std::size_t(kCurveEntries)});
@@ -124,7 +124,7 @@ void GpuAccumulator<G>::launch(const Tile& tile, SampleRange samples) {
     const int stride = area().width;
     const std::ptrdiff_t corner = std::ptrdiff_t(tile.y - area().y) * stride + (tile.x - area().x);
     const TraceTarget target{grid, radiance_.data(), health_.data(), seen_.data() + corner, stride};
-    traceAndAdd(gpu_, scene_.flat(), target, block_.data() + corner, moments_.data() + corner);
+    traceAndAdd(gpu_, scene_.flat(), target, paths_, block_.data() + corner, moments_.data() + corner);
     progress_.advance(tile, samples.end());
 }
 

@@ -5,7 +5,6 @@
 #include <span>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "render/device/gpu/gpu.h"
 
@@ -61,54 +60,65 @@ class GpuArray {
     std::size_t count_ = 0, room_ = 0;
 };
 
-/// A table that is sent again only where it differs from what was sent last.
+/// `count` values in host memory that copies go to and from behind the host's back; not set. Null after an error.
 template <Gpu G, class T>
-class GpuTable {
+class PinnedArray {
+    static_assert(std::is_trivially_copyable_v<T>);
+
   public:
-    explicit GpuTable(G& gpu) : array_(gpu) {}
+    explicit PinnedArray(G& gpu, std::size_t count = 0) : gpu_(gpu) { resize(count); }
+    ~PinnedArray() { gpu_.releasePinned(data_); }
+    PinnedArray(const PinnedArray&) = delete;
+    PinnedArray& operator=(const PinnedArray&) = delete;
 
-    const T* data() const { return array_.data(); }
-
-    void update(std::span<const T> values) {
-        const bool same = sent_.size() == values.size() &&
-                          (values.empty() || std::memcmp(sent_.data(), values.data(), values.size_bytes()) == 0);
-        if (same)
-            return;
-        sent_.assign(values.begin(), values.end());
-        array_.assign(sent_);
-    }
-    /// Whatever comes next is sent: after an error nobody knows what is there.
-    void forget() { sent_.clear(); }
-
-  private:
-    GpuArray<G, T> array_;
-    std::vector<T> sent_;
-};
-
-/// `count` bytes of host memory that copies go to behind the host's back.
-template <Gpu G>
-class PinnedBytes {
-  public:
-    PinnedBytes(G& gpu, std::size_t count) : gpu_(gpu) { resize(count); }
-    ~PinnedBytes() { gpu_.releasePinned(data_); }
-    PinnedBytes(const PinnedBytes&) = delete;
-    PinnedBytes& operator=(const PinnedBytes&) = delete;
-
-    std::byte* data() const { return data_; }
+    T* data() const { return data_; }
+    std::size_t size() const { return count_; }
 
     /// What was there is lost. Memory is taken anew only where there is too little; nothing may be on its way to it.
     void resize(std::size_t count) {
-        if (count <= room_)
-            return;
-        gpu_.releasePinned(std::exchange(data_, nullptr));
-        data_ = static_cast<std::byte*>(gpu_.allocatePinned(count));
-        room_ = data_ != nullptr ? count : 0;
+        if (count > room_) {
+            gpu_.releasePinned(std::exchange(data_, nullptr));
+            data_ = static_cast<T*>(gpu_.allocatePinned(count * sizeof(T)));
+            room_ = data_ != nullptr ? count : 0;
+        }
+        count_ = data_ != nullptr ? count : 0;
     }
 
   private:
     G& gpu_;
-    std::byte* data_ = nullptr;
-    std::size_t room_ = 0;
+    T* data_ = nullptr;
+    std::size_t count_ = 0, room_ = 0;
+};
+
+/// A table that is sent again only where it differs from what was sent last, and without the host waiting for it.
+template <Gpu G, class T>
+class GpuTable {
+  public:
+    explicit GpuTable(G& gpu) : gpu_(gpu), array_(gpu), sent_(gpu) {}
+
+    const T* data() const { return array_.data(); }
+
+    void update(std::span<const T> values) {
+        if (values.size() == sent_.size() &&
+            (values.empty() || std::memcmp(sent_.data(), values.data(), values.size_bytes()) == 0))
+            return;
+        gpu_.await(arrived_);
+        sent_.resize(values.size());
+        array_.resize(values.size());
+        if (sent_.size() == 0)
+            return;
+        std::memcpy(sent_.data(), values.data(), values.size_bytes());
+        array_.copyFrom(sent_.data());
+        gpu_.record(arrived_, GpuStream::compute);
+    }
+    /// Whatever comes next is sent: after an error nobody knows what is there.
+    void forget() { sent_.resize(0); }
+
+  private:
+    G& gpu_;
+    GpuArray<G, T> array_;
+    PinnedArray<G, T> sent_;
+    typename G::Event arrived_{};  ///< what was sent last
 };
 
 }  // namespace pdr

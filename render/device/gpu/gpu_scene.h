@@ -59,6 +59,7 @@ class GpuScene {
     GpuArray<G, HuRange> ranges_{gpu_};
     GpuArray<G, float> fine_{gpu_}, coarse_{gpu_};
     GpuArray<G, BoundsSummary> summary_{gpu_};
+    PinnedArray<G, BoundsSummary> summaryHere_{gpu_};
     GpuTable<G, OpacityPiece> pieces_{gpu_};
     GpuTable<G, Material> materials_{gpu_};
     GpuTable<G, std::uint16_t> pieceAt_{gpu_};
@@ -211,18 +212,21 @@ template <Gpu G>
 Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
     const bool highestHu = scene.flat.optics.model == FlatModel::maximumIntensity;
     const ivec3 coarse = coarseCells(scene.volume->size());
-    BoundsSummary summary;
     summary_.resize(1);
-    summary_.copyFrom(&summary);
+    summaryHere_.resize(1);
+    if (summaryHere_.size() == 1)
+        *summaryHere_.data() = {};
+    summary_.copyFrom(summaryHere_.data());
     gpu_.launch(BuildMajorantsKernel{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
                                      coarse, fine_.data(), coarse_.data(), summary_.data()},
                 std::int64_t(coarse_.size()), GpuStream::compute);
-    summary_.copyTo(&summary);
+    summary_.copyTo(summaryHere_.data());
     gpu_.awaitAll();
     if (Result<void> done = takeStatus(gpu_); !done) {
         forget();
         return done;
     }
+    const BoundsSummary& summary = *summaryHere_.data();
     const vec3 volumeLow(-0.5f), volumeHigh = vec3(scene.volume->size()) - 0.5f;
     const ivec3 low(summary.low[0], summary.low[1], summary.low[2]);
     const ivec3 high(summary.high[0], summary.high[1], summary.high[2]);

@@ -26,6 +26,11 @@ struct GpuHealth {
     }
 };
 
+struct ForgetFaultsKernel {
+    GpuHealth* health;
+    PDR_HD void operator()(std::int64_t) const { *health = {}; }
+};
+
 inline Health toHealth(const GpuHealth& counted) {
     Health health;
     for (int i = 0; i < kFaults; ++i)
@@ -68,6 +73,17 @@ struct SampleGrid {
     PDR_HD std::int64_t pixels() const { return std::int64_t(tile.width) * tile.height; }
 };
 
+struct SampleAddress {
+    ivec2 pixel;
+    std::uint64_t sample;
+};
+
+/// A sample of a launch.
+struct TracedSample {
+    SampleAddress from;
+    std::int64_t place;  ///< in TraceTarget::radiance
+};
+
 /// Where the samples of a launch go before they are added: [sample][pixel of the tile].
 struct TraceTarget {
     SampleGrid grid;
@@ -80,127 +96,70 @@ struct TraceTarget {
     PDR_HD std::int64_t inFilm(std::int64_t pixel) const {
         return pixel / grid.tile.width * stride + pixel % grid.tile.width;
     }
+
+    /// The sample of that number; false: there is none.
+    PDR_HD bool at(std::int64_t index, TracedSample& sample) const {
+        ivec2 place;
+        std::uint32_t turn;
+        if (!grid.at(index, place, turn))
+            return false;
+        sample.place = turn * grid.pixels() + std::int64_t(place.y) * grid.tile.width + place.x;
+        sample.from = {ivec2(grid.tile.x, grid.tile.y) + place, grid.samples.first + turn};
+        return true;
+    }
+
+    /// What a sample has found. Found: PathSample or Projected.
+    template <class Found>
+    PDR_HD void keep(const FlatScene& scene, const TracedSample& sample, const Found& found) const {
+        const ivec2 pixel = sample.from.pixel;
+        noteFaults(found, [&](Fault fault) {
+            health->note(fault, sample.from.sample, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x));
+        });
+        radiance[sample.place] = found.radiance;
+        const std::uint32_t chance = seenAtFirst(scene, depthBounds(scene, pixel));
+        const ivec2 place = pixel - ivec2(grid.tile.x, grid.tile.y);
+        if (const std::uint32_t all = chance | (found.tissue ? kSeenTissue : 0); all != 0)
+            atomicMark(seen[std::int64_t(place.y) * stride + place.x], all);
+    }
 };
 
-/// For the numbers of a launch's samples. How one is taken is told by
-///   Take::Walk                             what it is at; its `found` is, at the end, the PathSample or Projected
-///   Take::start(scene, Origin, Walk&)      before its first step; false: nothing is to be done, walk.found is known
-///   Take::step(scene, Walk&)               false: it has ended
-struct SampleAddress {
-    ivec2 pixel;
-    std::uint64_t sample;
-};
-
+/// For the numbers of a launch's samples, each in one step. How one is taken is told by
+///   Take::sample(scene, SampleAddress)     the PathSample or Projected that it finds
 template <class Take>
 struct TraceKernel {
     FlatScene scene;
     TraceTarget target;
 
     struct Walk {
-        typename Take::Walk taken;
-        std::int64_t place;  ///< in target.radiance
-        SampleAddress from;
+        TracedSample sample;
     };
 
-    PDR_HD bool start(std::int64_t index, Walk& walk) const {
-        ivec2 place;
-        std::uint32_t turn;
-        if (!target.grid.at(index, place, turn))
-            return false;
-        const Tile& tile = target.grid.tile;
-        walk.place = turn * target.grid.pixels() + std::int64_t(place.y) * tile.width + place.x;
-        walk.from = {ivec2(tile.x, tile.y) + place, target.grid.samples.first + turn};
-        if (Take::start(scene, walk.from, walk.taken))
-            return true;
-        end(walk);
-        return false;
-    }
-
+    PDR_HD bool start(std::int64_t index, Walk& walk) const { return target.at(index, walk.sample); }
     PDR_HD bool step(Walk& walk) const {
-        if (Take::step(scene, walk.taken))
-            return true;
-        end(walk);
+        target.keep(scene, walk.sample, Take::sample(scene, walk.sample.from));
         return false;
     }
-
-    PDR_HD void end(const Walk& walk) const {
-        const auto& found = walk.taken.found;
-        noteFaults(found, [&](Fault fault) {
-            const ivec2 pixel = walk.from.pixel;
-            target.health->note(fault, walk.from.sample, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x));
-        });
-        target.radiance[walk.place] = found.radiance;
-        const std::uint32_t seen = seenAtFirst(scene, depthBounds(scene, walk.from.pixel));
-        const Tile& tile = target.grid.tile;
-        const ivec2 place = walk.from.pixel - ivec2(tile.x, tile.y);
-        if (const std::uint32_t all = seen | (found.tissue ? kSeenTissue : 0); all != 0)
-            atomicMark(target.seen[std::int64_t(place.y) * target.stride + place.x], all);
-    }
 };
 
-/// By Monte Carlo, with the effects F; a step is a segment of the path.
-template <std::uint32_t F>
-struct PathSampler {
-    struct Walk {
-        Path path;
-        PathSample found;
-        int bounce;
-    };
-
-    PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
-        const vec2 depths = depthBounds(scene, from.pixel);
-        walk.found = PathSample{};
-        walk.bounce = 0;
-        if (isBackgroundOnly(scene, depths)) {
-            walk.found.radiance = plainBackground(scene);
-            return false;
-        }
-        walk.path = startPath(scene, from.pixel, from.sample, depths);
-        return true;
-    }
-    PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
-        return traceSegment<F>(scene, walk.path, walk.bounce++, walk.found, NullVisitor());
-    }
-};
-
-/// As Exposure Render does, in one step.
+/// As Exposure Render does.
 struct MarchSampler {
-    struct Walk {
-        SampleAddress from;
-        PathSample found;
-    };
-
-    PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
-        walk = {from, {.radiance = plainBackground(scene)}};
-        return !isBackgroundOnly(scene, depthBounds(scene, from.pixel));
-    }
-    PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
-        const ivec2 pixel = walk.from.pixel;
-        walk.found = kroesSample(scene, pixel, walk.from.sample, depthBounds(scene, pixel));
-        return false;
+    PDR_HD static PathSample sample(const FlatScene& scene, const SampleAddress& from) {
+        const vec2 depths = depthBounds(scene, from.pixel);
+        if (isBackgroundOnly(scene, depths))
+            return {.radiance = plainBackground(scene)};
+        return kroesSample(scene, from.pixel, from.sample, depths);
     }
 };
 
-/// A sum along the ray, in one step.
+/// A sum along the ray.
 template <FlatModel Model>
 struct ProjectionSampler {
-    struct Walk {
-        SampleAddress from;
-        Projected found;
-    };
-
-    PDR_HD static bool start(const FlatScene& scene, const SampleAddress& from, Walk& walk) {
-        walk.from = from;
-        if (!isBackgroundOnly(scene, depthBounds(scene, from.pixel)))
-            return true;
-        walk.found = projectedMiss<Model>(scene, backdrop<Model>(scene, PathSegment{}));
-        return false;
-    }
-    PDR_HD static bool step(const FlatScene& scene, Walk& walk) {
-        const ivec2 pixel = walk.from.pixel;
-        const PathSegment segment = startPath(scene, pixel, walk.from.sample, depthBounds(scene, pixel)).segment;
-        walk.found = project<Model>(scene, segment.ray, backdrop<Model>(scene, segment));
-        return false;
+    PDR_HD static Projected sample(const FlatScene& scene, const SampleAddress& from) {
+        const vec2 depths = depthBounds(scene, from.pixel);
+        if (isBackgroundOnly(scene, depths))
+            return projectedMiss<Model>(scene, backdrop<Model>(scene, PathSegment{}));
+        const PathSegment segment = startPath(scene, from.pixel, from.sample, depths).segment;
+        return project<Model>(scene, segment.ray, backdrop<Model>(scene, segment));
     }
 };
 

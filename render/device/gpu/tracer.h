@@ -1,21 +1,51 @@
 #pragma once
 /// Launches of samples: the one table from what a scene calls for to the program compiled for it.
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "render/device/gpu/gpu.h"
-#include "render/device/gpu/trace_kernels.h"
+#include "render/device/gpu/path_kernels.h"
+#include "render/device/gpu/path_lists.h"
 
 namespace pdr {
 
+/// Takes the samples of `target`, in the compute stream.
+template <Gpu G>
+using TraceLaunch = void (*)(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& lists);
+
 template <Gpu G, class Take>
-void launchTrace(G& gpu, const FlatScene& scene, const TraceTarget& target) {
+void launchTrace(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>&) {
     gpu.launchQueued(TraceKernel<Take>{scene, target}, target.grid.count(), GpuStream::compute);
 }
 
+/// The two kernels of paths that are the same for all effects. Specialised where the compiler takes long over them:
+/// cuda/.
 template <Gpu G>
-using TraceLaunch = void (*)(G& gpu, const FlatScene& scene, const TraceTarget& target);
+void launchCamera(G& gpu, const CameraKernel& kernel, std::int64_t samples) {
+    gpu.launchQueued(kernel, samples, GpuStream::compute);
+}
+template <Gpu G>
+void launchShadow(G& gpu, const ShadowKernel& kernel, std::int64_t samples) {
+    gpu.launchQueued(kernel, samples, GpuStream::compute);
+}
+
+template <Gpu G, std::uint32_t F>
+void launchPaths(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
+    const std::int64_t all = target.grid.count(), most = G::kPathsTogether;
+    const bool onward = has(F, kBounces) && scene.maxBounces > 1;
+    for (std::int64_t first = 0; first < all; first += most) {
+        const std::int64_t samples = std::min(all - first, most);
+        const PathLists lists = memory.emptied(samples, onward);
+        launchCamera(gpu, CameraKernel{scene, target, lists, first}, samples);
+        gpu.launch(ShadeKernel<F>{scene, target, lists}, samples, GpuStream::compute);
+        launchShadow(gpu, ShadowKernel{scene, target, lists}, samples);
+        if constexpr (has(F, kBounces))
+            if (onward)
+                gpu.launchQueued(OnwardKernel<F>{scene, target, lists}, samples, GpuStream::compute);
+    }
+}
 
 /// The program for a scene that calls for `needed`: effects that are not told apart are always in it, and change
 /// nothing where they are not called for.
@@ -25,10 +55,10 @@ constexpr std::uint32_t compiledMask(std::uint32_t specialized, std::uint32_t ne
 
 template <Gpu G, std::size_t... Masks>
 constexpr std::array<TraceLaunch<G>, sizeof...(Masks)> pathLaunches(std::index_sequence<Masks...>) {
-    return {launchTrace<G, PathSampler<compiledMask(G::kSpecializedFeatures, std::uint32_t(Masks))>>...};
+    return {launchPaths<G, compiledMask(G::kSpecializedFeatures, std::uint32_t(Masks))>...};
 }
 
-/// The program for paths that need these effects. Specialised where the compiler takes long over them: cuda/.
+/// The programs for paths that need these effects. Specialised as those above.
 template <Gpu G>
 TraceLaunch<G> pathLaunch(std::uint32_t needed) {
     static constexpr auto kPaths = pathLaunches<G>(std::make_index_sequence<kFeatureMasks>());
@@ -54,8 +84,9 @@ TraceLaunch<G> traceLaunchFor(const FlatScene& scene) {
 
 /// Takes the samples of `target` and adds them to `sums` and `moments`. In the compute stream.
 template <Gpu G>
-void traceAndAdd(G& gpu, const FlatScene& scene, const TraceTarget& target, PixelSums* sums, Moments* moments) {
-    traceLaunchFor<G>(scene)(gpu, scene, target);
+void traceAndAdd(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& lists, PixelSums* sums,
+                 Moments* moments) {
+    traceLaunchFor<G>(scene)(gpu, scene, target, lists);
     gpu.launch(AccumulateKernel{target, scene.camera.film.x, sums, moments}, target.grid.pixels(), GpuStream::compute);
 }
 

@@ -48,8 +48,9 @@ PDR_HD inline vec3 backdrop(const FlatScene& scene, const PathSegment& segment) 
 PDR_HD inline float windowed(const FlatOptics& optics, float hu) {
     const float place = (hu - optics.windowLow) / (optics.windowHigh - optics.windowLow);
     const float grey = glm::clamp(place, 0.0f, 254.5f / 255);
-    const float light = grey <= 0.04045f ? grey / 12.92f : std::pow((grey + 0.055f) / 1.055f, 2.4f);
-    return -std::log1p(-light);
+    const float light =
+        grey <= 0.04045f ? grey / 12.92f : attenuation(2.4f * negativeLog((grey + 0.055f) / 1.055f)).left;
+    return depthThatTakes(light);
 }
 
 template <FlatModel Model>

@@ -15,8 +15,9 @@ struct PathSegment {
 
 /// A point of the unit disc, uniform over its area.
 PDR_HD inline vec2 sampleUniformDisk(vec2 u) {
-    const float radius = std::sqrt(u.x), angle = 2 * kPi * u.y;
-    return {radius * std::cos(angle), radius * std::sin(angle)};
+    const float radius = std::sqrt(u.x);
+    const CirclePoint<float> rim = circlePoint(u.y);
+    return {radius * rim.cosine, radius * rim.sine};
 }
 
 /// The nearest light that the camera sees along a ray from `eye` (local); `reach` becomes its distance.

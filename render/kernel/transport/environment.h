@@ -5,14 +5,15 @@
 
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/transport/lights.h"
+#include "render/kernel/turns.h"
 
 namespace pdr {
 
 /// Index of the texel that lies in `direction` (unit, local).
 PDR_HD inline int environmentTexel(const FlatEnvironment& environment, vec3 direction) {
-    const float turns = (std::atan2(direction.x, direction.y) - environment.turn) / (2 * kPi) + 0.5f;
+    const float turns = turnsTo(direction.y, direction.x) - environment.turn + 0.5f;
     const float across = turns - std::floor(turns);
-    const float down = std::acos(glm::clamp(direction.z, -1.0f, 1.0f)) / kPi;
+    const float down = 2 * turnsTo(direction.z, glm::length(vec2(direction)));
     const ivec2 size = environment.size;
     const int column = glm::min(int(across * float(size.x)), size.x - 1);
     const int row = glm::min(int(down * float(size.y)), size.y - 1);
@@ -52,16 +53,16 @@ PDR_HD inline LightSample sampleEnvironment(const FlatEnvironment& environment, 
     const ivec2 size = environment.size;
     const int row = intervalOf(environment.rowSums, size.y, choice.x);
     const int column = intervalOf(environment.columnSums + std::ptrdiff_t(row) * (size.x + 1), size.x, choice.y);
-    const float top = std::cos(kPi * float(row) / float(size.y));
-    const float bottom = std::cos(kPi * float(row + 1) / float(size.y));
+    const float top = circlePoint(0.5f * float(row) / float(size.y)).cosine;
+    const float bottom = circlePoint(0.5f * float(row + 1) / float(size.y)).cosine;
     const float z = top + (bottom - top) * place.y;
     const float sine = std::sqrt(glm::max((1 - z) * (1 + z), 0.0f));
-    const float angle = 2 * kPi * ((float(column) + place.x) / float(size.x) - 0.5f) + environment.turn;
+    const auto around = circlePoint((float(column) + place.x) / float(size.x) - 0.5f + environment.turn);
     const int texel = row * size.x + column;
     const float density = environment.pdf[texel];
     if (!(density > 0))
         return dark();
-    return {{sine * std::sin(angle), sine * std::cos(angle), z},
+    return {{sine * around.sine, sine * around.cosine, z},
             kFarAway,
             environment.texels[texel] * environment.zenith / density,
             density};

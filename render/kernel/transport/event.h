@@ -1,7 +1,9 @@
 #pragma once
 /// A collision in the medium: where it is and how it sends light on, by a surface or by the phase function.
 
+#include "render/kernel/attenuation.h"
 #include "render/kernel/features.h"
+#include "render/kernel/gradient.h"
 #include "render/kernel/medium.h"
 #include "render/kernel/transport/phase.h"
 #include "render/kernel/transport/surface.h"
@@ -25,10 +27,10 @@ PDR_HD inline float surfaceFactorOf(float gradientFactor) {
 /// A surface is the more likely the denser and the steeper the tissue: P = opacity (1 - exp(-surfaceFactor |grad|)),
 /// Kroes, Post & Botha 2012.
 PDR_HD inline float surfaceProbability(const FlatScene& scene, float opacity, float steepness) {
-    return opacity * -std::expm1(-scene.surfaceFactor * steepness);
+    return opacity * attenuation(scene.surfaceFactor * steepness).taken;
 }
 
-/// No gradient, no surface. Its probability is never above the opacity, so the gradient, which costs 48 voxels, is
+/// No gradient, no surface. Its probability is never above the opacity, so the gradient, which costs 64 voxels, is
 /// looked at only where the number lies below that.
 PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
     const float most = opacity(scene.transferFunction, hu);

@@ -35,9 +35,13 @@ struct Path {
     float pdf = 0;          ///< with which the last event found the segment's direction [1/sr]
 };
 
+PDR_HD inline Sampler pathSampler(const FlatScene& scene, ivec2 pixel, std::uint64_t sample) {
+    return {*scene.sobol, scene.seed, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x), sample};
+}
+
 /// `depths`: where tissue lies along the pixel's view; see FlatViewBounds.
 PDR_HD_INLINE Path startPath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
-    const Sampler sampler(*scene.sobol, scene.seed, std::uint32_t(pixel.y * scene.camera.film.x + pixel.x), sample);
+    const Sampler sampler = pathSampler(scene, pixel, sample);
     const vec2 filter = sampler.pair(Dimension::filter);
     const vec2 lens = scene.camera.focus > 0 ? sampleUniformDisk(sampler.pair(Dimension::lens)) : vec2(0);
     return {sampler, generateCameraRay(scene, vec2(pixel) + filter, lens, depths)};

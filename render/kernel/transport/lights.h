@@ -77,8 +77,7 @@ PDR_HD inline LightSample sampleSphere(const FlatLight& light, vec3 from, vec2 u
     const vec3 axis = -from / distance;
     vec3 s, t;
     orthonormalBasis(axis, s, t);
-    const float phi = 2 * kPi * u.y;
-    const vec3 wi = axis * cosine + (s * std::cos(phi) + t * std::sin(phi)) * std::sqrt(sineSquared);
+    const vec3 wi = axis * cosine + circlePoint(s, t, u.y) * std::sqrt(sineSquared);
     const float inside = std::sqrt(glm::max(radius * radius - squared * sineSquared, 0.0f));
     const float solidAngle = 2 * kPi * cone;
     return {wi, distance * cosine - inside, light.radiance * solidAngle, 1 / solidAngle};

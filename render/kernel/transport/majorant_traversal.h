@@ -89,10 +89,13 @@ class MajorantTraversal {
         TentativeCollision<Real> collision;
         collision.happened = active & (depth_ < ahead);
         const Mask onward = active & !(collision.happened);
-        Real step = depth_ / majorant;
-        if constexpr (Dense)
-            step = step + carry_;
-        const Real there = t + step;
+        Real there = t, step{};
+        if (any(collision.happened)) {  // a division by 0 takes a GPU long, and most cells are empty
+            step = depth_ / majorant;
+            if constexpr (Dense)
+                step = step + carry_;
+            there = t + step;
+        }
         if constexpr (Dense)
             carry_ = collision.happened ? step - (there - t) : (onward ? Real{} : carry_);
         t = collision.happened ? there : (onward ? leave : t);

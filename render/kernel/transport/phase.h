@@ -2,7 +2,7 @@
 /// Henyey-Greenstein phase function [1/sr]; Henyey & Greenstein 1941. Directions of travel; cosTheta = +1 is straight
 /// on. Stable forms: no cancellation at cosTheta near +-1 nor at g near 0 or +-1.
 
-#include "render/base/portable.h"
+#include "render/kernel/turns.h"
 
 namespace pdr {
 
@@ -26,6 +26,12 @@ PDR_HD inline void orthonormalBasis(vec3 n, vec3& s, vec3& t) {
     t = {b, sign + n.y * n.y * a, -n.y};
 }
 
+/// The point of the unit circle at that angle from s towards t.
+PDR_HD inline vec3 circlePoint(vec3 s, vec3 t, float turns) {
+    const CirclePoint<float> point = circlePoint(turns);
+    return s * point.cosine + t * point.sine;
+}
+
 /// A direction `wi` that light is scattered to `wo` from, distributed as phaseEval.
 PDR_HD inline vec3 phaseSample(float g, vec3 wo, vec2 u) {
     const vec3 onward = -wo;
@@ -42,8 +48,7 @@ PDR_HD inline vec3 phaseSample(float g, vec3 wo, vec2 u) {
     const float sine = std::sqrt(oneMinusCos * onePlusCos);
     vec3 s, t;
     orthonormalBasis(onward, s, t);
-    const float phi = 2 * kPi * u.y;
-    return onward * cosine + (s * std::cos(phi) + t * std::sin(phi)) * sine;
+    return onward * cosine + circlePoint(s, t, u.y) * sine;
 }
 
 }  // namespace pdr

@@ -79,8 +79,7 @@ PDR_HD inline float surfacePdf(const Material& material, vec3 n, vec3 wo, vec3 w
 PDR_HD inline vec3 surfaceSample(const Material& material, vec3 n, vec3 wo, float choice, vec2 u) {
     vec3 s, t;
     orthonormalBasis(n, s, t);
-    const float phi = 2 * kPi * u.y;
-    const vec3 around = s * std::cos(phi) + t * std::sin(phi);
+    const vec3 around = circlePoint(s, t, u.y);
     if (!isShiny(material) || choice >= glossProbability(material, glm::dot(n, wo)))
         return around * std::sqrt(u.x) + n * std::sqrt(1 - u.x);
     const float alpha = ggxAlpha(material.roughness);

@@ -36,6 +36,8 @@ struct RatioTracking {
     Real result = Real{} + 1.0f;
 
     PDR_HD Mask onCollision(Real, const TentativeCollision<Real>& collision) {
+        if (!any(collision.happened))
+            return Mask{};
         const Real left = result * (1.0f - collision.extinction / collision.majorant);
         result = collision.happened ? left : result;
         const Mask little = collision.happened & (result < kRouletteBelow);

@@ -56,10 +56,18 @@ class CellWalk {
             read(scene.volume, met, leave, way);
         ray_.advance(mask, within, borders, leave);
         t_ = mask ? leave : t_;
+        prefetchNext(scene);
         return met;
     }
 
   private:
+    /// What the next step will read: by then it has come from memory.
+    PDR_HD_INLINE void prefetchNext(const FlatScene& scene) const {
+        const FlatMajorants& grid = scene.majorants;
+        prefetch(grid.fine, ray_.template cellIndex<4>(grid.fineSize, walking()));
+        prefetchCell(scene.volume, nearestCorner(scene.volume, ray_.voxel(), walking()));
+    }
+
     PDR_HD_INLINE void read(const FlatVolume& volume, Mask mask, Real leave, HuAlong<Real>& way) const {
         // In the half cells outside the first and last centres the fractions stay at 0 or 1: constant, as clamped.
         const VoxelCell<Real> cell = nearestCell(volume, ray_.voxel(), mask);

@@ -179,6 +179,33 @@ class GpuDeviceTest : public QObject {
         QCOMPARE(copiesFor(scene), 4);
     }
 
+    /// While the user drags: opacities, colours, the view and a light, from one edit to its picture.
+    void anEditTakesNoMemory() {
+        const auto plan = std::make_shared<test::FaultPlan>();
+        GpuDevice<test::FaultyGpu> gpu(DeviceInfo{"counting", "", false}, plan);
+        Scene scene = bumpyScene();
+        QVERIFY(gpu.upload(scene));
+        const auto film = *gpu.film(scene.film, scene.revision, {});
+        const auto picture = [&] {
+            ++scene.revision;
+            return gpu.upload(scene) && film->restart(wholeImage(scene.film), scene.revision) &&
+                   film->accumulate(1, {}) && film->resolve({}) && film->readback();
+        };
+        QVERIFY(picture());
+        for (const test::FaultPlan::Call taken : {test::FaultPlan::Call::allocate, test::FaultPlan::Call::pinned}) {
+            plan->call = taken;
+            plan->calls = 0;
+            for (int i = 0; i < 4; ++i) {
+                scene.transferFunction.nodes[1].opacity = 0.3f + 0.1f * float(i);
+                scene.transferFunction.nodes[1].albedo = vec3(0.1f * float(i));
+                scene.camera.eyeMm.x += 5;
+                scene.environment.radiance = vec3(float(i));
+                QVERIFY(picture());
+            }
+            QCOMPARE(plan->calls, 0);
+        }
+    }
+
     void memoryReturnsToItsStartAfterAThousandLoads() {
         const auto cycle = [](GpuDevice<HostGpu>& gpu, std::shared_ptr<const Volume> volume) {
             Scene scene = bumpyScene();

@@ -14,7 +14,7 @@ using namespace pdr;
 static const char* kFull = R"({
   "format": "pdrender-scene", "version": 1,
   "volume": { "raw": "volume.raw", "size": [4, 3, 2], "spacingMm": [1, 2, 3], "originMm": [7, 8, 9], "type": "uint8",
-              "clampHu": [10, 20] },
+              "clampHu": [10, 20], "reconstruction": "cubic" },
   "transferFunction": { "extinctionPerMm": 2.5, "nodes": [
     { "hu": 0, "opacity": 0 },
     { "hu": 100, "opacity": 0.5, "albedo": [0.1, 0.2, 0.3], "emission": 4, "specular": 0.25, "roughness": 0.75 } ] },
@@ -80,7 +80,7 @@ class SceneFileTest : public QObject {
         QCOMPARE(QString::fromStdString(source.raw.path.string()), folder_.filePath("volume.raw"));
         QVERIFY(source.raw.size == ivec3(4, 3, 2) && source.raw.spacingMm == dvec3(1, 2, 3));
         QVERIFY(source.raw.originMm == dvec3(7, 8, 9) && source.raw.type == RawFile::Type::uint8);
-        QVERIFY(source.clampHu == std::pair(10, 20));
+        QVERIFY(source.clampHu == std::pair(10, 20) && source.reconstruction == Reconstruction::cubic);
 
         const Scene& scene = file->scene;
         QCOMPARE(scene.transferFunction.extinctionPerMm, 2.5f);
@@ -121,6 +121,7 @@ class SceneFileTest : public QObject {
         QVERIFY2(bool(file), file ? "" : file.error().text().c_str());
         QCOMPARE(QString::fromStdString(file->source.dicomFolder.string()), folder_.filePath("ct"));
         QVERIFY(file->source.raw.path.empty() && !file->source.clampHu && file->source.seriesUid.empty());
+        QVERIFY(file->source.reconstruction == Reconstruction::linear);
         QVERIFY(file->scene.film == Scene{}.film && file->scene.seed == 1 &&
                 file->scene.estimator == Estimator::unbiased && file->scene.filtering == Filtering::exact &&
                 file->scene.lights.empty());
@@ -152,6 +153,7 @@ class SceneFileTest : public QObject {
         row("volume.type", "int12", "volume.type");
         row("volume.clampHu", QJsonArray{20, 10}, "volume.clampHu");
         row("volume.clampHu", QJsonArray{0, 40000}, "volume.clampHu");
+        row("volume.reconstruction", "quadratic", "volume.reconstruction");
         row("transferFunction", removed, "transferFunction");
         row("transferFunction.extinctionPerMm", -1, "transferFunction.extinctionPerMm");
         row("transferFunction.nodes", QJsonArray{}, "transferFunction.nodes");

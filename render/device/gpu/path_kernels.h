@@ -1,0 +1,207 @@
+#pragma once
+/// Samples of paths, cut into kernels that do one thing each, so that 32 threads in step do the same, and in few
+/// registers:
+///   CameraKernel     a sample's camera ray and first flight: a queue, whose lanes take the next sample when one has
+///   ended ShadeKernel<F>   what is at the end of that flight (endSegment): a thread for each ShadowKernel     from
+///   there to the lights: a queue likewise OnwardKernel<F>  all that is behind, segment by segment, of paths that go
+///   on: a queue
+/// They hand on records in lists, in the order in which they come. No picture depends on it: each record knows its
+/// sample, and the light of a sample is added by one thread after the other, as traceSegment() does.
+
+#include "render/device/gpu/trace_kernels.h"
+
+namespace pdr {
+
+/// The first segment of a path, and what its flight found.
+struct FirstFlight {
+    PathSegment segment;
+    float collision;     ///< see endSegment()
+    std::int64_t index;  ///< of the sample in its launch
+};
+
+/// A vertex with light on its way to it.
+struct LitVertex {
+    LightPath light[kMostLightPaths];
+    float depth[kMostLightPaths];  ///< see shadowDepth()
+    std::int64_t place;            ///< of the sample in TraceTarget::radiance
+};
+
+/// A path that goes on behind its first vertex.
+struct OnwardPath {
+    Path path;
+    PathSample found;  ///< so far, but for its radiance, which is in the target
+    TracedSample sample;
+};
+
+/// The lists of some samples of a launch, with room for a record of each.
+struct PathLists {
+    struct Counts {
+        std::int32_t flights = 0, lit = 0, onward = 0;
+    };
+    FirstFlight* flights;
+    LitVertex* lit;
+    OnwardPath* onward;
+    Counts* counts;
+};
+
+PDR_HD_INLINE void startFlight(FreeFlight<float>& flight, const FlatScene& scene, const Ray& ray, float depth) {
+    flight = FreeFlight<float>();
+    flight.start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
+                 ray.length, depth);
+}
+
+struct CameraKernel {
+    static constexpr const char* kName = "camera";
+    FlatScene scene;
+    TraceTarget target;
+    PathLists lists;
+    std::int64_t first;  ///< index of the first of these samples in the launch
+
+    struct Walk {
+        FreeFlight<float> flight;
+        std::int32_t slot;
+    };
+
+    PDR_HD bool start(std::int64_t i, Walk& walk) const {
+        TracedSample sample{};
+        if (!target.at(first + i, sample))
+            return false;
+        const vec2 depths = depthBounds(scene, sample.from.pixel);
+        if (isBackgroundOnly(scene, depths)) {
+            target.keep(scene, sample, PathSample{.radiance = plainBackground(scene)});
+            return false;
+        }
+        const Path path = startPath(scene, sample.from.pixel, sample.from.sample, depths);
+        walk.slot = atomicTakeNext(lists.counts->flights);
+        lists.flights[walk.slot] = {path.segment, -1, first + i};
+        startFlight(walk.flight, scene, path.segment.ray, path.sampler.depth());
+        return walk.flight.going();
+    }
+
+    PDR_HD bool step(Walk& walk) const {
+        walk.flight.step(scene);
+        if (walk.flight.going())
+            return true;
+        lists.flights[walk.slot].collision = walk.flight.distance;
+        return false;
+    }
+};
+
+template <std::uint32_t F>
+struct ShadeKernel {
+    FlatScene scene;
+    TraceTarget target;
+    PathLists lists;
+
+    PDR_HD void operator()(std::int64_t i) const {
+        if (i >= lists.counts->flights)
+            return;
+        const FirstFlight& flight = lists.flights[i];
+        TracedSample sample{};
+        target.at(flight.index, sample);
+        Path path{pathSampler(scene, sample.from.pixel, sample.from.sample), flight.segment};
+        PathSample found;
+        const PathVertex vertex = endSegment<F>(scene, path, flight.collision, 0, found);
+        target.keep(scene, sample, found);
+        handOnLight(path, vertex, sample.place);
+        if (vertex.continues)
+            lists.onward[atomicTakeNext(lists.counts->onward)] = {path, found, sample};
+    }
+
+    PDR_HD void handOnLight(const Path& path, const PathVertex& vertex, std::int64_t place) const {
+        bool lit = false;
+        for (const LightPath& light : vertex.scattered)
+            lit = lit || !isDark(light);
+        if (!lit)
+            return;
+        LitVertex& record = lists.lit[atomicTakeNext(lists.counts->lit)];
+        record.place = place;
+        for (int i = 0; i < kMostLightPaths; ++i) {
+            record.light[i] = vertex.scattered[i];
+            record.depth[i] = isDark(vertex.scattered[i]) ? 0 : shadowDepth(path, i);
+        }
+    }
+};
+
+struct ShadowKernel {
+    static constexpr const char* kName = "shadow";
+    FlatScene scene;
+    TraceTarget target;
+    PathLists lists;
+
+    struct Walk {
+        FreeFlight<float> flight;
+        std::int32_t vertex;
+        int light;
+    };
+
+    PDR_HD bool start(std::int64_t i, Walk& walk) const {
+        if (i >= lists.counts->lit)
+            return false;
+        walk.vertex = std::int32_t(i);
+        walk.light = -1;
+        return startNext(walk);
+    }
+
+    PDR_HD bool step(Walk& walk) const {
+        walk.flight.step(scene);
+        if (walk.flight.going())
+            return true;
+        end(walk);
+        return startNext(walk);
+    }
+
+  private:
+    /// The vertex's next light path that has a way to fly; false: there is none.
+    PDR_HD bool startNext(Walk& walk) const {
+        const LitVertex& vertex = lists.lit[walk.vertex];
+        while (++walk.light < kMostLightPaths) {
+            if (isDark(vertex.light[walk.light]))
+                continue;
+            startFlight(walk.flight, scene, vertex.light[walk.light].ray, vertex.depth[walk.light]);
+            if (walk.flight.going())
+                return true;
+            end(walk);
+        }
+        return false;
+    }
+
+    PDR_HD void end(const Walk& walk) const {
+        const LitVertex& vertex = lists.lit[walk.vertex];
+        PathSample sample{.radiance = target.radiance[vertex.place]};
+        addLight(sample, vertex.light[walk.light].radiance,
+                 shadowTransmittance(walk.flight.distance, walk.flight.passed));
+        target.radiance[vertex.place] = sample.radiance;
+    }
+};
+
+template <std::uint32_t F>
+struct OnwardKernel {
+    static constexpr const char* kName = "onward";
+    FlatScene scene;
+    TraceTarget target;
+    PathLists lists;
+
+    struct Walk {
+        OnwardPath at;
+        int bounce;
+    };
+
+    PDR_HD bool start(std::int64_t i, Walk& walk) const {
+        if (i >= lists.counts->onward)
+            return false;
+        walk.at = lists.onward[i];
+        walk.at.found.radiance = target.radiance[walk.at.sample.place];
+        walk.bounce = 1;
+        return true;
+    }
+
+    PDR_HD bool step(Walk& walk) const {
+        if (traceSegment<F>(scene, walk.at.path, walk.bounce++, walk.at.found, NullVisitor()))
+            return true;
+        target.keep(scene, walk.at.sample, walk.at.found);
+        return false;
+    }
+};
+
+}  // namespace pdr

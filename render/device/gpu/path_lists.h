@@ -1,0 +1,33 @@
+#pragma once
+/// Memory for what the kernels of paths hand on to each other (path_kernels.h).
+
+#include "render/device/gpu/gpu_array.h"
+#include "render/device/gpu/path_kernels.h"
+
+namespace pdr {
+
+template <Gpu G>
+class PathListMemory {
+  public:
+    explicit PathListMemory(G& gpu) : gpu_(gpu) {}
+
+    /// Empty lists. `onward`: whether paths go on behind their first vertex.
+    PathLists emptied(std::int64_t samples, bool onward) {
+        flights_.resize(std::size_t(samples));
+        lit_.resize(std::size_t(samples));
+        if (onward)
+            onward_.resize(std::size_t(samples));
+        counts_.resize(1);
+        counts_.clear();
+        return {flights_.data(), lit_.data(), onward_.data(), counts_.data()};
+    }
+
+  private:
+    G& gpu_;
+    GpuArray<G, FirstFlight> flights_{gpu_};
+    GpuArray<G, LitVertex> lit_{gpu_};
+    GpuArray<G, OnwardPath> onward_{gpu_};
+    GpuArray<G, PathLists::Counts> counts_{gpu_};
+};
+
+}  // namespace pdr
