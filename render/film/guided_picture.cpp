@@ -1,12 +1,19 @@
 #include "render/film/guided_picture.h"
 
+#include <utility>
+
 #include "render/film/noisy_film.h"
 
 namespace pdr {
 
-Picture guidedPicture(const Film& film, const denoise::Guide& guide, const Display& display) {
-    const NoisyFilm noisy = noisyFilm(film);
-    return smoothedPictureOf(film, denoise::guided(noisy.all.mean, guide), noisy.unit, display);
+GuidedFilm::GuidedFilm(std::shared_ptr<const Film> film, const denoise::Guide& guide) : film_(std::move(film)) {
+    const NoisyFilm noisy = noisyFilm(*film_);
+    unit_ = noisy.unit;
+    radiance_ = denoise::guided(noisy.all.mean, guide);
+}
+
+Picture GuidedFilm::picture(const Display& display) const {
+    return smoothedPictureOf(*film_, radiance_, unit_, display);
 }
 
 }  // namespace pdr

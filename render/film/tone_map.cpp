@@ -108,14 +108,15 @@ Picture pictureOf(const Film& film, const Display& display, const std::stop_toke
 Picture Development::picture(const Film& film, const Display& display, const std::stop_token& stop) {
     if (!display.smoothed)
         return rawPictureOf(film, display);
-    if (!smoothed_ || !smoothed_->isOf(film)) {
+    if (!smoothed_ || !smoothed_->shows(film, display.exposure)) {
         smoothed_.reset();
         const NoisyFilm noisy = noisyFilm(film);
         denoise::Colours radiance = denoise::smoothed(noisy.all.mean, noisy.all.variance, noisy.ratio, stop);
         if (stop.stop_requested())
             return {};
-        smoothed_ = SmoothedFilm{film.revision(), film.progress(), noisy.unit, std::move(radiance)};
+        smoothed_ = SmoothedFilm{film.revision(), film.progress(), noisy.unit, std::move(radiance), display.exposure};
     }
+    smoothed_->exposure = display.exposure;
     return smoothedPictureOf(film, smoothed_->radiance, smoothed_->unit, display);
 }
 

@@ -123,7 +123,7 @@ void Session::Loop::beginFiner() {
     if (!film)
         return failedOnDevice(film.error());
     coarser_ = *std::move(film);
-    coarserGuide_ = guide_;
+    coarserGuided_ = guided_;
     passing_ = false;
     beginFilm(ResolutionLadder::next(divider_));
 }
@@ -176,6 +176,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     waiting_.clear();
     fresh_ = true;
     guide_ = nullptr;
+    guided_ = nullptr;
     frameSeconds_ = 0;
     smoothedView_.clear();
     meter_.clear();

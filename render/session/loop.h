@@ -47,7 +47,7 @@ class Session::Loop {
     Result<void> showCoarser(const RenderCommands::Iteration& step);
     Result<std::vector<DisplayedPicture>> made(const Display& asked, const Display& display, bool atOnce,
                                                const std::stop_token& stop);
-    Result<std::vector<DisplayedPicture>> madeOnGuide(const Display& asked);
+    Result<std::vector<DisplayedPicture>> madeOnGuide(const Display& asked, bool adds);
     Result<std::vector<DisplayedPicture>> takeAllBut(std::size_t left);
     bool findGuide(const std::stop_token& stop);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
@@ -97,7 +97,7 @@ class Session::Loop {
     bool passing_ = false;  ///< it was begun while the user dragged: with random numbers of its own
     std::shared_ptr<const Film>
         coarser_;  ///< whose picture stays until the film's own is no worse; null: there is none
-    std::shared_ptr<const denoise::Guide> coarserGuide_;  ///< of that one; null: it has none
+    std::shared_ptr<const GuidedFilm> coarserGuided_;  ///< that one on its guide; null: it has none
     Development coarserPictures_;
 
     // Of the film:
@@ -108,6 +108,7 @@ class Session::Loop {
     bool first_ = false;                           ///< its first picture is still to come
     bool fresh_ = false;                           ///< the first one from this device is
     std::shared_ptr<const denoise::Guide> guide_;  ///< that its pictures are drawn on; null: none, or not yet
+    std::shared_ptr<const GuidedFilm> guided_;     ///< the film on it, as it was shown; null: it was not
     bool reached_ = false;                         ///< it was shown as good as was wanted
     double frameSeconds_ = 0;                      ///< of the frame in the making
     double seconds_ = 0;                           ///< of all of them

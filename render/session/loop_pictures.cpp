@@ -34,7 +34,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const double start = clock_();
     const bool guided = display.smoothed && findGuide(step.stop);
     Result<std::vector<DisplayedPicture>> pictures =
-        guided ? madeOnGuide(asked) : made(asked, display, atOnce, step.stop);
+        guided ? madeOnGuide(asked, adds) : made(asked, display, atOnce, step.stop);
     if (!pictures)
         return pictures.error();
     if (display.smoothed && step.stop.stop_requested()) {
@@ -77,13 +77,16 @@ Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::made(const D
     return takeAllBut(atOnce ? 0 : std::size_t(film.maxInFlight() - 1));
 }
 
-/// A coarse film has none that wait.
-Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::madeOnGuide(const Display& asked) {
-    const Result<std::shared_ptr<const Film>> film = place_.film()->film();
-    if (!film)
-        return film.error();
+/// A coarse film has none that wait. `adds`: it holds more than when it was drawn last.
+Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::madeOnGuide(const Display& asked, bool adds) {
+    if (adds || !guided_) {
+        Result<std::shared_ptr<const Film>> film = place_.film()->film();
+        if (!film)
+            return film.error();
+        guided_ = std::make_shared<const GuidedFilm>(*std::move(film), *guide_);
+    }
     std::vector<DisplayedPicture> pictures;
-    pictures.push_back({guidedPicture(**film, *guide_, {asked.exposure, true}), asked, guide_->depth.size()});
+    pictures.push_back({guided_->picture({asked.exposure, true}), asked, guided_->size()});
     return pictures;
 }
 
@@ -101,12 +104,12 @@ void Session::Loop::addTimes(std::uint32_t n, double iterationSeconds, double di
 /// On another display.
 Result<void> Session::Loop::showCoarser(const RenderCommands::Iteration& step) {
     const Display asked = commands.display(), display{asked.exposure, smooths(asked)};
-    const bool guided = display.smoothed && coarserGuide_;
-    Picture picture = guided ? guidedPicture(*coarser_, *coarserGuide_, display)
-                             : coarserPictures_.picture(*coarser_, display, step.stop);
+    const bool guided = display.smoothed && coarserGuided_;
+    Picture picture =
+        guided ? coarserGuided_->picture(display) : coarserPictures_.picture(*coarser_, display, step.stop);
     if (step.stop.stop_requested())
         return {};
-    const ivec2 size = guided ? coarserGuide_->depth.size() : coarser_->size();
+    const ivec2 size = guided ? coarserGuided_->size() : coarser_->size();
     auto frame = frameOf({std::move(picture), asked, size}, ResolutionLadder::kSamples);
     frame->coarse = true;
     sink_(std::move(frame));
