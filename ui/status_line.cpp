@@ -9,8 +9,9 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
     text_.setAccessibleName(tr("How good the picture is"));
     text_.setToolTip(
         tr("How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the "
-           "pixels that show tissue. Four times the samples halve it. A smoothed picture has an error of its own, and "
-           "may lack fine detail: S shows the raw one."));
+           "pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its "
+           "own, "
+           "and may lack fine detail: S shows the raw one."));
     // A long line is cut off at its end; it must not make the window wider.
     text_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     bar_.setAccessibleName(tr("Progress"));

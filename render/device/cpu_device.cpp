@@ -29,6 +29,10 @@ class CpuDevice final : public Device {
         return {};
     }
 
+    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
+        return tracer_.guide(scene_->flat, finer, stop);
+    }
+
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                               const Schedule& schedule) override {
         if (schedule.kind == Schedule::Kind::kroes)

@@ -7,6 +7,7 @@
 #include "render/base/result.h"
 #include "render/base/tile.h"
 #include "render/device/accumulator.h"
+#include "render/film/guided_picture.h"
 #include "render/scene/schedule.h"
 
 namespace pdr {
@@ -34,6 +35,11 @@ class Device {
     /// device. Errors: no room for it.
     virtual Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                                       const Schedule& schedule) = 0;
+    /// For pictures that must come soon: the uploaded scene without noise or shadows, `finer` pixels along each of a
+    /// film's. Null: it has none, of this scene or of any, or a stop request came before its end.
+    virtual std::shared_ptr<const denoise::Guide> guide(int /*finer*/, const std::stop_token& /*stop*/) {
+        return nullptr;
+    }
     /// For whole pictures of that size.
     Result<std::unique_ptr<Accumulator>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) {
         return film(wholeImage(size), revision, schedule);

@@ -84,9 +84,10 @@ Picture rawPictureOf(const Film& film, const Display& display) {
     return picture;
 }
 
-/// `smooth`: the film's radiance without its noise, in units of `unit`.
+}  // namespace
+
 Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display) {
-    const ivec2 size = film.size();
+    const ivec2 size = smooth[0].size();
     Picture picture{std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4, 255),
                     film.status(display.exposure, [](auto&&...) {}), true};
     denoise::eachBand(size.y, {}, [&](int begin, int end) {
@@ -100,8 +101,6 @@ Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, doub
     return picture;
 }
 
-}  // namespace
-
 Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop) {
     return Development().picture(film, display, stop);
 }
@@ -109,14 +108,15 @@ Picture pictureOf(const Film& film, const Display& display, const std::stop_toke
 Picture Development::picture(const Film& film, const Display& display, const std::stop_token& stop) {
     if (!display.smoothed)
         return rawPictureOf(film, display);
-    if (!smoothed_ || !smoothed_->isOf(film)) {
+    if (!smoothed_ || !smoothed_->shows(film, display.exposure)) {
         smoothed_.reset();
         const NoisyFilm noisy = noisyFilm(film);
         denoise::Colours radiance = denoise::smoothed(noisy.all.mean, noisy.all.variance, noisy.ratio, stop);
         if (stop.stop_requested())
             return {};
-        smoothed_ = SmoothedFilm{film.revision(), film.progress(), noisy.unit, std::move(radiance)};
+        smoothed_ = SmoothedFilm{film.revision(), film.progress(), noisy.unit, std::move(radiance), display.exposure};
     }
+    smoothed_->exposure = display.exposure;
     return smoothedPictureOf(film, smoothed_->radiance, smoothed_->unit, display);
 }
 

@@ -26,11 +26,16 @@ struct Picture {
 /// worthless.
 Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop = {});
 
-/// Pictures of one film after the other. What was smoothed last is kept, since that takes many times as long as the
-/// tone curve: no other exposure of the same samples is smoothed again.
+/// A film's radiance without its noise, in units of `unit`, as a picture of the film; it may be finer than that.
+Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display);
+
+/// Pictures of a film in the making, one after the other. What was smoothed last is kept, since that takes many times
+/// as long as the tone curve.
 class Development {
   public:
-    /// As pictureOf(), to the bit.
+    /// As pictureOf(), to the bit; but where a smoothed picture is asked for on another exposure than before, it shows
+    /// what was smoothed last, though the film may hold more by now: so that it follows a slider. The same exposure
+    /// again shows all of it.
     Picture picture(const Film& film, const Display& display, const std::stop_token& stop = {});
 
   private:
@@ -39,7 +44,11 @@ class Development {
         TileProgress progress;
         double unit;  ///< radiance
         denoise::Colours radiance;
-        bool isOf(const Film& film) const { return revision == film.revision() && progress == film.progress(); }
+        float exposure;  ///< that it was shown on last
+        bool shows(const Film& film, float wanted) const {
+            return revision == film.revision() && radiance[0].size() == film.size() &&
+                   (exposure != wanted || progress == film.progress());
+        }
     };
 
     std::optional<SmoothedFilm> smoothed_;

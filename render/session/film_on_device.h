@@ -25,6 +25,10 @@ class FilmOnDevice {
     ivec2 size() const { return scene_->film; }
     std::uint64_t revision() const { return scene_->revision; }
 
+    /// Of the film; see Device::guide().
+    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) {
+        return device_->guide(finer, stop);
+    }
     /// An empty film of `scene`. Errors: the device's; there is no film then.
     Result<void> begin(const Scene& scene);
     /// Goes on on `device`, from `from` where that is not null. Errors: the new device's; everything is as before then.

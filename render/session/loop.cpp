@@ -123,6 +123,7 @@ void Session::Loop::beginFiner() {
     if (!film)
         return failedOnDevice(film.error());
     coarser_ = *std::move(film);
+    coarserGuided_ = guided_;
     passing_ = false;
     beginFilm(ResolutionLadder::next(divider_));
 }
@@ -174,6 +175,8 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     done_ = 0;
     waiting_.clear();
     fresh_ = true;
+    guide_ = nullptr;
+    guided_ = nullptr;
     frameSeconds_ = 0;
     smoothedView_.clear();
     meter_.clear();

@@ -26,6 +26,7 @@ class Session::Loop {
     struct DisplayedPicture {
         Picture picture;
         Display display;
+        ivec2 size;
     };
 
     void run(std::stop_token stop);
@@ -44,7 +45,11 @@ class Session::Loop {
     Result<void> accumulate(const RenderCommands::Iteration& step);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
+    Result<std::vector<DisplayedPicture>> made(const Display& asked, const Display& display, bool atOnce,
+                                               const std::stop_token& stop);
+    Result<std::vector<DisplayedPicture>> madeOnGuide(const Display& asked, bool adds);
     Result<std::vector<DisplayedPicture>> takeAllBut(std::size_t left);
+    bool findGuide(const std::stop_token& stop);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
     Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
     Result<void> keepCheckpoint();
@@ -92,18 +97,21 @@ class Session::Loop {
     bool passing_ = false;  ///< it was begun while the user dragged: with random numbers of its own
     std::shared_ptr<const Film>
         coarser_;  ///< whose picture stays until the film's own is no worse; null: there is none
+    std::shared_ptr<const GuidedFilm> coarserGuided_;  ///< that one on its guide; null: it has none
     Development coarserPictures_;
 
     // Of the film:
-    std::uint64_t samples_ = 0;    ///< that it holds, everywhere
-    int row_ = 0;                  ///< where its next band begins; 0: no iteration is half made
-    std::uint32_t done_ = 0;       ///< iterations since it was last shown
-    std::deque<Display> waiting_;  ///< what the pictures that were ordered and not taken are made for
-    bool first_ = false;           ///< its first picture is still to come
-    bool fresh_ = false;           ///< the first one from this device is
-    bool reached_ = false;         ///< it was shown as good as was wanted
-    double frameSeconds_ = 0;      ///< of the frame in the making
-    double seconds_ = 0;           ///< of all of them
+    std::uint64_t samples_ = 0;                    ///< that it holds, everywhere
+    int row_ = 0;                                  ///< where its next band begins; 0: no iteration is half made
+    std::uint32_t done_ = 0;                       ///< iterations since it was last shown
+    std::deque<Display> waiting_;                  ///< what the pictures that were ordered and not taken are made for
+    bool first_ = false;                           ///< its first picture is still to come
+    bool fresh_ = false;                           ///< the first one from this device is
+    std::shared_ptr<const denoise::Guide> guide_;  ///< that its pictures are drawn on; null: none, or not yet
+    std::shared_ptr<const GuidedFilm> guided_;     ///< the film on it, as it was shown; null: it was not
+    bool reached_ = false;                         ///< it was shown as good as was wanted
+    double frameSeconds_ = 0;                      ///< of the frame in the making
+    double seconds_ = 0;                           ///< of all of them
     SmoothedView smoothedView_;
     bool brightens_ = false;  ///< its picture, a smoothed one, was just shown on another display
 

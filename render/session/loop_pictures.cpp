@@ -27,22 +27,20 @@ Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step
 /// goes on behind. `adds`: it shows new iterations. None where smoothing was broken off, since something newer is
 /// waiting.
 Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool adds) {
-    Accumulator& film = *place_.film();
     const Display asked = commands.display();
     const Display display = smoothedView_.better({asked.exposure, smooths(asked)});
     const bool within = step.render && !adds;  // a frame that goes on
     const bool atOnce = fresh_ || coarse() || measuring_ || !adds;
     const double start = clock_();
-    if (Result<void> ordered = film.resolve(display, step.stop); !ordered)
-        return ordered;
+    const bool guided = display.smoothed && findGuide(step.stop);
+    Result<std::vector<DisplayedPicture>> pictures =
+        guided ? madeOnGuide(asked, adds) : made(asked, display, atOnce, step.stop);
+    if (!pictures)
+        return pictures.error();
     if (display.smoothed && step.stop.stop_requested()) {
         place_.tearFilm();
         return {};
     }
-    waiting_.push_back(asked);
-    Result<std::vector<DisplayedPicture>> pictures = takeAllBut(atOnce ? 0 : std::size_t(film.maxInFlight() - 1));
-    if (!pictures)
-        return pictures.error();
     const double displaySeconds = secondsSince(start);
     first_ = fresh_ = false;
     coarser_.reset();
@@ -51,10 +49,45 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     seconds_ += frameSeconds + displaySeconds;
     if (adds)
         addTimes(n, frameSeconds, displaySeconds);
+    if (adds && guided)
+        ladder_.addGuidedDisplay(pixels(), displaySeconds);
+    else if (adds && place_.film()->maxInFlight() == 1)
+        ladder_.addDisplay(pixels(), displaySeconds);
     if (!pictures->empty())
         reached_ = !coarse() && pictures->back().picture.status.displayError <= kFinestStep;
     send(*std::move(pictures), wanted(step.pace));
     return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
+}
+
+/// Whether there is a guide for the film's pictures: of the device's making, once for all of them.
+bool Session::Loop::findGuide(const std::stop_token& stop) {
+    const int finer = ResolutionLadder::finer(divider_);
+    if (!guide_ && finer > 1)
+        guide_ = place_.guide(finer, stop);
+    return guide_ != nullptr;
+}
+
+/// The ones that are due when this one has been ordered: by now, or once others are made behind it.
+Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::made(const Display& asked, const Display& display,
+                                                                         bool atOnce, const std::stop_token& stop) {
+    Accumulator& film = *place_.film();
+    if (Result<void> ordered = film.resolve(display, stop); !ordered)
+        return ordered.error();
+    waiting_.push_back(asked);
+    return takeAllBut(atOnce ? 0 : std::size_t(film.maxInFlight() - 1));
+}
+
+/// A coarse film has none that wait. `adds`: it holds more than when it was drawn last.
+Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::madeOnGuide(const Display& asked, bool adds) {
+    if (adds || !guided_) {
+        Result<std::shared_ptr<const Film>> film = place_.film()->film();
+        if (!film)
+            return film.error();
+        guided_ = std::make_shared<const GuidedFilm>(*std::move(film), *guide_);
+    }
+    std::vector<DisplayedPicture> pictures;
+    pictures.push_back({guided_->picture({asked.exposure, true}), asked, guided_->size()});
+    return pictures;
 }
 
 /// Of a frame of n iterations. Where work goes on behind, only the sum of both tells something.
@@ -62,7 +95,6 @@ void Session::Loop::addTimes(std::uint32_t n, double iterationSeconds, double di
     if (place_.film()->maxInFlight() == 1) {
         meter_.addFrame(n, iterationSeconds, displaySeconds);
         ladder_.addFrame(n * pixels(), iterationSeconds);
-        ladder_.addDisplay(pixels(), displaySeconds);
     } else {
         meter_.addPeriod(n, iterationSeconds + displaySeconds);
         ladder_.addFrame(n * pixels(), iterationSeconds + displaySeconds);
@@ -71,12 +103,14 @@ void Session::Loop::addTimes(std::uint32_t n, double iterationSeconds, double di
 
 /// On another display.
 Result<void> Session::Loop::showCoarser(const RenderCommands::Iteration& step) {
-    const Display asked = commands.display();
-    Picture picture = coarserPictures_.picture(*coarser_, {asked.exposure, smooths(asked)}, step.stop);
+    const Display asked = commands.display(), display{asked.exposure, smooths(asked)};
+    const bool guided = display.smoothed && coarserGuided_;
+    Picture picture =
+        guided ? coarserGuided_->picture(display) : coarserPictures_.picture(*coarser_, display, step.stop);
     if (step.stop.stop_requested())
         return {};
-    auto frame = frameOf({std::move(picture), asked}, ResolutionLadder::kSamples);
-    frame->size = coarser_->size();
+    const ivec2 size = guided ? coarserGuided_->size() : coarser_->size();
+    auto frame = frameOf({std::move(picture), asked, size}, ResolutionLadder::kSamples);
     frame->coarse = true;
     sink_(std::move(frame));
     return {};
@@ -88,7 +122,7 @@ Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::takeAllBut(s
         Result<Picture> picture = place_.film()->readback();
         if (!picture)
             return picture.error();
-        pictures.push_back({*std::move(picture), waiting_.front()});
+        pictures.push_back({*std::move(picture), waiting_.front(), place_.size()});
         waiting_.pop_front();
     }
     return pictures;
@@ -123,7 +157,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->estimator = scene_.estimator;
     frame->coarse = coarse();
     frame->reached = reached_ && commands.holdsAtTarget();
-    frame->size = place_.size();
+    frame->size = picture.size;
     frame->display = picture.display;
     frame->rgba = std::move(picture.picture.rgba);
     frame->status = picture.picture.status;

@@ -26,14 +26,21 @@ double ResolutionLadder::secondsForPixels() const {
     return std::max(kFrameSeconds - beginning_.median(), kLeast * kFrameSeconds);
 }
 
+/// A pixel, as coarse pictures were shown lately.
+double ResolutionLadder::secondsToShowCoarse() const {
+    return guidedSeconds_.empty() ? displaySeconds_.median() : guidedSeconds_.median();
+}
+
 double ResolutionLadder::secondsForSamples(double pixels) const {
-    return secondsForPixels() - pixels * displaySeconds_.median();
+    return secondsForPixels() - pixels * secondsToShowCoarse();
 }
 
 int ResolutionLadder::first(ivec2 size) const {
-    const double secondsOfPixel = kSamples / speed() + displaySeconds_.median();
-    const double affordable = std::max(secondsForPixels() / secondsOfPixel, 1.0);
-    return std::clamp(int(std::ceil(std::sqrt(double(size.x) * size.y / affordable))), 1, kCoarsest);
+    const double pixels = double(size.x) * size.y, samples = kSamples / speed();
+    if (pixels * (samples + displaySeconds_.median()) <= secondsForPixels())
+        return 1;
+    const double affordable = std::max(secondsForPixels() / (samples + secondsToShowCoarse()), 1.0);
+    return std::clamp(int(std::ceil(std::sqrt(pixels / affordable))), 1, kCoarsest);
 }
 
 ivec2 dividedFilm(ivec2 size, int divider) {

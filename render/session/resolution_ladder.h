@@ -18,7 +18,11 @@ class ResolutionLadder {
     static constexpr double kFrameSeconds = 0.05;
     /// Of each pixel of a first picture: fewer, calmer pixels are easier to follow.
     static constexpr std::uint32_t kSamples = 4;
-    static constexpr int kCoarsest = 16;
+    static constexpr int kCoarsest = 24;
+    /// A coarse film's picture is drawn on a guide so many times as fine (denoise/guided.h), where the device has one:
+    /// finer than the full film it need not be.
+    static constexpr int kGuide = 4;
+    static constexpr int finer(int divider) { return divider < kGuide ? divider : kGuide; }
 
     /// A scene took `seconds` before its first sample.
     void addBeginning(double seconds) { beginning_.add(seconds); }
@@ -26,10 +30,12 @@ class ResolutionLadder {
     void addFrame(double samples, double seconds);
     /// To show that many pixels took `seconds`, smoothing included.
     void addDisplay(double pixels, double seconds) { displaySeconds_.add(seconds / pixels); }
+    /// To show so many of a coarse film on a guide took `seconds`, the guide included.
+    void addGuidedDisplay(double pixels, double seconds) { guidedSeconds_.add(seconds / pixels); }
 
     /// Samples a second, lately; a guess before the first frame.
     double speed() const;
-    /// What is left of a frame's time for its samples, in a film of that many pixels.
+    /// What is left of a frame's time for its samples, in a coarse film of that many pixels.
     double secondsForSamples(double pixels) const;
     /// The first divider for a full film of `size` pixels.
     int first(ivec2 size) const;
@@ -39,9 +45,10 @@ class ResolutionLadder {
   private:
     static constexpr std::size_t kRecent = 5;
     double secondsForPixels() const;
+    double secondsToShowCoarse() const;
 
     Recent beginning_{kRecent}, speed_{kRecent};
-    Recent displaySeconds_{kRecent};  ///< of a pixel
+    Recent displaySeconds_{kRecent}, guidedSeconds_{kRecent};  ///< of a film's pixel
 };
 
 /// The film of that divider: at least 1 x 1.

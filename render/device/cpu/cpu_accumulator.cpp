@@ -34,11 +34,13 @@ Result<Picture> CpuAccumulator::readback() {
 Result<void> CpuAccumulator::resume(const Film& film) {
     assert(film.area() == film_.area());
     film_ = Film(film_.revision(), film.content());
+    development_ = {};
     return {};
 }
 
 Result<void> CpuAccumulator::restart(const Tile& area, std::uint64_t revision) {
     shown_.clear();
+    development_ = {};
     film_.restart(area, revision);
     return {};
 }

@@ -72,4 +72,19 @@ void CpuTracer::trace(const FlatScene& scene, const Tile& tile, SampleRange samp
             sums.health->add(health);
 }
 
+std::shared_ptr<const denoise::Guide> CpuTracer::guide(const FlatScene& scene, int finer, const std::stop_token& stop) {
+    constexpr int kRows = 8;
+    if (!canBeGuided(scene))
+        return nullptr;
+    auto guide = std::make_shared<denoise::Guide>(denoise::guideOf(scene.camera.film, finer));
+    const ivec2 size = guide->depth.size();
+    const auto work = [&](int band) {
+        const int y = band * kRows;
+        if (!stop.stop_requested())
+            guides_.local().look(scene, {0, y, size.x, std::min(kRows, size.y - y)}, *guide);
+    };
+    arena_.execute([&] { tbb::parallel_for(0, (size.y + kRows - 1) / kRows, work); });
+    return stop.stop_requested() ? nullptr : guide;
+}
+
 }  // namespace pdr

@@ -5,8 +5,10 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <memory>
 #include <stop_token>
 
+#include "render/device/cpu/guide_batch.h"
 #include "render/device/cpu/pixel_batch.h"
 #include "render/device/cpu/projection_batch.h"
 
@@ -22,6 +24,8 @@ class CpuTracer {
     /// are worthless.
     void trace(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums,
                const std::stop_token& stop = {});
+    /// See Device::guide().
+    std::shared_ptr<const denoise::Guide> guide(const FlatScene& scene, int finer, const std::stop_token& stop);
 
   private:
     int threads_;
@@ -29,6 +33,7 @@ class CpuTracer {
     tbb::task_arena arena_;
     tbb::enumerable_thread_specific<PixelBatch> batches_;
     tbb::enumerable_thread_specific<ProjectionBatch> projections_;
+    tbb::enumerable_thread_specific<GuideBatch> guides_;
 };
 
 }  // namespace pdr

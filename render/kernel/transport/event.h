@@ -25,8 +25,13 @@ PDR_HD inline float surfaceFactorOf(float gradientFactor) {
 }
 
 /// A surface is the more likely the denser and the steeper the tissue: P = opacity (1 - exp(-surfaceFactor |grad|)),
-/// Kroes, Post & Botha 2012. No gradient, no surface. P is never above the opacity, so the gradient, which costs 64
-/// voxels, is looked at only where the number lies below that.
+/// Kroes, Post & Botha 2012.
+PDR_HD inline float surfaceProbability(const FlatScene& scene, float opacity, float steepness) {
+    return opacity * attenuation(scene.surfaceFactor * steepness).taken;
+}
+
+/// No gradient, no surface. Its probability is never above the opacity, so the gradient, which costs 64 voxels, is
+/// looked at only where the number lies below that.
 PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
     const float most = opacity(scene.transferFunction, hu);
     if (u >= most)
@@ -35,8 +40,7 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo,
     const float steepness = glm::length(gradient);
     if (!(steepness > 0))
         return vec3(0);
-    const float probability = most * attenuation(scene.surfaceFactor * steepness).taken;
-    if (u >= probability)
+    if (u >= surfaceProbability(scene, most, steepness))
         return vec3(0);
     const vec3 normal = gradient / steepness;
     return glm::dot(normal, wo) < 0 ? -normal : normal;

@@ -8,6 +8,7 @@
 #include <random>
 #include <thread>
 
+#include "render/session/resolution_ladder.h"
 #include "tests/support/failing_device.h"
 #include "tests/support/patience.h"
 #include "tests/support/pictures.h"
@@ -183,6 +184,26 @@ class FinerPicturesTest : public QObject {
         const Result<Film> film = filmOf(session, 1);
         QVERIFY(film);
         QVERIFY(test::sameBits(*film, test::render(largeScene(1), film->samplesPerPixel())));
+    }
+
+    /// By a clock that makes films as coarse as they may be.
+    void aMovingPictureIsFinerThanItsFilm() {
+        const auto first = [](bool smoothed) {
+            Reel reel;
+            Session session(makeCpuDevice(2), reel.sink(), {}, hurrying());
+            session.setDisplay({.smoothed = smoothed});
+            for (const std::uint64_t revision : {1, 2}) {
+                session.submit(largeScene(revision), true);
+                while (reel.of(revision).empty())
+                    std::this_thread::sleep_for(1ms);
+            }
+            return reel.of(2).front();
+        };
+        const std::shared_ptr<const Frame> raw = first(false), smooth = first(true);
+        QVERIFY(raw->coarse && smooth->coarse && smooth->smoothed);
+        QCOMPARE(smooth->size.x, ResolutionLadder::kGuide * raw->size.x);
+        QCOMPARE(smooth->size.y, ResolutionLadder::kGuide * raw->size.y);
+        QCOMPARE(smooth->rgba.size(), std::size_t(4 * smooth->size.x * smooth->size.y));
     }
 
     void aHandThatHoldsStillSeesTheFullPicture() {

@@ -56,6 +56,26 @@ class ResolutionLadderTest : public QObject {
         QVERIFY(std::abs(ladder.secondsForSamples(pixels) - (ResolutionLadder::kFrameSeconds - pixels * 1e-6)) < 1e-9);
     }
 
+    /// Whole films, which have none, do not pay for it.
+    void whatAGuideCostsIsLeftForIt() {
+        ResolutionLadder ladder = measured(4e6);
+        ladder.addDisplay(1e9, 1);
+        ladder.addGuidedDisplay(1e6, 2);
+        const ivec2 size = dividedFilm(kFilm, ladder.first(kFilm));
+        const double pixels = double(size.x) * size.y, samples = samplesOf(ladder.first(kFilm)) / ladder.speed();
+        QVERIFY(samples + pixels * 2e-6 <= 1.1 * ResolutionLadder::kFrameSeconds);
+        QVERIFY(std::abs(ladder.secondsForSamples(pixels) - (ResolutionLadder::kFrameSeconds - pixels * 2e-6)) < 1e-9);
+        QCOMPARE(ladder.first({100, 100}), 1);
+    }
+
+    void aGuideIsNoFinerThanTheFullFilm() {
+        for (int divider = 1; divider <= ResolutionLadder::kCoarsest; ++divider) {
+            QVERIFY(ResolutionLadder::finer(divider) <= divider);
+            QVERIFY(ResolutionLadder::finer(divider) <= ResolutionLadder::finer(divider + 1));
+        }
+        QCOMPARE(ResolutionLadder::finer(ResolutionLadder::kCoarsest), ResolutionLadder::kGuide);
+    }
+
     void aSlowDeviceStillShowsSomething() {
         QCOMPARE(measured(1).first(kFilm), ResolutionLadder::kCoarsest);
         QVERIFY(measured(1e6, 10).first(kFilm) <= ResolutionLadder::kCoarsest);
