@@ -44,7 +44,7 @@ int ResolutionLadder::first(ivec2 size) const {
 }
 
 ivec2 dividedFilm(ivec2 size, int divider) {
-    return glm::max((size + divider - 1) / divider, ivec2(1));
+    return glm::max(size / divider, ivec2(1));
 }
 
 }  // namespace pdr

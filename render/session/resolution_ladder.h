@@ -51,7 +51,7 @@ class ResolutionLadder {
     Recent displaySeconds_{kRecent}, guidedSeconds_{kRecent};  ///< of a film's pixel
 };
 
-/// The film of that divider: at least 1 x 1.
+/// The film of that divider: at least 1 x 1, and no larger than so many parts of the full one.
 ivec2 dividedFilm(ivec2 size, int divider);
 
 }  // namespace pdr

@@ -76,6 +76,13 @@ class ResolutionLadderTest : public QObject {
         QCOMPARE(ResolutionLadder::finer(ResolutionLadder::kCoarsest), ResolutionLadder::kGuide);
     }
 
+    /// Else the full film would have fewer pixels than the picture before it.
+    void noPictureIsLargerThanTheFullFilm() {
+        for (int size = 100; size < 1100; ++size)
+            for (int divider = ResolutionLadder::kCoarsest; divider > 1; divider = ResolutionLadder::next(divider))
+                QVERIFY(ResolutionLadder::finer(divider) * dividedFilm(ivec2(size), divider).x <= size);
+    }
+
     void aSlowDeviceStillShowsSomething() {
         QCOMPARE(measured(1).first(kFilm), ResolutionLadder::kCoarsest);
         QVERIFY(measured(1e6, 10).first(kFilm) <= ResolutionLadder::kCoarsest);
