@@ -1,10 +1,12 @@
 #pragma once
 /// Samples of paths, cut into kernels that do one thing each, so that 32 threads in step do the same, and in few
-/// registers:
-///   CameraKernel     a sample's camera ray and first flight: a queue, whose lanes take the next sample when one has
-///   ended ShadeKernel<F>   what is at the end of that flight (endSegment): a thread for each ShadowKernel     from
-///   there to the lights: a queue likewise OnwardKernel<F>  all that is behind, segment by segment, of paths that go
-///   on: a queue
+/// registers.
+///
+/// - CameraKernel: a sample's camera ray and first flight. A queue: lanes take the next when one has ended.
+/// - ShadeKernel<F>: what is at the end of that flight (endSegment). A thread for each.
+/// - ShadowKernel: from there to the lights. A queue likewise.
+/// - OnwardKernel<F>: all that is behind, segment by segment, of paths that go on. A queue.
+///
 /// They hand on records in lists, in the order in which they come. No picture depends on it: each record knows its
 /// sample, and the light of a sample is added by one thread after the other, as traceSegment() does.
 
