@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/accuracy/significance.h"
+#include "render/base/significance.h"
 
 namespace pdr::selftest {
 

@@ -9,6 +9,11 @@ namespace {
 /// What is brighter is far beyond white. Its square is still a number.
 constexpr double kBrightest = 1e15;
 
+/// Variance of all samples that counts as one: weights that come from the very pixels that they smooth follow their
+/// noise. With 1 the picture of 16 samples is 14 % worse than the mean of its halves, each smoothed alone, on rendered
+/// tissue; with 1.5 it is as good, with 2 fine lines go earlier than those of the halves.
+constexpr float kTolerance = 1.5f;
+
 /// A power of two, which scales without rounding.
 double unitFor(double meanLuminance) {
     return meanLuminance > 0 ? std::exp2(std::clamp(std::ilogb(meanLuminance), -120, 120)) : 1;
@@ -75,6 +80,11 @@ NoisyFilm noisyFilm(const Film& film) {
     noisy.ratio = denoise::combined([](float) { return 1.0f; }, noisy.all.variance);
     noisy.even = noisy.odd = noisy.all;
     return noisy;
+}
+
+denoise::Colours smoothRadiance(const NoisyFilm& noisy, const std::stop_token& stop) {
+    const auto tolerated = [](float variance) { return kTolerance * variance; };
+    return denoise::smoothed(noisy.all.mean, denoise::combined(tolerated, noisy.all.variance), noisy.ratio, stop);
 }
 
 }  // namespace pdr

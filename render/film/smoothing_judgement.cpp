@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/base/significance.h"
 #include "render/film/tone_curve.h"
 
 namespace pdr {
@@ -10,11 +11,23 @@ namespace {
 
 constexpr int kTile = 16;  ///< pixels an edge whose errors count as one draw: wider than most blotches
 constexpr int kFewestTiles = 16;
-constexpr double kSureEnough = 1.645;  ///< standard deviations of a one-sided 95 %
+
+/// Standard deviations of a one-sided 95 %. Noise of few samples is skewed and its spread is little known: as with
+/// Student's t of so many values less one for each half.
+double sureEnough(std::uint64_t samples) {
+    return studentT(0.1, int(std::min<std::uint64_t>(samples - 2, 1000)));
+}
+
+/// Of the noise, what may come from pixels of few bright samples: where it is more, brighter ones may still come.
+constexpr double kMostRareNoise = 0.25;
+
+/// Root mean squares that 95 % of the pixels stay below: of normal errors, and of those with the widest tails that were
+/// seen (many bounces, 64 samples).
+constexpr double kLevels = 2, kMostLevels = 2.1;
 
 /// In standard deviations of the noise: measured with lines drawn into pictures of bone and of smooth shade, 4 to 256
 /// samples a pixel.
-constexpr double kHiddenSigmas = 3.2;
+constexpr double kHiddenSigmas = 3.4;
 
 float square(float value) {
     return value * value;
@@ -60,6 +73,7 @@ Tile intersection(const Tile& a, const Tile& b) {
 /// Sums over tiles.
 struct SmoothingJudgement::Sums {
     double tiles = 0, pixels = 0, luminance = 0, variance = 0;
+    double noise = 0, rareNoise = 0;
     dvec4 errors{0.0};   ///< squared: of the luminance, and of each channel in levels
     dvec4 squares{0.0};  ///< of the tiles' errors
 
@@ -68,6 +82,8 @@ struct SmoothingJudgement::Sums {
         pixels += tile.pixels;
         luminance += tile.luminance;
         variance += tile.variance;
+        noise += tile.noise;
+        rareNoise += tile.rareNoise;
         errors += tile.errors;
         squares += tile.errors * tile.errors;
     }
@@ -91,7 +107,7 @@ std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const
 
 SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy, const denoise::Colours& even,
                                        const denoise::Colours& odd)
-    : area_(film.area()), unit_(noisy.unit) {
+    : area_(film.area()), unit_(noisy.unit), sigmas_(sureEnough(film.samplesPerPixel())) {
     const denoise::Plane variance = denoise::realVariance(noisy.all.variance, noisy.ratio);
     evidence_.reserve(std::size_t(area_.width) * std::size_t(area_.height));
     for (int y = 0; y < area_.height; ++y)
@@ -108,7 +124,10 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
             pixel.luminance = luminance.raw();
             pixel.squaredError = luminance.squaredError();
             pixel.variance = variance.row(y)[x];
-            pixel.tissue = film.pixel(x, y).tissue;
+            const PixelEstimate raw = film.pixel(x, y);
+            pixel.noise = square(float(pdr::luminance(raw.standardError) / unit_));
+            pixel.rare = 2 * pixel.noise > square(pixel.luminance);
+            pixel.tissue = raw.tissue;
             tissue_ = tissue_ || pixel.tissue;
         }
 }
@@ -125,6 +144,8 @@ SmoothingJudgement::Sums SmoothingJudgement::sumsIn(const Tile& tile, float expo
             ++sums.pixels;
             sums.luminance += double(pixel.luminance);
             sums.variance += double(pixel.variance);
+            sums.noise += double(pixel.noise);
+            sums.rareNoise += pixel.rare ? double(pixel.noise) : 0;
             sums.errors[0] += double(pixel.squaredError);
             for (int c = 0; c < 3; ++c) {
                 const float slope = levelSlope(pixel.smooth[c] / exposure, error) / exposure;
@@ -146,15 +167,15 @@ std::optional<SmoothedError> SmoothingJudgement::over(const Tile& region, double
     const Tile inside = intersection(region, area_);
     const auto inUnits = float(exposure / unit_);
     const Sums linear = sumsOver(inside, inUnits, 0);
-    if (linear.tiles < kFewestTiles)
+    if (linear.tiles < kFewestTiles || linear.rareNoise > kMostRareNoise * linear.noise)
         return std::nullopt;
-    const double error = linear.rootMeans(0)[0], atMost = linear.rootMeans(kSureEnough)[0];
+    const double error = linear.rootMeans(0)[0], atMost = linear.rootMeans(sigmas_)[0];
     const Sums shown = sumsOver(inside, inUnits, float(atMost) / inUnits);
     const double mean = linear.luminance / linear.pixels;
     const auto relative = [mean](double off) { return off > 0 ? off / mean : 0; };
-    const auto worstChannel = [](const dvec4& all) { return 2 * std::max({all[1], all[2], all[3]}); };
-    return SmoothedError{relative(error), relative(atMost), worstChannel(shown.rootMeans(0)),
-                         worstChannel(shown.rootMeans(kSureEnough)),
+    const auto worstChannel = [](const dvec4& all) { return std::max({all[1], all[2], all[3]}); };
+    return SmoothedError{relative(error), relative(atMost), kLevels * worstChannel(shown.rootMeans(0)),
+                         kMostLevels * worstChannel(shown.rootMeans(sigmas_)),
                          kHiddenSigmas * relative(std::sqrt(linear.variance / linear.pixels))};
 }
 

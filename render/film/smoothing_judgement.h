@@ -2,7 +2,7 @@
 /// How far a smoothed picture is from the truth, lost detail included, and without knowing the truth: each half of the
 /// samples is smoothed alone and judged by the other half as it is, which is right in the mean and has not been seen.
 /// After the cross-validation of Rousselle, Knaus & Zwicker 2012. What is judged is the mean of both smoothed halves;
-/// all samples smoothed at once, which is what is shown, were up to a sixth worse on pictures of 96 x 80 pixels.
+/// all samples smoothed at once, which is what is shown (smoothRadiance), are as good or a little better.
 
 #include <optional>
 
@@ -30,7 +30,7 @@ class SmoothingJudgement {
     static std::optional<SmoothingJudgement> of(const Film& film, const std::stop_token& stop = {});
 
     /// Of a region of the film, which is clipped to it, on a display of that exposure. Nothing where it has tissue in
-    /// less than 16 tiles of 16 x 16 pixels: of less too little is known.
+    /// less than 16 tiles of 16 x 16 pixels, or while the picture rests on few bright samples: too little is known.
     std::optional<SmoothedError> over(const Tile& region, double exposure) const;
     std::optional<SmoothedError> overAll(double exposure) const { return over(area_, exposure); }
 
@@ -40,7 +40,9 @@ class SmoothingJudgement {
         vec3 smooth{0.0f};
         vec3 squaredErrors{0.0f};
         float luminance = 0, squaredError = 0;
-        float variance = 0;  ///< of the luminance of all samples
+        float variance = 0;  ///< of the luminance of all samples, smooth
+        float noise = 0;     ///< as raw as it is
+        bool rare = false;   ///< less than two bright samples could make the pixel
         bool tissue = false;
     };
     struct Sums;
@@ -52,6 +54,7 @@ class SmoothingJudgement {
 
     Tile area_;
     double unit_;
+    double sigmas_;  ///< of the sums over tiles, for 95 %
     std::vector<Evidence> evidence_;
     bool tissue_ = false;  ///< there is some: only that counts
 };

@@ -111,7 +111,7 @@ Picture Development::picture(const Film& film, const Display& display, const std
     if (!smoothed_ || !smoothed_->shows(film, display.exposure)) {
         smoothed_.reset();
         const NoisyFilm noisy = noisyFilm(film);
-        denoise::Colours radiance = denoise::smoothed(noisy.all.mean, noisy.all.variance, noisy.ratio, stop);
+        denoise::Colours radiance = smoothRadiance(noisy, stop);
         if (stop.stop_requested())
             return {};
         smoothed_ = SmoothedFilm{film.revision(), film.progress(), noisy.unit, std::move(radiance), display.exposure};

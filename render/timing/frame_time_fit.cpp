@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "render/accuracy/significance.h"
+#include "render/base/significance.h"
 
 namespace pdr {
 

@@ -34,7 +34,7 @@ inline Film noisyFilmOf(ivec2 size, const Truth& truth, std::uint64_t samples, d
 /// What the smoothed view shows of a film, linear, row by row: its red, as good as any of a grey picture.
 inline std::vector<double> smoothRadiance(const Film& film) {
     const NoisyFilm noisy = noisyFilm(film);
-    const denoise::Colours colours = denoise::smoothed(noisy.all.mean, noisy.all.variance, noisy.ratio);
+    const denoise::Colours colours = pdr::smoothRadiance(noisy);
     std::vector<double> radiance;
     for (int y = 0; y < film.size().y; ++y)
         for (int x = 0; x < film.size().x; ++x)

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "render/accuracy/significance.h"
+#include "render/base/significance.h"
 
 namespace pdr::test {
 

@@ -8,7 +8,7 @@
 #include "app/bench/options.h"
 #include "app/bench/selftest/table.h"
 #include "app/selftest/run.h"
-#include "render/accuracy/significance.h"
+#include "render/base/significance.h"
 #include "render/device/device_list.h"
 
 namespace pdr::bench {

@@ -15,8 +15,7 @@ namespace {
 std::vector<dvec3> radianceOf(const Film& film, bool smooth) {
     std::vector<dvec3> radiance;
     const NoisyFilm noisy = noisyFilm(film);
-    const denoise::Colours colours =
-        smooth ? denoise::smoothed(noisy.all.mean, noisy.all.variance, noisy.ratio) : noisy.all.mean;
+    const denoise::Colours colours = smooth ? smoothRadiance(noisy) : noisy.all.mean;
     for (int y = 0; y < film.size().y; ++y)
         for (int x = 0; x < film.size().x; ++x)
             radiance.push_back(noisy.unit * dvec3(colours[0].row(y)[x], colours[1].row(y)[x], colours[2].row(y)[x]));

@@ -7,47 +7,16 @@
 #include <QTest>
 #include <cmath>
 
-#include "render/scene/preset.h"
+#include "tests/support/coverage_scenes.h"
 #include "tests/support/known_films.h"
-#include "tests/support/tissue_scene.h"
 
 using namespace pdr;
+using test::MakeScene;
 
 namespace {
 
 constexpr float kExposure = 0.5f;
 constexpr ivec2 kFilm(28, 22);
-
-Scene lens() {
-    Scene scene = test::tissueScene();
-    scene.camera.apertureMm = 12;
-    return scene;
-}
-
-Scene forwardFog() {
-    Scene scene = test::plainScene(test::bumpyVolume({40, 40, 40}, dvec3(2), 5), 0.1f);
-    scene.transferFunction.nodes = {{.hu = -600, .opacity = 0.05f, .albedo = vec3(0.95f)},
-                                    {.hu = 600, .opacity = 1, .albedo = vec3(0.95f)}};
-    scene.model = Model::multipleScattering;
-    scene.phaseG = 0.9f;
-    return scene;
-}
-
-Scene smallBrightLamp() {
-    Scene scene = test::tissueScene();
-    const dvec3 centre = scene.volume->geometry().centreMm();
-    scene.environment = {};
-    scene.lights = {SphereLight{centre + dvec3(5, -60, 40), 1, vec3(3000)}};
-    return scene;
-}
-
-Scene manyBounces() {
-    Scene scene = test::tissueScene();
-    scene.model = Model::multipleScattering;
-    return scene;
-}
-
-using MakeScene = Scene (*)();
 
 struct Coverage {
     double levels = 0, mean = 0, pixels = 0;
@@ -87,10 +56,10 @@ class CoverageTest : public QObject {
         QTest::addColumn<MakeScene>("made");
         QTest::addColumn<bool>("rareLight");  // most of a pixel's light comes by paths that few samples find
         QTest::newRow("tissue") << MakeScene(test::tissueScene) << false;
-        QTest::newRow("lens") << MakeScene(lens) << false;
-        QTest::newRow("forward fog") << MakeScene(forwardFog) << true;
-        QTest::newRow("small bright lamp") << MakeScene(smallBrightLamp) << false;
-        QTest::newRow("many bounces") << MakeScene(manyBounces) << false;
+        QTest::newRow("lens") << MakeScene(test::tissueThroughALens) << false;
+        QTest::newRow("forward fog") << MakeScene(test::forwardFog) << true;
+        QTest::newRow("small bright lamp") << MakeScene(test::smallBrightLamp) << false;
+        QTest::newRow("many bounces") << MakeScene(test::manyBounces) << false;
     }
     void whatIsStatedHolds() {
         QFETCH(MakeScene, made);

@@ -102,14 +102,14 @@ class SmoothingJudgementTest : public QObject {
         const Truth truth = [&](int x, int y) { return reference->pixel(x, y).mean.x; };
         const Tile whole = wholeImage(scene.film);
         int held = 0, films = 0;
-        for (const std::uint64_t samples : {4, 16, 64})
+        for (const std::uint64_t samples : {8, 16, 64})
             for (scene.seed = 101; scene.seed < 107; ++scene.seed, ++films) {
                 const auto film = rendered(scene, samples);
                 const auto error = SmoothingJudgement::of(*film)->overAll(1);
                 QVERIFY(error);
                 held += trueError(*film, truth, whole) <= error->relativeAtMost;
             }
-        QVERIFY2(held >= films - 2, qPrintable(QString::number(held)));
+        QVERIFY2(held >= films - 1, qPrintable(QString::number(held)));
     }
 
     /// 95 % of the tissue within so many levels.
@@ -184,6 +184,20 @@ class SmoothingJudgementTest : public QObject {
         };
         QVERIFY(error(false)->relativeAtMost != error(true)->relativeAtMost);
         QVERIFY(error(false)->levelsAtMost > 1.2 * error(true)->levelsAtMost);  // 40 is white, whatever its noise
+    }
+
+    /// One sample in forty is bright: of eight a pixel most pixels have seen none.
+    void nothingIsSaidWhileItRestsOnFewBrightSamples() {
+        const auto said = [](std::uint64_t samples) {
+            Film film(ivec2(128, 96), 1);
+            grow(
+                film, samples,
+                [](std::size_t pixel, std::uint64_t sample) { return chance(7, pixel, sample) < 0.025 ? 20.0 : 0.01; },
+                [](std::size_t) { return kSeenTissue | kSeenChance; });
+            return SmoothingJudgement::of(film)->overAll(1).has_value();
+        };
+        QVERIFY(!said(8));
+        QVERIFY(said(800));
     }
 
     void nothingIsSaidOfTooFewSamplesOrAfterAStop() {

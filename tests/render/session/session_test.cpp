@@ -155,7 +155,10 @@ class SessionTest : public QObject {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         session.setDisplay({1, true});
-        session.submit(someScene(1), false);
+        session.setIterationsPerFrame(16);  // enough to judge, not enough for the raw picture to be the better one
+        Scene scene = someScene(1);
+        scene.film = {192, 128};
+        session.submit(scene, false);
         const auto judged = screen.await([](const Frame& f) { return f.smoothed && f.smoothedError; });
         QVERIFY(judged && judged->status.samplesPerPixel >= kSamplesToJudge);
         QVERIFY(judged->smoothedError->levels <= judged->smoothedError->levelsAtMost);
@@ -166,7 +169,6 @@ class SessionTest : public QObject {
         std::promise<FilmContent> held;
         session.requestSnapshot(1, [&](const Result<FilmView>& view) { held.set_value(view->film.content()); });
         const FilmContent content = held.get_future().get();
-        const Scene scene = someScene(1);
         const auto device = makeCpuDevice();
         QVERIFY(device->upload(scene));
         const auto alone =

@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include "render/accuracy/significance.h"
+#include "render/base/significance.h"
 #include "render/timing/frame_time_fit.h"
 #include "tests/render/paper_tables.h"
 

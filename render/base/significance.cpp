@@ -1,4 +1,4 @@
-#include "render/accuracy/significance.h"
+#include "render/base/significance.h"
 
 #include <cmath>
 #include <numbers>

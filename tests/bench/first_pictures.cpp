@@ -1,0 +1,174 @@
+/// How good the picture is soon after an edit, in the real window: what was shown after 0.1, 1 and 10 seconds, smoothed
+/// and raw, against a picture of many samples of another seed.
+///   first_pictures FOLDER [-o DIR] [--reference N] [--threads N] [--preset NAME]
+/// FOLDER holds a CT. The edit is a view from the front. Prints a line for each picture: samples and pixels it has, how
+/// many of 255 levels 95 % of the tissue are off, once stretched to the view as the window does, and what the window
+/// says of it. With -o it writes the pictures as PNG.
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QPainter>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/desktop.h"
+#include "app/presets.h"
+#include "render/film/tone_map.h"
+#include "ui/dark_theme.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr std::array<double, 3> kSeconds{0.1, 1, 10};
+
+struct Plan {
+    QString folder, out, preset;
+    int reference, threads;
+};
+
+using Shown = std::shared_ptr<const Frame>;
+
+QImage imageOf(const std::vector<std::uint8_t>& rgba, ivec2 size) {
+    return QImage(rgba.data(), size.x, size.y, 4 * size.x, QImage::Format_RGBA8888)
+        .convertToFormat(QImage::Format_RGB32);
+}
+
+/// As the window stretches it.
+QImage stretched(const QImage& image, QSize view) {
+    if (image.size() == view)
+        return image;
+    QImage out(view, QImage::Format_RGB32);
+    QPainter painter(&out);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRectF(QPointF(0, 0), QSizeF(view)), image);
+    return out;
+}
+
+/// Levels of 255 that 95 % of the tissue are off: of each pixel the channel that is off most.
+int levelsOff(const QImage& picture, const QImage& truth, const Film& tissue) {
+    std::vector<int> levels;
+    for (int y = 0; y < truth.height(); ++y)
+        for (int x = 0; x < truth.width(); ++x) {
+            if (!tissue.pixel(x, y).tissue)
+                continue;
+            const QRgb a = picture.pixel(x, y), b = truth.pixel(x, y);
+            levels.push_back(std::max(
+                {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))}));
+        }
+    if (levels.empty())
+        return 0;
+    const auto at = levels.begin() + std::ptrdiff_t(0.95 * double(levels.size() - 1));
+    std::ranges::nth_element(levels, at);
+    return *at;
+}
+
+/// The pictures on the screen kSeconds after a view from the front, which comes after one from the left.
+std::array<Shown, kSeconds.size()> shownAfterEdit(Desktop& desktop) {
+    const DesktopParts parts = desktop.parts();
+    parts.document.setView(StandardView::left);
+    QTest::qWait(3000);
+    QElapsedTimer clock;
+    clock.start();
+    parts.document.setView(StandardView::anterior);
+    const std::uint64_t revision = parts.document.scene().revision;
+    std::array<Shown, kSeconds.size()> shown;
+    for (std::size_t i = 0; i < kSeconds.size(); ++i) {
+        QTest::qWait(std::max(0, int(1e3 * kSeconds[i] - double(clock.elapsed()))));
+        if (const Shown& last = parts.bridge.lastFrame(); last && last->revision == revision)
+            shown[i] = last;
+    }
+    return shown;
+}
+
+void report(const char* kind, double seconds, const Shown& shown, const QImage& truth, const Film& tissue,
+            const Plan& plan) {
+    if (!shown)
+        return (void)std::printf("%5.1f s  %-8s  none yet\n", seconds, kind);
+    const QImage picture = stretched(imageOf(shown->rgba, shown->size), truth.size());
+    std::printf("%5.1f s  %-8s  %4d x %-4d pixels  %4llu samples  95 %% of the tissue within %3d levels", seconds, kind,
+                shown->size.x, shown->size.y, (unsigned long long)shown->status.samplesPerPixel,
+                levelsOff(picture, truth, tissue));
+    if (shown->smoothed && shown->smoothedError)
+        std::printf("  said: within %.1f, at most %.1f", shown->smoothedError->levels,
+                    shown->smoothedError->levelsAtMost);
+    else if (!shown->smoothed && std::isfinite(shown->status.displayError))
+        std::printf("  said: within %.1f", shown->status.displayError);
+    std::printf("\n");
+    if (!plan.out.isEmpty())
+        picture.save(QDir(plan.out).filePath(QString("%1_%2.png").arg(kind).arg(seconds)));
+}
+
+/// Nothing: it could not be made.
+std::shared_ptr<const Film> referenceOf(Scene scene, const Plan& plan) {
+    scene.seed += 1;
+    const std::unique_ptr<Device> device = makeCpuDevice(plan.threads);
+    const auto live = startFilm(*device, scene);
+    if (!live || !(*live)->accumulate(std::uint32_t(plan.reference), {}))
+        return nullptr;
+    return *(*live)->film();
+}
+
+int run(const Plan& plan) {
+    QTemporaryDir settings;
+    Desktop desktop(*bundledPresets(), makeCpuDevice(plan.threads), settings.filePath("settings.ini"), plan.threads);
+    const DesktopParts parts = desktop.parts();
+    desktop.window().show();
+    desktop.open(plan.folder);
+    if (!QTest::qWaitFor([&] { return parts.bridge.lastFrame() && !parts.bridge.lastFrame()->coarse; }, 600'000)) {
+        std::printf("no picture of %s\n", qPrintable(plan.folder));
+        return 1;
+    }
+    for (std::size_t i = 0; i < parts.document.presets().size(); ++i)
+        if (QString::fromStdString(parts.document.presets()[i].name).contains(plan.preset))
+            parts.document.setPreset(int(i));
+    QTest::qWait(2000);
+    const auto smoothed = shownAfterEdit(desktop);
+    parts.document.setSmoothed(false);
+    const auto raw = shownAfterEdit(desktop);
+    const Display display{parts.document.display().exposure, true};
+    const Scene scene = parts.document.scene();
+    parts.bridge.setPaused(true);
+
+    const auto film = referenceOf(scene, plan);
+    if (!film)
+        return 1;
+    const Picture best = pictureOf(*film, display);
+    const QImage truth = imageOf(best.rgba, scene.film);
+    std::printf("%s, %s: view of %d x %d pixels; reference of %d samples, smoothed", qPrintable(plan.folder),
+                qPrintable(plan.preset), scene.film.x, scene.film.y, plan.reference);
+    if (const auto error = SmoothingJudgement::of(*film)->overAll(display.exposure))
+        std::printf(": within %.1f levels, at most %.1f", error->levels, error->levelsAtMost);
+    std::printf("\n");
+    for (std::size_t i = 0; i < kSeconds.size(); ++i) {
+        report("smoothed", kSeconds[i], smoothed[i], truth, *film, plan);
+        report("raw", kSeconds[i], raw[i], truth, *film, plan);
+    }
+    if (!plan.out.isEmpty())
+        truth.save(QDir(plan.out).filePath("reference.png"));
+    return 0;
+}
+
+}  // namespace
+}  // namespace pdr::app
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    pdr::ui::applyDarkTheme(application);
+    QCommandLineParser parser;
+    parser.addPositionalArgument("FOLDER", "a folder with a CT");
+    parser.addOption({"o", "write the pictures into this folder, which exists", "DIR"});
+    parser.addOption({"preset", "part of its name", "NAME", "bone"});
+    parser.addOption({"reference", "samples of the reference", "N", "256"});
+    parser.addOption({"threads", "0: one per core", "N", "0"});
+    parser.addHelpOption();
+    parser.process(application);
+    if (parser.positionalArguments().size() != 1)
+        parser.showHelp(2);
+    return pdr::app::run({parser.positionalArguments()[0], parser.value("o"), parser.value("preset"),
+                          parser.value("reference").toInt(), parser.value("threads").toInt()});
+}

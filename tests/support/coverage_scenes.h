@@ -1,0 +1,41 @@
+#pragma once
+/// Scenes whose light is easy to find and hard to find: what is stated of a picture's error is held against them.
+
+#include "render/scene/preset.h"
+#include "tests/support/tissue_scene.h"
+
+namespace pdr::test {
+
+inline Scene tissueThroughALens() {
+    Scene scene = tissueScene();
+    scene.camera.apertureMm = 12;
+    return scene;
+}
+
+inline Scene forwardFog() {
+    Scene scene = plainScene(bumpyVolume({40, 40, 40}, dvec3(2), 5), 0.1f);
+    scene.transferFunction.nodes = {{.hu = -600, .opacity = 0.05f, .albedo = vec3(0.95f)},
+                                    {.hu = 600, .opacity = 1, .albedo = vec3(0.95f)}};
+    scene.model = Model::multipleScattering;
+    scene.phaseG = 0.9f;
+    return scene;
+}
+
+inline Scene smallBrightLamp() {
+    Scene scene = tissueScene();
+    const dvec3 centre = scene.volume->geometry().centreMm();
+    scene.environment = {};
+    scene.lights = {SphereLight{centre + dvec3(5, -60, 40), 1, vec3(3000)}};
+    return scene;
+}
+
+inline Scene manyBounces() {
+    Scene scene = tissueScene();
+    scene.model = Model::multipleScattering;
+    return scene;
+}
+
+/// One of them, made anew.
+using MakeScene = Scene (*)();
+
+}  // namespace pdr::test
