@@ -1,6 +1,7 @@
 /// From the first picture of an edit to the full one: never worse than before, whatever the hand does, and the film at
 /// rest is that of the scene alone.
 
+#include <QDeadlineTimer>
 #include <QTest>
 #include <algorithm>
 #include <atomic>
@@ -155,7 +156,8 @@ class FinerPicturesTest : public QObject {
         };
         const auto many = [&] { return reel.frames().back()->status.samplesPerPixel > 200; };
         bool seen = false;
-        for (float exposure = 1; !seen && !many(); exposure *= 1.001f) {
+        const QDeadlineTimer patience(test::kPatience / 10);  // what is planted makes it wait as long
+        for (float exposure = 1; !seen && !many() && !patience.hasExpired(); exposure *= 1.001f) {
             session.setDisplay({.exposure = exposure});
             std::this_thread::sleep_for(1ms);
             seen = uneven();
