@@ -1,7 +1,6 @@
 /// From the first picture of an edit to the full one: never worse than before, whatever the hand does, and the film at
 /// rest is that of the scene alone.
 
-#include <QDeadlineTimer>
 #include <QTest>
 #include <algorithm>
 #include <atomic>
@@ -13,6 +12,7 @@
 #include "tests/support/failing_device.h"
 #include "tests/support/patience.h"
 #include "tests/support/pictures.h"
+#include "tests/support/processor_time.h"
 #include "tests/support/reel.h"
 
 using namespace pdr;
@@ -156,8 +156,8 @@ class FinerPicturesTest : public QObject {
         };
         const auto many = [&] { return reel.frames().back()->status.samplesPerPixel > 200; };
         bool seen = false;
-        const QDeadlineTimer patience(test::kPatience / 10);  // what is planted makes it wait as long
-        for (float exposure = 1; !seen && !many() && !patience.hasExpired(); exposure *= 1.001f) {
+        const test::ProcessorTime spent;
+        for (float exposure = 1; !seen && !many() && spent.seconds() < 20; exposure *= 1.001f) {
             session.setDisplay({.exposure = exposure});
             std::this_thread::sleep_for(1ms);
             seen = uneven();
