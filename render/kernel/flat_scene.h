@@ -11,7 +11,7 @@
 namespace pdr {
 
 /// One linear piece of the transfer function: opacity(hu) = opacity + slope * (hu - start) for hu in [start, end).
-struct OpacityPiece {
+struct alignas(16) OpacityPiece {  // a GPU reads it at once
     float start, end;
     float opacity, slope;
     bool operator==(const OpacityPiece&) const = default;

@@ -35,16 +35,16 @@ class Sampler {
     }
     PDR_HD float number(int bounce, BounceDimension dimension) const {
         const int first = coordinateOf(dimension);
-        return bounce == 0 && first >= 0 ? number(first) : stream(bounce, dimension).pair().x;
+        return isCoordinate(bounce, first) ? number(first) : stream(bounce, dimension).pair().x;
     }
     PDR_HD vec2 pair(int bounce, BounceDimension dimension) const {
         const int first = coordinateOf(dimension);
-        return bounce == 0 && first >= 0 ? vec2(number(first), number(first + 1)) : stream(bounce, dimension).pair();
+        return isCoordinate(bounce, first) ? vec2(number(first), number(first + 1)) : stream(bounce, dimension).pair();
     }
     /// A pair and a third number.
     PDR_HD vec3 triple(int bounce, BounceDimension dimension) const {
         const int first = coordinateOf(dimension);
-        if (bounce == 0 && first >= 0)
+        if (isCoordinate(bounce, first))
             return {number(first), number(first + 1), number(first + 2)};
         RandomStream random = stream(bounce, dimension);
         const vec2 u = random.pair();
@@ -92,6 +92,9 @@ class Sampler {
         }
         return -1;
     }
+
+    /// Only the first event is decided by coordinates.
+    PDR_HD static constexpr bool isCoordinate(int bounce, int first) { return bounce == 0 && first >= 0; }
 
     PDR_HD std::uint32_t coordinate(int dimension) const {
         std::uint64_t seed = (scramble_ + std::uint64_t(dimension)) * 0x9E3779B97F4A7C15ull;

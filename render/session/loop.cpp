@@ -176,6 +176,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     waiting_.clear();
     fresh_ = true;
     guide_ = nullptr;
+    guideSought_ = false;
     guided_ = nullptr;
     frameSeconds_ = 0;
     smoothedView_.clear();

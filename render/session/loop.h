@@ -108,6 +108,7 @@ class Session::Loop {
     bool first_ = false;                           ///< its first picture is still to come
     bool fresh_ = false;                           ///< the first one from this device is
     std::shared_ptr<const denoise::Guide> guide_;  ///< that its pictures are drawn on; null: none, or not yet
+    bool guideSought_ = false;                     ///< the device was asked for it
     std::shared_ptr<const GuidedFilm> guided_;     ///< the film on it, as it was shown; null: it was not
     bool reached_ = false;                         ///< it was shown as good as was wanted
     double frameSeconds_ = 0;                      ///< of the frame in the making

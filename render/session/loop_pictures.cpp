@@ -59,11 +59,14 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
 }
 
-/// Whether there is a guide for the film's pictures: of the device's making, once for all of them.
+/// Whether there is a guide for the film's pictures: of the device's making, once for all of them. Asked for again only
+/// where it was broken off.
 bool Session::Loop::findGuide(const std::stop_token& stop) {
     const int finer = ResolutionLadder::finer(divider_);
-    if (!guide_ && finer > 1)
+    if (!guideSought_ && finer > 1) {
         guide_ = place_.guide(finer, stop);
+        guideSought_ = guide_ || !stop.stop_requested();
+    }
     return guide_ != nullptr;
 }
 

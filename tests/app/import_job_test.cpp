@@ -43,35 +43,38 @@ void TestImportJob::initTestCase() {
     QVERIFY2(written, written ? "" : written.error().text().c_str());
 }
 
-void TestImportJob::aSeriesIsScannedAndLoaded() {
+/// A job that has scanned the folder, and holds the volume that it loaded last.
+struct ScannedFolder {
+    explicit ScannedFolder(const QString& folder) {
+        QObject::connect(&job, &ImportJob::loaded,
+                         [this](std::shared_ptr<const Volume> loaded, int) { volume = std::move(loaded); });
+        job.scanFolder(folder);
+        [this] { QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, test::kPatience); }();
+    }
     ImportJob job;
-    QSignalSpy scanned(&job, &ImportJob::scanned), finished(&job, &ImportJob::finished);
+    QSignalSpy scanned{&job, &ImportJob::scanned}, finished{&job, &ImportJob::finished};
     std::shared_ptr<const Volume> volume;
-    connect(&job, &ImportJob::loaded, this, [&](std::shared_ptr<const Volume> loaded, int) { volume = loaded; });
-    job.scanFolder(series_);
-    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, test::kPatience);
-    QCOMPARE(job.scan().series.size(), std::size_t(1));
-    job.loadSeries(0);
-    QTRY_VERIFY_WITH_TIMEOUT(volume, test::kPatience);
-    QVERIFY(volume->size() == ivec3(64, 57, 64));
-    QCOMPARE(finished.count(), 2);
+};
+
+void TestImportJob::aSeriesIsScannedAndLoaded() {
+    ScannedFolder folder(series_);
+    QCOMPARE(folder.job.scan().series.size(), std::size_t(1));
+    folder.job.loadSeries(0);
+    QTRY_VERIFY_WITH_TIMEOUT(folder.volume, test::kPatience);
+    QVERIFY(folder.volume->size() == ivec3(64, 57, 64));
+    QCOMPARE(folder.finished.count(), 2);
 }
 
 void TestImportJob::aSeriesIsNotReadBeforeTheOneBeforeIsFreed() {
-    ImportJob job;
-    QSignalSpy scanned(&job, &ImportJob::scanned), loads(&job, &ImportJob::loaded);
-    std::shared_ptr<const Volume> volume;
-    connect(&job, &ImportJob::loaded, this, [&](std::shared_ptr<const Volume> loaded, int) { volume = loaded; });
-    job.scanFolder(series_);
-    QTRY_COMPARE_WITH_TIMEOUT(scanned.count(), 1, test::kPatience);
-    job.loadSeries(0);
-    QTRY_COMPARE_WITH_TIMEOUT(loads.count(), 1, test::kPatience);
-    loads.clear();  // it holds the volume, too
-    job.loadSeries(0);
+    ScannedFolder folder(series_);
+    folder.job.loadSeries(0);
+    QTRY_VERIFY_WITH_TIMEOUT(folder.volume, test::kPatience);
+    QCOMPARE(folder.finished.count(), 2);
+    folder.job.loadSeries(0);
     QTest::qWait(300);
-    QCOMPARE(loads.count(), 0);
-    volume.reset();
-    QTRY_COMPARE_WITH_TIMEOUT(loads.count(), 1, test::kPatience);
+    QCOMPARE(folder.finished.count(), 2);
+    folder.volume.reset();
+    QTRY_VERIFY_WITH_TIMEOUT(folder.volume, test::kPatience);
 }
 
 static Error errorOf(const QString& folder) {

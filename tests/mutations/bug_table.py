@@ -92,9 +92,10 @@ def _is_list(text: str) -> bool:
     return False
 
 
-def _begins_statement(text: str) -> bool:
-    """Whether a keyword stands first that no expression begins with: `if (a)` without what is done then."""
-    return re.match(r"(if|for|while|switch|return)\b", text) is not None
+def _is_expression(text: str) -> bool:
+    """Whether nothing speaks against it: no list, and at its begin no keyword of a statement, nor an operator of what stands
+    before it."""
+    return text.strip() != "" and not _is_list(text) and not re.match(r"(if|for|while|switch|return)\b|&& |\|\| ", text)
 
 
 def _planted(was: str, bugs: list[tuple[Bug, Place]]) -> str:
@@ -117,8 +118,8 @@ def plant(source: Path, bugs: list[Bug]) -> dict[str, str]:
     for bug in bugs:
         for place in bug.places:
             try:
-                if not place.was.rstrip().endswith(";") and (_is_list(place.was) or _begins_statement(place.was)):
-                    raise TableError(f"must be one expression or a whole statement: {place.was!r}")
+                if not place.was.rstrip().endswith(";") and not (_is_expression(place.was) and _is_expression(place.becomes)):
+                    raise TableError(f"must be one expression or a whole statement: {place.was!r}, {place.becomes!r}")
                 file = _file_of(source, place)
                 if file not in texts:
                     texts[file] = (source / file).read_text()

@@ -35,8 +35,8 @@ struct Mishaps {
     std::atomic<bool> gone = false;
     std::atomic<int> filmsRead = 0;  ///< calls of Accumulator::film()
 
-    /// Called first by each verb, with its name: "upload", "film", "resume", "accumulate", "resolve", "readback",
-    /// "read". It may throw. Set before the device is handed over.
+    /// Called first by each verb, with its name: "upload", "film", "guide", "resume", "accumulate", "resolve",
+    /// "readback", "read". It may throw. Set before the device is handed over.
     std::function<void(const std::string&)> before = [](const std::string&) {};
 
     Result<void> call(std::atomic<int>& left) {
@@ -161,6 +161,11 @@ class FailingDevice final : public Device {
         if (!film)
             return film;
         return std::unique_ptr<Accumulator>(std::make_unique<FailingAccumulator>(*std::move(film), mishaps_));
+    }
+
+    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
+        mishaps_->before("guide");
+        return inner_.guide(finer, stop);
     }
 
   private:

@@ -37,7 +37,8 @@ bool CudaGpu::check(cudaError_t status, const char* doing) {
     if (!error_)
         error_ =
             Error{std::string("the GPU failed at ") + doing + " (" + cudaGetErrorString(status) + ")", name_,
-                  "Render on the CPU; a newer driver or a restart of the computer may help.", ErrorKind::deviceLost};
+                  "Render on the CPU, or start the program anew; a newer driver or a restart of the computer may help.",
+                  ErrorKind::deviceLost};
     return false;
 }
 

@@ -18,58 +18,27 @@ Result<void> takeStatus(G& gpu) {
     return {};
 }
 
-/// `count` values in device memory; not set. The GPU must outlive it. Null after an error.
-template <Gpu G, class T>
-class GpuArray {
-    static_assert(std::is_trivially_copyable_v<T>);
-
-  public:
-    explicit GpuArray(G& gpu, std::size_t count = 0) : gpu_(&gpu) { resize(count); }
-    ~GpuArray() { gpu_->release(data_); }
-    GpuArray(const GpuArray&) = delete;
-    GpuArray& operator=(const GpuArray&) = delete;
-
-    T* data() const { return data_; }
-    std::size_t size() const { return count_; }
-
-    /// What was there is lost. Memory is taken anew only where there is too little.
-    void resize(std::size_t count) {
-        if (count > room_) {
-            gpu_->release(std::exchange(data_, nullptr));
-            room_ = 0;
-            data_ = static_cast<T*>(gpu_->allocate(count * sizeof(T)));
-            room_ = data_ != nullptr ? count : 0;
-        }
-        count_ = data_ != nullptr ? count : 0;
-    }
-    void free() {
-        gpu_->release(std::exchange(data_, nullptr));
-        room_ = count_ = 0;
-    }
-    void assign(std::span<const T> values) {
-        resize(values.size());
-        copyFrom(values.data());
-    }
-    void copyFrom(const T* host) { gpu_->copyToDevice(data_, host, count_ * sizeof(T), GpuStream::compute); }
-    void copyTo(T* host) const { gpu_->copyToHost(host, data_, count_ * sizeof(T), GpuStream::compute); }
-    void clear() { gpu_->clear(data_, count_ * sizeof(T), GpuStream::compute); }
-
-  private:
-    G* gpu_;
-    T* data_ = nullptr;
-    std::size_t count_ = 0, room_ = 0;
+/// Who lends an array its memory: the device, or the host, for copies that go to and from there behind its back.
+struct DeviceMemory {
+    static void* take(auto& gpu, std::size_t bytes) { return gpu.allocate(bytes); }
+    static void give(auto& gpu, void* memory) { gpu.release(memory); }
+};
+struct PinnedMemory {
+    static void* take(auto& gpu, std::size_t bytes) { return gpu.allocatePinned(bytes); }
+    static void give(auto& gpu, void* memory) { gpu.releasePinned(memory); }
 };
 
-/// `count` values in host memory that copies go to and from behind the host's back; not set. Null after an error.
-template <Gpu G, class T>
-class PinnedArray {
+/// `count` values; not set. The GPU must outlive it. Null after an error.
+template <Gpu G, class T, class Memory = DeviceMemory>
+class GpuArray {
     static_assert(std::is_trivially_copyable_v<T>);
+    static constexpr bool kOnDevice = std::is_same_v<Memory, DeviceMemory>;
 
   public:
-    explicit PinnedArray(G& gpu, std::size_t count = 0) : gpu_(gpu) { resize(count); }
-    ~PinnedArray() { gpu_.releasePinned(data_); }
-    PinnedArray(const PinnedArray&) = delete;
-    PinnedArray& operator=(const PinnedArray&) = delete;
+    explicit GpuArray(G& gpu, std::size_t count = 0) : gpu_(gpu) { resize(count); }
+    ~GpuArray() { Memory::give(gpu_, data_); }
+    GpuArray(const GpuArray&) = delete;
+    GpuArray& operator=(const GpuArray&) = delete;
 
     T* data() const { return data_; }
     std::size_t size() const { return count_; }
@@ -77,18 +46,38 @@ class PinnedArray {
     /// What was there is lost. Memory is taken anew only where there is too little; nothing may be on its way to it.
     void resize(std::size_t count) {
         if (count > room_) {
-            gpu_.releasePinned(std::exchange(data_, nullptr));
-            data_ = static_cast<T*>(gpu_.allocatePinned(count * sizeof(T)));
+            free();
+            data_ = static_cast<T*>(Memory::take(gpu_, count * sizeof(T)));
             room_ = data_ != nullptr ? count : 0;
         }
         count_ = data_ != nullptr ? count : 0;
     }
+    void free() {
+        Memory::give(gpu_, std::exchange(data_, nullptr));
+        room_ = count_ = 0;
+    }
+
+    /// From and to host memory, in the order of the compute stream.
+    void assign(std::span<const T> values) requires kOnDevice {
+        resize(values.size());
+        copyFrom(values.data());
+    }
+    void copyFrom(const T* host) requires kOnDevice {
+        gpu_.copyToDevice(data_, host, count_ * sizeof(T), GpuStream::compute);
+    }
+    void copyTo(T* host) const requires kOnDevice {
+        gpu_.copyToHost(host, data_, count_ * sizeof(T), GpuStream::compute);
+    }
+    void clear() requires kOnDevice { gpu_.clear(data_, count_ * sizeof(T), GpuStream::compute); }
 
   private:
     G& gpu_;
     T* data_ = nullptr;
     std::size_t count_ = 0, room_ = 0;
 };
+
+template <Gpu G, class T>
+using PinnedArray = GpuArray<G, T, PinnedMemory>;
 
 /// A table that is sent again only where it differs from what was sent last, and without the host waiting for it.
 template <Gpu G, class T>

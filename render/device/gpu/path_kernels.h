@@ -46,12 +46,6 @@ struct PathLists {
     Counts* counts;
 };
 
-PDR_HD_INLINE void startFlight(FreeFlight<float>& flight, const FlatScene& scene, const Ray& ray, float depth) {
-    flight = FreeFlight<float>();
-    flight.start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
-                 ray.length, depth);
-}
-
 struct CameraKernel {
     static constexpr const char* kName = "camera";
     FlatScene scene;
@@ -76,7 +70,7 @@ struct CameraKernel {
         const Path path = startPath(scene, sample.from.pixel, sample.from.sample, depths);
         walk.slot = atomicTakeNext(lists.counts->flights);
         lists.flights[walk.slot] = {path.segment, -1, first + i};
-        startFlight(walk.flight, scene, path.segment.ray, path.sampler.depth());
+        walk.flight.start(scene, path.segment.ray, path.sampler.depth());
         return walk.flight.going();
     }
 
@@ -160,7 +154,7 @@ struct ShadowKernel {
         while (++walk.light < kMostLightPaths) {
             if (isDark(vertex.light[walk.light]))
                 continue;
-            startFlight(walk.flight, scene, vertex.light[walk.light].ray, vertex.depth[walk.light]);
+            walk.flight.start(scene, vertex.light[walk.light].ray, vertex.depth[walk.light]);
             if (walk.flight.going())
                 return true;
             end(walk);

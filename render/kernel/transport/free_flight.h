@@ -6,6 +6,8 @@
 /// method. The same answers the question how much light comes through: a flight that leaves the volume has passed the
 /// optical depth of the whole ray.
 
+#include <type_traits>
+
 #include "render/kernel/attenuation.h"
 #include "render/kernel/ray.h"
 #include "render/kernel/walk/piece_walk.h"
@@ -43,6 +45,12 @@ class FreeFlight {
                              Real depth) {
         walk_.start(scene.majorants, origin, direction, length);
         depth_ = depth;
+    }
+    /// Of one ray; what has flown here before is forgotten.
+    PDR_HD_INLINE void start(const FlatScene& scene, const Ray& ray, float depth) requires std::is_same_v<Real, float> {
+        *this = FreeFlight();
+        start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
+              ray.length, depth);
     }
 
     PDR_HD Mask going() const { return walk_.going(); }
@@ -94,8 +102,7 @@ struct Flight {
 
 PDR_HD inline Flight freeFlight(const FlatScene& scene, const Ray& ray, float depth) {
     FreeFlight<float> flight;
-    flight.start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
-                 ray.length, depth);
+    flight.start(scene, ray, depth);
     while (flight.going())
         flight.step(scene);
     return {flight.distance, flight.passed};

@@ -12,6 +12,7 @@
 #include "tests/support/failing_device.h"
 #include "tests/support/patience.h"
 #include "tests/support/pictures.h"
+#include "tests/support/processor_time.h"
 #include "tests/support/reel.h"
 
 using namespace pdr;
@@ -155,7 +156,8 @@ class FinerPicturesTest : public QObject {
         };
         const auto many = [&] { return reel.frames().back()->status.samplesPerPixel > 200; };
         bool seen = false;
-        for (float exposure = 1; !seen && !many(); exposure *= 1.001f) {
+        const test::ProcessorTime spent;
+        for (float exposure = 1; !seen && !many() && spent.seconds() < 20; exposure *= 1.001f) {
             session.setDisplay({.exposure = exposure});
             std::this_thread::sleep_for(1ms);
             seen = uneven();
@@ -204,6 +206,31 @@ class FinerPicturesTest : public QObject {
         QCOMPARE(smooth->size.x, ResolutionLadder::kGuide * raw->size.x);
         QCOMPARE(smooth->size.y, ResolutionLadder::kGuide * raw->size.y);
         QCOMPARE(smooth->rgba.size(), std::size_t(4 * smooth->size.x * smooth->size.y));
+    }
+
+    /// Nor is it asked again with each brightness of the same film.
+    void aDeviceThatHasNoGuideIsAskedOnce() {
+        std::atomic<int> asked = 0;
+        std::promise<void> paused;
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->before = [&asked, held = paused.get_future().share()](const std::string& verb) {
+            if (verb == "guide" && asked++ == 0)
+                held.wait();
+        };
+        Reel reel;
+        Session session(test::failing(mishaps), reel.sink(), {}, hurrying());
+        session.setDisplay({.smoothed = true});
+        session.submit(largeScene(1), true);
+        QTRY_VERIFY_WITH_TIMEOUT(asked > 0, test::kPatience);
+        session.setPaused(true);
+        paused.set_value();
+        for (int i = 1; i <= 3; ++i) {
+            const Display display{.exposure = 1 + 0.1f * float(i), .smoothed = true};
+            session.setDisplay(display);
+            QTRY_VERIFY_WITH_TIMEOUT(!reel.of(1).empty() && reel.of(1).back()->display == display, test::kPatience);
+        }
+        QVERIFY(reel.of(1).back()->coarse);
+        QCOMPARE(asked.load(), 1);
     }
 
     void aHandThatHoldsStillSeesTheFullPicture() {

@@ -139,15 +139,21 @@ class SessionTest : public QObject {
         session.submit(someScene(1), false);
         QVERIFY(screen.await([](const Frame& f) { return f.status.samplesPerPixel >= 20; }));
         session.setPaused(true);
-        std::promise<std::uint64_t> held;  // what was under way has come by then
-        session.requestSnapshot(1, [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
-        const std::uint64_t samples = held.get_future().get();
+        const auto samplesNow = [&] {
+            std::promise<std::uint64_t> held;
+            session.requestSnapshot(
+                1, [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
+            return held.get_future().get();
+        };
+        const std::uint64_t samples = samplesNow();  // what was under way has come by then
         const auto before = screen.await([&](const Frame& f) { return f.status.samplesPerPixel == samples; });
         QVERIFY(before);
         session.setDisplay({.exposure = 0.01f});
         const auto after = screen.await([&](const Frame& f) { return f.rgba != before->rgba; });
         QVERIFY(after);
-        QCOMPARE(after->status.samplesPerPixel, before->status.samplesPerPixel);
+        QCOMPARE(after->status.samplesPerPixel, samples);
+        samplesNow();  // it may be told within the step that showed this picture
+        QCOMPARE(samplesNow(), samples);
     }
 
     /// Toggling changes neither the film nor its status; the judgement comes with the samples.
