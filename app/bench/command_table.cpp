@@ -28,6 +28,13 @@ constexpr Command kCommands[] = {
      "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"
      "  --width N     pixels of the picture, from 1; default 1920\n"
      "  --height N    from 1; default 1080\n"},
+    {"sizes", sizes, "[--smallest N] [--largest N] [--samples N] [--rounds N]",
+     "Says what a sample costs in heads of ever more voxels, twice as many an edge each time: always the same head in\n"
+     "mm, by the processor time of one thread. All are held in memory and take turns.\n",
+     "  --smallest N  voxels an edge, from 1; default 128\n"
+     "  --largest N   voxels an edge; default 512; 1024 takes 3 GB and some minutes\n"
+     "  --samples N   per pixel and round, from 1; default 16\n"
+     "  --rounds N    of which the median counts, from 1; default 5\n"},
     {"trackers", trackers, "[SCENE.json ...] [--rays N] [--rounds N]",
      "Compares what ways to the first collision cost, for the primary rays of each scene; without scenes, of a head.\n",
      "  --rays N      N x N primary rays, from 1; default 96\n"

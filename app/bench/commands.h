@@ -27,6 +27,10 @@ int compare(const Arguments& arguments);
 /// from the edit to its first picture, of width x height pixels.
 int rebound(const Arguments& arguments);
 
+/// sizes [--smallest N] [--largest N] [--samples N] [--rounds N]: what a sample costs in heads of ever more voxels,
+/// twice as many an edge each time, of the same size in mm: processor time of one thread of the CPU.
+int sizes(const Arguments& arguments);
+
 /// trackers [SCENE.json ...] [--rays N] [--rounds N]: what ways to the first collision cost, side by side, for N x N
 /// primary rays of each scene; without scenes, of a head phantom as bone, as skin over bone, and as soft tissue.
 int trackers(const Arguments& arguments);

@@ -5,6 +5,7 @@
 
 #include "render/film/display.h"
 #include "render/scene/scene.h"
+#include "render/volume/phantom.h"
 
 namespace pdr::bench::paper {
 
@@ -14,8 +15,8 @@ struct ShownScene {
     std::string description;  ///< for the report
 };
 
-/// A head of as many voxels as the paper's (256 x 230 x 256; its own, Manix, is not free) from the front, with the look
-/// of the preset "CT bone", single scattering.
-Result<ShownScene> headScene();
+/// A head from the front, with the look of the preset "CT bone", single scattering. Of as many voxels as the paper's
+/// (256 x 230 x 256; its own, Manix, is not free) where no other number is given.
+Result<ShownScene> headScene(ivec3 voxels = kHeadPhantomSize, dvec3 spacingMm = kHeadPhantomSpacingMm);
 
 }  // namespace pdr::bench::paper

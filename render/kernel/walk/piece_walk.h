@@ -36,16 +36,16 @@ class PieceWalk {
     /// Where a way could not be made short enough. From there on all ways are passed, whatever `pass` says.
     PDR_HD Mask exceeded() const { return exceeded_ > 0.0f; }
 
-    /// One step: lanes that look for tissue move, or those that are in it go on, whichever are more.
+    /// One step: lanes that look for tissue move, then all that are in it go on, those that have just met it as well.
     /// pass(way, ready, forced): lanes that could pass `way` (all of them must where `forced` holds); the result tells
     /// which did, and the way of the others is halved.
     template <class Pass>
     PDR_HD_INLINE void step(const FlatScene& scene, Pass&& pass) {
-        const Mask inCell = inCell_.length > 0.0f;
-        const Mask seeking = cells_.walking() & !inCell;
-        if (count(seeking) >= count(inCell))
+        const Mask seeking = cells_.walking() & !(inCell_.length > 0.0f);
+        if (any(seeking))
             seek(scene, seeking);
-        else
+        const Mask inCell = inCell_.length > 0.0f;
+        if (any(inCell))
             goOn(scene, inCell, pass);
     }
 

@@ -136,6 +136,24 @@ class FreeFlightTest : public QObject {
         }
     }
 
+    /// A cell is met and passed in one step, where one piece of the curve holds for it: no lane waits for others to
+    /// meet theirs.
+    void aCellTakesOneStep() {
+        constexpr int kCells = 40;
+        Scene scene;
+        scene.volume = std::make_shared<Volume>(VolumeGeometry::aligned(ivec3(kCells + 1), dvec3(1), dvec3(0)),
+                                                Voxels(std::size_t(kCells + 1) * (kCells + 1) * (kCells + 1), 500));
+        scene.transferFunction = {0.001f, {{.hu = 0, .opacity = 0}, {.hu = 1000, .opacity = 1}}};
+        const auto prepared = Flattener().prepare(scene);
+        FreeFlight<float> flight;
+        flight.start(prepared->flat, {-10, 20.3f, 20.4f}, {1, 0, 0}, 100, 5);
+        int steps = 0;
+        for (; flight.going(); ++steps)
+            flight.step(prepared->flat);
+        QVERIFY(flight.passed > 0);
+        QCOMPARE(steps, kCells + 2);  // the half voxels outside the first and the last centres are cells as well
+    }
+
     /// The densest and the thinnest tissue, a ray that misses, and one that is in nothing.
     void flightsInExtremesEnd() {
         const auto flight = [](float extinction, float depth, const Ray& ray) {

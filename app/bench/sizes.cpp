@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "app/bench/commands.h"
+#include "app/bench/live_picture.h"
+#include "app/bench/load_scene.h"
+#include "app/bench/options.h"
+#include "app/bench/paper/head_scene.h"
+#include "render/base/processor_time.h"
+
+namespace pdr::bench {
+
+namespace {
+
+constexpr double kHeadMm = 250;  ///< the same for all
+constexpr ivec2 kFilm{480, 320};
+
+/// A head and what its samples have cost.
+struct Head {
+    int edge;  ///< voxels
+    LivePicture picture;
+    std::vector<double> nanoseconds;  ///< per sample, by round
+};
+
+Result<Head> startHead(int edge) {
+    auto shown = paper::headScene(ivec3(edge), dvec3(kHeadMm / edge));
+    if (!shown)
+        return shown.error();
+    shown->scene.film = kFilm;
+    auto picture = startFilm(shown->scene, "cpu", 1);
+    if (!picture)
+        return picture.error();
+    return Head{edge, *std::move(picture), {}};
+}
+
+Result<void> takeSamples(Head& head, int samples) {
+    const double start = processorSeconds();
+    if (const auto taken = head.picture.live->accumulate(std::uint32_t(samples), {}); !taken)
+        return taken.error();
+    head.nanoseconds.push_back(1e9 * (processorSeconds() - start) / (double(samples) * kFilm.x * kFilm.y));
+    return {};
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+}  // namespace
+
+int sizes(const Arguments& arguments) {
+    const auto options = Options::read(arguments, {"--smallest", "--largest", "--samples", "--rounds"});
+    const auto number = [&](const char* name, int otherwise) {
+        return options ? options->number(name, otherwise, 1) : std::nullopt;
+    };
+    const auto smallest = number("--smallest", 128), largest = number("--largest", 512);
+    const auto samples = number("--samples", 16), rounds = number("--rounds", 5);
+    if (!smallest || !largest || !samples || !rounds || *smallest > *largest || !options->files.empty())
+        return 2;
+    std::vector<Head> heads;
+    for (int edge = *smallest; edge <= *largest; edge *= 2) {
+        auto head = startHead(edge);
+        if (!head)
+            return fail(head.error());
+        heads.push_back(*std::move(head));
+    }
+    for (int round = 0; round < *rounds; ++round)
+        for (Head& head : heads)
+            if (const auto taken = takeSamples(head, *samples); !taken)
+                return fail(taken.error());
+    for (const Head& head : heads)
+        std::printf("{\"voxelsPerEdge\": %d, \"nsPerSample\": %.1f, \"timesTheSmallest\": %.2f}\n", head.edge,
+                    median(head.nanoseconds), median(head.nanoseconds) / median(heads.front().nanoseconds));
+    return 0;
+}
+
+}  // namespace pdr::bench
