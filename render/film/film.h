@@ -22,7 +22,7 @@ namespace pdr {
 /// One pixel, as far as it is known.
 struct PixelEstimate {
     dvec3 mean{0.0};
-    dvec3 standardError{0.0};  ///< of the mean, at most; 0 below 2 samples
+    dvec3 standardError{0.0};  ///< of the mean, at most, as the pixel knows it (see localErrors()); 0 below 2 samples
     dvec3 errorDraw{0.0};      ///< see errorDrawOf()
     std::uint64_t count = 0;
     HalfMeans halves;

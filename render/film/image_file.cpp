@@ -19,6 +19,7 @@
 
 #include "render/base/replacing_file.h"
 #include "render/film/levels_text.h"
+#include "render/film/local_error.h"
 #include "render/film/smoothed_view.h"
 #include "render/film/tone_map.h"
 
@@ -149,7 +150,9 @@ Imf::Header exrHeader(ivec2 size, const Provenance& from) {
     for (const char* channel : kChannels)
         header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
     Imf::addChromaticities(header, Imf::Chromaticities());  // its default is Rec. 709
-    Imf::addComments(header, "Radiance, linear Rec. 709; error.*: standard error of the mean. Not for diagnostic use.");
+    Imf::addComments(header,
+                     "Radiance, linear Rec. 709; error.*: standard error of the mean, infinite where it is not known. "
+                     "Not for diagnostic use.");
     header.insert("software", Imf::StringAttribute(from.program));
     header.insert("samplesPerPixel", Imf::DoubleAttribute(double(from.samplesPerPixel)));
     header.insert("renderTimeSeconds", Imf::DoubleAttribute(from.seconds));
@@ -182,13 +185,14 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
         frame.insert(kChannels[channel],
                      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&row[channel]), sizeof(float) * kChannelCount, 0));
     image.setFrameBuffer(frame);
+    const denoise::Colours errors = localErrors(film);
     for (int y = 0; y < size.y; ++y) {
         float* out = row.data();
         for (int x = 0; x < size.x; ++x) {
             const PixelEstimate pixel = film.pixel(x, y);
             for (int channel = 0; channel < 3; ++channel, ++out) {
                 out[0] = float(pixel.mean[channel]);
-                out[3] = float(pixel.standardError[channel]);
+                out[3] = errors[channel].row(y)[x];
             }
             out += 3;
         }

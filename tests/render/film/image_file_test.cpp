@@ -15,6 +15,7 @@
 #include <fstream>
 
 #include "render/film/image_file.h"
+#include "render/film/local_error.h"
 #include "render/film/tone_map.h"
 #include "tests/support/noisy_films.h"
 
@@ -162,12 +163,13 @@ class ImageFileTest : public QObject {
         }
         file.setFrameBuffer(frame);
         file.readPixels(0, 4);
+        const denoise::Colours errors = localErrors(film);
         for (int y = 0; y < 5; ++y)
             for (int x = 0; x < 7; ++x) {
                 const PixelEstimate pixel = film.pixel(x, y);
                 for (int c = 0; c < 3; ++c) {
                     QCOMPARE(values[(y * 7 + x) * 6 + c], float(pixel.mean[c]));
-                    QCOMPARE(values[(y * 7 + x) * 6 + 3 + c], float(pixel.standardError[c]));
+                    QCOMPARE(values[(y * 7 + x) * 6 + 3 + c], errors[c].row(y)[x]);
                 }
             }
     }
