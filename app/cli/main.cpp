@@ -1,10 +1,11 @@
-/// pdrender-cli: info, render, effects, replay, example. Exit codes: 0, 1 for an error, 2 for wrong usage.
+/// pdrender-cli: info, render, accuracy, effects, replay, example. Exit codes: 0, 1 for an error, 2 for wrong usage.
 
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <cstdio>
 
+#include "app/cli/accuracy_command.h"
 #include "app/cli/effects_command.h"
 #include "app/cli/example_command.h"
 #include "app/cli/info_command.h"
@@ -21,6 +22,7 @@ constexpr const char* kHelp =
     "\n"
     "  pdrender-cli info FOLDER [--json]                      list the series in a folder of DICOM files\n"
     "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render a picture (.png, .exr)\n"
+    "  pdrender-cli accuracy FOLDER|SCENE.json -o DIR ...     measure what accuracy costs in time\n"
     "  pdrender-cli effects FOLDER|SCENE.json ...             list what the picture needs, why, and at what cost\n"
     "  pdrender-cli replay FOLDER|SCENE.json --pixel X,Y ...  tell how one sample came about, event by event\n"
     "  pdrender-cli example FOLDER ...                        write an example CT series\n"
@@ -46,6 +48,8 @@ int run(QStringList arguments) {
         return runInfo(arguments);
     if (command == "render")
         return runRender(arguments);
+    if (command == "accuracy")
+        return runAccuracy(arguments);
     if (command == "effects")
         return runEffects(arguments);
     if (command == "replay")

@@ -48,6 +48,10 @@ void describeScene(QCommandLineParser& parser) {
     });
 }
 
+const QCommandLineOption kDeviceOption(
+    "device", "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ...", "NAME",
+    "auto");
+
 void describeRender(QCommandLineParser& parser) {
     describeScene(parser);
     parser.addOptions({
@@ -60,8 +64,7 @@ void describeRender(QCommandLineParser& parser) {
          "Stop when the standard error of the tissue is E of its mean brightness, such as 0.05 or 5%; half of it takes "
          "four times as long.",
          "E"},
-        {"device", "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ...",
-         "NAME", "auto"},
+        kDeviceOption,
         {"smoothed",
          "Take the noise out of PNG files, and fine detail that it hides; their error is written into them."},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
@@ -71,6 +74,15 @@ void describeRender(QCommandLineParser& parser) {
 void describeEffects(QCommandLineParser& parser) {
     describeScene(parser);
     parser.addOption({"json", "Print the same as JSON."});
+}
+
+void describeAccuracy(QCommandLineParser& parser) {
+    describeScene(parser);
+    parser.addOptions({
+        {{"o", "output"}, "Write accuracy.html, .csv, .json and the pictures into this folder.", "DIR"},
+        {"time-limit", "Render for T seconds in all; default 120.", "T", "120"},
+        kDeviceOption,
+    });
 }
 
 void describeReplay(QCommandLineParser& parser) {
@@ -234,6 +246,18 @@ void readEffects(const QCommandLineParser& parser, EffectsOptions& options) {
     options.json = parser.isSet("json");
 }
 
+void readAccuracy(const QCommandLineParser& parser, AccuracyOptions& options) {
+    options.scene = readScene(parser, "accuracy");
+    if (!parser.isSet("output"))
+        usageError("-o", "says where the report goes, and is missing", "Add -o report.");
+    options.folder = parser.value("output").toStdString();
+    options.seconds = Reader(parser).number("time-limit", {0, 1e9, false}).value_or(120);
+    options.device = readDevice(parser);
+    options.threads = readThreads(parser);
+    if (!options.scene.size)
+        options.scene.size = ivec2(512);
+}
+
 void readReplay(const QCommandLineParser& parser, ReplayOptions& options) {
     options.scene = readScene(parser, "replay");
     const auto pixel = readPixel(Reader(parser), "pixel");
@@ -280,6 +304,10 @@ Result<EffectsOptions> effectsOptions(const QStringList& arguments) {
     return parsed("effects", arguments, describeEffects, readEffects);
 }
 
+Result<AccuracyOptions> accuracyOptions(const QStringList& arguments) {
+    return parsed("accuracy", arguments, describeAccuracy, readAccuracy);
+}
+
 Result<ReplayOptions> replayOptions(const QStringList& arguments) {
     return parsed("replay", arguments, describeReplay, readReplay);
 }
@@ -301,6 +329,15 @@ std::string renderHelp() {
            "writes nothing. A new picture can be read by its owner only; one that is replaced keeps its "
            "permissions.\n" +
            optionsText(describeRender);
+}
+
+std::string accuracyHelp() {
+    return "Usage: pdrender-cli accuracy FOLDER|SCENE.json -o DIR [--time-limit T] [options]\n"
+           "Measures what accuracy costs in time: the picture as it is, smoothed, and as Exposure Render makes it, "
+           "each\n"
+           "against a picture of more samples with other random numbers, which takes most of the time. 512x512 pixels\n"
+           "unless --size says otherwise. Ctrl-C ends it with what was measured until then; the exit code is 1.\n" +
+           optionsText(describeAccuracy);
 }
 
 std::string effectsHelp() {

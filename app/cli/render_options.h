@@ -1,5 +1,5 @@
 #pragma once
-/// What `pdrender-cli render` and `pdrender-cli effects` were asked for.
+/// What the commands that render were asked for.
 
 #include <QStringList>
 
@@ -34,6 +34,16 @@ struct EffectsOptions {
     bool help = false;
 };
 
+/// What `pdrender-cli accuracy` was asked for.
+struct AccuracyOptions {
+    SceneInput scene;
+    std::filesystem::path folder;  ///< for the report
+    double seconds = 0;            ///< of rendering, in all
+    std::string device = "auto";
+    int threads = 0;  ///< 0 = one per core
+    bool help = false;
+};
+
 /// What `pdrender-cli replay` was asked for.
 struct ReplayOptions {
     SceneInput scene;
@@ -45,12 +55,14 @@ struct ReplayOptions {
 /// `arguments` are those after the word `render`. An error is one of usage and names the option in `where`.
 Result<RenderOptions> renderOptions(const QStringList& arguments);
 
-/// The same for the words `effects` and `replay`.
+/// The same for the words `accuracy`, `effects` and `replay`.
+Result<AccuracyOptions> accuracyOptions(const QStringList& arguments);
 Result<EffectsOptions> effectsOptions(const QStringList& arguments);
 Result<ReplayOptions> replayOptions(const QStringList& arguments);
 
 /// The texts for --help.
 std::string renderHelp();
+std::string accuracyHelp();
 std::string effectsHelp();
 std::string replayHelp();
 

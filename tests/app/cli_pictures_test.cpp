@@ -261,6 +261,21 @@ class CliPicturesTest : public QObject {
                  QString::number(facts["samplesPerPixel"].toInt()));
     }
 
+    void ctrlCReportsWhatWasMeasured() {
+        QProcess process;
+        process.start(PDR_BINARY_DIR "/bin/pdrender-cli",
+                      {"accuracy", scene(), "-o", at("early"), "--time-limit", "1000"});
+        process.setReadChannel(QProcess::StandardError);
+        QByteArray said;
+        while (!said.contains("reference") && process.waitForReadyRead(pdr::test::kPatience))
+            said += process.readAllStandardError();
+        ::kill(pid_t(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(pdr::test::kPatience));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY(BallScene::contents(at("early/accuracy.html")).contains("Interrupted"));
+    }
+
     void aDicomFolderBecomesAPicture() {
         const ProgramRun example = BallScene::run({"example", at("phantom")});
         QVERIFY2(example.code == 0, example.err.constData());

@@ -55,6 +55,8 @@ class CliTest : public QObject {
         row("threads", {"render", "a", "-o", "a.png", "--threads", "0"}, "--threads");
         row("device", {"render", "a", "-o", "a.png", "--device", "abacus"}, "--device");
         row("view", {"render", "a", "-o", "a.png", "--view", "above"}, "--view");
+        row("accuracy without a folder", {"accuracy", "a"}, "-o");
+        row("accuracy of no time", {"accuracy", "a", "-o", "b", "--time-limit", "0"}, "time-limit");
         row("effects without input", {"effects"}, "needs one folder");
         row("effects of two", {"effects", "a", "b"}, "needs one folder");
         row("effects do not stop", {"effects", "a", "--samples", "3"}, "samples");
@@ -160,6 +162,30 @@ class CliTest : public QObject {
                         band["median"].toDouble() <= band["high"].toDouble());
             }
         QVERIFY(tried.contains("shadows") && tried.contains("lights with a place"));
+    }
+
+    void whatAccuracyCostsIsMeasuredAndToldOnOnePage() {
+        const QString folder = at("report/of it");
+        const ProgramRun run =
+            BallScene::run({"accuracy", scene(), "-o", folder, "--time-limit", "1", "--size", "96x80"});
+        QVERIFY2(run.code == 0, run.err.constData());
+        QVERIFY(run.out.contains("as it is, smoothed: "));
+        const QJsonObject report = QJsonDocument::fromJson(BallScene::contents(folder + "/accuracy.json")).object();
+        const QJsonArray ways = report["ways"].toArray();
+        QCOMPARE(ways.size(), 4);
+        QVERIFY(report["reference"].toObject()["samples"].toInt() >= 2 && report["complete"].toBool());
+        double last = 0;
+        for (const QJsonValue& step : ways[0].toObject()["steps"].toArray()) {
+            QVERIFY(step["seconds"].toDouble() > last && step["levels"].toDouble() >= 0);
+            last = step["seconds"].toDouble();
+            if (const QString picture = step["picture"].toString(); !picture.isEmpty())
+                QCOMPARE(QImage(folder + "/" + picture).size(), QSize(96, 80));
+        }
+        const QByteArray page = BallScene::contents(folder + "/accuracy.html");
+        QVERIFY(page.contains("<svg") && page.contains("data:image/png;base64,") && !page.contains("src='http"));
+        QVERIFY(BallScene::contents(folder + "/accuracy.csv").startsWith("way,samples,seconds"));
+        const ProgramRun nowhere = BallScene::run({"accuracy", scene(), "-o", scene() + "/report"});
+        QVERIFY(nowhere.code == 1 && nowhere.err.contains("report"));
     }
 
     /// Tissue too dense for multiple scattering is told before anybody counts samples, wherever health is told.

@@ -1,13 +1,12 @@
 /// How good the picture is soon after an edit, in the real window: what was shown after 0.1, 1 and 10 seconds, smoothed
 /// and raw, against a picture of many samples of another seed.
-///   first_pictures FOLDER [-o DIR] [--reference N] [--threads N] [--preset NAME]
+///   first_pictures FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--preset NAME]
 /// FOLDER holds a CT. The edit is a view from the front. Prints a line for each picture: samples and pixels it has, how
 /// many of 255 levels 95 % of the tissue are off, once stretched to the view as the window does, and what the window
-/// says of it. With -o it writes the pictures as PNG.
+/// says of it. With -o they are drawn on one sheet: raw above, smoothed below, the reference on the right.
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QDir>
 #include <QElapsedTimer>
 #include <QPainter>
 #include <QTemporaryDir>
@@ -85,22 +84,63 @@ std::array<Shown, kSeconds.size()> shownAfterEdit(Desktop& desktop) {
     return shown;
 }
 
-void report(const char* kind, double seconds, const Shown& shown, const QImage& truth, const Film& tissue,
-            const Plan& plan) {
+/// What was on the screen, and how right it was.
+struct Trial {
+    QString name, said;
+    QImage image;
+    int levels = 0;
+};
+
+QString said(const Frame& frame) {
+    if (frame.smoothed && frame.smoothedError)
+        return QString("said: ±%1, at most ±%2")
+            .arg(frame.smoothedError->levels, 0, 'f', 1)
+            .arg(frame.smoothedError->levelsAtMost, 0, 'f', 1);
+    if (!frame.smoothed && std::isfinite(frame.status.displayError))
+        return QString("said: ±%1").arg(frame.status.displayError, 0, 'f', 1);
+    return "nothing said yet";
+}
+
+Trial trialOf(const char* kind, double seconds, const Shown& shown, const QImage& truth, const Film& tissue) {
+    const QString name = QString("%1, %2 s").arg(kind).arg(seconds);
     if (!shown)
-        return (void)std::printf("%5.1f s  %-8s  none yet\n", seconds, kind);
+        return {name, "no picture yet", {}, 255};
     const QImage picture = stretched(imageOf(shown->rgba, shown->size), truth.size());
-    std::printf("%5.1f s  %-8s  %4d x %-4d pixels  %4llu samples  95 %% of the tissue within %3d levels", seconds, kind,
-                shown->size.x, shown->size.y, (unsigned long long)shown->status.samplesPerPixel,
-                levelsOff(picture, truth, tissue));
-    if (shown->smoothed && shown->smoothedError)
-        std::printf("  said: within %.1f, at most %.1f", shown->smoothedError->levels,
-                    shown->smoothedError->levelsAtMost);
-    else if (!shown->smoothed && std::isfinite(shown->status.displayError))
-        std::printf("  said: within %.1f", shown->status.displayError);
-    std::printf("\n");
-    if (!plan.out.isEmpty())
-        picture.save(QDir(plan.out).filePath(QString("%1_%2.png").arg(kind).arg(seconds)));
+    const int levels = levelsOff(picture, truth, tissue);
+    std::printf("%-14s %4d x %-4d pixels  %4llu samples  95 %% of the tissue within %3d levels  %s\n", qPrintable(name),
+                shown->size.x, shown->size.y, (unsigned long long)shown->status.samplesPerPixel, levels,
+                said(*shown).toUtf8().constData());
+    return {name, said(*shown), picture, levels};
+}
+
+/// The part of the picture with tissue, and a margin.
+QRect tissueIn(const Film& film) {
+    QRect box;
+    for (int y = 0; y < film.size().y; ++y)
+        for (int x = 0; x < film.size().x; ++x)
+            if (film.pixel(x, y).tissue)
+                box |= QRect(x, y, 1, 1);
+    return box.adjusted(-8, -8, 8, 8) & QRect(0, 0, film.size().x, film.size().y);
+}
+
+/// Two rows of pictures, and one on the right.
+QImage sheetOf(const std::vector<Trial>& trials, const Trial& reference, const QRect& part) {
+    constexpr int kText = 40, kGap = 6;
+    const QSize cell(part.width() + kGap, part.height() + kText + kGap);
+    const int columns = int(trials.size()) / 2;
+    QImage sheet(cell.width() * (columns + 1), 2 * cell.height(), QImage::Format_RGB32);
+    sheet.fill(Qt::white);
+    QPainter painter(&sheet);
+    const auto draw = [&](const Trial& trial, int column, double row) {
+        const QPoint at(column * cell.width(), int(row * cell.height()));
+        painter.drawImage(at, trial.image, part);
+        painter.drawText(QRect(at + QPoint(2, part.height()), QSize(part.width(), kText)), Qt::AlignTop,
+                         QString("%1: ±%2\n%3").arg(trial.name).arg(trial.levels).arg(trial.said));
+    };
+    for (int i = 0; i < int(trials.size()); ++i)
+        draw(trials[std::size_t(i)], i % columns, i / columns);
+    draw(reference, columns, 0.5);
+    return sheet;
 }
 
 /// Nothing: it could not be made.
@@ -144,12 +184,13 @@ int run(const Plan& plan) {
     if (const auto error = SmoothingJudgement::of(*film)->overAll(display.exposure))
         std::printf(": within %.1f levels, at most %.1f", error->levels, error->levelsAtMost);
     std::printf("\n");
-    for (std::size_t i = 0; i < kSeconds.size(); ++i) {
-        report("smoothed", kSeconds[i], smoothed[i], truth, *film, plan);
-        report("raw", kSeconds[i], raw[i], truth, *film, plan);
-    }
-    if (!plan.out.isEmpty())
-        truth.save(QDir(plan.out).filePath("reference.png"));
+    std::vector<Trial> trials;
+    for (const auto& [kind, shown] : {std::pair("raw", &raw), std::pair("smoothed", &smoothed)})
+        for (std::size_t i = 0; i < kSeconds.size(); ++i)
+            trials.push_back(trialOf(kind, kSeconds[i], (*shown)[i], truth, *film));
+    const Trial reference{QString("reference, %1 samples").arg(plan.reference), "", truth, 0};
+    if (!plan.out.isEmpty() && !sheetOf(trials, reference, tissueIn(*film)).save(plan.out, nullptr, 88))
+        return 1;
     return 0;
 }
 
@@ -161,7 +202,7 @@ int main(int argc, char** argv) {
     pdr::ui::applyDarkTheme(application);
     QCommandLineParser parser;
     parser.addPositionalArgument("FOLDER", "a folder with a CT");
-    parser.addOption({"o", "write the pictures into this folder, which exists", "DIR"});
+    parser.addOption({"o", "draw all pictures on this sheet", "FILE"});
     parser.addOption({"preset", "part of its name", "NAME", "bone"});
     parser.addOption({"reference", "samples of the reference", "N", "256"});
     parser.addOption({"threads", "0: one per core", "N", "0"});

@@ -5,22 +5,10 @@
 #include <cmath>
 
 #include "render/base/processor_time.h"
-#include "render/film/noisy_film.h"
 #include "render/film/tone_map.h"
 
 namespace pdr::bench {
 namespace {
-
-/// Row by row, linear.
-std::vector<dvec3> radianceOf(const Film& film, bool smooth) {
-    std::vector<dvec3> radiance;
-    const NoisyFilm noisy = noisyFilm(film);
-    const denoise::Colours colours = smooth ? smoothRadiance(noisy) : noisy.all.mean;
-    for (int y = 0; y < film.size().y; ++y)
-        for (int x = 0; x < film.size().x; ++x)
-            radiance.push_back(noisy.unit * dvec3(colours[0].row(y)[x], colours[1].row(y)[x], colours[2].row(y)[x]));
-    return radiance;
-}
 
 template <class Make>
 Seconds timed(const Make& make) {
@@ -40,33 +28,6 @@ Seconds medianOf(std::vector<Seconds> rounds) {
 }
 
 }  // namespace
-
-TrueError trueError(const Film& film, const Display& display, const Film& reference) {
-    const std::vector<dvec3> radiance = radianceOf(film, display.smoothed);
-    const float* curve = displayCurve();
-    double squares = 0, mean = 0;
-    std::vector<float> levels;
-    for (std::size_t i = 0; i < radiance.size(); ++i) {
-        const PixelEstimate truth = reference.pixel(int(i) % film.size().x, int(i) / film.size().x);
-        if (!truth.tissue)
-            continue;
-        const double off = luminance(radiance[i] - truth.mean);
-        const double noise = luminance(truth.halves.even - truth.halves.odd) / 2;  // also of points that are no chance
-        squares += off * off - noise * noise;
-        mean += luminance(truth.mean);
-        float worst = 0;
-        for (int c = 0; c < 3; ++c)
-            worst = std::max(worst, std::fabs(exactLevelOf(curve, float(radiance[i][c] / display.exposure)) -
-                                              exactLevelOf(curve, float(truth.mean[c] / display.exposure))));
-        levels.push_back(worst);
-    }
-    if (levels.empty())
-        return {};
-    const double count = double(levels.size());
-    const auto quantile = levels.begin() + std::ptrdiff_t(0.95 * (count - 1));
-    std::nth_element(levels.begin(), quantile, levels.end());
-    return {std::sqrt(std::max(squares, 0.0) / count) / (mean / count), *quantile};
-}
 
 Costs costsOf(const Film& film, const Display& display, int rounds) {
     std::vector<Seconds> raw, smoothed, judgement;

@@ -1,0 +1,115 @@
+#include "app/cli/accuracy/accuracy_page.h"
+
+#include <QFile>
+#include <QString>
+
+#include <cmath>
+
+#include "app/cli/accuracy/accuracy_plot.h"
+#include "render/film/levels_text.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr const char* kHead =
+    "<!DOCTYPE html><html lang='en'><head><meta charset='utf-8'><title>What accuracy costs</title><style>"
+    "body{font-family:sans-serif;max-width:1000px;margin:2em auto;padding:0 1em;color:#111;background:#fff}"
+    "table{border-collapse:collapse}td,th{padding:.2em .8em;text-align:right;border-bottom:1px solid #ddd}"
+    "td:first-child,th:first-child{text-align:left}figure{display:inline-block;margin:.3em}"
+    "figure img{width:300px;background:#000}figcaption{font-size:.85em}</style></head><body>";
+
+QString levels(const std::optional<double>& value) {
+    return value ? "±" + QString::fromStdString(levelsText(*value)) : QString("-");
+}
+
+QString heading(const AccuracyReport& report) {
+    QString text = QString(
+                       "<h1>What accuracy costs</h1><p>%1 × %2 pixels, model %3, %4, %5, seed %6. An error of ±8 "
+                       "means that 95 % of the tissue is shown within 8 of 255 grey levels of a picture of %7 "
+                       "samples a pixel with other random numbers")
+                       .arg(report.size.x)
+                       .arg(report.size.y)
+                       .arg(report.model.c_str(), report.device.c_str(), report.program.c_str())
+                       .arg(report.seed)
+                       .arg(report.referenceSamples);
+    if (report.referenceError)
+        text += QString(", which is itself within %1, at most %2: what is smaller than that cannot be told")
+                    .arg(levels(report.referenceError->levels), levels(report.referenceError->levelsAtMost));
+    text += ". Not for diagnostic use.</p>";
+    if (!report.complete)
+        text += "<p><strong>Interrupted: what follows is what was measured until then.</strong></p>";
+    return text;
+}
+
+/// Beside which the unbiased way is better from some moment on.
+QString crossingText(const AccuracyCurve& biased, const AccuracyCurve& unbiased) {
+    const auto until = betterUntil(biased, unbiased);
+    if (!until)
+        return "never better than the unbiased picture in the same time";
+    if (std::isinf(*until))
+        return "still better than the unbiased picture when the time was up";
+    return QString("better than the unbiased picture until %1 s, never after").arg(*until, 0, 'g', 2);
+}
+
+QString ladder(const AccuracyReport& report) {
+    QString text = "<table><tr><th>way</th><th>within reach</th></tr>";
+    for (std::size_t i = 0; i < report.curves.size(); ++i) {
+        const AccuracyCurve& curve = report.curves[i];
+        text += QString("<tr><td><span style='color:%1'>■</span> %2</td><td>%3</td></tr>")
+                    .arg(curveColour(i), QString::fromStdString(curve.name), QString::fromStdString(ladderText(curve)));
+        if (!curve.bias.empty() && i > 0)
+            text += QString("<tr><td></td><td>biased (%1): %2</td></tr>")
+                        .arg(QString::fromStdString(curve.bias), crossingText(curve, report.curves[0]));
+    }
+    return text + "</table>";
+}
+
+QString table(const AccuracyReport& report) {
+    QString text =
+        "<table><tr><th>way</th><th>samples</th><th>seconds</th><th>error</th><th>stated</th><th>at most</th>"
+        "</tr>";
+    for (const AccuracyCurve& curve : report.curves)
+        for (const AccuracyStep& step : curve.steps)
+            text += QString("<tr><td>%1</td><td>%2</td><td>%3</td><td>%4</td><td>%5</td><td>%6</td></tr>")
+                        .arg(QString::fromStdString(curve.name))
+                        .arg(step.samples)
+                        .arg(step.seconds, 0, 'g', 3)
+                        .arg(levels(step.error.levels), levels(step.stated), levels(step.atMost));
+    return text + "</table>";
+}
+
+QString figure(const AccuracyStep& step, const std::filesystem::path& pictures) {
+    QFile file(QString::fromStdString((pictures / step.picture).string()));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    return QString(
+               "<figure><img alt='' src='data:image/png;base64,%1'><figcaption>%2 s, %3 samples: %4</figcaption>"
+               "</figure>")
+        .arg(QString::fromLatin1(file.readAll().toBase64()))
+        .arg(step.seconds, 0, 'g', 2)
+        .arg(step.samples)
+        .arg(levels(step.error.levels));
+}
+
+QString gallery(const AccuracyCurve& curve, const std::filesystem::path& pictures) {
+    QString text = "<h2>" + QString::fromStdString(curve.name) + "</h2>";
+    for (const AccuracyStep& step : curve.steps)
+        if (!step.picture.empty())
+            text += figure(step, pictures);
+    return text;
+}
+
+}  // namespace
+
+std::string pageText(const AccuracyReport& report, const std::filesystem::path& pictures) {
+    const auto floor = report.referenceError ? std::optional(report.referenceError->levels) : std::nullopt;
+    QString text = kHead + heading(report) + "<h2>How soon</h2>" + ladder(report) +
+                   "<h2>Error against time</h2><p>Lines with dots: measured. Dashed: what the program says of itself. "
+                   "Dotted: the root of the time.</p>" +
+                   accuracyPlot(report.curves, floor) + "<h2>All steps</h2>" + table(report);
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, report.curves.size()); ++i)
+        text += gallery(report.curves[i], pictures);
+    return (text + "</body></html>\n").toStdString();
+}
+
+}  // namespace pdr::app
