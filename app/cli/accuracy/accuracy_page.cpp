@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/cli/accuracy/accuracy_plot.h"
+#include "app/cli/progress_line.h"
 #include "render/film/levels_text.h"
 
 namespace pdr::app {
@@ -15,7 +16,7 @@ constexpr const char* kHead =
     "<!DOCTYPE html><html lang='en'><head><meta charset='utf-8'><title>What accuracy costs</title><style>"
     "body{font-family:sans-serif;max-width:1000px;margin:2em auto;padding:0 1em;color:#111;background:#fff}"
     "table{border-collapse:collapse}td,th{padding:.2em .8em;text-align:right;border-bottom:1px solid #ddd}"
-    "td:first-child,th:first-child{text-align:left}figure{display:inline-block;margin:.3em}"
+    "td:first-child,th:first-child,.ladder td{text-align:left}figure{display:inline-block;margin:.3em}"
     "figure img{width:300px;background:#000}figcaption{font-size:.85em}</style></head><body>";
 
 QString levels(const std::optional<double>& value) {
@@ -52,7 +53,7 @@ QString crossingText(const AccuracyCurve& biased, const AccuracyCurve& unbiased)
 }
 
 QString ladder(const AccuracyReport& report) {
-    QString text = "<table><tr><th>way</th><th>within reach</th></tr>";
+    QString text = "<table class='ladder'><tr><th>way</th><th>within reach</th></tr>";
     for (std::size_t i = 0; i < report.curves.size(); ++i) {
         const AccuracyCurve& curve = report.curves[i];
         text += QString("<tr><td><span style='color:%1'>■</span> %2</td><td>%3</td></tr>")
@@ -83,12 +84,11 @@ QString figure(const AccuracyStep& step, const std::filesystem::path& pictures) 
     if (!file.open(QIODevice::ReadOnly))
         return {};
     return QString(
-               "<figure><img alt='' src='data:image/png;base64,%1'><figcaption>%2 s, %3 samples: %4</figcaption>"
+               "<figure><img alt='' src='data:image/png;base64,%1'><figcaption>%2 s, %3: %4</figcaption>"
                "</figure>")
         .arg(QString::fromLatin1(file.readAll().toBase64()))
         .arg(step.seconds, 0, 'g', 2)
-        .arg(step.samples)
-        .arg(levels(step.error.levels));
+        .arg(QString::fromStdString(samplesText(step.samples)), levels(step.error.levels));
 }
 
 QString gallery(const AccuracyCurve& curve, const std::filesystem::path& pictures) {
@@ -105,7 +105,8 @@ std::string pageText(const AccuracyReport& report, const std::filesystem::path& 
     const auto floor = report.referenceError ? std::optional(report.referenceError->levels) : std::nullopt;
     QString text = kHead + heading(report) + "<h2>How soon</h2>" + ladder(report) +
                    "<h2>Error against time</h2><p>Lines with dots: measured. Dashed: what the program says of itself. "
-                   "Dotted: the root of the time.</p>" +
+                   "Dotted: the root of the time. Smoothing "
+                   "itself takes a tenth of a second or two more.</p>" +
                    accuracyPlot(report.curves, floor) + "<h2>All steps</h2>" + table(report);
     for (std::size_t i = 0; i < std::min<std::size_t>(2, report.curves.size()); ++i)
         text += gallery(report.curves[i], pictures);
