@@ -84,11 +84,10 @@ std::array<Shown, kSeconds.size()> shownAfterEdit(Desktop& desktop) {
     return shown;
 }
 
-/// What was on the screen, and how right it was.
+/// What was on the screen, and below it how right it was and what was said of it.
 struct Trial {
-    QString name, said;
+    QString text;
     QImage image;
-    int levels = 0;
 };
 
 QString said(const Frame& frame) {
@@ -104,13 +103,13 @@ QString said(const Frame& frame) {
 Trial trialOf(const char* kind, double seconds, const Shown& shown, const QImage& truth, const Film& tissue) {
     const QString name = QString("%1, %2 s").arg(kind).arg(seconds);
     if (!shown)
-        return {name, "no picture yet", {}, 255};
+        return {name + ": no picture yet", {}};
     const QImage picture = stretched(imageOf(shown->rgba, shown->size), truth.size());
     const int levels = levelsOff(picture, truth, tissue);
     std::printf("%-14s %4d x %-4d pixels  %4llu samples  95 %% of the tissue within %3d levels  %s\n", qPrintable(name),
                 shown->size.x, shown->size.y, (unsigned long long)shown->status.samplesPerPixel, levels,
                 said(*shown).toUtf8().constData());
-    return {name, said(*shown), picture, levels};
+    return {QString("%1: ±%2\n%3").arg(name).arg(levels).arg(said(*shown)), picture};
 }
 
 /// The part of the picture with tissue, and a margin.
@@ -134,8 +133,7 @@ QImage sheetOf(const std::vector<Trial>& trials, const Trial& reference, const Q
     const auto draw = [&](const Trial& trial, int column, double row) {
         const QPoint at(column * cell.width(), int(row * cell.height()));
         painter.drawImage(at, trial.image, part);
-        painter.drawText(QRect(at + QPoint(2, part.height()), QSize(part.width(), kText)), Qt::AlignTop,
-                         QString("%1: ±%2\n%3").arg(trial.name).arg(trial.levels).arg(trial.said));
+        painter.drawText(QRect(at + QPoint(2, part.height()), QSize(part.width(), kText)), Qt::AlignTop, trial.text);
     };
     for (int i = 0; i < int(trials.size()); ++i)
         draw(trials[std::size_t(i)], i % columns, i / columns);
@@ -179,16 +177,16 @@ int run(const Plan& plan) {
         return 1;
     const Picture best = pictureOf(*film, display);
     const QImage truth = imageOf(best.rgba, scene.film);
-    std::printf("%s, %s: view of %d x %d pixels; reference of %d samples, smoothed", qPrintable(plan.folder),
-                qPrintable(plan.preset), scene.film.x, scene.film.y, plan.reference);
+    QString about = QString("reference: %1 samples, smoothed").arg(plan.reference);
     if (const auto error = SmoothingJudgement::of(*film)->overAll(display.exposure))
-        std::printf(": within %.1f levels, at most %.1f", error->levels, error->levelsAtMost);
-    std::printf("\n");
+        about += QString("\nwithin ±%1, at most ±%2").arg(error->levels, 0, 'f', 1).arg(error->levelsAtMost, 0, 'f', 1);
+    std::printf("%s, %s: view of %d x %d pixels\n%s\n", qPrintable(plan.folder), qPrintable(plan.preset), scene.film.x,
+                scene.film.y, about.toUtf8().constData());
     std::vector<Trial> trials;
     for (const auto& [kind, shown] : {std::pair("raw", &raw), std::pair("smoothed", &smoothed)})
         for (std::size_t i = 0; i < kSeconds.size(); ++i)
             trials.push_back(trialOf(kind, kSeconds[i], (*shown)[i], truth, *film));
-    const Trial reference{QString("reference, %1 samples").arg(plan.reference), "", truth, 0};
+    const Trial reference{about, truth};
     if (!plan.out.isEmpty() && !sheetOf(trials, reference, tissueIn(*film)).save(plan.out, nullptr, 88))
         return 1;
     return 0;
