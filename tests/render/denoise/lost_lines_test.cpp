@@ -137,7 +137,7 @@ class LostLinesTest : public QObject {
     }
 
     void whatTheSmoothedPictureKeepsIsNotMarked() {
-        QCOMPARE(marksOf(noisyFilmOf(kFilm, withLines(0.6), 64)).size(), 0u);
+        QCOMPARE(marksOf(noisyFilmOf(kFilm, withLines(0.4), 64)).size(), 0u);
     }
 
     /// A false mark in one of 20 pictures is allowed; none of these 20 has one. Edges are no lines.
