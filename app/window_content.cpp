@@ -17,6 +17,21 @@ QImage imageOf(const std::shared_ptr<const Frame>& frame) {
                   kept);
 }
 
+/// What stands beside a smoothed picture; nothing beside another.
+QStringList smoothedTexts(const Frame& frame) {
+    return frame.smoothed ? ui::smoothedTexts(frame.smoothedError, frame.lostLines.size()) : QStringList();
+}
+
+/// Of the smoothed picture: the film itself has them.
+QList<QLineF> lostLinesOf(const Frame& frame) {
+    QList<QLineF> lines;
+    if (!frame.smoothed)
+        return lines;
+    for (const denoise::LostLine& line : frame.lostLines)
+        lines << QLineF(double(line.begin.x), double(line.begin.y), double(line.end.x), double(line.end.y));
+    return lines;
+}
+
 QString invitation() {
     return ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O");
 }
@@ -101,8 +116,8 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         showNoPicture(parts, ui::MainWindow::tr("No picture"));
         return showFailure(parts, {frame->error, "", ""});
     }
-    const QString mark = frame->smoothed ? ui::smoothedTexts(frame->smoothedError).join('\n') : QString();
-    parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->lookName), mark});
+    parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->lookName),
+                                        smoothedTexts(*frame).join('\n'), lostLinesOf(*frame)});
     parts.window.setPictureAvailable(true);
     showStatus(parts);
 }
@@ -117,8 +132,7 @@ void showStatus(const DesktopParts& parts) {
     if (frame->coarse)
         text << ui::MainWindow::tr("coarse, the full picture follows");
     else
-        text << (frame->smoothed ? ui::smoothedTexts(frame->smoothedError).join(", ") + ui::MainWindow::tr("; raw: ")
-                                 : QString()) +
+        text << (frame->smoothed ? smoothedTexts(*frame).join(", ") + ui::MainWindow::tr("; raw: ") : QString()) +
                     ui::statusText(frame->status, frame->iterationsPerSecond,
                                    bridge.paused()    ? ui::Holding::paused
                                    : bridge.reached() ? ui::Holding::reached

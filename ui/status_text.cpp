@@ -55,6 +55,21 @@ QString durationText(double seconds) {
     return translated(hours ? "%1 h" : "%1 min").arg(QLocale::c().toString(value, 'f', value < 10 ? 1 : 0));
 }
 
+/// Of a smoothed picture.
+QStringList errorTexts(const std::optional<SmoothedError>& error) {
+    if (!error)
+        return {translated("smoothed: error not known yet")};
+    QStringList texts{translated("smoothed: within ±%1 levels, at most ±%2")
+                          .arg(QString::fromStdString(levelsText(error->levels)),
+                               QString::fromStdString(levelsText(error->levelsAtMost)))};
+    const int hidden = int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)));
+    if (hidden >= 100)
+        texts << translated("fine detail is not shown yet");
+    else if (hidden >= kFaintestPercent)
+        texts << translated("fine detail below %1 % contrast is not shown yet").arg(hidden);
+    return texts;
+}
+
 }  // namespace
 
 QString statusText(const FilmStatus& status, double iterationsPerSecond, Holding holding) {
@@ -77,17 +92,14 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, Holding
     return parts.join(", ");
 }
 
-QStringList smoothedTexts(const std::optional<SmoothedError>& error) {
-    if (!error)
-        return {translated("smoothed: error not known yet")};
-    QStringList texts{translated("smoothed: within ±%1 levels, at most ±%2")
-                          .arg(QString::fromStdString(levelsText(error->levels)),
-                               QString::fromStdString(levelsText(error->levelsAtMost)))};
-    const int hidden = int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)));
-    if (hidden >= 100)
-        texts << translated("fine detail is not shown yet");
-    else if (hidden >= kFaintestPercent)
-        texts << translated("fine detail below %1 % contrast is not shown yet").arg(hidden);
+QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines) {
+    QStringList texts = errorTexts(error);
+    if (lostLines >= denoise::kMostLostLines)
+        texts << translated("the %1 clearest of the lines that smoothing took away are marked").arg(lostLines);
+    else if (lostLines > 0)
+        texts << translated(lostLines == 1 ? "%1 line that smoothing took away is marked"
+                                           : "%1 lines that smoothing took away are marked")
+                     .arg(lostLines);
     return texts;
 }
 

@@ -22,8 +22,9 @@ QString statusText(const FilmStatus& status, double iterationsPerSecond, Holding
 QString stretchedText(ivec2 picture, QSize view);
 
 /// What stands beside a smoothed picture: "smoothed: within ±5 levels, at most ±7", for 95 % of the tissue, and "fine
-/// detail below 38 % contrast is not shown yet"; or that it is not known yet.
-QStringList smoothedTexts(const std::optional<SmoothedError>& error);
+/// detail below 38 % contrast is not shown yet"; or that it is not known yet; and how many `lostLines` are marked in
+/// it.
+QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines);
 
 /// A device to choose: "CPU (2 threads)".
 QString deviceText(const QString& name, const QString& details);

@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QWheelEvent>
 #include <chrono>
 #include <cmath>
@@ -21,6 +22,22 @@ constexpr auto kRestAfter = std::chrono::milliseconds(250);
 constexpr auto kSettledAfter = std::chrono::milliseconds(200);
 constexpr int kMargin = 12;
 constexpr int kCubeSide = 64;
+constexpr QRgb kMarks = qRgb(255, 205, 110);
+
+/// One at each end, open towards the other.
+QPainterPath bracketsAround(const QLineF& line) {
+    constexpr double kBeyond = 4, kHalf = 6, kHook = 4;
+    QPainterPath path;
+    for (const QLineF& from : {line, QLineF(line.p2(), line.p1())}) {
+        const QPointF along = (from.p2() - from.p1()) / std::max(from.length(), 1.0), across(-along.y(), along.x());
+        const QPointF corner = from.p1() - kBeyond * along;
+        path.moveTo(corner - kHalf * across + kHook * along);
+        path.lineTo(corner - kHalf * across);
+        path.lineTo(corner + kHalf * across);
+        path.lineTo(corner + kHalf * across + kHook * along);
+    }
+    return path;
+}
 
 /// With a shadow, since it may stand on bright bone.
 void paintText(QPainter& painter, const QRect& area, int where, const QString& text) {
@@ -208,12 +225,21 @@ void Viewport::paintEvent(QPaintEvent*) {
     if (!picture_)
         return paintMessage(painter);
     paintPicture(painter);
+    paintLostLines(painter);
     paintLetters(painter);
     paintLook(painter);
 }
 
 /// The field of view belongs to the height, so the picture is fitted to it: while the window is resized the patient
 /// keeps his size until the new picture comes.
+QRectF Viewport::pictureArea() const {
+    const QImage& image = picture_->image;
+    const double scale = double(height()) / image.height();
+    QRectF area(0, 0, image.width() * scale, height());
+    area.moveCenter(QRectF(rect()).center());
+    return std::abs(area.width() - width()) <= 2 * scale ? rect() : area;  // only the rounding of the film's size
+}
+
 void Viewport::paintPicture(QPainter& painter) const {
     const QImage& image = picture_->image;
     if (image.size() == sizeInPixels()) {  // pixel by pixel, also where one is no whole part of a length
@@ -222,13 +248,23 @@ void Viewport::paintPicture(QPainter& painter) const {
         painter.drawImage(QPointF(0, 0), image);
         return painter.resetTransform();
     }
-    const double scale = double(height()) / image.height();
-    QRectF target(0, 0, image.width() * scale, height());
-    target.moveCenter(QRectF(rect()).center());
-    if (std::abs(target.width() - width()) <= 2 * scale)
-        target = rect();  // only the rounding of the film's size
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(target, image);
+    painter.drawImage(pictureArea(), image);
+}
+
+/// The line itself stays free: if the film is shown in its place, it is seen there.
+void Viewport::paintLostLines(QPainter& painter) const {
+    const QRectF area = pictureArea();
+    const double scale = area.height() / picture_->image.height();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const QLineF& line : picture_->lostLines) {
+        const QLineF shown(area.topLeft() + scale * line.p1(), area.topLeft() + scale * line.p2());
+        const QPainterPath brackets = bracketsAround(shown);
+        painter.strokePath(brackets.translated(1, 1), QPen(QColor(0, 0, 0, 150), 1));
+        painter.strokePath(brackets, QPen(QColor(kMarks), 1));
+    }
+    painter.restore();
 }
 
 void Viewport::paintLetters(QPainter& painter) const {

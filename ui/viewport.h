@@ -2,6 +2,8 @@
 /// The picture and its interaction: drags and wheels become camera edits. Setters are silent.
 
 #include <QImage>
+#include <QLineF>
+#include <QList>
 #include <QPoint>
 #include <QTimer>
 #include <QWidget>
@@ -20,10 +22,11 @@ class Viewport : public QWidget {
 
     /// A picture and what it shows.
     struct Shown {
-        QImage image;   ///< of whatever size: it is stretched to the view's height
-        Camera camera;  ///< that it was made with; letters and cube are painted from it
-        QString look;   ///< written into a corner, ...
-        QString mark;   ///< ... with what else must be known of the picture; empty: nothing
+        QImage image;             ///< of whatever size: it is stretched to the view's height
+        Camera camera;            ///< that it was made with; letters and cube are painted from it
+        QString look;             ///< written into a corner, ...
+        QString mark;             ///< ... with what else must be known of the picture; empty: nothing
+        QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends
     };
 
     void setPicture(const Shown& picture);
@@ -72,7 +75,9 @@ class Viewport : public QWidget {
     void editInSteps(const Camera& camera);
     /// From widget coordinates to fractions of the view's height.
     dvec2 inHeights(QPointF distance) const;
+    QRectF pictureArea() const;
     void paintPicture(QPainter& painter) const;
+    void paintLostLines(QPainter& painter) const;
     void paintLetters(QPainter& painter) const;
     void paintLook(QPainter& painter) const;
     void paintMessage(QPainter& painter) const;

@@ -72,12 +72,19 @@ std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
     return all;
 }
 
-std::string smoothedFact(const std::optional<SmoothedError>& error) {
+std::string errorFact(const std::optional<SmoothedError>& error) {
     if (!error)
         return "error not known";
     return "95 % of the tissue within " + levelsText(error->levels) + " of 255 levels, at most " +
            levelsText(error->levelsAtMost) + "; lines of 2 pixels below " +
            std::to_string(int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)))) + " % contrast may be missing";
+}
+
+std::string smoothedFact(const std::optional<SmoothedError>& error, std::size_t lostLines) {
+    if (lostLines == 0)
+        return errorFact(error);
+    const std::string count = (lostLines >= denoise::kMostLostLines ? "at least " : "") + std::to_string(lostLines);
+    return errorFact(error) + "; " + count + (lostLines == 1 ? " line" : " lines") + " of the film missing";
 }
 
 // ---- PNG
@@ -215,7 +222,7 @@ Result<void> writePng(const Film& film, const Display& wanted, const Provenance&
     std::vector<std::uint8_t> rgba = toneMap(film, display);
     auto keys = facts(provenance);
     if (display.smoothed)
-        keys.emplace_back("pdrender/smoothed", smoothedFact(view.error(display.exposure)));
+        keys.emplace_back("pdrender/smoothed", smoothedFact(view.error(display.exposure), view.lostLines().size()));
     keys.emplace_back("pdrender/exposure", text(display.exposure));
     keys.emplace_back("Software", provenance.program);
     keys.emplace_back("Comment", "Not for diagnostic use.");

@@ -28,4 +28,8 @@ std::optional<SmoothedError> SmoothedView::error(double exposure) {
     return error_;
 }
 
+std::vector<denoise::LostLine> SmoothedView::lostLines() const {
+    return judgement_ ? judgement_->lostLines() : std::vector<denoise::LostLine>();
+}
+
 }  // namespace pdr

@@ -53,6 +53,11 @@ Halves luminanceOf(const std::array<Halves, 3>& channels) {
     return {sum(&Halves::smoothEven), sum(&Halves::smoothOdd), sum(&Halves::even), sum(&Halves::odd)};
 }
 
+denoise::Plane meanLuminance(const denoise::Colours& a, const denoise::Colours& b) {
+    return denoise::combined([](float one, float other) { return (one + other) / 2; }, denoise::luminance(a),
+                             denoise::luminance(b));
+}
+
 /// Levels per radiance, in units of the exposure, for what is off by about `error`: how steeply the curve rises to
 /// `radiance` from twice as much below. It bends most in the dark, where its tangent would say too little.
 float levelSlope(float radiance, float error) {
@@ -100,13 +105,14 @@ std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const
     const NoisyFilm noisy = noisyFilm(film);
     const denoise::Colours even = denoise::smoothed(noisy.even.mean, noisy.even.variance, noisy.ratio, stop);
     const denoise::Colours odd = denoise::smoothed(noisy.odd.mean, noisy.odd.variance, noisy.ratio, stop);
+    SmoothingJudgement judgement(film, noisy, even, odd, stop);
     if (stop.stop_requested())
         return std::nullopt;
-    return SmoothingJudgement(film, noisy, even, odd);
+    return judgement;
 }
 
 SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy, const denoise::Colours& even,
-                                       const denoise::Colours& odd)
+                                       const denoise::Colours& odd, const std::stop_token& stop)
     : area_(film.area()), unit_(noisy.unit), sigmas_(sureEnough(film.samplesPerPixel())) {
     const denoise::Plane variance = denoise::realVariance(noisy.all.variance, noisy.ratio);
     evidence_.reserve(std::size_t(area_.width) * std::size_t(area_.height));
@@ -130,6 +136,8 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
             pixel.tissue = raw.tissue;
             tissue_ = tissue_ || pixel.tissue;
         }
+    lostLines_ =
+        denoise::lostLines(meanLuminance(noisy.even.mean, noisy.odd.mean), meanLuminance(even, odd), variance, stop);
 }
 
 /// `exposure` in units of unit_; `error`: about how far pixels are off, in units of the exposure.

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "render/denoise/lost_lines.h"
 #include "render/film/noisy_film.h"
 
 namespace pdr {
@@ -33,6 +34,8 @@ class SmoothingJudgement {
     /// less than 16 tiles of 16 x 16 pixels, or while the picture rests on few bright samples: too little is known.
     std::optional<SmoothedError> over(const Tile& region, double exposure) const;
     std::optional<SmoothedError> overAll(double exposure) const { return over(area_, exposure); }
+    /// That are known to be missing, though the stated error does not tell; see denoise/lost_lines.h.
+    const std::vector<denoise::LostLine>& lostLines() const { return lostLines_; }
 
   private:
     /// Of a pixel, in units of unit_. Squared errors are right in the mean alone: they may be below 0.
@@ -48,7 +51,7 @@ class SmoothingJudgement {
     struct Sums;
 
     SmoothingJudgement(const Film& film, const NoisyFilm& noisy, const denoise::Colours& even,
-                       const denoise::Colours& odd);
+                       const denoise::Colours& odd, const std::stop_token& stop);
     Sums sumsIn(const Tile& tile, float exposure, float error) const;
     Sums sumsOver(const Tile& region, float exposure, float error) const;
 
@@ -57,6 +60,7 @@ class SmoothingJudgement {
     double sigmas_;  ///< of the sums over tiles, for 95 %
     std::vector<Evidence> evidence_;
     bool tissue_ = false;  ///< there is some: only that counts
+    std::vector<denoise::LostLine> lostLines_;
 };
 
 /// Whether the smoothed picture is known to be better than the raw one.

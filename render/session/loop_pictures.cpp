@@ -165,8 +165,10 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->rgba = std::move(picture.picture.rgba);
     frame->status = picture.picture.status;
     frame->smoothed = picture.picture.smoothed;
-    if (frame->smoothed)
+    if (frame->smoothed) {
         frame->smoothedError = smoothedView_.error(frame->display.exposure);
+        frame->lostLines = smoothedView_.lostLines();
+    }
     frame->seconds = seconds_;
     frame->iterationsPerSecond = meter_.iterationsPerSecond();
     frame->iterations = n;

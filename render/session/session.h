@@ -35,6 +35,7 @@ struct Frame {
     FilmStatus status;
     bool smoothed = false;                       ///< `rgba` is; the status is still that of the film
     std::optional<SmoothedError> smoothedError;  ///< none: not known yet
+    std::vector<denoise::LostLine> lostLines;    ///< that are missing in it; empty: none is known to be, or not yet
     double seconds = 0;                          ///< spent on this revision
     double iterationsPerSecond = 0;              ///< lately
     std::uint32_t iterations = 0;                ///< n, the iterations from one frame to the next

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window_content.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
@@ -60,6 +61,7 @@ class TestDesktop : public QObject {
     void aPresetChangesThePicture();
     void brightnessWorksWithoutARestart();
     void aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne();
+    void linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone();
     void pauseHoldsTheSamples();
     void theFilmFollowsTheWindow();
     void undoBringsTheFirstViewBack();
@@ -197,6 +199,23 @@ void TestDesktop::aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne() {
     QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.back()->smoothed, test::kPatience);
     QVERIFY2(!status().contains("smoothed"), qPrintable(status()));
     QCOMPARE(trial.frames.back()->revision, revision);
+}
+
+void TestDesktop::linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone() {
+    Trial trial;
+    trial.openAndWait(series_);
+    const auto shown = [&](bool smoothed, bool marked) {
+        auto frame = std::make_shared<Frame>(*trial.frames.back());
+        frame->rgba.assign(frame->rgba.size(), 0);
+        frame->smoothed = smoothed;
+        if (marked)
+            frame->lostLines = {{.begin = vec2(20, 30), .end = vec2(60, 40), .darker = true}};
+        showFrame(trial.desktop.parts(), frame);
+        return trial.desktop.window().viewport().grab().toImage();
+    };
+    const QRect aboveWords(0, 0, 900, 200);
+    QVERIFY(shown(true, true).copy(aboveWords) != shown(true, false).copy(aboveWords));
+    QVERIFY(shown(false, true).copy(aboveWords) == shown(false, false).copy(aboveWords));
 }
 
 void TestDesktop::pauseHoldsTheSamples() {

@@ -68,6 +68,7 @@ class TestViewport : public QObject {
     void settersAreSilent();
     void withoutCameraTheHandDoesNothing();
     void aCoarsePictureIsStretchedToTheHeight();
+    void bracketsStandAtTheEndsOfLostLinesAlone();
     void withoutPictureTheMessageIsShown();
     void theNewSizeIsTold();
 };
@@ -188,6 +189,31 @@ void TestViewport::aCoarsePictureIsStretchedToTheHeight() {
     const QImage narrow = hand.viewport.grab().toImage();
     QCOMPARE(narrow.pixelColor(200, 1), QColor(Qt::red));
     QCOMPARE(narrow.pixelColor(50, 100), QColor(Qt::black));
+}
+
+/// A picture of half the view's size, in which a line lies: seen are its ends, not the line, nor what is written.
+void TestViewport::bracketsStandAtTheEndsOfLostLinesAlone() {
+    Hand hand;
+    QImage image(200, 100, QImage::Format_RGBX8888);
+    image.fill(Qt::darkGray);
+    const auto shown = [&](const QList<QLineF>& lostLines) {
+        hand.viewport.setPicture({image, hand.camera, "bone", "smoothed", lostLines});
+        return hand.viewport.grab().toImage();
+    };
+    const QImage plain = shown({}), marked = shown({QLineF(80, 50, 120, 50)});
+    const double ratio = hand.viewport.devicePixelRatioF();
+    QRect changed;
+    for (int y = 0; y < plain.height(); ++y)
+        for (int x = 0; x < plain.width(); ++x)
+            if (plain.pixel(x, y) != marked.pixel(x, y))
+                changed |= QRect(x, y, 1, 1);
+    // The line goes from 160 to 240 at a height of 100.
+    const QRectF lengths(changed.topLeft() / ratio, changed.size() / ratio);
+    QVERIFY(lengths.left() > 150 && lengths.left() < 160 && lengths.right() > 240 && lengths.right() < 250);
+    QVERIFY(lengths.top() > 90 && lengths.bottom() < 111);
+    const QRect line(QPoint(int(165 * ratio), int(96 * ratio)), QPoint(int(235 * ratio), int(104 * ratio)));
+    QVERIFY(plain.copy(line) == marked.copy(line));
+    QVERIFY(shown({}) == plain);
 }
 
 void TestViewport::withoutPictureTheMessageIsShown() {

@@ -110,6 +110,14 @@ class ImageFileTest : public QObject {
         QVERIFY(sameBits(before, film.content()));
     }
 
+    /// The one line that the film has and the picture has not.
+    void aSmoothedPngSaysHowManyLinesAreMissing() {
+        const auto line = [](int x, int y) { return x < 80 && (y == 30 || y == 31) ? 0.3 : 0.5; };
+        (void)writePng(test::noisyFilmOf({96, 64}, line, 16), {1, true}, kFacts, at("a.png"));
+        const QString text = QImage(folder_.filePath("a.png")).text("pdrender/smoothed");
+        QVERIFY2(text.endsWith("; 1 line of the film missing"), qPrintable(text));
+    }
+
     void aBiasedEstimatorIsSaid() {
         const Film film = exampleFilm({2, 2});
         QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"))));

@@ -59,6 +59,18 @@ std::vector<double> keptOfLines(const Film& without, const Film& with, double co
     return kept;
 }
 
+/// Of `value` at the pixels that lie `across` pixels beside a line.
+template <class Value>
+double meanAlong(const denoise::LostLine& line, float across, ivec2 size, const Value& value) {
+    const float length = glm::length(line.end - line.begin);
+    const vec2 along = (line.end - line.begin) / length, beside(-along.y * across, along.x * across);
+    double sum = 0;
+    int count = 0;
+    for (float i = 0; i <= length; ++i, ++count)
+        sum += value(glm::clamp(ivec2(line.begin + i * along + beside), ivec2(0), size - 1));
+    return sum / count;
+}
+
 Scene litTissue() {
     Scene scene = tissueScene();
     scene.film = {122, 90};
@@ -110,6 +122,26 @@ class SmoothingJudgementTest : public QObject {
                 held += trueError(*film, truth, whole) <= error->relativeAtMost;
             }
         QVERIFY2(held >= films - 1, qPrintable(QString::number(held)));
+    }
+
+    /// Along each mark the truth is darker, or brighter, than on either side, and than what is shown.
+    void whatIsMarkedInRenderedTissueIsThere() {
+        Scene scene = tissueScene();
+        scene.film = {244, 180};
+        const auto reference = rendered(scene, 512);
+        for (const std::uint64_t samples : {4, 16, 64})
+            for (scene.seed = 201; scene.seed < 203; ++scene.seed) {
+                const auto film = rendered(scene, samples);
+                const std::vector<double> shown = smoothRadiance(*film);
+                for (const denoise::LostLine& line : SmoothingJudgement::of(*film)->lostLines()) {
+                    const auto truth = [&](ivec2 at) { return reference->pixel(at.x, at.y).mean.x; };
+                    const auto seen = [&](ivec2 at) { return shown[std::size_t(at.y * scene.film.x + at.x)]; };
+                    const double sign = line.darker ? -1 : 1, middle = meanAlong(line, 0, scene.film, truth);
+                    QVERIFY(sign * (middle - meanAlong(line, -4, scene.film, truth)) > 0);
+                    QVERIFY(sign * (middle - meanAlong(line, 4, scene.film, truth)) > 0);
+                    QVERIFY(sign * (middle - meanAlong(line, 0, scene.film, seen)) > 0);
+                }
+            }
     }
 
     /// 95 % of the tissue within so many levels.
