@@ -14,7 +14,7 @@ constexpr double kSigmas = 1.96;  ///< to either side of 95 % of a normal distri
 /// coverage_scenes.h and DECISIONS.md.
 constexpr double kExponent = 0.57, kExponentSpread = 0.07;
 /// How far the exponent of one doubling of the samples lies from that of a scene.
-constexpr double kExponentWander = 0.08;
+constexpr double kExponentWander = 0.1;
 /// Of the error's logarithm: low-discrepancy points dip below the line at powers of two, by a twentieth to a tenth.
 constexpr double kDip = 0.06;
 /// Of the speed's logarithm, at least: what a machine does besides changes it by so much.
