@@ -1,5 +1,6 @@
 #include "app/desktop.h"
 
+#include <QScreen>
 #include <algorithm>
 #include <utility>
 
@@ -40,7 +41,9 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     offerDevices(window_.rendering(), bridge_.firstDevice());
     window_.rendering().setPace(settings_.pace());
     bridge_.setPace(window_.rendering().pace());
-    window_.resize(1360, 860);
+    window_.foot().strip().setTarget(settings_.target());
+    bridge_.setTarget(settings_.target());
+    window_.resize(QSize(1360, 860).boundedTo(window_.screen()->availableSize() * 0.95));
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());
     wire(parts());

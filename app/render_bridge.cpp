@@ -62,6 +62,10 @@ void RenderBridge::setDevice(const QString& name) {
     session_.setDevice([name = name.toStdString(), threads = threads_] { return openDevice(name, threads); });
 }
 
+void RenderBridge::setTarget(double levels) {
+    session_.setTarget(levels);
+}
+
 void RenderBridge::setPaused(bool paused) {
     paused_ = paused;
     session_.setPaused(paused_ || unseen_);

@@ -35,6 +35,8 @@ class RenderBridge : public QObject {
     void setPace(const pdr::FrameBudget& pace);
     /// The picture goes on there. A device that cannot be used ends with noticed().
     void setDevice(const QString& name);
+    /// The levels within which 95 % of the tissue is to lie: there rendering holds.
+    void setTarget(double levels);
     void setPaused(bool paused);
     /// Holds as well, as long as nobody can see the picture; the user's own pause stays what it is.
     void setUnseen(bool unseen);

@@ -1,5 +1,7 @@
 #include "app/settings.h"
 
+#include <algorithm>
+
 namespace pdr::app {
 namespace {
 
@@ -9,6 +11,7 @@ constexpr auto kDevice = "rendering/device";
 constexpr auto kAutomatic = "rendering/automatic";
 constexpr auto kIterations = "rendering/iterationsPerPicture";
 constexpr auto kFrames = "rendering/picturesPerSecond";
+constexpr auto kTarget = "rendering/targetLevels";
 
 QString ownFile() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "pd-render", "pdrender").fileName();
@@ -36,6 +39,12 @@ FrameBudget Settings::pace() const {
             store_.value(kFrames, usual.framesPerSecond).toDouble()};
 }
 
+/// Files are edited by hand: what is no step is the finest.
+double Settings::target() const {
+    const double kept = store_.value(kTarget, kFinestStep).toDouble();
+    return std::find(kQualitySteps.begin(), kQualitySteps.end(), kept) != kQualitySteps.end() ? kept : kFinestStep;
+}
+
 void Settings::keepDevice(const QString& name) {
     store_.setValue(kDevice, name);
 }
@@ -44,6 +53,10 @@ void Settings::keepPace(const FrameBudget& pace) {
     store_.setValue(kAutomatic, pace.automatic);
     store_.setValue(kIterations, pace.iterations);
     store_.setValue(kFrames, pace.framesPerSecond);
+}
+
+void Settings::keepTarget(double levels) {
+    store_.setValue(kTarget, levels);
 }
 
 void Settings::keepWindow(const QByteArray& geometry, const QByteArray& state) {

@@ -1,11 +1,12 @@
 #pragma once
-/// What the desktop keeps between two runs: the window's geometry, the device and the pace that were chosen. Nothing of
-/// a patient, so not the folder opened last either: its name may be a patient's.
+/// What the desktop keeps between two runs: the window's geometry, the device, the pace and the target that were
+/// chosen. Nothing of a patient, so not the folder opened last either: its name may be a patient's.
 
 #include <QByteArray>
 #include <QSettings>
 #include <QString>
 
+#include "render/accuracy/forecast.h"
 #include "ui/render_panel.h"
 
 namespace pdr::app {
@@ -19,8 +20,10 @@ class Settings {
     QByteArray windowState() const;
     QString device() const;  ///< "auto" as long as none was chosen
     FrameBudget pace() const;
+    double target() const;  ///< display levels, one of kQualitySteps
     void keepDevice(const QString& name);
     void keepPace(const FrameBudget& pace);
+    void keepTarget(double levels);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);
 
   private:

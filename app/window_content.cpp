@@ -1,6 +1,7 @@
 #include "app/window_content.h"
 
 #include "app/series_choice.h"
+#include "render/film/health_text.h"
 #include "render/prepare/warnings.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
@@ -40,7 +41,7 @@ QString invitation() {
 void showNoPicture(const DesktopParts& parts, const QString& message) {
     parts.window.viewport().clearPicture();
     parts.window.viewport().setMessage(message);
-    parts.window.status().setText({});
+    parts.window.foot().clear();
     parts.window.setPictureAvailable(false);
 }
 
@@ -51,6 +52,21 @@ QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofP
         for (const dicom::Note& note : *notes)
             lines << ui::sentence(note.text);
     return lines.join('\n');
+}
+
+/// What makes the picture another one than it seems; or that nothing does.
+QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
+    const Scene& scene = parts.document.scene();
+    QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
+    remarks << smoothedTexts(frame) << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
+    for (const std::string& line : healthLines(frame.status.health))
+        remarks << QString::fromStdString(line);
+    for (const Warning& warning : warnings(scene))
+        remarks << QString::fromStdString(warning.text);
+    remarks.removeAll({});
+    if (remarks.isEmpty() && scene.filtering == Filtering::exact)
+        remarks << ui::MainWindow::tr("No known bias in the computing");
+    return remarks;
 }
 
 }  // namespace
@@ -127,25 +143,16 @@ void showStatus(const DesktopParts& parts) {
     if (!frame)
         return;
     const RenderBridge& bridge = parts.bridge;
+    ui::Foot& foot = parts.window.foot();
     parts.window.setPaused(bridge.paused() || bridge.reached());
-    QStringList text;
-    if (frame->coarse)
-        text << ui::MainWindow::tr("coarse, the full picture follows");
-    else
-        text << (frame->smoothed ? smoothedTexts(*frame).join(", ") + ui::MainWindow::tr("; raw: ") : QString()) +
-                    ui::statusText(frame->status, frame->iterationsPerSecond,
-                                   bridge.paused()    ? ui::Holding::paused
-                                   : bridge.reached() ? ui::Holding::reached
-                                                      : ui::Holding::no)
-             << ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency});
-    text << ui::stretchedText(frame->size, parts.window.viewport().sizeInPixels());
-    const QString comparison = ui::comparisonText(frame->schedule, frame->estimator);
-    if (!comparison.isEmpty())
-        text.prepend(comparison);
-    for (const Warning& warning : warnings(parts.document.scene()))
-        text << QString::fromStdString(warning.text);
-    text.removeAll({});
-    parts.window.status().setText(text.join(", "));
+    const ui::Holding holding = bridge.paused()    ? ui::Holding::paused
+                                : bridge.reached() ? ui::Holding::reached
+                                                   : ui::Holding::no;
+    foot.setAccuracy({frame->status, frame->coarse, frame->smoothed, frame->steps, frame->seconds, holding});
+    foot.setMaking(ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency,
+                                   frame->status.samplesPerPixel, frame->iterationsPerSecond}));
+    foot.setRemarks(remarksOn(parts, *frame));
+    foot.setLimit(ui::gridText(parts.document.scene().volume->geometry().spacingMm()));
 }
 
 void showDocument(const DesktopParts& parts) {

@@ -55,6 +55,7 @@ void wireRendering(const DesktopParts& parts) {
     const ui::RenderPanel& rendering = window.rendering();
     QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &bridge, &RenderBridge::setPace);
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
+    QObject::connect(&window.foot().strip(), &ui::AccuracyStrip::targetChosen, &bridge, &RenderBridge::setTarget);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
     QObject::connect(&window, &ui::MainWindow::unseenChanged, &bridge, &RenderBridge::setUnseen);
     QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
@@ -86,6 +87,8 @@ void wireSettings(const DesktopParts& parts) {
                      [parts](const QString& name) { parts.settings.keepDevice(name); });
     QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &parts.window,
                      [parts](const FrameBudget& pace) { parts.settings.keepPace(pace); });
+    QObject::connect(&parts.window.foot().strip(), &ui::AccuracyStrip::targetChosen, &parts.window,
+                     [parts](double levels) { parts.settings.keepTarget(levels); });
 }
 
 }  // namespace

@@ -12,13 +12,14 @@ struct KeyHelp {
     const char* effect;
 };
 
-const std::array<KeyHelp, 18> kKeys{{{"Left drag, arrow keys", "turn"},
+const std::array<KeyHelp, 19> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Middle or Shift+left drag", "move"},
                                      {"Wheel, right drag, + and -", "zoom"},
                                      {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
                                      {"R, double click", "first view"},
                                      {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo"},
                                      {"Space", "pause, go on (also beyond what was reached)"},
+                                     {"Left, Right on the strip (Tab)", "hold sooner, more accurate"},
                                      {"S", "smoothed, or raw with its noise"},
                                      {"Ctrl+O, drop a folder", "open a folder"},
                                      {"Ctrl+S", "save the picture (PNG or EXR)"},

@@ -47,7 +47,7 @@ MainWindow::MainWindow()
       series_(new SeriesPanel),
       look_(new LookPanel),
       rendering_(new RenderPanel),
-      status_(new StatusLine),
+      foot_(new Foot),
       message_(new MessageBar),
       keys_(new KeysOverlay(this)) {
     auto* middle = new QWidget;
@@ -57,7 +57,7 @@ MainWindow::MainWindow()
     column->addWidget(message_);
     column->addWidget(viewport_, 1);
     setCentralWidget(middle);
-    statusBar()->addWidget(status_, 1);
+    statusBar()->addWidget(foot_, 1);
     statusBar()->setSizeGripEnabled(false);
 
     seriesDock_ = addPanel(tr("Series"), series_, Qt::LeftDockWidgetArea, Qt::Key_F2);
@@ -72,7 +72,7 @@ MainWindow::MainWindow()
 
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
-    connect(status_, &StatusLine::cancelRequested, this, &MainWindow::cancelRequested);
+    connect(&foot_->status(), &StatusLine::cancelRequested, this, &MainWindow::cancelRequested);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
 
     setAcceptDrops(true);

@@ -1,18 +1,18 @@
 #pragma once
 /// The desktop's window: the picture in the middle, the series on the left, the look and the rendering on the right,
-/// one line of truth below. It shows values and emits edits; it knows no renderer and no importer.
+/// the truth about it at the foot. It shows values and emits edits; it knows no renderer and no importer.
 
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
 
 #include "render/scene/camera.h"
+#include "ui/foot.h"
 #include "ui/keys_overlay.h"
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
 #include "ui/render_panel.h"
 #include "ui/series_panel.h"
-#include "ui/status_line.h"
 #include "ui/viewport.h"
 
 namespace pdr::ui {
@@ -27,7 +27,8 @@ class MainWindow : public QMainWindow {
     SeriesPanel& series() { return *series_; }
     LookPanel& look() { return *look_; }
     RenderPanel& rendering() { return *rendering_; }
-    StatusLine& status() { return *status_; }
+    Foot& foot() { return *foot_; }
+    StatusLine& status() { return foot_->status(); }
     MessageBar& message() { return *message_; }
 
     /// What is shown, for the title bar; empty for nothing. Never the patient's name.
@@ -77,7 +78,7 @@ class MainWindow : public QMainWindow {
     SeriesPanel* series_;
     LookPanel* look_;
     RenderPanel* rendering_;
-    StatusLine* status_;
+    Foot* foot_;
     MessageBar* message_;
     KeysOverlay* keys_;
     QDockWidget* seriesDock_ = nullptr;

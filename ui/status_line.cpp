@@ -7,11 +7,7 @@ namespace pdr::ui {
 
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel")) {
     text_.setAccessibleName(tr("How good the picture is"));
-    text_.setToolTip(
-        tr("How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the "
-           "pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its "
-           "own, "
-           "and may lack fine detail: S shows the raw one."));
+    setDetails({});
     // A long line is cut off at its end; it must not make the window wider.
     text_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     bar_.setAccessibleName(tr("Progress"));
@@ -28,6 +24,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 2, 8, 2);
     row->setSpacing(10);
+    row->addStrut(cancel_.sizeHint().height());  // so that the picture keeps its size when the button comes and goes
     row->addWidget(&text_, 1);
     row->addWidget(&step_);
     row->addWidget(&bar_);
@@ -37,6 +34,14 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
 
 void StatusLine::setText(const QString& text) {
     text_.setText(text);
+}
+
+void StatusLine::setDetails(const QString& details) {
+    const QString meaning =
+        tr("How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the "
+           "pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its "
+           "own, and may lack fine detail: S shows the raw one.");
+    text_.setToolTip(details.isEmpty() ? meaning : "<p>" + meaning + "</p><p>" + details.toHtmlEscaped() + "</p>");
 }
 
 void StatusLine::showForAWhile(const QString& remark) {

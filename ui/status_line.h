@@ -16,6 +16,8 @@ class StatusLine : public QWidget {
     explicit StatusLine(QWidget* parent = nullptr);
 
     void setText(const QString& text);
+    /// Below what the text means, in its tool tip.
+    void setDetails(const QString& details);
     /// A remark on the right that goes away by itself.
     void showForAWhile(const QString& remark);
     /// Shows `step` and how far it is, [0, 1], with a button to cancel it.

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/accuracy/prediction.h"
-#include "render/film/health_text.h"
 #include "render/film/levels_text.h"
 
 namespace pdr::ui {
@@ -35,26 +33,6 @@ QString counted(std::uint64_t count, const char* one, const char* many) {
     return number + ' ' + translated(count == 1 ? one : many);
 }
 
-QString errorText(const FilmStatus& status) {
-    if (status.samplesPerPixel < kSamplesToEstimate)
-        return translated("estimating");
-    if (std::isfinite(status.displayError))
-        return translated("95 % of the tissue within ±%1 of 255 grey levels")
-            .arg(QString::fromStdString(levelsText(status.displayError)));
-    if (!std::isfinite(status.relativeError))
-        return status.unseenShare > 0 ? translated("no light seen yet") : translated("error not known");
-    return translated("no tissue in view");
-}
-
-/// "8 s", "1.5 min", "2.0 h"
-QString durationText(double seconds) {
-    if (seconds < 60)
-        return translated("%1 s").arg(std::max(1.0, std::round(seconds)));
-    const bool hours = seconds >= 3600;
-    const double value = seconds / (hours ? 3600 : 60);
-    return translated(hours ? "%1 h" : "%1 min").arg(QLocale::c().toString(value, 'f', value < 10 ? 1 : 0));
-}
-
 /// Of a smoothed picture.
 QStringList errorTexts(const std::optional<SmoothedError>& error) {
     if (!error)
@@ -72,26 +50,6 @@ QStringList errorTexts(const std::optional<SmoothedError>& error) {
 
 }  // namespace
 
-QString statusText(const FilmStatus& status, double iterationsPerSecond, Holding holding) {
-    if (status.samplesPerPixel == 0)
-        return {};
-    QStringList parts;
-    const bool paused = holding != Holding::no;
-    if (holding == Holding::paused)
-        parts << translated("paused");
-    if (holding == Holding::reached)
-        parts << translated("reached; Space goes on");
-    parts << errorText(status) << counted(status.samplesPerPixel, "sample", "samples");
-    if (!paused)
-        parts << translated("%1 iterations/s").arg(shortNumber(iterationsPerSecond));
-    if (const auto next = nextQualityStep(status, iterationsPerSecond); next && !paused)
-        parts << translated(next->atLeast ? "±%1 in at least %2" : "±%1 in about %2")
-                     .arg(QString::fromStdString(levelsText(next->levels)), durationText(next->seconds));
-    for (const std::string& line : healthLines(status.health))
-        parts << QString::fromStdString(line);
-    return parts.join(", ");
-}
-
 QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines) {
     QStringList texts = errorTexts(error);
     if (lostLines >= denoise::kMostLostLines)
@@ -101,6 +59,11 @@ QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t
                                            : "%1 lines that smoothing took away are marked")
                      .arg(lostLines);
     return texts;
+}
+
+QString gridText(dvec3 spacingMm) {
+    return translated("The scan's grid is %1 × %2 × %3 mm")
+        .arg(shortNumber(spacingMm.x), shortNumber(spacingMm.y), shortNumber(spacingMm.z));
 }
 
 QString stretchedText(ivec2 picture, QSize view) {
@@ -132,9 +95,12 @@ QString deviceText(const QString& name, const QString& details) {
 
 QString makingText(const Making& making) {
     const QString device = making.device == "cpu" ? translated("the CPU") : making.device;
-    QString text = making.iterations == 1
-                       ? translated("1 iteration per frame on %1").arg(device)
-                       : translated("%1 iterations per frame on %2").arg(making.iterations).arg(device);
+    const QString frames = making.iterations == 1
+                               ? translated("1 iteration per frame on %1").arg(device)
+                               : translated("%1 iterations per frame on %2").arg(making.iterations).arg(device);
+    QString text =
+        translated("%1, %2 iterations/s, %3")
+            .arg(counted(making.samples, "sample", "samples"), shortNumber(making.iterationsPerSecond), frames);
     if (making.efficiency > 0)
         text += ", " + translated("efficiency %1 %").arg(std::floor(100 * making.efficiency));
     return text;

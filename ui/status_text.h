@@ -1,5 +1,5 @@
 #pragma once
-/// How good the picture is by now, in one line of words.
+/// What is said of a picture besides its accuracy: what it is made by, and whatever makes it another one than it seems.
 
 #include <QSize>
 #include <QString>
@@ -11,12 +11,8 @@
 
 namespace pdr::ui {
 
-/// Why rendering holds, if it does.
-enum class Holding { no, paused, reached };
-
-/// "95 % of the tissue within ±9 of 255 grey levels, 256 samples, 31 iterations/s, ±8 in about 19 s"; "estimating"
-/// below kSamplesToEstimate samples; why the rendering holds stands in front. Nothing without samples.
-QString statusText(const FilmStatus& status, double iterationsPerSecond, Holding holding);
+/// "0.96 × 0.96 × 1.5 mm": what lies between the voxels of the scan.
+QString gridText(dvec3 spacingMm);
 
 /// "153 × 164 pixels stretched to 765 × 818"; nothing where a picture has the view's pixels.
 QString stretchedText(ivec2 picture, QSize view);
@@ -34,13 +30,15 @@ struct Making {
     QString device;  ///< its name: "cpu"
     std::uint32_t iterations = 0;
     double efficiency = 0;  ///< (0, 1]; 0 = not known
+    std::uint64_t samples = 0;
+    double iterationsPerSecond = 0;
 };
 
 /// Why a picture is one to compare with, and not this program's own: "comparison: Exposure Render's schedule, blurred".
 /// Empty: it is its own.
 QString comparisonText(const Schedule& schedule, Estimator estimator);
 
-/// "10 iterations per frame on the CPU, efficiency 99 %"
+/// "256 samples, 31 iterations/s, 10 iterations per frame on the CPU, efficiency 99 %"
 QString makingText(const Making& making);
 
 }  // namespace pdr::ui

@@ -27,8 +27,11 @@ struct FilmStatus {
     /// 95 % of the tissue is shown within so many display levels of what it would be without noise, [0, 255]; see
     /// display_error.h. Unknown below kSamplesToEstimate samples, without tissue, and without a display.
     double displayError = std::numeric_limits<double>::infinity();
+    /// Standard deviation of displayError itself [levels], whatever the errors' distribution: of N pixels so many lie
+    /// below a percentile as come of N throws of a coin. 0 where displayError is not known.
+    double displayErrorSpread = 0;
     std::uint64_t tissuePixels = 0;
-    /// More than a tenth of the tissue is what less than two bright samples a pixel made of it, so brighter ones may
+    /// More than a quarter of the noise comes from pixels that less than two bright samples made, so brighter ones may
     /// still come: what is foretold from their error is a lower bound.
     bool fewBrightSamples = false;
     /// While relativeError is unknown because all samples were alike: the fraction of samples that may bring other

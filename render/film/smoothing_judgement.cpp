@@ -18,9 +18,6 @@ double sureEnough(std::uint64_t samples) {
     return studentT(0.1, int(std::min<std::uint64_t>(samples - 2, 1000)));
 }
 
-/// Of the noise, what may come from pixels of few bright samples: where it is more, brighter ones may still come.
-constexpr double kMostRareNoise = 0.25;
-
 /// Root mean squares that 95 % of the pixels stay below: of normal errors, and of those with the widest tails that were
 /// seen (many bounces, 64 samples).
 constexpr double kLevels = 2, kMostLevels = 2.1;
@@ -131,8 +128,9 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
             pixel.squaredError = luminance.squaredError();
             pixel.variance = variance.row(y)[x];
             const PixelEstimate raw = film.pixel(x, y);
-            pixel.noise = square(float(pdr::luminance(raw.standardError) / unit_));
-            pixel.rare = 2 * pixel.noise > square(pixel.luminance);
+            const double error = pdr::luminance(raw.standardError);
+            pixel.noise = square(float(error / unit_));
+            pixel.rare = isRareLight(pdr::luminance(raw.mean), error);
             pixel.tissue = raw.tissue;
             tissue_ = tissue_ || pixel.tissue;
         }

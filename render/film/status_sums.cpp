@@ -43,7 +43,7 @@ FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCoun
                       .tissuePixels = sums.tissue};
     status.meanLuminance = sums.luminance / double(pixels);
     status.relativeError = samples.least < 2 ? kUnknown : relativeErrorOf(sums, pixels);
-    status.fewBrightSamples = 10 * sums.fewBright > sums.tissue;
+    status.fewBrightSamples = sums.rareErrors > kMostRareNoise * sums.tissueErrors;
     if (status.relativeError == 0 && sums.chance > 0) {
         status.relativeError = kUnknown;
         status.unseenShare = std::min(kSureEnough / (double(samples.least) * double(sums.chance)), 1.0);
@@ -60,6 +60,10 @@ FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCoun
     if (sums.unlit > 0)
         errors.pixels[errorBinOf(unlitLevelsOff(sums, samples, shown))] += std::uint32_t(sums.unlit);
     status.displayError = errorQuantile(errors, kDisplayFraction);
+    const double chance = std::sqrt(kDisplayFraction * (1 - kDisplayFraction) / double(sums.tissue));
+    status.displayErrorSpread = (errorQuantile(errors, std::min(kDisplayFraction + chance, 1.0)) -
+                                 errorQuantile(errors, kDisplayFraction - chance)) /
+                                2;
     return status;
 }
 

@@ -17,15 +17,25 @@ PDR_HD inline bool knowsItsError(const Moments& pixel, std::uint32_t seen) {
     return (seen & kSeenTissue) != 0 && !isUnlit(pixel, seen);
 }
 
+/// Whether less than two bright samples could make a pixel: k of them among many dark ones give its mean `light` a
+/// standard error of light / sqrt(k).
+PDR_HD inline bool isRareLight(double light, double standardError) {
+    return 2 * standardError * standardError > light * light;
+}
+
+/// Of the noise, what may come from pixels of rare light: where it is more, brighter samples may still come. Not the
+/// part of the pixels: dim ones along a silhouette are many, and their noise is nothing.
+inline constexpr double kMostRareNoise = 0.25;
+
 /// Sums over some of an image's pixels.
 struct StatusSums {
     double luminance = 0, tissueLuminance = 0;   ///< of all pixels; of those that have seen tissue
     double squaredDraws = 0, tissueDraws = 0;    ///< squares of the luminance of errors' draws; likewise
     double squaredErrors = 0, tissueErrors = 0;  ///< squares of standard errors' luminance; likewise
+    double rareErrors = 0;                       ///< tissueErrors of pixels of rare light
     double tissuePower = 0;                      ///< mean squared luminance of the tissue's samples
     std::uint64_t tissue = 0;                    ///< pixels that have seen some
     std::uint64_t unlit = 0;                     ///< of these, pixels without light that may only be unlucky
-    std::uint64_t fewBright = 0;                 ///< of these, pixels that less than two samples could make
     std::uint64_t chance = 0;                    ///< pixels that chance has a part in
 
     /// `seen`: kSeen...
@@ -42,10 +52,9 @@ struct StatusSums {
         tissueLuminance += light;
         tissueDraws += draw * draw;
         tissueErrors += error * error;
+        rareErrors += isRareLight(light, error) ? error * error : 0;
         tissuePower += light * light + double(pixel.count) * error * error;
         unlit += isUnlit(pixel, seen);
-        // k bright samples among many dark ones give a standard error of mean / sqrt(k).
-        fewBright += isUnlit(pixel, seen) || 2 * error * error > light * light;
     }
     PDR_HD void add(const StatusSums& other) {
         luminance += other.luminance;
@@ -54,10 +63,10 @@ struct StatusSums {
         tissueDraws += other.tissueDraws;
         squaredErrors += other.squaredErrors;
         tissueErrors += other.tissueErrors;
+        rareErrors += other.rareErrors;
         tissuePower += other.tissuePower;
         tissue += other.tissue;
         unlit += other.unlit;
-        fewBright += other.fewBright;
         chance += other.chance;
     }
 };

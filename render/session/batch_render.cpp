@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "render/accuracy/prediction.h"
+#include "render/accuracy/forecast.h"
 
 namespace pdr {
 namespace {
@@ -107,10 +107,12 @@ BatchState BatchRender::state(double elapsed) const {
         state.fraction = std::max(state.fraction, double(done_) / double(*stops_.samples));
     if (stops_.seconds)
         state.fraction = std::max(state.fraction, elapsed / *stops_.seconds);
-    if (stops_.relativeError)
-        state.fraction = std::max(state.fraction, double(done_) / samplesToReach(*stops_.relativeError, state.film));
-    if (stops_.levels)
-        state.fraction = std::max(state.fraction, double(done_) / samplesToReachLevels(*stops_.levels, state.film));
+    const auto nearer = [&](const std::optional<double>& target, double error) {
+        if (target)
+            state.fraction = std::max(state.fraction, double(done_) / samplesToReach(*target, error, done_));
+    };
+    nearer(stops_.relativeError, status_.relativeError);
+    nearer(stops_.levels, status_.displayError);
     state.fraction = std::min(state.fraction, 1.0);
     if (state.fraction > 0)
         state.secondsLeft = elapsed * (1 - state.fraction) / state.fraction;

@@ -69,7 +69,7 @@ RenderCommands::LoopState Session::Loop::state() const {
             .revision = place_.hasScene() ? place_.revision() : 0,
             .owed = film && (first_ || coarse() || row_ > 0),
             .lingers = film && (brightens_ || (moving_ && coarse() && !first_)),
-            .reached = film && reached_,
+            .displayError = film ? shownError_ : std::nullopt,
             .unshown = film && samples_ > 0 && (done_ > 0 || !waiting_.empty() || fresh_),
             .canSnapshot = canSnapshot()};
 }
@@ -171,7 +171,8 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     first_ = first_ || samples_ == 0;
     if (!film || film->samples().most == samples_)
         row_ = 0;
-    reached_ = false;
+    shownError_.reset();
+    history_.clear();
     done_ = 0;
     waiting_.clear();
     fresh_ = true;

@@ -56,6 +56,7 @@ class Session::Loop {
     Result<void> takeSnapshots();
     void send(std::vector<DisplayedPicture> pictures, std::uint32_t n);
     std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
+    void remember(const DisplayedPicture& picture);
     void addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds);
 
     // Beginnings.
@@ -110,7 +111,9 @@ class Session::Loop {
     std::shared_ptr<const denoise::Guide> guide_;  ///< that its pictures are drawn on; null: none, or not yet
     bool guideSought_ = false;                     ///< the device was asked for it
     std::shared_ptr<const GuidedFilm> guided_;     ///< the film on it, as it was shown; null: it was not
-    bool reached_ = false;                         ///< it was shown as good as was wanted
+    std::optional<double> shownError_;             ///< of its full picture that was shown last; none: there is none
+    ErrorHistory history_;                         ///< of its full pictures
+    float historyExposure_ = 0;                    ///< of the display that its errors are those of
     double frameSeconds_ = 0;                      ///< of the frame in the making
     double seconds_ = 0;                           ///< of all of them
     SmoothedView smoothedView_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/accuracy/prediction.h"
 #include "render/session/loop.h"
 
 namespace pdr {
@@ -53,10 +52,21 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         ladder_.addGuidedDisplay(pixels(), displaySeconds);
     else if (adds && place_.film()->maxInFlight() == 1)
         ladder_.addDisplay(pixels(), displaySeconds);
-    if (!pictures->empty())
-        reached_ = !coarse() && pictures->back().picture.status.displayError <= kFinestStep;
+    for (const DisplayedPicture& picture : *pictures)
+        remember(picture);
     send(*std::move(pictures), wanted(step.pace));
     return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
+}
+
+/// Its error, if it is the film's own.
+void Session::Loop::remember(const DisplayedPicture& picture) {
+    shownError_.reset();
+    if (coarse())
+        return;
+    shownError_ = picture.picture.status.displayError;
+    if (std::exchange(historyExposure_, picture.display.exposure) != picture.display.exposure)
+        history_.forgetErrors();
+    history_.add(seconds_, picture.picture.status);
 }
 
 /// Whether there is a guide for the film's pictures: of the device's making, once for all of them. Asked for again only
@@ -159,7 +169,8 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->lookName = scene_.lookName;
     frame->estimator = scene_.estimator;
     frame->coarse = coarse();
-    frame->reached = reached_ && commands.holdsAtTarget();
+    frame->target = commands.target();
+    frame->reached = commands.holdsAt(shownError_);
     frame->size = picture.size;
     frame->display = picture.display;
     frame->rgba = std::move(picture.picture.rgba);
@@ -170,6 +181,8 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
         frame->lostLines = smoothedView_.lostLines();
     }
     frame->seconds = seconds_;
+    if (!coarse())
+        frame->steps = history_.steps();
     frame->iterationsPerSecond = meter_.iterationsPerSecond();
     frame->iterations = n;
     if (scene_.schedule.kind == Schedule::Kind::pd)  // else iterations hold their own display

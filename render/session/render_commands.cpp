@@ -66,15 +66,30 @@ void RenderCommands::setPaused(bool paused) {
     changed_.notify_one();
 }
 
+void RenderCommands::setTarget(double levels) {
+    const std::lock_guard lock(mutex_);
+    if (levels == target_)
+        return;
+    target_ = levels;
+    beyond_ = false;
+    displayChanged_ = true;
+    changed_.notify_one();
+}
+
 void RenderCommands::goOn() {
     const std::lock_guard lock(mutex_);
     beyond_ = true;
     changed_.notify_one();
 }
 
-bool RenderCommands::holdsAtTarget() {
+double RenderCommands::target() {
     const std::lock_guard lock(mutex_);
-    return !beyond_;
+    return target_;
+}
+
+bool RenderCommands::holdsAt(std::optional<double> displayError) {
+    const std::lock_guard lock(mutex_);
+    return isReached(displayError);
 }
 
 void RenderCommands::clear() {
@@ -110,8 +125,12 @@ bool RenderCommands::asked(const LoopState& state) const {
     return clear_ || scene_ || device_ || displayChanged_ || look;
 }
 
+bool RenderCommands::isReached(std::optional<double> displayError) const {
+    return displayError && *displayError <= target_ && !beyond_;
+}
+
 bool RenderCommands::renders(const LoopState& state) const {
-    const bool holds = paused_ || (state.reached && !beyond_);
+    const bool holds = paused_ || isReached(state.displayError);
     return !holds || state.owed;
 }
 

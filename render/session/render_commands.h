@@ -33,9 +33,9 @@ class RenderCommands {
         bool owed = false;           ///< its first full picture is still to come, or an iteration is half made; that
                                      ///< much is made even while paused
         bool lingers = false;        ///< what comes next may be in vain, or in the way: a hand that moves soon moves on
-        bool reached = false;        ///< the picture is as good as was wanted
-        bool unshown = false;        ///< the film holds what has not been shown
-        bool canSnapshot = false;    ///< it can be looked at
+        std::optional<double> displayError;  ///< of the full picture that was shown last; none: there is none
+        bool unshown = false;                ///< the film holds what has not been shown
+        bool canSnapshot = false;            ///< it can be looked at
     };
 
     /// What the render thread does next, in the order in which it does it.
@@ -56,12 +56,15 @@ class RenderCommands {
     void setPace(const FrameBudget& pace);
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
-    /// Also beyond the target, until there is another scene.
+    /// What is there is shown again, with whether it is as good as is wanted now.
+    void setTarget(double levels);
+    /// Also beyond the target, until there is another scene or another target.
     void goOn();
     void clear();
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
-    /// Whether a picture that is as good as was wanted is left as it is.
-    bool holdsAtTarget();
+    double target();
+    /// Whether a picture of that error is as good as was wanted, and left as it is.
+    bool holdsAt(std::optional<double> displayError);
     /// The newest: what a step shows at its end is not what was wanted at its beginning.
     Display display();
     /// Cancels the running step.
@@ -78,6 +81,7 @@ class RenderCommands {
     static constexpr auto kStill = std::chrono::milliseconds(100);
 
     bool asked(const LoopState& state) const;
+    bool isReached(std::optional<double> displayError) const;
     bool renders(const LoopState& state) const;
     std::vector<SnapshotRequest> takeUnanswerable(const LoopState& state, const Iteration& step);
     void breakOff();
@@ -91,7 +95,8 @@ class RenderCommands {
     bool displayChanged_ = false;
     FrameBudget pace_;
     bool paused_ = false;
-    bool beyond_ = false;  ///< the target does not count for this scene
+    double target_ = kFinestStep;  ///< display levels
+    bool beyond_ = false;          ///< it does not count for this scene
     bool clear_ = false;
     std::vector<SnapshotRequest> looks_;
     std::stop_source running_, detour_;  ///< see Iteration

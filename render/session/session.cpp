@@ -41,6 +41,10 @@ void Session::setPaused(bool paused) {
     loop_->commands.setPaused(paused);
 }
 
+void Session::setTarget(double levels) {
+    loop_->commands.setTarget(levels);
+}
+
 void Session::goOn() {
     loop_->commands.goOn();
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "render/accuracy/forecast.h"
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
@@ -37,14 +38,16 @@ struct Frame {
     std::optional<SmoothedError> smoothedError;  ///< none: not known yet
     std::vector<denoise::LostLine> lostLines;    ///< that are missing in it; empty: none is known to be, or not yet
     double seconds = 0;                          ///< spent on this revision
+    std::vector<QualityStep> steps;              ///< when they were and will be reached; see ErrorHistory::steps()
     double iterationsPerSecond = 0;              ///< lately
     std::uint32_t iterations = 0;                ///< n, the iterations from one frame to the next
     double efficiency = 0;  ///< lately: the part of the time that went into iterations, (0, 1]; 0 = not known
     std::string device;     ///< its name: "cpu"
     Schedule schedule;
-    bool reached = false;  ///< 95 % of the tissue is within kFinestStep, and rendering holds until more is asked for
-    std::string error;     ///< for the user, when rendering failed and holds
-    std::string notice;    ///< for the user, when it goes on, but not as was asked: whole sentences
+    double target = kFinestStep;  ///< levels within which 95 % of the tissue is to lie
+    bool reached = false;         ///< it does, and rendering holds until more is asked for
+    std::string error;            ///< for the user, when rendering failed and holds
+    std::string notice;           ///< for the user, when it goes on, but not as was asked: whole sentences
 };
 
 /// Called on the render thread; must return soon.
@@ -91,7 +94,9 @@ class Session {
     void setDevice(DeviceOpener open);
     /// Holds or goes on.
     void setPaused(bool paused);
-    /// Goes on beyond the accuracy at which it holds by itself, until there is another scene.
+    /// The levels within which 95 % of the tissue is to lie, > 0: there it holds by itself. kFinestStep at first.
+    void setTarget(double levels);
+    /// Goes on beyond the target, until there is another scene or another target.
     void goOn();
     /// Shows nothing: scene, film and what the device keeps of them are given back soon.
     void clear();

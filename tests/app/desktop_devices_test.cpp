@@ -1,7 +1,6 @@
 /// The desktop and what makes its pictures: devices, and what they are compared with.
 
 #include <QImage>
-#include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,10 +19,6 @@ static const QComboBox* device(Trial& trial) {
         if (box->accessibleName() == "Device")
             return box;
     return nullptr;
-}
-
-static QString statusText(Trial& trial) {
-    return trial.desktop.window().status().findChild<QLabel*>()->text();
 }
 
 class TestDesktopDevices : public QObject {
@@ -92,8 +87,8 @@ void TestDesktopDevices::anotherDeviceGoesOnFromTheSamples() {
 void TestDesktopDevices::theStatusSaysWhatThePictureIsMadeBy() {
     Trial trial;
     trial.openAndWait(series_);
-    QTRY_VERIFY_WITH_TIMEOUT(statusText(trial).contains("per frame on the CPU, efficiency "), test::kPatience);
-    QVERIFY(!statusText(trial).contains("comparison"));
+    QTRY_VERIFY_WITH_TIMEOUT(trial.said().contains("per frame on the CPU, efficiency "), test::kPatience);
+    QVERIFY(!trial.said().contains("comparison"));
 }
 
 void TestDesktopDevices::aComparisonIsSaidPlainly() {
@@ -104,14 +99,14 @@ void TestDesktopDevices::aComparisonIsSaidPlainly() {
     emit panel.estimatorChosen(Estimator::kroesMarch);
     QVERIFY(document.scene().estimator == Estimator::kroesMarch);
     trial.waitForNewest();
-    QVERIFY2(statusText(trial).startsWith("comparison: march of 3 voxels, biased, "), qPrintable(statusText(trial)));
+    QVERIFY2(trial.said().contains("comparison: march of 3 voxels, biased"), qPrintable(trial.said()));
     QTest::keyClick(&trial.desktop.window(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene().estimator == Estimator::unbiased);
     trial.waitForNewest();
-    QVERIFY(!statusText(trial).contains("comparison"));
+    QVERIFY(!trial.said().contains("comparison"));
 
     emit panel.scheduleChosen({.kind = Schedule::Kind::kroes});
-    QTRY_VERIFY_WITH_TIMEOUT(statusText(trial).startsWith("comparison: Exposure Render's schedule K1, blurred, "),
+    QTRY_VERIFY_WITH_TIMEOUT(trial.said().contains("comparison: Exposure Render's schedule K1, blurred"),
                              test::kPatience);
     QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
     emit trial.desktop.window().saveRequested(trial.folder.filePath("picture.png"));

@@ -3,7 +3,6 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QImage>
-#include <QLabel>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
@@ -31,10 +30,6 @@ static QImage margins(Trial& trial) {
     painter.drawImage(0, 0, shown, 0, shown.height() / 2 - 50);
     painter.drawImage(shown.width() - 100, 0, shown, shown.width() - 100, shown.height() - 100);
     return strips;
-}
-
-static QString statusOf(Trial& trial) {
-    return trial.desktop.window().status().findChild<QLabel*>()->text();
 }
 
 static QAction* saveAction(Trial& trial) {
@@ -87,7 +82,7 @@ void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
     document.undo();
     trial.waitForNewest();
     const QImage before = margins(trial);
-    const QString status = statusOf(trial);
+    const QString status = trial.said();
     switch (edit) {
         case 0:
             document.setView(StandardView::posterior);
@@ -113,7 +108,7 @@ void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
     }
     QVERIFY(margins(trial) == before);
     emit trial.desktop.parts().bridge.pausedChanged(false);  // the status is written anew
-    QCOMPARE(statusOf(trial), status);
+    QCOMPARE(trial.said(), status);
 }
 
 /// For every frame that is shown, while the user does all that is possible, faster than the device.
@@ -190,7 +185,7 @@ void TestPictureOnScreen::afterAFailureNothingStaysUpAndSavingSaysSo() {
     QVERIFY(!saveAction(trial)->isEnabled());
     const QImage shown = trial.desktop.window().viewport().grab().toImage();
     QCOMPARE(shown.pixelColor(shown.width() / 2, shown.height() / 3), QColor(Qt::black));
-    QVERIFY(statusOf(trial).isEmpty());
+    QVERIFY(trial.said().isEmpty());
 
     QSignalSpy failed(&trial.desktop.parts().bridge, &RenderBridge::saveFailed);
     emit trial.desktop.window().saveRequested(trial.folder.filePath("none.png"));

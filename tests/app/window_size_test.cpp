@@ -1,7 +1,6 @@
 /// What the window's size does to the picture: it has the screen's own pixels, keeps its samples where the size stays,
 /// and nothing is rendered for a size that goes by, for a window that nobody sees, or for what is finished.
 
-#include <QLabel>
 #include <QTest>
 
 #include "tests/support/desktop_trial.h"
@@ -24,16 +23,13 @@ class TestWindowSize : public QObject {
     void aDragOfTheEdgeBeginsOnceAndShowsTheOldPictureMeanwhile();
     void aHiddenWindowIsNotRenderedFor();
     void aFinishedPictureHoldsAndGoesOnWithOneKey();
+    void theKnobStopsRenderingAndGoesOn();
     void beforeTheFirstPictureTheViewSaysWhatHappens();
 
   private:
     QTemporaryDir folder_;
     QString series_;
 };
-
-static QString statusOf(Trial& trial) {
-    return trial.desktop.window().status().findChild<QLabel*>()->text();
-}
 
 static std::uint64_t samplesOf(Trial& trial) {
     return trial.frames.back()->status.samplesPerPixel;
@@ -78,7 +74,7 @@ void TestWindowSize::whatIsStretchedIsSaid() {
     mishaps->iterationSeconds = 0.05;
     Trial trial(test::failing(mishaps));
     trial.openAndWait(series_);
-    QVERIFY(!statusOf(trial).contains("stretched"));
+    QVERIFY(!trial.said().contains("stretched"));
     trial.desktop.parts().document.setView(StandardView::left);
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->coarse, test::kPatience);
     const QSize view = trial.desktop.window().viewport().sizeInPixels();
@@ -87,9 +83,9 @@ void TestWindowSize::whatIsStretchedIsSaid() {
                              .arg(trial.frames.back()->size.y)
                              .arg(view.width())
                              .arg(view.height());
-    QVERIFY2(statusOf(trial).contains(text), qPrintable(statusOf(trial)));
+    QVERIFY2(trial.said().contains(text), qPrintable(trial.said()));
     trial.waitForNewest();
-    QVERIFY(!statusOf(trial).contains("stretched"));
+    QVERIFY(!trial.said().contains("stretched"));
 }
 
 void TestWindowSize::aSizeThatComesBackKeepsTheSamples_data() {
@@ -180,16 +176,39 @@ void TestWindowSize::aFinishedPictureHoldsAndGoesOnWithOneKey() {
     trial.desktop.parts().document.setViewSize({12, 8});  // small and dark: finished soon
     trial.desktop.parts().document.setBrightness(-4);
     QTRY_VERIFY_WITH_TIMEOUT(bridge.reached(), test::kPatience);
-    QVERIFY2(statusOf(trial).contains("reached; Space goes on"), qPrintable(statusOf(trial)));
+    QVERIFY2(trial.said().contains("as wanted; Space goes on"), qPrintable(trial.said()));
     QVERIFY(!bridge.paused());
     const std::uint64_t held = trial.heldSamples();
     QTest::qWait(200);
     QCOMPARE(samplesOf(trial), held);
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(samplesOf(trial) > held, test::kPatience);
-    QVERIFY(!statusOf(trial).contains("reached"));
+    QVERIFY(!trial.said().contains("as wanted"));
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
     QVERIFY(bridge.paused());  // now it is a pause
+}
+
+/// The target is kept for the next time; undo leaves it alone.
+void TestWindowSize::theKnobStopsRenderingAndGoesOn() {
+    Trial trial;
+    RenderBridge& bridge = trial.desktop.parts().bridge;
+    ui::AccuracyStrip& strip = trial.desktop.window().foot().strip();
+    bridge.setPace({.iterations = 8});
+    trial.openAndWait(series_);
+    trial.desktop.parts().document.setViewSize({12, 8});
+    const auto reached = [&](double levels) {
+        const Frame& frame = *trial.frames.back();
+        return bridge.reached() && frame.target == levels && frame.status.displayError <= levels;
+    };
+    QTest::keyClick(&strip, Qt::Key_Home);
+    QTRY_VERIFY_WITH_TIMEOUT(reached(32), test::kPatience);
+    QVERIFY(trial.said().contains("as wanted"));
+    QTest::keyClick(&strip, Qt::Key_End);
+    QTest::keyClick(&strip, Qt::Key_Left);
+    QTRY_VERIFY_WITH_TIMEOUT(reached(2), test::kPatience);
+    QCOMPARE(trial.desktop.parts().settings.target(), 2.0);
+    trial.desktop.parts().document.undo();
+    QCOMPARE(strip.target(), 2.0);
 }
 
 void TestWindowSize::beforeTheFirstPictureTheViewSaysWhatHappens() {

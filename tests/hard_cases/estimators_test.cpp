@@ -6,7 +6,7 @@
 #include <atomic>
 #include <random>
 
-#include "render/accuracy/prediction.h"
+#include "render/accuracy/forecast.h"
 #include "render/device/cpu/replay.h"
 #include "render/film/tone_map.h"
 #include "tests/hard_cases/trusting_is_nan.h"
@@ -247,15 +247,17 @@ class EstimatorsTest : public QObject {
     /// Case 60. No time, no speed, no iterations, one pixel.
     void noTimeGivesNoSpeed() {
         QVERIFY(std::isnan(0.0 / 0.0) && std::isinf(1 / 0.0));  // efficiency and frames per second of no time
-        const FilmStatus noisy{.samplesPerPixel = 1000, .meanLuminance = 1, .relativeError = 0.3, .displayError = 12};
-        for (const double speed : {0.0, -1.0, double(NAN)})
-            QVERIFY(!nextQualityStep(noisy, speed));
-        const auto step = nextQualityStep(noisy, 10);
-        QVERIFY(step && step->levels == 8 && std::fabs(step->seconds - 125) < 1e-9);
-        QVERIFY(nextQualityStep(noisy, INFINITY)->seconds == 0);
-        QVERIFY(std::isinf(samplesToReach(0.01, {.samplesPerPixel = 1, .relativeError = INFINITY})));
-        QVERIFY(std::isinf(samplesToReachLevels(8, {.samplesPerPixel = 1})));
-        QVERIFY(!nextQualityStep({.samplesPerPixel = 0, .relativeError = INFINITY}, 10));
+        for (const double seconds : {100.0, 99.0, double(NAN)}) {
+            ErrorHistory history;
+            history.add(100, {.samplesPerPixel = 500, .displayError = 16});
+            history.add(seconds, {.samplesPerPixel = 1000, .displayError = 12});
+            QVERIFY(history.steps().empty());
+        }
+        ErrorHistory history;
+        history.add(0, {});
+        history.add(100, {.samplesPerPixel = 1000, .displayError = 12});
+        QVERIFY(history.steps()[2].levels == 8 && history.steps()[2].seconds.value > 150);
+        QVERIFY(std::isinf(samplesToReach(0.01, INFINITY, 1)));
 
         test::Screen screen;
         Session session(test::testedDevice(), screen.sink());

@@ -2,6 +2,7 @@
 /// The desktop in a test: with settings of its own, and the frames that it has shown.
 
 #include <QImage>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -33,6 +34,15 @@ struct Trial {
         const Document& document = desktop.parts().document;
         QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse,
                                  test::kPatience);
+    }
+
+    /// All that the foot of the window says, tool tips included; empty where it says nothing of a picture.
+    QString said() {
+        QStringList words;
+        for (const QLabel* label : desktop.window().foot().findChildren<QLabel*>())
+            if (!label->isHidden() && !label->text().isEmpty())
+                words << label->text() << label->toolTip();
+        return words.join('\n');
     }
 
     /// After a pause: the samples that the film holds, once they are on the screen. A film is saved between two

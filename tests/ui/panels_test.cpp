@@ -5,7 +5,6 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
-#include <limits>
 
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
@@ -53,9 +52,6 @@ class TestPanels : public QObject {
     void lookControlsEmitWhatTheHandChose();
     void lookSettersAreSilent();
     void brightnessBeyondTheSliderIsKeptAtItsEnd();
-    void theStatusSaysErrorSamplesAndSpeed_data();
-    void theStatusSaysErrorSamplesAndSpeed();
-    void theStatusSaysWhatItDoesNotKnow();
     void aSmoothedPictureIsMarkedWithItsError();
     void theStatusNamesTheDeviceAndItsIterations();
     void theStatusSaysWhatIsForComparison();
@@ -188,60 +184,6 @@ void TestPanels::brightnessBeyondTheSliderIsKeptAtItsEnd() {
     QCOMPARE(panel.findChild<QSlider*>()->value(), panel.findChild<QSlider*>()->maximum());
 }
 
-void TestPanels::theStatusSaysErrorSamplesAndSpeed_data() {
-    QTest::addColumn<qulonglong>("samples");
-    QTest::addColumn<double>("error");
-    QTest::addColumn<double>("speed");
-    QTest::addColumn<bool>("paused");
-    QTest::addColumn<QString>("expected");
-    constexpr double kUnknown = std::numeric_limits<double>::infinity();
-    QTest::newRow("usual") << 256ull << 8.93 << 31.4 << false
-                           << QString::fromUtf8(
-                                  "95 % of the tissue within ±9 of 255 grey levels, 256 samples, "
-                                  "31 iterations/s, ±8 in about 2 s");
-    QTest::newRow("long") << 64ull << 26.0 << 0.5 << false
-                          << QString::fromUtf8(
-                                 "95 % of the tissue within ±26 of 255 grey levels, 64 samples, "
-                                 "0.50 iterations/s, ±16 in about 3.5 min");
-    QTest::newRow("coarse") << 31ull << kUnknown << 0.73 << false << "estimating, 31 samples, 0.73 iterations/s";
-    QTest::newRow("fine") << 123456ull << 0.51 << 180.0 << false
-                          << QString::fromUtf8(
-                                 "95 % of the tissue within ±0.6 of 255 grey levels, "
-                                 "123\u2009456 samples, 180 iterations/s");
-    QTest::newRow("first") << 1ull << kUnknown << 5.0 << false << "estimating, 1 sample, 5.0 iterations/s";
-    QTest::newRow("paused") << 256ull << 1.8 << 31.4 << true
-                            << QString::fromUtf8(
-                                   "paused, 95 % of the tissue within ±1.8 of 255 grey levels, "
-                                   "256 samples");
-    QTest::newRow("nothing") << 0ull << 0.0 << 0.0 << false << "";
-}
-
-void TestPanels::theStatusSaysErrorSamplesAndSpeed() {
-    QFETCH(qulonglong, samples);
-    QFETCH(double, error);
-    QFETCH(double, speed);
-    QFETCH(bool, paused);
-    QFETCH(QString, expected);
-    FilmStatus status;
-    status.samplesPerPixel = samples;
-    status.displayError = error;
-    status.tissuePixels = 100;
-    QCOMPARE(statusText(status, speed, paused ? Holding::paused : Holding::no), expected);
-}
-
-void TestPanels::theStatusSaysWhatItDoesNotKnow() {
-    FilmStatus status{.samplesPerPixel = 40};
-    QCOMPARE(statusText(status, 0, Holding::paused), "paused, no tissue in view, 40 samples");
-    status.relativeError = std::numeric_limits<double>::infinity();
-    QCOMPARE(statusText(status, 0, Holding::paused), "paused, error not known, 40 samples");
-    QCOMPARE(statusText(status, 0, Holding::reached), "reached; Space goes on, error not known, 40 samples");
-    status.unseenShare = 1e-3;
-    QCOMPARE(statusText(status, 0, Holding::paused), "paused, no light seen yet, 40 samples");
-    status.displayError = 10.4;
-    status.fewBrightSamples = true;
-    QVERIFY(statusText(status, 1, Holding::no).endsWith(QString::fromUtf8("±8 in at least 28 s")));
-}
-
 void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
     const QString within = QString::fromUtf8("smoothed: within ±5 levels, at most ±7");
     SmoothedError error{.levels = 4.2, .levelsAtMost = 6.9};
@@ -257,8 +199,10 @@ void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
 }
 
 void TestPanels::theStatusNamesTheDeviceAndItsIterations() {
-    QCOMPARE(makingText({"cpu", 10, 0.9951}), "10 iterations per frame on the CPU, efficiency 99 %");
-    QCOMPARE(makingText({"cuda:1", 1, 0}), "1 iteration per frame on cuda:1");
+    QCOMPARE(makingText({"cpu", 10, 0.9951, 123456, 0.73}),
+             QString::fromUtf8("123\u2009456 samples, 0.73 iterations/s, 10 iterations per frame on the CPU, "
+                               "efficiency 99 %"));
+    QCOMPARE(makingText({"cuda:1", 1, 0, 1, 31.4}), "1 sample, 31 iterations/s, 1 iteration per frame on cuda:1");
     QCOMPARE(deviceText("cpu", "2 threads"), "CPU (2 threads)");
     QCOMPARE(deviceText("cuda:1", ""), "cuda:1");
 }

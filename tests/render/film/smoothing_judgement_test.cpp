@@ -133,7 +133,8 @@ class SmoothingJudgementTest : public QObject {
             for (scene.seed = 201; scene.seed < 203; ++scene.seed) {
                 const auto film = rendered(scene, samples);
                 const std::vector<double> shown = smoothRadiance(*film);
-                for (const denoise::LostLine& line : SmoothingJudgement::of(*film)->lostLines()) {
+                const auto judgement = SmoothingJudgement::of(*film);
+                for (const denoise::LostLine& line : judgement->lostLines()) {
                     const auto truth = [&](ivec2 at) { return reference->pixel(at.x, at.y).mean.x; };
                     const auto seen = [&](ivec2 at) { return shown[std::size_t(at.y * scene.film.x + at.x)]; };
                     const double sign = line.darker ? -1 : 1, middle = meanAlong(line, 0, scene.film, truth);

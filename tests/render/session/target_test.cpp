@@ -3,7 +3,6 @@
 #include <QTest>
 #include <ctime>
 
-#include "render/accuracy/prediction.h"
 #include "tests/support/reel.h"
 #include "tests/support/screen.h"
 
@@ -70,6 +69,44 @@ class TargetTest : public QObject {
             return f.revision == 2 && (f.reached || f.status.samplesPerPixel > 4 * frame->status.samplesPerPixel);
         });
         QVERIFY(next && next->reached);
+    }
+
+    /// Also of a picture that is better than that already, which says so at once.
+    void renderingHoldsAtTheTargetAndGoesOnToAFinerOne() {
+        Held held;
+        held.session.setIterationsPerFrame(8);
+        held.session.setTarget(8);
+        const auto frame = held.reached(1);
+        QVERIFY(frame && frame->target == 8 && frame->status.displayError <= 8 && frame->status.displayError > 2);
+        held.session.setTarget(2);
+        const auto finer = held.screen.await([](const Frame& f) { return f.reached && f.target == 2; });
+        QVERIFY(finer && finer->status.displayError <= 2);
+        held.session.setTarget(16);
+        const auto still = held.screen.await([](const Frame& f) { return f.target == 16; });
+        QVERIFY(still && still->reached);
+        QCOMPARE(still->status.samplesPerPixel, finer->status.samplesPerPixel);
+    }
+
+    void aNewTargetCountsEvenWhereRenderingWentOnBeyondTheOld() {
+        Held held;
+        held.session.setIterationsPerFrame(8);
+        held.session.setTarget(8);
+        QVERIFY(held.reached(1));
+        held.session.goOn();
+        QVERIFY(held.screen.await([](const Frame& f) { return f.status.displayError <= 6 && !f.reached; }));
+        held.session.setTarget(2);
+        QVERIFY(held.screen.await([](const Frame& f) { return f.reached && f.target == 2; }));
+    }
+
+    void framesSayWhenStepsWereAndWillBeReached() {
+        Held held;
+        held.session.setIterationsPerFrame(8);
+        held.session.setTarget(8);
+        const auto frame = held.reached(1);
+        QVERIFY(frame && frame->steps.size() == kQualitySteps.size());
+        QVERIFY(reachedStep(frame->steps)->levels <= 8);
+        for (const QualityStep& step : frame->steps)
+            QVERIFY(step.reached ? step.seconds.value <= frame->seconds : step.seconds.value > frame->seconds);
     }
 
     void aDisplayThatShowsMoreOfTheNoiseGoesOn() {

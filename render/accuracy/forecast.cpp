@@ -1,0 +1,155 @@
+#include "render/accuracy/forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pdr {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kSigmas = 1.96;  ///< to either side of 95 % of a normal distribution
+
+/// Of most scenes with low-discrepancy points, and how far single scenes lie from that: see tests/support/
+/// coverage_scenes.h and DECISIONS.md.
+constexpr double kExponent = 0.57, kExponentSpread = 0.07;
+/// How far the exponent of one doubling of the samples lies from that of a scene.
+constexpr double kExponentWander = 0.1;
+/// Of the error's logarithm: low-discrepancy points dip below the line at powers of two, by a twentieth to a tenth.
+constexpr double kDip = 0.06;
+/// Of the speed's logarithm, at least: what a machine does besides changes it by so much.
+constexpr double kSpeedSpread = 0.05;
+
+constexpr double kWatched = 16;     ///< so many times the samples ago errors fell otherwise: a display clips large ones
+constexpr double kThinning = 1.19;  ///< 2^(1/4): between the samples of two points that are kept
+
+double squared(double value) {
+    return value * value;
+}
+
+}  // namespace
+
+double samplesToReach(double target, double error, std::uint64_t samples) {
+    return double(samples) * std::max(std::pow(error / target, 1 / kExponent), 1.0);
+}
+
+bool QualityStep::atLeast() const {
+    return std::isinf(seconds.high);
+}
+
+const QualityStep* reachedStep(const std::vector<QualityStep>& steps) {
+    const auto next = std::find_if(steps.begin(), steps.end(), [](const QualityStep& step) { return !step.reached; });
+    return next == steps.begin() ? nullptr : &*(next - 1);
+}
+
+const QualityStep* nextStep(const std::vector<QualityStep>& steps) {
+    const auto next = std::find_if(steps.begin(), steps.end(), [](const QualityStep& step) { return !step.reached; });
+    return next == steps.end() ? nullptr : &*next;
+}
+
+void ErrorHistory::forgetErrors() {
+    for (Point& point : points_)
+        point.error = kUnknown;
+    reachedAt_ = {};
+}
+
+void ErrorHistory::add(double seconds, const FilmStatus& status) {
+    const Point point{double(status.samplesPerPixel), seconds, status.displayError,
+                      std::hypot(kDip, status.displayError > 0 ? status.displayErrorSpread / status.displayError : 0)};
+    const std::size_t kept = points_.size();
+    if (kept > 1 && points_[kept - 1].samples < kThinning * points_[kept - 2].samples)
+        points_.pop_back();
+    points_.push_back(point);
+    fewBright_ = status.fewBrightSamples;
+    for (std::size_t i = 0; i < kQualitySteps.size(); ++i)
+        if (!(status.displayError <= kQualitySteps[i]))
+            reachedAt_[i].reset();
+        else if (!reachedAt_[i])
+            reachedAt_[i] = seconds;
+}
+
+/// The errors at both ends of what is watched draw a line; both know themselves only so well, and the exponent wanders.
+ErrorHistory::Guess ErrorHistory::exponent() const {
+    const Point& now = points_.back();
+    const auto first = std::find_if(points_.begin(), points_.end(), [&](const Point& point) {
+        return std::isfinite(point.error) && kWatched * point.samples >= now.samples;
+    });
+    const double doublings = std::log2(now.samples / first->samples);
+    if (!(doublings >= 1) || !(now.error > 0))
+        return {kExponent, squared(kExponentSpread)};
+    const double length = std::log(now.samples / first->samples);
+    const double own = std::log(first->error / now.error) / length;
+    const double ownVariance =
+        (squared(first->spread) + squared(now.spread)) / squared(length) + squared(kExponentWander) / doublings;
+    const double weight = squared(kExponentSpread) / (squared(kExponentSpread) + ownVariance);
+    return {std::lerp(kExponent, own, weight), weight * ownVariance};
+}
+
+/// Pixels whose error is large now are likely to have a large one when the samples have grown but little. What is
+/// stated of pixels without any bright sample falls as 1 / n at most.
+Foretold ErrorHistory::samples(double levels) const {
+    const Point& now = points_.back();
+    const Guess exponent = this->exponent();
+    const double fall = std::log(now.error / levels), growth = fall / exponent.mean;
+    const double chance = 2 * squared(now.spread) * -std::expm1(-growth);
+    const double wander = squared(kExponentWander) * growth * std::log(2.0);
+    const double spread = kSigmas * std::sqrt(chance + squared(growth) * exponent.variance + wander) / exponent.mean;
+    const auto after = [&](double more) { return now.samples * std::exp(std::max(more, 0.0)); };
+    if (fewBright_) {
+        const double least = after(std::min(growth - spread, fall - kSigmas * std::sqrt(chance)));
+        return {least, least, kUnknown};
+    }
+    return {after(growth), after(growth - spread), after(growth + spread)};
+}
+
+/// That of the last doubling of the samples, and how it went up and down.
+ErrorHistory::Guess ErrorHistory::speed() const {
+    const Point& now = points_.back();
+    std::size_t first = points_.size() - 1;
+    while (first > 0 && points_[first - 1].samples > 0.5 * now.samples)
+        --first;
+    first = first > 0 ? first - 1 : 0;
+    const double mean = std::log((now.samples - points_[first].samples) / (now.seconds - points_[first].seconds));
+    double squares = 0, pieces = 0;
+    for (std::size_t i = first + 1; i < points_.size(); ++i)
+        if (const Point& from = points_[i - 1], &to = points_[i];
+            to.samples > from.samples && to.seconds > from.seconds) {
+            squares += squared(std::log((to.samples - from.samples) / (to.seconds - from.seconds)) - mean);
+            ++pieces;
+        }
+    return {mean, squared(kSpeedSpread) + (pieces > 0 ? squares / pieces : 0)};
+}
+
+/// Time passes from now on: what is uncertain of the samples and of the speed adds up in squares.
+Foretold ErrorHistory::seconds(double levels) const {
+    const Point& now = points_.back();
+    const Foretold samples = this->samples(levels);
+    const Guess speed = this->speed();
+    const auto left = [&](double wanted) { return (wanted - now.samples) * std::exp(-speed.mean); };
+    const double value = left(samples.value), slower = std::exp(kSigmas * std::sqrt(speed.variance));
+    const double sooner = std::hypot(value - left(samples.low), value - value / slower);
+    const double low = now.seconds + std::max(value - sooner, 0.0);
+    if (std::isinf(samples.high))
+        return {low, low, kUnknown};
+    const double later = std::hypot(left(samples.high) - value, value * slower - value);
+    return {now.seconds + value, low, now.seconds + value + later};
+}
+
+bool ErrorHistory::foresees() const {
+    return points_.size() > 1 && std::isfinite(points_.back().error) &&
+           points_.back().samples > points_.front().samples && points_.back().seconds > points_.front().seconds;
+}
+
+std::vector<QualityStep> ErrorHistory::steps() const {
+    std::vector<QualityStep> steps;
+    if (!foresees())
+        return steps;
+    for (std::size_t i = 0; i < kQualitySteps.size(); ++i) {
+        QualityStep step{kQualitySteps[i], reachedAt_[i].has_value()};
+        step.seconds = step.reached ? Foretold{*reachedAt_[i], *reachedAt_[i], *reachedAt_[i]} : seconds(step.levels);
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+}  // namespace pdr

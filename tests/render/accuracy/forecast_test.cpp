@@ -1,0 +1,173 @@
+/// What is foretold of a picture's error, from errors and times that are given.
+
+#include <QTest>
+#include <cmath>
+
+#include "render/accuracy/forecast.h"
+
+using namespace pdr;
+
+namespace {
+
+/// Pictures of 32, 64, ... samples up to `last` whose error falls as n^-exponent from 40 levels, `speed` samples a
+/// second.
+struct Fall {
+    double exponent = 0.57, spread = 0.001, speed = 10;
+
+    double errorOf(double samples) const { return 40 * std::pow(samples / 32, -exponent); }
+    /// Where it is `levels`.
+    double samplesOf(double levels) const { return 32 * std::pow(40 / levels, 1 / exponent); }
+    FilmStatus status(std::uint64_t samples) const {
+        const double error = errorOf(double(samples));
+        return {.samplesPerPixel = samples, .displayError = error, .displayErrorSpread = spread * error};
+    }
+    ErrorHistory until(std::uint64_t last) const {
+        ErrorHistory history;
+        for (std::uint64_t n = 32; n <= last; n *= 2)
+            history.add(double(n) / speed, status(n));
+        return history;
+    }
+};
+
+bool contains(const Foretold& foretold, double truth) {
+    return foretold.low <= truth && truth <= foretold.high;
+}
+
+double width(const Foretold& foretold) {
+    return foretold.high - foretold.low;
+}
+
+}  // namespace
+
+class ForecastTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void errorsThatFallAsMostDoAreForetoldExactly() {
+        const Fall fall;
+        const std::vector<QualityStep> steps = fall.until(256).steps();
+        QCOMPARE(steps.size(), kQualitySteps.size());
+        for (const QualityStep& step : steps) {
+            const double truth = fall.samplesOf(step.levels) / fall.speed;
+            QCOMPARE(step.reached, step.levels > fall.errorOf(256));
+            if (step.reached)
+                QVERIFY(step.seconds.value >= truth && step.seconds.low == step.seconds.high);
+            else
+                QVERIFY(std::fabs(step.seconds.value / truth - 1) < 1e-9 && contains(step.seconds, truth));
+        }
+        QVERIFY(reachedStep(steps)->levels == 16 && nextStep(steps)->levels == 8);
+    }
+
+    /// A scene of its own kind: the longer its errors are watched, the less it counts how those of others fall.
+    void theExponentIsLearnedFromThePicture() {
+        const Fall slow{.exponent = 0.45};
+        double before = INFINITY;
+        for (const std::uint64_t n : {32, 256, 4096}) {
+            const Foretold samples = slow.until(n).samples(slow.errorOf(double(4 * n)));
+            const double off = std::fabs(std::log(samples.value / (4.0 * double(n))));
+            QVERIFY(contains(samples, 4 * double(n)) && off < before);
+            before = off;
+        }
+        QVERIFY(before < 0.15);
+    }
+
+    void whatIsLessSureHasTheWiderInterval() {
+        const Fall sure, noisy{.spread = 0.1};
+        QVERIFY(width(noisy.until(256).samples(4)) > 1.2 * width(sure.until(256).samples(4)));
+        QVERIFY(width(sure.until(256).samples(4)) > width(sure.until(256).samples(8)));
+        ErrorHistory unsteady;
+        double seconds = 0;
+        for (std::uint64_t n = 32; n <= 256; n = n * 5 / 4) {
+            seconds += double(n) / 5 / (n % 2 == 0 ? 5 : 20);
+            unsteady.add(seconds, sure.status(n));
+        }
+        const Foretold steady = sure.until(256).seconds(8), shaky = unsteady.seconds(8);
+        QVERIFY(width(shaky) / shaky.value > 1.3 * width(steady) / steady.value);
+    }
+
+    void theSpeedIsThatOfNow() {
+        const Fall fall;
+        ErrorHistory history = fall.until(256);
+        for (int i = 1; i <= 64; ++i)  // ten times slower since
+            history.add(25.6 + 4.0 * i, fall.status(256 + std::uint64_t(4 * i)));
+        for (int i = 1; i <= 64; ++i)
+            history.add(25.6 + 4.0 * 64 + 8.0 * i, fall.status(512 + std::uint64_t(8 * i)));
+        const double truth = 25.6 + 4.0 * 64 + 8.0 * 64 + fall.samplesOf(4) - 1024;
+        QVERIFY(fall.errorOf(1024) > 4);
+        QVERIFY(std::fabs(history.seconds(4).value / truth - 1) < 1e-9);
+    }
+
+    void aLaterStepIsNeverForetoldSooner() {
+        for (const double spread : {0.001, 0.3})
+            for (const std::uint64_t n : {64, 1024, 32768}) {
+                const std::vector<QualityStep> steps = Fall{.spread = spread}.until(n).steps();
+                for (std::size_t i = 1; i < steps.size(); ++i)
+                    QVERIFY(steps[i].seconds.value >= steps[i - 1].seconds.value);
+            }
+    }
+
+    void aStepIsReachedWhenTheErrorIsAndNotLonger() {
+        ErrorHistory history = Fall{}.until(128);
+        QVERIFY(history.steps()[0].reached && !history.steps()[1].reached);
+        QCOMPARE(history.steps()[0].seconds.value, 6.4);
+        FilmStatus worse = Fall{}.status(160);
+        worse.displayError = 33;
+        history.add(16, worse);
+        QVERIFY(!history.steps()[0].reached && reachedStep(history.steps()) == nullptr);
+        worse.displayError = 0;
+        history.add(17, worse);
+        QVERIFY(nextStep(history.steps()) == nullptr);
+    }
+
+    void whatRestsOnFewBrightSamplesIsALowerBound() {
+        const Fall fall;
+        ErrorHistory history = fall.until(128);
+        const Foretold whole = history.seconds(8);
+        QVERIFY(whole.low < whole.value && whole.value < whole.high);
+        FilmStatus rare = fall.status(128);
+        rare.fewBrightSamples = true;
+        history.add(12.8, rare);
+        const QualityStep step = history.steps()[2];
+        QVERIFY(step.atLeast() && step.seconds.value == step.seconds.low && std::isinf(step.seconds.high));
+        QVERIFY(step.seconds.value <= whole.value);
+        QVERIFY(!history.steps()[0].atLeast());  // it is reached
+    }
+
+    void nothingIsForetoldWithoutAnErrorOrWithoutSpeed() {
+        ErrorHistory history;
+        QVERIFY(history.steps().empty());
+        history.add(1, {.samplesPerPixel = 31});
+        history.add(2, {.samplesPerPixel = 62});
+        QVERIFY(history.steps().empty());
+        history.add(3, Fall{}.status(64));
+        QVERIFY(!history.steps().empty());
+        history.clear();
+        history.add(3, Fall{}.status(64));
+        QVERIFY(history.steps().empty());  // no speed
+        history.add(3, Fall{}.status(65));
+        QVERIFY(history.steps().empty());  // no time: no speed
+    }
+
+    void anotherDisplayHasOtherErrorsAndTheSameSpeed() {
+        ErrorHistory history = Fall{.exponent = 0.8}.until(1024);
+        history.forgetErrors();
+        QVERIFY(history.steps().empty());
+        FilmStatus brighter = Fall{}.status(1100);
+        brighter.displayError = 24;
+        history.add(110, brighter);
+        QVERIFY(history.steps()[0].reached && history.steps()[0].seconds.value == 110);
+        QVERIFY(std::fabs(history.seconds(12).value - history.samples(12).value / 10) < 1e-9);
+        QVERIFY(std::fabs(history.samples(12).value - 1100 * std::pow(2, 1 / 0.57)) < 1e-6);
+    }
+
+    void samplesToAnErrorOfAnyUnit() {
+        QCOMPARE(samplesToReach(0.3, 0.2, 100), 100.0);
+        QVERIFY(std::isinf(samplesToReach(0.1, INFINITY, 2)));
+        const double half = samplesToReach(0.1, 0.2, 100);
+        QVERIFY(half > 300 && half < 400);  // low-discrepancy points: less than four times as many
+        QVERIFY(std::fabs(samplesToReach(0.05, 0.2, 100) / half - half / 100) < 1e-9);
+    }
+};
+
+QTEST_GUILESS_MAIN(ForecastTest)
+#include "forecast_test.moc"

@@ -1,0 +1,296 @@
+/// The foot of the window: its sentence, its strip, and that both keep their room.
+
+#include <QFontMetrics>
+#include <QLabel>
+#include <QPalette>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "ui/dark_theme.h"
+#include "ui/foot.h"
+#include "ui/main_window.h"
+
+namespace pdr::ui {
+
+class TestFoot : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theSentenceSaysWordNumberAndPrice_data();
+    void theSentenceSaysWordNumberAndPrice();
+    void theSentenceSaysWhatIsNotKnown();
+    void stepsAreToldInWords();
+    void theAxisIsLogarithmicFromASecondToAnHour();
+    void labelsNeverOverlapAndKeepTheirOrder();
+    void laterStepsStandFartherRight();
+    void stepsBeyondTheHourHaveTheirPlace();
+    void theKnobIsDraggedToTheNearestStep();
+    void theArrowKeysMoveTheKnob();
+    void theTargetIsSetSilently();
+    void withoutAForecastTheKnobStays();
+    void theStripTellsItsValueToThoseWhoCannotSeeIt();
+    void theStripIsFilledUpToNow();
+    void nothingIsCutOffInASmallWindow();
+    void wordsStandOutFromTheirGround();
+};
+
+static FilmStatus statusOf(double levels) {
+    return {.samplesPerPixel = 64, .relativeError = 0.1, .displayError = levels, .tissuePixels = 100};
+}
+
+/// Each step takes four times as long as the one before; ±32 takes `first` seconds. Now is a little behind the step
+/// that was reached last.
+static Accuracy accuracyAt(double levels, double first = 3) {
+    Accuracy accuracy{statusOf(levels)};
+    double seconds = first;
+    for (const double step : kQualitySteps) {
+        const bool reached = levels <= step;
+        if (reached)
+            accuracy.seconds = 1.2 * seconds;
+        accuracy.steps.push_back({step, reached, {seconds, reached ? seconds : 0.8 * seconds, 1.3 * seconds}});
+        seconds *= 4;
+    }
+    return accuracy;
+}
+
+void TestFoot::theSentenceSaysWordNumberAndPrice_data() {
+    QTest::addColumn<Accuracy>("accuracy");
+    QTest::addColumn<QString>("expected");
+    const auto row = [](const char* name, const Accuracy& accuracy, const char* expected) {
+        QTest::newRow(name) << accuracy << QString::fromUtf8(expected);
+    };
+    row("rough", accuracyAt(26), "Rough · 95 % of the tissue within ±26 of 255 grey levels · ±16 in 8 s");
+    row("orientation", accuracyAt(15.2),
+        "Good for orientation · 95 % of the tissue within ±16 of 255 grey levels · ±8 in 34 s");
+    row("planning", accuracyAt(4.4),
+        "Good for planning · 95 % of the tissue within ±5 of 255 grey levels · ±4 in 2.2 min");
+    row("reference", accuracyAt(0.9), "Reference · 95 % of the tissue within ±0.9 of 255 grey levels");
+    Accuracy held = accuracyAt(7.9);
+    held.holding = Holding::reached;
+    row("as wanted", held,
+        "Good for planning · 95 % of the tissue within ±8 of 255 grey levels · as wanted; Space goes on");
+    held.holding = Holding::paused;
+    row("paused", held, "Good for planning · 95 % of the tissue within ±8 of 255 grey levels · paused");
+    Accuracy rare = accuracyAt(26);
+    rare.steps[1].seconds.high = std::numeric_limits<double>::infinity();
+    row("at least", rare, "Rough · 95 % of the tissue within ±26 of 255 grey levels · ±16 in at least 8 s");
+    Accuracy smoothed = accuracyAt(26);
+    smoothed.smoothed = true;
+    row("smoothed", smoothed, "Rough · 95 % of the tissue within ±26 of 255 grey levels before smoothing · ±16 in 8 s");
+    row("no forecast", {statusOf(12)}, "Good for orientation · 95 % of the tissue within ±12 of 255 grey levels");
+    row("nothing", {}, "");
+}
+
+void TestFoot::theSentenceSaysWordNumberAndPrice() {
+    QFETCH(Accuracy, accuracy);
+    QFETCH(QString, expected);
+    QCOMPARE(accuracyText(accuracy), expected);
+}
+
+void TestFoot::theSentenceSaysWhatIsNotKnown() {
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    Accuracy accuracy{{.samplesPerPixel = 31}};
+    QCOMPARE(accuracyText(accuracy), "Estimating how good the picture is");
+    accuracy.coarse = true;
+    QCOMPARE(accuracyText(accuracy), "A coarse picture first; the full one follows");
+    accuracy = {{.samplesPerPixel = 40}};
+    QCOMPARE(accuracyText(accuracy), "No tissue is in view");
+    accuracy.status.relativeError = kUnknown;
+    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · the error is not known yet"));
+    accuracy.status.unseenShare = 1e-3;
+    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · no light has been seen yet"));
+    accuracy.holding = Holding::paused;
+    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · no light has been seen yet · paused"));
+}
+
+void TestFoot::stepsAreToldInWords() {
+    const Accuracy accuracy = accuracyAt(15);
+    QCOMPARE(stepForecastText(accuracy.steps[0], accuracy.seconds), QString::fromUtf8("±32 since 3 s of rendering"));
+    QCOMPARE(stepForecastText(accuracy.steps[2], accuracy.seconds),
+             QString::fromUtf8("±8 in 34 s, to 95 % between 24 s and 48 s"));
+    QCOMPARE(durationText(0.2), "1 s");
+    QCOMPARE(durationText(90), "1.5 min");
+    QCOMPARE(durationText(7200), "2.0 h");
+}
+
+void TestFoot::theAxisIsLogarithmicFromASecondToAnHour() {
+    const StripAxis axis;
+    QCOMPARE(axis.at(1), 0.0);
+    QCOMPARE(axis.at(0), 0.0);
+    QCOMPARE(axis.at(60), 0.5);
+    QCOMPARE(axis.at(3600), 1.0);
+    QCOMPARE(axis.at(1e9), 1.0);
+    QCOMPARE(StripAxis(1, 3600.0 * 3600).at(3600), 0.5);
+    QCOMPARE(StripAxis(1, std::numeric_limits<double>::infinity()).at(3600), 1.0);
+    QVERIFY(StripAxis(0.1).at(0.2) > 0);  // a fast device
+    QCOMPARE(StripAxis(0).at(0), 0.0);
+}
+
+void TestFoot::labelsNeverOverlapAndKeepTheirOrder() {
+    for (int seed = 0; seed < 200; ++seed) {
+        std::srand(unsigned(seed));
+        std::vector<StripLabel> labels;
+        double middle = 0;
+        for (int i = 0; i < 6; ++i)
+            labels.push_back({middle += std::rand() % 120, 30.0 + std::rand() % 40, i == seed % 6 ? 1 : 0});
+        placeLabels(labels, 400, 8);
+        QVERIFY(labels[std::size_t(seed % 6)].shown);
+        double end = -8;
+        for (const StripLabel& label : labels)
+            if (label.shown) {
+                QVERIFY(label.left >= end + 8 && label.left + label.width <= 400);
+                end = label.left + label.width;
+            }
+    }
+}
+
+void TestFoot::laterStepsStandFartherRight() {
+    for (const int width : {300, 800, 2600}) {
+        AccuracyStrip strip;
+        strip.resize(width, 40);
+        strip.setAccuracy(accuracyAt(15));
+        double last = 0;
+        for (const double levels : kQualitySteps) {
+            QVERIFY(*strip.tickOf(levels) > last && *strip.tickOf(levels) < width);
+            last = *strip.tickOf(levels);
+        }
+        QVERIFY(strip.labels()[5].shown);  // the target's
+    }
+}
+
+void TestFoot::stepsBeyondTheHourHaveTheirPlace() {
+    AccuracyStrip strip;
+    strip.resize(800, 40);
+    strip.setAccuracy(accuracyAt(15, 60));
+    QVERIFY(*strip.tickOf(1) > *strip.tickOf(2) && *strip.tickOf(1) < 800);
+}
+
+void TestFoot::theKnobIsDraggedToTheNearestStep() {
+    AccuracyStrip strip;
+    strip.resize(800, 40);
+    strip.setAccuracy(accuracyAt(15));
+    QSignalSpy chosen(&strip, &AccuracyStrip::targetChosen);
+    const auto at = [&](double levels) { return QPoint(int(*strip.tickOf(levels)) + 3, 8); };
+    QTest::mousePress(&strip, Qt::LeftButton, {}, at(1));
+    QCOMPARE(chosen.count(), 0);
+    QTest::mouseMove(&strip, at(8));
+    QMouseEvent move(QEvent::MouseMove, at(8), strip.mapToGlobal(at(8)), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&strip, &move);
+    QCOMPARE(chosen.takeLast().first().toDouble(), 8.0);
+    QCOMPARE(strip.target(), 8.0);
+    QTest::mouseRelease(&strip, Qt::LeftButton, {}, at(8));
+    QTest::mouseClick(&strip, Qt::LeftButton, {}, at(4));
+    QCOMPARE(chosen.takeLast().first().toDouble(), 4.0);
+}
+
+void TestFoot::theArrowKeysMoveTheKnob() {
+    AccuracyStrip strip;
+    strip.setTarget(4);
+    QSignalSpy chosen(&strip, &AccuracyStrip::targetChosen);
+    QTest::keyClick(&strip, Qt::Key_Left);
+    QCOMPARE(chosen.takeLast().first().toDouble(), 8.0);
+    QTest::keyClick(&strip, Qt::Key_Right);
+    QTest::keyClick(&strip, Qt::Key_Right);
+    QCOMPARE(chosen.takeLast().first().toDouble(), 2.0);
+    QTest::keyClick(&strip, Qt::Key_Home);
+    QCOMPARE(chosen.takeLast().first().toDouble(), 32.0);
+    QTest::keyClick(&strip, Qt::Key_End);
+    QCOMPARE(chosen.takeLast().first().toDouble(), 1.0);
+    QTest::keyClick(&strip, Qt::Key_Right);
+    QCOMPARE(strip.target(), 1.0);
+}
+
+void TestFoot::theTargetIsSetSilently() {
+    AccuracyStrip strip;
+    QSignalSpy chosen(&strip, &AccuracyStrip::targetChosen);
+    strip.setTarget(16);
+    QCOMPARE(strip.target(), 16.0);
+    strip.setTarget(5);  // no step
+    QCOMPARE(strip.target(), 1.0);
+    QCOMPARE(chosen.count(), 0);
+}
+
+void TestFoot::withoutAForecastTheKnobStays() {
+    AccuracyStrip strip;
+    strip.resize(800, 40);
+    strip.setTarget(8);
+    QVERIFY(!strip.tickOf(8));
+    QTest::mouseClick(&strip, Qt::LeftButton, {}, QPoint(30, 8));
+    QCOMPARE(strip.target(), 8.0);
+}
+
+void TestFoot::theStripTellsItsValueToThoseWhoCannotSeeIt() {
+    AccuracyStrip strip;
+    QVERIFY(!strip.accessibleName().isEmpty());
+    strip.setTarget(8);
+    QCOMPARE(strip.accessibleDescription(), QString::fromUtf8("±8"));
+    strip.setAccuracy(accuracyAt(15));
+    QCOMPARE(strip.accessibleDescription(), QString::fromUtf8("±8 in 34 s, to 95 % between 24 s and 48 s"));
+    QCOMPARE(strip.focusPolicy(), Qt::TabFocus);
+}
+
+/// Also on a screen with more pixels to a length.
+void TestFoot::theStripIsFilledUpToNow() {
+    AccuracyStrip strip;
+    strip.resize(800, strip.minimumSizeHint().height());
+    strip.setAccuracy(accuracyAt(15));
+    const QImage image = strip.grab().toImage();
+    const double scale = image.devicePixelRatio();
+    const QColor full = strip.palette().color(QPalette::Highlight), empty = strip.palette().color(QPalette::Mid);
+    const auto pixel = [&](double x) { return image.pixelColor(int(x * scale), int(8 * scale)); };
+    QCOMPARE(pixel(*strip.tickOf(16) - 6), full);
+    QCOMPARE(pixel(*strip.tickOf(4) - 30), empty);
+}
+
+void TestFoot::nothingIsCutOffInASmallWindow() {
+    MainWindow window;
+    window.resize(800, 600);
+    window.foot().setAccuracy(accuracyAt(15.2));
+    window.foot().setRemarks({"No known bias in the computing"});
+    window.foot().setLimit(QString::fromUtf8("The scan's grid is 0.96 × 0.96 × 1.5 mm"));
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QVERIFY(window.width() <= 800 && window.height() <= 600);
+    int words = 0;
+    for (const QLabel* label : window.foot().findChildren<QLabel*>()) {
+        if (!label->isVisible() || label->text().isEmpty())
+            continue;
+        ++words;
+        QVERIFY2(label->width() >= label->fontMetrics().horizontalAdvance(label->text()), qPrintable(label->text()));
+        QVERIFY(label->height() >= label->fontMetrics().height());
+    }
+    QCOMPARE(words, 3);
+    const AccuracyStrip& strip = window.foot().strip();
+    QVERIFY(strip.isVisible() && strip.height() >= strip.minimumSizeHint().height() && strip.width() > 700);
+    const auto shown = strip.labels();
+    QVERIFY(std::all_of(shown.begin(), shown.end(), [](const StripLabel& label) { return label.shown; }));
+}
+
+/// WCAG 2.1, 1.4.3 and 1.4.11.
+void TestFoot::wordsStandOutFromTheirGround() {
+    const auto luminance = [](const QColor& colour) {
+        const auto linear = [](double value) {
+            return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+        };
+        return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+    };
+    const auto contrast = [&](QPalette::ColorRole a, QPalette::ColorRole b) {
+        const QPalette palette = QApplication::palette();
+        const double one = luminance(palette.color(a)) + 0.05, other = luminance(palette.color(b)) + 0.05;
+        return std::max(one, other) / std::min(one, other);
+    };
+    QVERIFY(contrast(QPalette::WindowText, QPalette::Window) >= 4.5);
+    QVERIFY(contrast(QPalette::WindowText, QPalette::Mid) >= 3);  // the knob and the hatching on the track
+    QVERIFY(contrast(QPalette::WindowText, QPalette::Highlight) >= 3);
+}
+
+}  // namespace pdr::ui
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    pdr::ui::applyDarkTheme(application);
+    pdr::ui::TestFoot test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "foot_test.moc"

@@ -1,0 +1,133 @@
+#include "ui/accuracy_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "render/accuracy/quality.h"
+#include "render/film/levels_text.h"
+
+namespace pdr::ui {
+namespace {
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("accuracyText", text);
+}
+
+QString wordText(Quality quality) {
+    switch (quality) {
+        case Quality::estimating:
+            return translated("Estimating");
+        case Quality::rough:
+            return translated("Rough");
+        case Quality::orientation:
+            return translated("Good for orientation");
+        case Quality::planning:
+            return translated("Good for planning");
+        case Quality::reference:
+            break;
+    }
+    return translated("Reference");
+}
+
+QString unknownText(const FilmStatus& status) {
+    if (status.samplesPerPixel < kSamplesToEstimate)
+        return translated("Estimating how good the picture is");
+    if (status.unseenShare > 0)
+        return translated("Estimating · no light has been seen yet");
+    return std::isfinite(status.relativeError) ? translated("No tissue is in view")
+                                               : translated("Estimating · the error is not known yet");
+}
+
+/// Which sentence is said; each takes a word and levels, those with a price the next levels and a duration.
+enum class Ending { none, price, leastPrice, paused, reached };
+
+Ending endingOf(Holding holding, const QualityStep* next) {
+    if (holding != Holding::no)
+        return holding == Holding::paused ? Ending::paused : Ending::reached;
+    if (next == nullptr)
+        return Ending::none;
+    return next->atLeast() ? Ending::leastPrice : Ending::price;
+}
+
+QString sentenceOf(Ending ending) {
+    switch (ending) {
+        case Ending::price:
+            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in %4");
+        case Ending::leastPrice:
+            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in at least %4");
+        case Ending::paused:
+            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels · paused");
+        case Ending::reached:
+            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels · as wanted; Space goes on");
+        case Ending::none:
+            break;
+    }
+    return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels");
+}
+
+QString smoothedSentenceOf(Ending ending) {
+    switch (ending) {
+        case Ending::price:
+            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in %4");
+        case Ending::leastPrice:
+            return translated(
+                "%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in at least %4");
+        case Ending::paused:
+            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · paused");
+        case Ending::reached:
+            return translated(
+                "%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · as wanted; Space goes on");
+        case Ending::none:
+            break;
+    }
+    return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing");
+}
+
+QString levels(double value) {
+    return QString::fromStdString(levelsText(value));
+}
+
+}  // namespace
+
+QString durationText(double seconds) {
+    if (seconds < 60)
+        return translated("%1 s").arg(std::max(1.0, std::round(seconds)));
+    const bool hours = seconds >= 3600;
+    const double value = seconds / (hours ? 3600 : 60);
+    return translated(hours ? "%1 h" : "%1 min").arg(QLocale::c().toString(value, 'f', value < 10 ? 1 : 0));
+}
+
+QString accuracyText(const Accuracy& accuracy) {
+    const FilmStatus& status = accuracy.status;
+    if (status.samplesPerPixel == 0)
+        return {};
+    if (accuracy.coarse)
+        return translated("A coarse picture first; the full one follows");
+    if (!std::isfinite(status.displayError))
+        return accuracy.holding == Holding::paused ? translated("%1 · paused").arg(unknownText(status))
+                                                   : unknownText(status);
+    const QualityStep* next = nextStep(accuracy.steps);
+    const Ending ending = endingOf(accuracy.holding, next);
+    const QString sentence = (accuracy.smoothed ? smoothedSentenceOf(ending) : sentenceOf(ending))
+                                 .arg(wordText(qualityOf(status)), levels(status.displayError));
+    const bool priced = ending == Ending::price || ending == Ending::leastPrice;
+    return priced ? sentence.arg(levels(next->levels), durationText(next->seconds.value - accuracy.seconds)) : sentence;
+}
+
+QString stepText(double stepLevels) {
+    return translated("±%1").arg(levels(stepLevels));
+}
+
+QString stepForecastText(const QualityStep& step, double secondsNow) {
+    const auto left = [&](double seconds) { return durationText(std::max(seconds - secondsNow, 0.0)); };
+    if (step.reached)
+        return translated("±%1 since %2 of rendering").arg(levels(step.levels), durationText(step.seconds.value));
+    if (step.atLeast())
+        return translated("±%1 in at least %2").arg(levels(step.levels), left(step.seconds.value));
+    return translated("±%1 in %2, to 95 % between %3 and %4")
+        .arg(levels(step.levels), left(step.seconds.value), left(step.seconds.low), left(step.seconds.high));
+}
+
+}  // namespace pdr::ui

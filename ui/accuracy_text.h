@@ -1,0 +1,35 @@
+#pragma once
+/// How good the picture is, what more would cost, and what else is to be known of it, in whole sentences.
+
+#include <QString>
+#include <vector>
+
+#include "render/accuracy/forecast.h"
+
+namespace pdr::ui {
+
+/// Why rendering holds, if it does.
+enum class Holding { no, paused, reached };
+
+/// All that the sentence and the strip below it are made from.
+struct Accuracy {
+    FilmStatus status;
+    bool coarse = false;             ///< a better picture follows soon
+    bool smoothed = false;           ///< what is shown is; the rest is said of the picture before that
+    std::vector<QualityStep> steps;  ///< none: not known
+    double seconds = 0;              ///< of rendering so far
+    Holding holding = Holding::no;
+};
+
+/// "8 s", "1.5 min", "2.0 h"
+QString durationText(double seconds);
+
+/// "Good for orientation · 95 % of the tissue within ±16 of 255 grey levels · ±8 in 40 s": a word, the number in what
+/// is seen, the price of the next step. What is not known it says. Nothing without samples.
+QString accuracyText(const Accuracy& accuracy);
+
+/// A step on the strip: "±8"; and for a reader: "±8 in 40 s, to 95 % between 34 s and 47 s".
+QString stepText(double levels);
+QString stepForecastText(const QualityStep& step, double secondsNow);
+
+}  // namespace pdr::ui

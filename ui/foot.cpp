@@ -1,0 +1,68 @@
+#include "ui/foot.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace pdr::ui {
+namespace {
+
+constexpr double kSmall = 0.9;  ///< of the usual letters
+
+QLabel* smallLabel(const QString& accessibleName) {
+    auto* label = new QLabel;
+    QFont font = label->font();
+    font.setPointSizeF(kSmall * font.pointSizeF());
+    label->setFont(font);
+    label->setAccessibleName(accessibleName);
+    return label;
+}
+
+}  // namespace
+
+Foot::Foot(QWidget* parent)
+    : QWidget(parent),
+      status_(new StatusLine),
+      strip_(new AccuracyStrip),
+      remarks_(smallLabel(tr("What else is true of the picture"))),
+      limit_(smallLabel(tr("What the scan itself resolves"))) {
+    // Long remarks are cut off at their end; they must not make the window wider.
+    remarks_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* last = new QHBoxLayout;
+    last->setContentsMargins(8, 0, 8, 2);
+    last->setSpacing(16);
+    last->addWidget(remarks_, 1);
+    last->addWidget(limit_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(status_);
+    column->addWidget(strip_);
+    column->addLayout(last);
+}
+
+void Foot::setAccuracy(const Accuracy& accuracy) {
+    status_->setText(accuracyText(accuracy));
+    strip_->setAccuracy(accuracy);
+}
+
+void Foot::clear() {
+    setAccuracy({});
+    setMaking({});
+    setRemarks({});
+    setLimit({});
+}
+
+void Foot::setMaking(const QString& making) {
+    status_->setDetails(making);
+}
+
+void Foot::setRemarks(const QStringList& remarks) {
+    remarks_->setText(remarks.join(QString::fromUtf8(" · ")));
+    remarks_->setToolTip(remarks.join('\n'));
+}
+
+void Foot::setLimit(const QString& limit) {
+    limit_->setText(limit);
+}
+
+}  // namespace pdr::ui
