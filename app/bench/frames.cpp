@@ -7,6 +7,7 @@
 #include "app/bench/commands.h"
 #include "app/bench/live_picture.h"
 #include "app/bench/load_scene.h"
+#include "app/bench/median.h"
 #include "app/bench/options.h"
 #include "render/device/device.h"
 #include "render/film/film.h"
@@ -26,11 +27,6 @@ bool writeColours(const Film& film, const std::string& path) {
             file.write(reinterpret_cast<const char*>(&radiance), sizeof radiance);
         }
     return bool(file.flush());
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/bench/commands.h"
 #include "app/bench/live_picture.h"
 #include "app/bench/load_scene.h"
+#include "app/bench/median.h"
 #include "app/bench/options.h"
 #include "render/device/device_list.h"
 #include "render/prepare/flatten.h"
@@ -98,11 +99,6 @@ Milliseconds pictures(Edits edits, int count, Device& device) {
             took.push_back(wallMilliseconds() - start);
     }
     return took;
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 }  // namespace

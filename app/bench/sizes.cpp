@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <cstdio>
 #include <vector>
 
 #include "app/bench/commands.h"
 #include "app/bench/live_picture.h"
 #include "app/bench/load_scene.h"
+#include "app/bench/median.h"
 #include "app/bench/options.h"
 #include "app/bench/paper/head_scene.h"
 #include "render/base/processor_time.h"
@@ -40,11 +40,6 @@ Result<void> takeSamples(Head& head, int samples) {
         return taken.error();
     head.nanoseconds.push_back(1e9 * (processorSeconds() - start) / (double(samples) * kFilm.x * kFilm.y));
     return {};
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "app/bench/median.h"
 #include "render/film/film.h"
 #include "render/kernel/volume_sampling.h"
 #include "render/scene/scene.h"
@@ -34,11 +35,6 @@ double shownLevel(double radiance) {
 
 double standardErrorInLevels(double mean, double error) {
     return (shownLevel(mean + error) - shownLevel(mean - error)) / 2;
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 struct Run {

@@ -4,6 +4,7 @@
 
 #include "app/bench/commands.h"
 #include "app/bench/load_scene.h"
+#include "app/bench/median.h"
 #include "app/bench/options.h"
 #include "app/bench/trackers/scenes.h"
 #include "app/bench/trackers/tracker.h"
@@ -33,11 +34,6 @@ double nanosecondsPerRay(Tracker& tracker, const RayList& list) {
         taken = std::clock() - start;
     } while (taken < kLong);
     return 1e9 * double(taken) / CLOCKS_PER_SEC / passes / double(list.rays.size());
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 /// Work is counted apart from time. Trackers take turns, round by round.
