@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/film/status_sums.h"
+
 namespace pdr {
 namespace {
 
@@ -32,9 +34,8 @@ denoise::Plane known(const Film& film) {
     const auto tissue = planeOf(film, [](const PixelEstimate& pixel) { return pixel.tissue; });
     return denoise::combined(
         [](float mean, float square, float met) {
-            // k bright samples among many dark ones give a standard error of mean / sqrt(k). Tissue may be unlucky.
-            const bool unlit = met > 0 && mean == 0;
-            return !unlit && 2 * square / kPixels <= mean * mean ? 1 : kUnknown;
+            const bool unlit = met > 0 && mean == 0;  // tissue, which may only be unlucky
+            return unlit || isRareLight(double(mean), std::sqrt(double(square) / kPixels)) ? kUnknown : 1;
         },
         denoise::boxed(light, kRadius), denoise::boxed(squares, kRadius), tissue);
 }

@@ -10,16 +10,9 @@
 #include "app/provenance.h"
 #include "render/film/image_file.h"
 #include "render/film/smoothing_judgement.h"
-#include "render/film/tone_map.h"
 
 namespace pdr::app {
 namespace {
-
-double secondsOf(const std::function<Result<void>()>& work, Result<void>& outcome) {
-    const auto start = std::chrono::steady_clock::now();
-    outcome = work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// A film that grows, and the time that it took.
 class GrowingFilm {
@@ -34,10 +27,11 @@ class GrowingFilm {
     }
 
     Result<void> growTo(std::uint64_t samples) {
-        Result<void> outcome;
-        seconds_ += secondsOf([&] { return film_->accumulate(std::uint32_t(samples - samples_), {}); }, outcome);
+        const auto start = std::chrono::steady_clock::now();
+        Result<void> done = film_->accumulate(std::uint32_t(samples - samples_), {});
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         samples_ = samples;
-        return outcome;
+        return done;
     }
     Result<std::shared_ptr<const Film>> film() { return film_->film(); }
     std::uint64_t samples() const { return samples_; }
@@ -77,7 +71,7 @@ Result<std::filesystem::path> kept(const Film& film, const Display& display, con
 }
 
 AccuracyStep rawStep(const Film& film, const Film& reference, double seconds, const Display& display) {
-    const FilmStatus status = pictureOf(film, display).status;
+    const FilmStatus status = film.status(display.exposure, [](auto&&...) {});
     AccuracyStep step{film.samplesPerPixel(), seconds, trueError(film, display, reference), {}, {}, {}};
     if (std::isfinite(status.displayError))
         step.stated = status.displayError;
