@@ -83,11 +83,20 @@ struct FlatLight {
     std::uint32_t visible;  ///< 1: the camera sees it
 };
 
+/// A ball around some lights. Nodes stand in depth-first order.
+struct FlatLightNode {
+    vec3 centre;   ///< local, mm
+    float radius;  ///< mm
+    int light;     ///< the only one within; -1: those of the nodes from here to `next`
+    int next;      ///< the first node that is not within
+};
+
 // A GPU is sent again only the tables whose bytes changed (device/gpu/gpu_array.h): padding, which nobody sets, would
 // be compared with them.
 static_assert(sizeof(OpacityPiece) == 4 * sizeof(float));
 static_assert(sizeof(Material) == 3 * sizeof(vec3) + sizeof(float));
 static_assert(sizeof(FlatLight) == sizeof(LightType) + 5 * sizeof(vec3) + 2 * sizeof(float) + sizeof(std::uint32_t));
+static_assert(sizeof(FlatLightNode) == sizeof(vec3) + sizeof(float) + 2 * sizeof(int));
 
 /// Light from all around; see kernel/environment.h. Without a picture `texels` is null.
 struct FlatEnvironment {
@@ -161,6 +170,9 @@ struct FlatScene {
     FlatViewBounds viewBounds;
     const FlatLight* lights;
     int lightCount;
+    const float* lightSums;           ///< lightCount + 1: what the lights before bring; null: few lights
+    const FlatLightNode* lightNodes;  ///< where there are sums: of the lights with a place
+    int lightNodeCount;
     bool lightsInView;      ///< the camera sees one of them
     bool sampleDirections;  ///< events look for light also where they scatter it to; see directLight()
     bool lightAlongPath;    ///< and there a path that goes on collects it itself; see continuationFindsLight()

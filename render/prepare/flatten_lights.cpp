@@ -61,6 +61,11 @@ void flattenLights(PreparedScene& prepared, const Scene& scene) {
     FlatScene& flat = prepared.flat;
     flat.lights = prepared.lights.data();
     flat.lightCount = int(prepared.lights.size());
+    prepared.lightTables = lightTables(prepared.lights, flat.volume);
+    const LightTables& tables = prepared.lightTables;
+    flat.lightSums = tables.sums.empty() ? nullptr : tables.sums.data();
+    flat.lightNodes = tables.nodes.data();
+    flat.lightNodeCount = int(tables.nodes.size());
     flat.lightsInView = !isProjection(scene.model) && std::ranges::any_of(prepared.lights, &FlatLight::visible);
     flat.environment = flatEnvironment(scene.environment, prepared.environment.get());
     const bool even = flat.environment.texels == nullptr && flat.environment.zenith == flat.environment.nadir;

@@ -6,6 +6,7 @@
 
 #include "render/kernel/flat_scene.h"
 #include "render/prepare/environment_tables.h"
+#include "render/prepare/light_tables.h"
 #include "render/prepare/majorants.h"
 #include "render/prepare/transfer_tables.h"
 #include "render/volume/ranges.h"
@@ -28,6 +29,7 @@ struct PreparedScene {
     TransferTables tables;
     std::vector<float> optics;
     std::vector<FlatLight> lights;
+    LightTables lightTables;
     std::shared_ptr<const EnvironmentTables> environment;  ///< null: no picture
     std::vector<FlatPlane> clipPlanes;
     std::vector<vec2> viewDepths;  ///< likewise empty

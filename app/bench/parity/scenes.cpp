@@ -1,5 +1,7 @@
 #include "app/bench/parity/scenes.h"
 
+#include <cmath>
+
 #include "render/scene/fit_view.h"
 #include "render/volume/phantom.h"
 
@@ -51,6 +53,20 @@ std::vector<ParityScene> parityScenes() {
                                        .radiance = vec3(40),
                                        .visible = true},
                         SphereLight{.centreMm = centre + dvec3(300, -300, 0), .radiance = vec3(30)}};
+    });
+    add("a hundred lights", [&](Scene& scene) {
+        scene.model = Model::multipleScattering;
+        scene.lights.clear();
+        for (int i = 0; i < 100; ++i) {
+            const vec3 radiance(float(1 + i % 7));
+            const dvec3 to(std::cos(i), std::sin(i), i % 10 / 10.0);
+            if (i % 3 == 0)
+                scene.lights.emplace_back(DirectionalLight{-to, 0.02f * radiance});
+            else if (i % 3 == 1)
+                scene.lights.emplace_back(SphereLight{centre + 300.0 * to, 20, 3.0f * radiance});
+            else
+                scene.lights.emplace_back(RectangleLight{centre + 300.0 * to, -to, {0, 0, 1}, 50, 50, radiance});
+        }
     });
     add("multiple scattering, forward", [](Scene& scene) {
         scene.model = Model::multipleScattering;

@@ -65,6 +65,8 @@ class GpuScene {
     GpuTable<G, std::uint16_t> pieceAt_{gpu_};
     GpuTable<G, float> optics_{gpu_};
     GpuTable<G, FlatLight> lights_{gpu_};
+    GpuTable<G, float> lightSums_{gpu_};
+    GpuTable<G, FlatLightNode> lightNodes_{gpu_};
     GpuTable<G, FlatPlane> planes_{gpu_};
     GpuTable<G, SobolTable> sobol_{gpu_};
     std::shared_ptr<const EnvironmentTables> environment_;
@@ -177,6 +179,8 @@ void GpuScene<G>::sendTables(const PreparedScene& scene) {
     pieceAt_.update(scene.tables.pieceAt);
     optics_.update(scene.optics);
     lights_.update(scene.lights);
+    lightSums_.update(scene.lightTables.sums);
+    lightNodes_.update(scene.lightTables.nodes);
     planes_.update(scene.clipPlanes);
     sobol_.update({scene.flat.sobol, 1});
     flat_.transferFunction.pieces = pieces_.data();
@@ -184,6 +188,10 @@ void GpuScene<G>::sendTables(const PreparedScene& scene) {
     flat_.transferFunction.pieceAt = pieceAt_.data();
     flat_.optics.table = optics_.data();
     flat_.lights = lights_.data();
+    if (flat_.lightSums != nullptr) {
+        flat_.lightSums = lightSums_.data();
+        flat_.lightNodes = lightNodes_.data();
+    }
     flat_.clip.planes = planes_.data();
     flat_.sobol = sobol_.data();
 }
@@ -267,6 +275,8 @@ void GpuScene<G>::forget() {
     pieceAt_.forget();
     optics_.forget();
     lights_.forget();
+    lightSums_.forget();
+    lightNodes_.forget();
     planes_.forget();
     sobol_.forget();
     environment_ = nullptr;

@@ -7,6 +7,7 @@
 #include "render/kernel/transport/environment.h"
 #include "render/kernel/transport/event.h"
 #include "render/kernel/transport/lights.h"
+#include "render/kernel/transport/many_lights.h"
 #include "render/kernel/transport/mis.h"
 
 namespace pdr {
@@ -54,12 +55,13 @@ struct LightReservoir {
 /// visit(light, hit) for each light that a ray meets. `place`: the ray's origin, `direction`: unit; both local.
 template <std::uint32_t F, class Visit>
 PDR_HD inline void forLightsMet(const FlatScene& scene, vec3 place, vec3 direction, Visit&& visit) {
-    for (int i = 0; has(F, kPlacedLights) && i < scene.lightCount; ++i) {
-        const FlatLight& light = scene.lights[i];
+    if (!has(F, kPlacedLights))
+        return;
+    forLightsOnRay(scene, place, direction, [&](const FlatLight& light) {
         const LightHit hit = intersectLight(light, place - light.position, direction);
         if (hit.met && hit.distance > 0)
             visit(light, hit);
-    }
+    });
 }
 
 /// Whether the path, where it goes on from its event number `bounce`, collects the light that it meets on its next
@@ -69,8 +71,8 @@ PDR_HD inline bool continuationFindsLight(const FlatScene& scene, int bounce) {
 }
 
 /// Light that reaches the event straight from one of the lights and is scattered back along the path. Every light is
-/// sampled; where it pays, light is also looked for in a direction that the event scatters to: here, or by the path
-/// itself where it goes on. What both ways can find counts for each by its fraction.
+/// sampled, or some of very many (many_lights.h); where it pays, light is also looked for in a direction that the event
+/// scatters to: here, or by the path itself where it goes on. What both ways can find counts for each by its fraction.
 template <std::uint32_t F>
 PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Sampler& sampler, int bounce) {
     const bool bothWays = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
@@ -79,16 +81,17 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
     const auto offer = [&](vec3 wi, float distance, vec3 radiance) {
         choice.offer({{event.position, scene.volume.indexFromLocal * wi, distance}, radiance});
     };
-    const auto offerSample = [&](const LightSample& light) {
+    const auto offerSample = [&](const LightSample& light, float weight = 1) {
         const float other = bothWays && light.pdf > 0 ? scatterPdf<F>(scene, event, light.wi) : 0;
         offer(light.wi, light.distance,
-              scatterEval<F>(scene, event, light.wi) * light.radiance * powerHeuristic(light.pdf, other));
+              scatterEval<F>(scene, event, light.wi) * light.radiance * (weight * powerHeuristic(light.pdf, other)));
     };
 
     // All lights share a place: only one of them is chosen.
     const vec2 onLight = has(F, kPlacedLights) ? sampler.pair(bounce, BounceDimension::light) : vec2(0);
-    for (int i = 0; i < scene.lightCount; ++i)
-        offerSample(sampleLight<F>(scene.lights[i], place, onLight));
+    forLightsLookedAt(scene, sampler, bounce, [&](const FlatLight& light, float weight) {
+        offerSample(sampleLight<F>(light, place, onLight), weight);
+    });
     if (has(F, kEnvironment) && scene.environment.texels != nullptr)
         offerSample(sampleEnvironment(scene.environment, sampler.pair(bounce, BounceDimension::environment),
                                       sampler.stream(bounce, BounceDimension::environment).pair()));

@@ -4,6 +4,7 @@
 /// right end by way of the patient's left (+x). A texel's radiance is the same all over it.
 
 #include "render/kernel/flat_scene.h"
+#include "render/kernel/intervals.h"
 #include "render/kernel/transport/lights.h"
 #include "render/kernel/turns.h"
 
@@ -30,22 +31,6 @@ PDR_HD inline vec3 environmentRadiance(const FlatEnvironment& environment, vec3 
 /// The density with which sampleEnvironment finds `direction` [1/sr]; 0 where there is no picture.
 PDR_HD inline float environmentPdf(const FlatEnvironment& environment, vec3 direction) {
     return environment.texels != nullptr ? environment.pdf[environmentTexel(environment, direction)] : 0;
-}
-
-/// Index of the interval of ascending `sums` [0 .. count] that holds u * sums[count]; one of positive width.
-PDR_HD inline int intervalOf(const float* sums, int count, float u) {
-    const float wanted = u * sums[count];
-    int low = 0, high = count - 1;  // the last interval with sums[low] <= wanted
-    while (low < high) {
-        const int middle = (low + high + 1) / 2;
-        if (sums[middle] <= wanted)
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    while (low > 0 && !(sums[low + 1] > sums[low]))  // only where rounding led past the last of positive width
-        --low;
-    return low;
 }
 
 /// A direction in proportion to the light of the picture's texels, uniform within a texel's solid angle.

@@ -1,0 +1,61 @@
+#pragma once
+/// Which lights an event looks at, and which of them a ray may meet: all of a few. Of more than kMostLightsInTurn some
+/// are picked in proportion to what they bring to the volume, and those on a ray are found in a tree of balls
+/// (prepare/light_tables.h).
+
+#include "render/kernel/flat_scene.h"
+#include "render/kernel/intervals.h"
+#include "render/kernel/sampler.h"
+
+namespace pdr {
+
+inline constexpr int kMostLightsInTurn = 32;
+/// How many of more than that an event looks at.
+inline constexpr int kLightsPicked = 16;
+
+/// visit(light, weight) for the lights that an event looks at. On average over the picks each light's weights add up
+/// to 1. The picks stand at equal distances on the table (systematic sampling), so that a light is picked as often as
+/// it should be, but for a fraction of one. A picture of the surroundings is sampled by the same number: what both
+/// bring is added, so the sum is right whatever they have in common.
+template <class Visit>
+PDR_HD inline void forLightsLookedAt(const FlatScene& scene, const Sampler& sampler, int bounce, Visit&& visit) {
+    if (scene.lightSums == nullptr) {
+        for (int i = 0; i < scene.lightCount; ++i)
+            visit(scene.lights[i], 1.0f);
+        return;
+    }
+    const float u = sampler.number(bounce, BounceDimension::environment);
+    const float whole = scene.lightSums[scene.lightCount];
+    for (int pick = 0; pick < kLightsPicked; ++pick) {
+        const int i = intervalOf(scene.lightSums, scene.lightCount, (float(pick) + u) / kLightsPicked);
+        const float share = scene.lightSums[i + 1] - scene.lightSums[i];
+        visit(scene.lights[i], whole / (kLightsPicked * share));
+    }
+}
+
+PDR_HD inline bool passesThrough(const FlatLightNode& node, vec3 place, vec3 direction) {
+    const vec3 to = node.centre - place;
+    const float along = glm::dot(to, direction);
+    const vec3 aside = to - direction * along;
+    return along > -node.radius && glm::dot(aside, aside) < node.radius * node.radius;
+}
+
+/// visit(light) for each light that a ray may meet. `place`: the ray's origin, in the volume; `direction`: unit; both
+/// local.
+template <class Visit>
+PDR_HD inline void forLightsOnRay(const FlatScene& scene, vec3 place, vec3 direction, Visit&& visit) {
+    if (scene.lightSums == nullptr) {
+        for (int i = 0; i < scene.lightCount; ++i)
+            visit(scene.lights[i]);
+        return;
+    }
+    for (int i = 0; i < scene.lightNodeCount;) {
+        const FlatLightNode& node = scene.lightNodes[i];
+        const bool passes = passesThrough(node, place, direction);
+        if (passes && node.light >= 0)
+            visit(scene.lights[node.light]);
+        i = passes ? i + 1 : node.next;
+    }
+}
+
+}  // namespace pdr
