@@ -1,8 +1,8 @@
 #include "app/window_content.h"
 
 #include "app/series_choice.h"
-#include "render/film/health_text.h"
-#include "render/prepare/warnings.h"
+#include "render/session/known_bias.h"
+#include "render/volume/reconstruction.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
 #include "ui/to_qt.h"
@@ -59,13 +59,17 @@ QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     const Scene& scene = parts.document.scene();
     QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
     remarks << smoothedTexts(frame) << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
-    for (const std::string& line : healthLines(frame.status.health))
-        remarks << QString::fromStdString(line);
-    for (const Warning& warning : warnings(scene))
-        remarks << QString::fromStdString(warning.text);
-    remarks.removeAll({});
-    if (remarks.isEmpty() && scene.filtering == Filtering::exact)
+    BiasFacts facts = biasFacts(scene, frame.status, frame.device);
+    facts.measured = frame.bias;
+    facts.slicesInterpolated = hasInterpolatedSlices(*scene.volume);
+    facts.isSmoothed = frame.smoothed;
+    const std::vector<Bias> known = biases(facts);
+    for (const Bias& bias : known)
+        if (bias.cause != BiasCause::smoothing)  // more is said of that above
+            remarks << QString::fromStdString(bias.text);
+    if (noneOfComputing(known))
         remarks << ui::MainWindow::tr("No known bias in the computing");
+    remarks.removeAll({});
     return remarks;
 }
 

@@ -15,6 +15,9 @@
 #include "render/device/device_list.h"
 #include "render/prepare/flatten.h"
 #include "render/session/batch_render.h"
+#include "render/session/bias_lattice.h"
+#include "render/session/known_bias.h"
+#include "render/volume/reconstruction.h"
 
 namespace pdr::app {
 namespace {
@@ -23,6 +26,26 @@ struct Finished {
     StopReason reason;
     bool allInPlace;  ///< every picture is where it was asked for
 };
+
+/// Of the time that the picture took, for what its bias is measured by.
+constexpr double kBiasShare = 0.1;
+
+/// `device` holds another scene then.
+Result<std::vector<Bias>> biasesOf(const LoadedScene& work, const BatchResult& result, const Film& film, bool smoothed,
+                                   Device& device, const std::stop_token& stop) {
+    BiasFacts facts = biasFacts(work.scene, result.film, device.info().name);
+    facts.slicesInterpolated = hasInterpolatedSlices(*work.scene.volume);
+    facts.isSmoothed = smoothed;
+    if (const auto judgement = smoothed ? SmoothingJudgement::of(film, stop) : std::nullopt)
+        facts.smoothed = judgement->overAll(work.display.exposure);
+    if (needsMeasuring(facts) && !stop.stop_requested()) {
+        const auto measured = measureBias(work.scene, work.display.exposure, device, kBiasShare * result.seconds, stop);
+        if (!measured)
+            return measured.error();
+        facts.measured = *measured;
+    }
+    return biases(facts);
+}
 
 /// Everything between the options and the exit code.
 Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interrupt) {
@@ -67,8 +90,11 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     const WrittenFiles written = writePictures(**picture, display, facts, options.outputs);
     for (const Error& trouble : written.troubles)
         failed(trouble);
-    const RenderReport report{written.files, work->scene.film, work->scene.seed,
-                              device.info(), *result,          warnings(work->scene)};
+    auto known = biasesOf(*work, *result, **picture, display.smoothed, device, stop);
+    if (!known)
+        return known.error();
+    const RenderReport report{written.files, work->scene.film,      work->scene.seed, device.info(),
+                              *result,       warnings(work->scene), *std::move(known)};
     std::fputs((options.json ? jsonText(report) : plainText(report)).c_str(), stdout);
     return Finished{result->reason, written.troubles.empty()};
 }

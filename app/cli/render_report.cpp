@@ -10,7 +10,6 @@
 
 #include "app/cli/error_text.h"
 #include "app/cli/progress_line.h"
-#include "render/film/health_text.h"
 
 namespace pdr::app {
 namespace {
@@ -51,6 +50,26 @@ std::string replayArguments(const FaultCount& fault, const RenderReport& report)
            std::to_string(fault.pixel / report.size.x) + " --sample " + std::to_string(fault.sample);
 }
 
+QJsonObject object(const Between& between) {
+    return {{"value", between.value}, {"low", between.low}, {"high", between.high}};
+}
+
+QJsonObject biasObject(const Bias& bias) {
+    const auto known = [](const std::optional<double>& value) { return value ? QJsonValue(*value) : QJsonValue(); };
+    QJsonObject facts{{"cause", biasName(bias.cause)},
+                      {"ofComputing", isOfComputing(bias.cause)},
+                      {"text", QString::fromStdString(bias.text)},
+                      {"brightness", QJsonValue()},
+                      {"levels", QJsonValue()},
+                      {"levelsAtMost", known(bias.levelsAtMost)},
+                      {"shareAtMost", known(bias.shareAtMost)}};
+    if (bias.measured) {
+        facts["brightness"] = object(bias.measured->brightness);
+        facts["levels"] = object(bias.measured->levels);
+    }
+    return facts;
+}
+
 /// JSON has no infinity: null.
 QJsonValue known(double value) {
     return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
@@ -70,6 +89,9 @@ std::string jsonText(const RenderReport& report) {
     QJsonArray warnings;
     for (const Warning& warning : report.warnings)
         warnings.append(QString::fromStdString(warning.name));
+    QJsonArray biases;
+    for (const Bias& bias : report.biases)
+        biases.append(biasObject(bias));
     const FilmStatus& film = report.result.film;
     const QJsonObject object{
         {"outputs", outputs},
@@ -78,6 +100,7 @@ std::string jsonText(const RenderReport& report) {
         {"samplesPerPixel", double(film.samplesPerPixel)},
         {"rejectedSamples", double(film.health.rejected())},
         {"warnings", warnings},
+        {"biases", biases},
         {"health", healthObject(film.health, report.size.x)},
         {"seconds", report.result.seconds},
         {"samplesPerSecond", samplesPerSecond(report)},
@@ -101,12 +124,14 @@ std::string plainText(const RenderReport& report) {
         << report.result.seconds << " s (" << samplesPerSecond(report) / 1e6 << " million samples per second) on "
         << report.device.name << ", " << report.device.details << "\n"
         << errorSentence(film) << "\n";
-    for (const Warning& warning : report.warnings)
-        out << warning.text << "\n";
-    for (int i = 0; i < kFaults; ++i)
-        if (const FaultCount& fault = film.health.faults[i]; fault.count > 0)
-            out << fault.count << " " << faultText(Fault(i)) << "; the first: pdrender-cli replay ... "
-                << replayArguments(fault, report) << "\n";
+    for (const Bias& bias : report.biases) {
+        out << bias.text;
+        if (bias.fault)
+            out << "; the first: pdrender-cli replay ... " << replayArguments(film.health.of(*bias.fault), report);
+        out << "\n";
+    }
+    if (noneOfComputing(report.biases))
+        out << "no known bias in the computing\n";
     for (const auto& path : report.outputs)
         out << "written: " << path.string() << "\n";
     return out.str();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/accuracy/bias.h"
 #include "render/base/portable.h"
 #include "render/device/device.h"
 #include "render/prepare/warnings.h"
@@ -20,12 +21,14 @@ struct RenderReport {
     DeviceInfo device;
     BatchResult result;
     std::vector<Warning> warnings;  ///< of the scene
+    std::vector<Bias> biases;
 };
 
 /// A JSON object: outputs, width, height, samplesPerPixel, rejectedSamples, health, seconds, samplesPerSecond (of all
 /// pixels together), warnings (names: overDense), relativeError and displayError (null while unknown), tissuePixels,
-/// unseenShare, meanLuminance, stoppedBy (samples, seconds, error, levels, interrupted), device, seed (as text: 64 bits
-/// do not fit a JSON number).
+/// unseenShare, biases (each with cause, ofComputing, text; brightness and levels with value, low, high;
+/// levelsAtMost, shareAtMost; null where not known), meanLuminance, stoppedBy (samples, seconds, error, levels,
+/// interrupted), device, seed (as text: 64 bits do not fit a JSON number).
 std::string jsonText(const RenderReport& report);
 /// The same for a person, in a few lines.
 std::string plainText(const RenderReport& report);

@@ -33,6 +33,14 @@ class FilmOnDevice {
     Result<void> begin(const Scene& scene);
     /// Goes on on `device`, from `from` where that is not null. Errors: the new device's; everything is as before then.
     Result<void> moveTo(std::unique_ptr<Device> device, const Film* from);
+    /// Lends the device to `work`, which may give it other scenes; then it holds that of the film again. Errors: those
+    /// of the device, whose film is lost then.
+    template <class Work>
+    Result<void> lend(const Work& work) {
+        const Result<void> done = work(*device_);
+        const Result<void> back = device_->upload(*scene_);
+        return done ? back : done;
+    }
     /// The film is worthless after a stop; its memory is kept for the next one.
     void tearFilm() { torn_ = true; }
     /// The same, and its memory is given back.

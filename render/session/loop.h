@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "render/film/smoothed_view.h"
+#include "render/session/bias_lattice.h"
 #include "render/session/film_on_device.h"
 #include "render/session/render_commands.h"
 #include "render/session/resolution_ladder.h"
@@ -39,7 +40,7 @@ class Session::Loop {
     void switchTo(const DeviceOpener& open);
     void begin(const RenderCommands::SceneOrder& order);
     void work(const RenderCommands::Iteration& step);
-    void finish(Result<void> done);
+    void finish(const RenderCommands::Iteration& step, Result<void> done);
 
     // Parts of work(). Errors: the device's.
     Result<void> accumulate(const RenderCommands::Iteration& step);
@@ -52,6 +53,9 @@ class Session::Loop {
     bool findGuide(const std::stop_token& stop);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
     Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
+    Result<void> measureBias(const RenderCommands::Iteration& step);
+    bool seeksBias();
+    std::optional<MeasuredBias> knownBias(float exposure);
     Result<void> keepCheckpoint();
     Result<void> takeSnapshots();
     void send(std::vector<DisplayedPicture> pictures, std::uint32_t n);
@@ -117,6 +121,12 @@ class Session::Loop {
     double frameSeconds_ = 0;                      ///< of the frame in the making
     double seconds_ = 0;                           ///< of all of them
     SmoothedView smoothedView_;
+    std::optional<BiasLattice> lattice_;  ///< of the same picture; none: its bias need not be measured
+    bool latticeSought_ = false;          ///< whether there is one was asked
+    double biasAt_ = 0;                   ///< when a round of it was last
+    double biasSeconds_ = 0;              ///< what that cost
+    std::optional<MeasuredBias> bias_;    ///< that it tells, on a display of this exposure (0: of none)
+    float biasExposure_ = 0;
     bool brightens_ = false;  ///< its picture, a smoothed one, was just shown on another display
 
     FrameTimer meter_;

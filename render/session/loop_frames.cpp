@@ -20,7 +20,7 @@ constexpr double kMeasureSeconds = 2;         ///< between two frames whose disp
 void Session::Loop::work(const RenderCommands::Iteration& step) {
     brightens_ = step.redisplay && !first_ && !coarse() && smooths(commands.display());
     if (step.redisplay && (!first_ || coarser_))
-        return finish(first_ ? showCoarser(step) : show(step, false));
+        return finish(step, first_ ? showCoarser(step) : show(step, false));
     if (step.render && coarse() && !first_)
         beginFiner();
     if (place_.film() == nullptr)
@@ -37,17 +37,19 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
         done = judgeSmoothing(step);
     if (done && samples_ > 0 && frameEnds)
         done = show(step, step.render);
-    finish(std::move(done));
+    finish(step, std::move(done));
 }
 
 /// The end of a step: what else is wanted of the film, unless something went wrong.
-void Session::Loop::finish(Result<void> done) {
+void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> done) {
     if (done && place_.film() == nullptr)
         return;  // its picture was broken off
     if (done && canSnapshot())
         done = takeSnapshots();
     if (done && samples_ > 0 && row_ == 0 && !coarse() && !place_.info().hostMemory)
         done = keepCheckpoint();
+    if (done && canSnapshot() && step.render)
+        done = measureBias(step);
     if (!done)
         failedOnDevice(done.error());
 }

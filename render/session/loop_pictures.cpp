@@ -180,6 +180,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
         frame->smoothedError = smoothedView_.error(frame->display.exposure);
         frame->lostLines = smoothedView_.lostLines();
     }
+    frame->bias = knownBias(frame->display.exposure);
     frame->seconds = seconds_;
     if (!coarse())
         frame->steps = history_.steps();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "render/accuracy/bias_estimate.h"
 #include "render/accuracy/forecast.h"
 #include "render/device/device.h"
 #include "render/film/display.h"
@@ -37,6 +38,7 @@ struct Frame {
     bool smoothed = false;                       ///< `rgba` is; the status is still that of the film
     std::optional<SmoothedError> smoothedError;  ///< none: not known yet
     std::vector<denoise::LostLine> lostLines;    ///< that are missing in it; empty: none is known to be, or not yet
+    std::optional<MeasuredBias> bias;            ///< of a way that only measuring tells it of; none: not known yet
     double seconds = 0;                          ///< spent on this revision
     std::vector<QualityStep> steps;              ///< when they were and will be reached; see ErrorHistory::steps()
     double iterationsPerSecond = 0;              ///< lately

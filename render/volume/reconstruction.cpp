@@ -7,6 +7,8 @@ namespace pdr {
 
 namespace {
 
+constexpr const char* kRemark = "slices interpolated";
+
 /// Half-way between slices k and k + 1.
 void interpolate(const Volume& volume, int k, std::int16_t* slice) {
     const std::size_t area = std::size_t(volume.size().x) * volume.size().y;
@@ -49,8 +51,12 @@ Volume reconstructed(Volume volume, Reconstruction reconstruction) {
             interpolate(volume, k, slice + area);
     }
     std::string remarks = volume.remarks();
-    remarks += remarks.empty() ? "slices interpolated" : ", slices interpolated";
+    remarks += (remarks.empty() ? "" : ", ") + std::string(kRemark);
     return Volume(geometry, std::move(voxels), finerPadding(volume), std::move(remarks));
+}
+
+bool hasInterpolatedSlices(const Volume& volume) {
+    return volume.remarks().find(kRemark) != std::string::npos;
 }
 
 }  // namespace pdr

@@ -18,5 +18,7 @@ enum class Reconstruction {
 /// memory, and for a moment three times; of a single slice, or linear, it is the volume itself. Remarks say "slices
 /// interpolated".
 Volume reconstructed(Volume volume, Reconstruction reconstruction);
+/// Whether its remarks say so.
+bool hasInterpolatedSlices(const Volume& volume);
 
 }  // namespace pdr

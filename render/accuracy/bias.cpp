@@ -1,0 +1,126 @@
+#include "render/accuracy/bias.h"
+
+#include <algorithm>
+
+#include "render/accuracy/bias_text.h"
+#include "render/film/health_text.h"
+#include "render/film/levels_text.h"
+
+namespace pdr {
+namespace {
+
+struct Shortcut {
+    BiasCause cause;
+    const char* text;
+};
+
+/// Those that are measured: nothing else tells what they do to a picture.
+std::vector<Shortcut> shortcuts(const BiasFacts& facts) {
+    std::vector<Shortcut> all;
+    if (facts.estimator == Estimator::kroesMarch)
+        all.push_back({BiasCause::march, "march of 3 voxels"});
+    if (facts.schedule.kind == Schedule::Kind::kroes && facts.schedule.filter)
+        all.push_back({BiasCause::blur, "each iteration blurred"});
+    if (facts.texturesFilter)
+        all.push_back({BiasCause::fastFilter, "fast filter"});
+    return all;
+}
+
+/// They are off together.
+Bias shortcutBias(const std::vector<Shortcut>& together, const BiasFacts& facts) {
+    std::string names;
+    for (const Shortcut& shortcut : together)
+        names += (names.empty() ? "" : ", ") + std::string(shortcut.text);
+    const std::string size = facts.measured ? measuredText(*facts.measured) : "how much is not known yet";
+    return {together.front().cause, names + ": " + size, facts.measured};
+}
+
+BiasCause causeOf(Fault fault) {
+    switch (fault) {
+        case Fault::overMajorant:
+            return BiasCause::overBound;
+        case Fault::cutPath:
+            return BiasCause::bounceCap;
+        case Fault::overTolerance:
+            return BiasCause::overTolerance;
+        default:
+            return BiasCause::leftOut;
+    }
+}
+
+/// A sample that something happened to is one pixel's.
+Bias faultBias(Fault fault, const BiasFacts& facts) {
+    const std::uint64_t count = facts.health.of(fault).count;
+    Bias bias{.cause = causeOf(fault), .text = std::to_string(count) + " " + faultText(fault), .fault = fault};
+    if (facts.tissuePixels > 0 && count < facts.tissuePixels) {
+        bias.shareAtMost = double(count) / double(facts.tissuePixels);
+        bias.text += ": " + shareText(*bias.shareAtMost);
+    }
+    return bias;
+}
+
+Bias smoothingBias(const std::optional<SmoothedError>& error) {
+    if (!error)
+        return {BiasCause::smoothing, "smoothed: how much is not known yet"};
+    return {.cause = BiasCause::smoothing,
+            .text = "smoothed: 95 % of the tissue within ±" + levelsText(error->levels) +
+                    " levels, noise included, at most ±" + levelsText(error->levelsAtMost),
+            .levelsAtMost = error->levelsAtMost};
+}
+
+std::string sizeText(ivec2 size) {
+    return std::to_string(size.x) + " × " + std::to_string(size.y);
+}
+
+void addOfComputing(const BiasFacts& facts, std::vector<Bias>& all) {
+    if (const std::vector<Shortcut> together = shortcuts(facts); !together.empty())
+        all.push_back(shortcutBias(together, facts));
+    if (facts.schedule.kind == Schedule::Kind::kroes && facts.schedule.runningMean)
+        all.push_back({BiasCause::runningMean, "mean kept in single precision: how much is not known"});
+    if (isProjection(facts.model) && facts.model != Model::maximumIntensity)
+        all.push_back({.cause = BiasCause::quadrature,
+                       .text = "sums along rays: at most ±" + levelsText(facts.toleranceLevels) + " levels",
+                       .levelsAtMost = facts.toleranceLevels});
+    if (!facts.denseWarning.empty())
+        all.push_back({BiasCause::overDense, facts.denseWarning});
+    for (int i = 0; i < kFaults; ++i)
+        if (facts.health.of(Fault(i)).count > 0)
+            all.push_back(faultBias(Fault(i), facts));
+    if (facts.isSmoothed)
+        all.push_back(smoothingBias(facts.smoothed));
+}
+
+}  // namespace
+
+const char* biasName(BiasCause cause) {
+    constexpr const char* kNames[] = {"march",     "blur",       "fastFilter",        "runningMean", "quadrature",
+                                      "overDense", "leftOut",    "overBound",         "bounceCap",   "overTolerance",
+                                      "smoothing", "resolution", "interpolatedSlices"};
+    return kNames[int(cause)];
+}
+
+bool isOfComputing(BiasCause cause) {
+    return cause < BiasCause::resolution;
+}
+
+bool needsMeasuring(const BiasFacts& facts) {
+    return !shortcuts(facts).empty();
+}
+
+std::vector<Bias> biases(const BiasFacts& facts) {
+    std::vector<Bias> all;
+    addOfComputing(facts, all);
+    if (facts.view != ivec2(0) && facts.picture != facts.view)
+        all.push_back(
+            {BiasCause::resolution, sizeText(facts.picture) + " pixels stretched to " + sizeText(facts.view)});
+    if (facts.slicesInterpolated)
+        all.push_back({BiasCause::interpolatedSlices,
+                       "slices between the scan's own are a cubic's: a choice, and no error of the computing"});
+    return all;
+}
+
+bool noneOfComputing(const std::vector<Bias>& biases) {
+    return std::ranges::none_of(biases, [](const Bias& bias) { return isOfComputing(bias.cause); });
+}
+
+}  // namespace pdr

@@ -1,0 +1,80 @@
+#include "render/accuracy/bias_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "render/film/tone_curve.h"
+
+namespace pdr {
+namespace {
+
+constexpr int kDraws = 400;  ///< of the tiles
+
+/// Over pixels.
+struct Sums {
+    double pixels = 0;
+    double biased = 0, exact = 0;  ///< luminance
+    dvec3 squares{0.0};            ///< of the bias, channel by channel [levels^2]: right in the mean alone
+
+    void add(const Sums& other) {
+        pixels += other.pixels;
+        biased += other.biased;
+        exact += other.exact;
+        squares += other.squares;
+    }
+    double brightness() const { return exact > 0 ? biased / exact - 1 : 0; }
+    double worstSquare() const { return glm::max(squares.x, glm::max(squares.y, squares.z)) / pixels; }
+};
+
+Sums sumsOf(const BiasTile& tile, double exposure) {
+    const float* curve = displayCurve();
+    Sums sums{.pixels = double(tile.size())};
+    for (const auto& [biased, exact] : tile) {
+        sums.biased += luminance(biased.even + biased.odd);
+        sums.exact += luminance(exact.even + exact.odd);
+        for (int c = 0; c < 3; ++c) {
+            const auto level = [&](const dvec3& radiance) {
+                return double(exactLevelOf(curve, float(radiance[c] / exposure)));
+            };
+            sums.squares[c] += (level(biased.even) - level(exact.even)) * (level(biased.odd) - level(exact.odd));
+        }
+    }
+    return sums;
+}
+
+Between between(double value, std::vector<double> draws) {
+    std::ranges::sort(draws);
+    const auto end = std::size_t(0.025 * double(draws.size()));
+    return {value, std::min(value, draws[end]), std::max(value, draws[draws.size() - 1 - end])};
+}
+
+double levelsOf(double square) {
+    return 2 * std::sqrt(std::max(square, 0.0));
+}
+
+}  // namespace
+
+std::optional<MeasuredBias> measuredBias(std::span<const BiasTile> tiles, double exposure) {
+    std::vector<Sums> known;
+    Sums all;
+    for (const BiasTile& tile : tiles)
+        if (!tile.empty())
+            all.add(known.emplace_back(sumsOf(tile, exposure)));
+    if (known.size() < kBiasTiles || !(all.exact > 0))
+        return std::nullopt;
+    std::mt19937 random(1);  // the same numbers each time: a statement must not flicker
+    std::vector<double> brightness, squares;
+    for (int draw = 0; draw < kDraws; ++draw) {
+        Sums other;
+        for (std::size_t i = 0; i < known.size(); ++i)
+            other.add(known[random() % known.size()]);
+        brightness.push_back(other.brightness());
+        squares.push_back(other.worstSquare());
+    }
+    const Between square = between(all.worstSquare(), std::move(squares));
+    return MeasuredBias{between(all.brightness(), std::move(brightness)),
+                        {levelsOf(square.value), levelsOf(square.low), levelsOf(square.high)}};
+}
+
+}  // namespace pdr

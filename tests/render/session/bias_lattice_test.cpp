@@ -1,0 +1,168 @@
+/// What a lattice of a few pixels says of a biased picture is what all its pixels say after far more samples.
+
+#include <QTest>
+
+#include <cmath>
+#include <future>
+
+#include "render/device/emulated/emulated_gpu.h"
+#include "render/film/tone_curve.h"
+#include "render/session/bias_lattice.h"
+#include "render/session/session.h"
+#include "tests/support/screen.h"
+#include "tests/support/tissue_scene.h"
+
+using namespace pdr;
+
+namespace {
+
+Scene picture(ivec2 film) {
+    Scene scene = test::tissueScene();
+    scene.film = film;
+    return scene;
+}
+
+Scene blurred(Scene scene) {
+    scene.schedule = {Schedule::Kind::kroes, false, true, true};
+    return scene;
+}
+
+Scene marched(Scene scene) {
+    scene.estimator = Estimator::kroesMarch;
+    scene.transferFunction.extinctionPerMm = 4;  // a step of it is many free paths: the march misses much
+    return scene;
+}
+
+/// Whole films, made both ways.
+struct Films {
+    std::shared_ptr<const Film> biased, exact;
+
+    Films(Scene scene, Scene other, std::uint32_t samples, Device& device)
+        : biased(made(std::move(scene), samples, device)), exact(made(std::move(other), samples, device)) {}
+
+    static std::shared_ptr<const Film> made(Scene scene, std::uint32_t samples, Device& device) {
+        scene.schedule.runningMean = false;
+        const auto growing = startFilm(device, scene);
+        (void)(*growing)->accumulate(samples, {});
+        return *(*growing)->film();
+    }
+    /// look(pixel with the bias, pixel without), where there is tissue.
+    template <class Look>
+    void each(const Look& look) const {
+        for (int y = 0; y < biased->size().y; ++y)
+            for (int x = 0; x < biased->size().x; ++x)
+                if (const PixelEstimate pixel = biased->pixel(x, y); pixel.tissue)
+                    look(pixel, exact->pixel(x, y));
+    }
+    MeasuredBias bias() const {
+        std::vector<BiasTile> tiles;
+        each([&](const PixelEstimate& one, const PixelEstimate& other) {
+            tiles.push_back({{one.halves, other.halves}});
+        });
+        return *measuredBias(tiles, 1);
+    }
+    /// Twice the root mean square difference of green, noise and all [levels].
+    double differ() const {
+        const auto level = [](double radiance) { return double(exactLevelOf(displayCurve(), float(radiance))); };
+        double squares = 0, count = 0;
+        each([&](const PixelEstimate& one, const PixelEstimate& other) {
+            squares += std::pow(level(one.mean.y) - level(other.mean.y), 2);
+            ++count;
+        });
+        return 2 * std::sqrt(squares / count);
+    }
+};
+
+bool within(double found, double truth, double factor) {
+    return found <= factor * truth && found >= truth / factor;
+}
+
+}  // namespace
+
+class BiasLatticeTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theBiasIsFoundWithinAFactorOfOneAndAHalf_data() {
+        QTest::addColumn<Scene>("scene");
+        QTest::newRow("march") << marched(picture({140, 100}));
+        QTest::newRow("blur") << blurred(picture({140, 100}));
+        QTest::newRow("both") << blurred(marched(picture({140, 100})));
+    }
+    void theBiasIsFoundWithinAFactorOfOneAndAHalf() {
+        QFETCH(Scene, scene);
+        const auto device = makeCpuDevice();
+        Scene exact = exactly(scene);
+        exact.seed += 7;
+        const MeasuredBias truth = Films(scene, exact, 256, *device).bias();
+        BiasLattice lattice(scene);
+        for (int round = 0; round < 4; ++round)
+            QVERIFY(bool(lattice.addRound(*device, {})));
+        const auto found = lattice.measured(1);
+        QVERIFY(found);
+        qInfo("%+.1f %% (%+.1f to %+.1f), truth %+.1f %%; %.1f levels (%.1f to %.1f), truth %.1f",
+              100 * found->brightness.value, 100 * found->brightness.low, 100 * found->brightness.high,
+              100 * truth.brightness.value, found->levels.value, found->levels.low, found->levels.high,
+              truth.levels.value);
+        QVERIFY(within(found->levels.value, truth.levels.value, 1.5) && found->levels.low > 0);
+        const auto& [value, low, high] = found->brightness;
+        const double off = truth.brightness.value - value;  // three standard errors are 1.53 times what 95 % are
+        QVERIFY(off > 1.53 * (low - value) && off < 1.53 * (high - value));
+    }
+
+    /// The same random numbers with both filters: nearly all that differs is the filter.
+    void whatTextureUnitsDoLiesBelowTheBound() {
+        const auto device = makeEmulatedGpu();
+        Scene fast = picture({40, 30});
+        fast.filtering = Filtering::fast;
+        const double truth = Films(fast, exactly(fast), 64, *device).differ();
+        const auto found = measureBias(fast, 1, *device, 0, {});
+        QVERIFY(bool(found) && *found);
+        QVERIFY2(truth > 0 && truth < (*found)->levels.high,
+                 qPrintable(QString("%1, %2").arg(truth).arg((*found)->levels.high)));
+    }
+
+    void aStoppedRoundCountsForNothing() {
+        const auto device = makeCpuDevice();
+        std::stop_source source;
+        source.request_stop();
+        BiasLattice lattice(marched(picture({64, 64})));
+        QVERIFY(bool(lattice.addRound(*device, source.get_token())));
+        QCOMPARE(lattice.samples(), std::uint64_t(0));
+        QVERIFY(bool(lattice.addRound(*device, {})));
+        QCOMPARE(lattice.samples(), std::uint64_t(BiasLattice::kRound));
+    }
+
+    /// Between two frames, and the picture never knows.
+    void aSessionMeasuresItBesideThePicture() {
+        Scene scene = marched(picture({64, 48}));
+        scene.revision = 5;
+        const auto device = makeCpuDevice();
+        test::Screen screen;
+        std::shared_ptr<const Film> film;
+        {
+            Session session(makeCpuDevice(2), screen.sink());
+            session.setIterationsPerFrame(32);
+            session.submit(scene, false);
+            QVERIFY(screen.await([](const Frame& frame) { return frame.bias.has_value(); }));
+            std::promise<void> taken;
+            session.requestSnapshot(5, [&](const Result<FilmView>& view) {
+                film = std::make_shared<Film>(view->film.revision(), view->film.content());
+                taken.set_value();
+            });
+            taken.get_future().wait();
+        }
+        const Film other = test::render(scene, film->samplesPerPixel(), *device);
+        QVERIFY(sameBits(film->content(), other.content()));
+
+        scene.estimator = Estimator::unbiased;
+        test::Screen exact;
+        Session session(makeCpuDevice(2), exact.sink());
+        session.submit(scene, false);
+        const auto frame = exact.await([](const Frame& frame) { return frame.status.samplesPerPixel > 256; });
+        QVERIFY(frame && !frame->bias);
+    }
+};
+
+QTEST_GUILESS_MAIN(BiasLatticeTest)
+#include "bias_lattice_test.moc"
