@@ -1,8 +1,11 @@
 #include "app/provenance.h"
 
 #include "render/base/version.h"
+#include "render/prepare/needs.h"
 #include "render/prepare/warnings.h"
 #include "render/scene/scene.h"
+#include "render/scene/scene_file.h"
+#include "render/session/known_bias.h"
 
 namespace pdr::app {
 
@@ -13,19 +16,44 @@ std::string scheduleText(const Schedule& schedule) {
            (schedule.filter ? ", blurred" : "");
 }
 
-Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds) {
-    return {status.samplesPerPixel,
-            seconds,
-            status.relativeError,
-            status.health,
-            scene.seed,
-            modelName(scene.model),
-            scene.transferFunction.extinctionPerMm,
-            "PD-Render " PDR_VERSION,
-            scene.estimator == Estimator::unbiased ? "" : "kroesMarch (biased)",
-            scheduleText(scene.schedule),
-            warningNames(warnings(scene)),
-            scene.volume ? scene.volume->remarks() : std::string()};
+namespace {
+
+std::string biasText(const Scene& scene, const Rendered& rendered) {
+    BiasFacts facts = biasFacts(scene, rendered.status, rendered.device);
+    facts.measured = rendered.bias;
+    std::string text;
+    for (const Bias& bias : biases(facts))
+        text += (text.empty() ? "" : "; ") + bias.text;
+    return text;
+}
+
+std::string effectsText(const Scene& scene) {
+    std::string text;
+    for (const Effect& effect : needs(scene))
+        if (effect.needed)
+            text += (text.empty() ? "" : ", ") + effect.name;
+    return text;
+}
+
+}  // namespace
+
+Provenance provenanceOf(const Scene& scene, const Rendered& rendered) {
+    return {.status = rendered.status,
+            .exposure = rendered.exposure,
+            .seconds = rendered.seconds,
+            .seed = scene.seed,
+            .model = modelName(scene.model),
+            .extinctionPerMm = scene.transferFunction.extinctionPerMm,
+            .program = "PD-Render " PDR_VERSION,
+            .device = rendered.device,
+            .effects = effectsText(scene),
+            .look = scene.lookName,
+            .camera = cameraText(scene.camera),
+            .bias = biasText(scene, rendered),
+            .estimator = scene.estimator == Estimator::unbiased ? "" : "kroesMarch (biased)",
+            .schedule = scheduleText(scene.schedule),
+            .warnings = warningNames(warnings(scene)),
+            .remarks = scene.volume ? scene.volume->remarks() : std::string()};
 }
 
 }  // namespace pdr::app

@@ -1,9 +1,11 @@
 #pragma once
 /// How a picture came about, from what is known of it.
 
+#include <optional>
 #include <string>
 
-#include "render/film/image_file.h"
+#include "render/accuracy/bias_estimate.h"
+#include "render/film/provenance.h"
 #include "render/scene/schedule.h"
 
 namespace pdr {
@@ -15,7 +17,15 @@ namespace pdr::app {
 /// A schedule that is for comparison: "Exposure Render's K1, blurred". Empty: ours.
 std::string scheduleText(const Schedule& schedule);
 
-/// `seconds`: spent on rendering it.
-Provenance provenanceOf(const Scene& scene, const FilmStatus& status, double seconds);
+/// What a scene does not say of its picture.
+struct Rendered {
+    FilmStatus status;  ///< on a display of `exposure`
+    float exposure = 1;
+    double seconds = 0;
+    std::string device;                ///< its name: "cpu"
+    std::optional<MeasuredBias> bias;  ///< of ways that only measuring tells it of
+};
+
+Provenance provenanceOf(const Scene& scene, const Rendered& rendered);
 
 }  // namespace pdr::app

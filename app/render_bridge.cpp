@@ -2,21 +2,32 @@
 
 #include <utility>
 
+#include "app/caption.h"
 #include "app/provenance.h"
 #include "render/device/device_list.h"
 #include "render/film/image_file.h"
 #include "render/scene/scene.h"
+#include "ui/accuracy_text.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
 namespace {
 
-Result<void> write(const FilmView& view, Display display, bool exr, const QString& file) {
+bool isExr(const QString& file) {
+    return file.endsWith(".exr", Qt::CaseInsensitive);
+}
+
+Result<void> write(const FilmView& view, Display display, bool captioned, const QString& file) {
     display.smoothed = display.smoothed && canBeSmoothed(view.scene);
     const Film& film = view.film;
-    const Provenance provenance = provenanceOf(view.scene, film.status(), view.seconds);
+    const Rendered rendered{film.status(display.exposure, [](auto&&...) {}), display.exposure, view.seconds,
+                            view.device, view.bias};
+    const Provenance provenance = provenanceOf(view.scene, rendered);
     const std::filesystem::path path = ui::fromQt(file);
-    return exr ? writeExr(film, provenance, path) : writePng(film, display, provenance, path);
+    if (isExr(file))
+        return writeExr(film, provenance, path);
+    const QString text = captioned ? ui::previewText(rendered.status, view.target, display.smoothed) : QString();
+    return writePng(film, display, provenance, path, captionOf(text, film.size()));
 }
 
 Error notSaved(const QString& file, const Error& reason) {
@@ -88,8 +99,7 @@ void RenderBridge::clear() {
 }
 
 void RenderBridge::save(const QString& file) {
-    const bool exr = file.endsWith(".exr", Qt::CaseInsensitive);
-    if (!exr && !file.endsWith(".png", Qt::CaseInsensitive)) {
+    if (!isExr(file) && !file.endsWith(".png", Qt::CaseInsensitive)) {
         emit saveFailed({"the name says no format that pictures are saved in", file.toStdString(),
                          "Choose a name that ends in .png or .exr."});
         return;
@@ -98,15 +108,16 @@ void RenderBridge::save(const QString& file) {
         emit saveFailed(notSaved(file, {"there is no picture", "", "Wait until there is one."}));
         return;
     }
-    session_.requestSnapshot(lastFrame_->revision, [this, file, exr, display = display_](const Result<FilmView>& view) {
-        const Result<void> written = view ? write(*view, display, exr, file) : notSaved(file, view.error());
-        QMetaObject::invokeMethod(this, [this, file, written] {
-            if (written)
-                emit saved(file);
-            else
-                emit saveFailed(written.error());
+    session_.requestSnapshot(
+        lastFrame_->revision, [this, file, captioned = captioned_, display = display_](const Result<FilmView>& view) {
+            const Result<void> written = view ? write(*view, display, captioned, file) : notSaved(file, view.error());
+            QMetaObject::invokeMethod(this, [this, file, written] {
+                if (written)
+                    emit saved(file);
+                else
+                    emit saveFailed(written.error());
+            });
         });
-    });
 }
 
 /// On the render thread.

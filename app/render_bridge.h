@@ -25,6 +25,8 @@ class RenderBridge : public QObject {
     bool reached() const { return reached_; }
     /// The device that it began with.
     const DeviceInfo& firstDevice() const { return firstDevice_; }
+    /// Unfinished pictures say so where they are saved.
+    bool captioned() const { return captioned_; }
     /// The picture on the screen; null when there is none.
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
 
@@ -37,6 +39,7 @@ class RenderBridge : public QObject {
     void setDevice(const QString& name);
     /// The levels within which 95 % of the tissue is to lie: there rendering holds.
     void setTarget(double levels);
+    void setCaptioned(bool captioned) { captioned_ = captioned; }
     void setPaused(bool paused);
     /// Holds as well, as long as nobody can see the picture; the user's own pause stays what it is.
     void setUnseen(bool unseen);
@@ -71,6 +74,7 @@ class RenderBridge : public QObject {
     Display display_;
     bool paused_ = false;
     bool unseen_ = false;
+    bool captioned_ = true;
     bool reached_ = false;
     int threads_;
     DeviceInfo firstDevice_;

@@ -1,6 +1,7 @@
 #include "app/settings.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pdr::app {
 namespace {
@@ -12,6 +13,8 @@ constexpr auto kAutomatic = "rendering/automatic";
 constexpr auto kIterations = "rendering/iterationsPerPicture";
 constexpr auto kFrames = "rendering/picturesPerSecond";
 constexpr auto kTarget = "rendering/targetLevels";
+constexpr auto kCaptioned = "caption";
+constexpr auto kPlanning = "secondsPerPixelToPlanning/";
 
 QString ownFile() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "pd-render", "pdrender").fileName();
@@ -45,6 +48,16 @@ double Settings::target() const {
     return std::find(kQualitySteps.begin(), kQualitySteps.end(), kept) != kQualitySteps.end() ? kept : kFinestStep;
 }
 
+bool Settings::captioned() const {
+    return store_.value(kCaptioned, true).toBool();
+}
+
+std::optional<double> Settings::planningSeconds(const QString& kind) const {
+    bool known = false;
+    const double seconds = store_.value(kPlanning + kind).toDouble(&known);
+    return known && seconds > 0 && std::isfinite(seconds) ? std::optional(seconds) : std::nullopt;
+}
+
 void Settings::keepDevice(const QString& name) {
     store_.setValue(kDevice, name);
 }
@@ -57,6 +70,18 @@ void Settings::keepPace(const FrameBudget& pace) {
 
 void Settings::keepTarget(double levels) {
     store_.setValue(kTarget, levels);
+}
+
+void Settings::keepCaptioned(bool captioned) {
+    store_.setValue(kCaptioned, captioned);
+}
+
+/// Each frame foretells it a little differently; the file is not written for that.
+void Settings::keepPlanningSeconds(const QString& kind, double secondsPerPixel) {
+    constexpr double kSame = 0.1;
+    const std::optional<double> kept = planningSeconds(kind);
+    if (!kept || std::fabs(secondsPerPixel - *kept) > kSame * *kept)
+        store_.setValue(kPlanning + kind, secondsPerPixel);
 }
 
 void Settings::keepWindow(const QByteArray& geometry, const QByteArray& state) {

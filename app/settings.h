@@ -1,10 +1,12 @@
 #pragma once
 /// What the desktop keeps between two runs: the window's geometry, the device, the pace and the target that were
-/// chosen. Nothing of a patient, so not the folder opened last either: its name may be a patient's.
+/// chosen, and how long pictures took. Nothing of a patient, so not the folder opened last either: its name may be a
+/// patient's.
 
 #include <QByteArray>
 #include <QSettings>
 #include <QString>
+#include <optional>
 
 #include "render/accuracy/forecast.h"
 #include "ui/render_panel.h"
@@ -20,10 +22,15 @@ class Settings {
     QByteArray windowState() const;
     QString device() const;  ///< "auto" as long as none was chosen
     FrameBudget pace() const;
-    double target() const;  ///< display levels, one of kQualitySteps
+    double target() const;   ///< display levels, one of kQualitySteps
+    bool captioned() const;  ///< unfinished pictures say so
+    /// What the last picture of `kind` took per pixel until it was good for planning [s]; none: there was none.
+    std::optional<double> planningSeconds(const QString& kind) const;
     void keepDevice(const QString& name);
     void keepPace(const FrameBudget& pace);
     void keepTarget(double levels);
+    void keepCaptioned(bool captioned);
+    void keepPlanningSeconds(const QString& kind, double secondsPerPixel);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);
 
   private:

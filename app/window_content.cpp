@@ -1,8 +1,7 @@
 #include "app/window_content.h"
 
 #include "app/series_choice.h"
-#include "render/session/known_bias.h"
-#include "render/volume/reconstruction.h"
+#include "render/accuracy/quality.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
 #include "ui/to_qt.h"
@@ -33,6 +32,34 @@ QList<QLineF> lostLinesOf(const Frame& frame) {
     return lines;
 }
 
+/// Pictures that take about as long per pixel.
+QString kindOf(const Frame& frame) {
+    return QString::fromStdString(frame.device + "/" + frame.lookName);
+}
+
+double pixelsOf(const Frame& frame) {
+    return double(frame.size.x) * frame.size.y;
+}
+
+/// For the next picture of the kind.
+void keepWhatItTook(Settings& settings, const Frame& frame) {
+    for (const QualityStep& step : frame.steps)
+        if (step.levels == kPlanningLevels && !step.atLeast())
+            settings.keepPlanningSeconds(kindOf(frame), step.seconds.value / pixelsOf(frame));
+}
+
+/// What the last picture of the kind took per pixel, for those of the whole view: a coarse one has fewer.
+std::optional<double> lastTime(const DesktopParts& parts, const Frame& frame) {
+    const QSize view = parts.window.viewport().sizeInPixels();
+    const std::optional<double> perPixel = parts.settings.planningSeconds(kindOf(frame));
+    return perPixel ? std::optional(*perPixel * view.width() * view.height()) : std::nullopt;
+}
+
+/// What a picture alone says of itself while it is not as good as was wanted.
+QString captionOn(const DesktopParts& parts, const Frame& frame) {
+    return parts.bridge.captioned() ? ui::previewText(frame.status, frame.target, frame.smoothed) : QString();
+}
+
 QString invitation() {
     return ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O");
 }
@@ -56,14 +83,9 @@ QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofP
 
 /// What makes the picture another one than it seems; or that nothing does.
 QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
-    const Scene& scene = parts.document.scene();
     QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
     remarks << smoothedTexts(frame) << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
-    BiasFacts facts = biasFacts(scene, frame.status, frame.device);
-    facts.measured = frame.bias;
-    facts.slicesInterpolated = hasInterpolatedSlices(*scene.volume);
-    facts.isSmoothed = frame.smoothed;
-    const std::vector<Bias> known = biases(facts);
+    const std::vector<Bias> known = biases(frame.bias);
     for (const Bias& bias : known)
         if (bias.cause != BiasCause::smoothing)  // more is said of that above
             remarks << QString::fromStdString(bias.text);
@@ -137,8 +159,10 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         return showFailure(parts, {frame->error, "", ""});
     }
     parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->lookName),
-                                        smoothedTexts(*frame).join('\n'), lostLinesOf(*frame)});
+                                        smoothedTexts(*frame).join('\n'), lostLinesOf(*frame),
+                                        captionOn(parts, *frame)});
     parts.window.setPictureAvailable(true);
+    keepWhatItTook(parts.settings, *frame);
     showStatus(parts);
 }
 
@@ -152,7 +176,8 @@ void showStatus(const DesktopParts& parts) {
     const ui::Holding holding = bridge.paused()    ? ui::Holding::paused
                                 : bridge.reached() ? ui::Holding::reached
                                                    : ui::Holding::no;
-    foot.setAccuracy({frame->status, frame->coarse, frame->smoothed, frame->steps, frame->seconds, holding});
+    foot.setAccuracy({frame->status, frame->coarse, frame->smoothed, frame->steps, frame->seconds, holding,
+                      lastTime(parts, *frame)});
     foot.setMaking(ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency,
                                    frame->status.samplesPerPixel, frame->iterationsPerSecond}));
     foot.setRemarks(remarksOn(parts, *frame));

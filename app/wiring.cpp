@@ -57,6 +57,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
     QObject::connect(&window.foot().strip(), &ui::AccuracyStrip::targetChosen, &bridge, &RenderBridge::setTarget);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
+    QObject::connect(&window, &ui::MainWindow::captionChosen, &bridge, &RenderBridge::setCaptioned);
     QObject::connect(&window, &ui::MainWindow::unseenChanged, &bridge, &RenderBridge::setUnseen);
     QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
 }
@@ -87,6 +88,8 @@ void wireSettings(const DesktopParts& parts) {
                      [parts](const QString& name) { parts.settings.keepDevice(name); });
     QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &parts.window,
                      [parts](const FrameBudget& pace) { parts.settings.keepPace(pace); });
+    QObject::connect(&parts.window, &ui::MainWindow::captionChosen, &parts.window,
+                     [parts](bool captioned) { parts.settings.keepCaptioned(captioned); });
     QObject::connect(&parts.window.foot().strip(), &ui::AccuracyStrip::targetChosen, &parts.window,
                      [parts](double levels) { parts.settings.keepTarget(levels); });
 }

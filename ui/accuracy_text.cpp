@@ -31,9 +31,22 @@ QString wordText(Quality quality) {
     return translated("Reference");
 }
 
-QString unknownText(const FilmStatus& status) {
+QString levels(double value) {
+    return QString::fromStdString(levelsText(value));
+}
+
+/// As long as this picture tells nothing of its own price.
+QString withLastTime(const QString& sentence, const Accuracy& accuracy) {
+    if (!accuracy.planningSeconds)
+        return sentence;
+    return translated("%1 · ±%2 took %3 the last time")
+        .arg(sentence, levels(kPlanningLevels), durationText(*accuracy.planningSeconds));
+}
+
+QString unknownText(const Accuracy& accuracy) {
+    const FilmStatus& status = accuracy.status;
     if (status.samplesPerPixel < kSamplesToEstimate)
-        return translated("Estimating how good the picture is");
+        return withLastTime(translated("Estimating how good the picture is"), accuracy);
     if (status.unseenShare > 0)
         return translated("Estimating · no light has been seen yet");
     return std::isfinite(status.relativeError) ? translated("No tissue is in view")
@@ -85,10 +98,6 @@ QString smoothedSentenceOf(Ending ending) {
     return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing");
 }
 
-QString levels(double value) {
-    return QString::fromStdString(levelsText(value));
-}
-
 }  // namespace
 
 QString durationText(double seconds) {
@@ -104,16 +113,29 @@ QString accuracyText(const Accuracy& accuracy) {
     if (status.samplesPerPixel == 0)
         return {};
     if (accuracy.coarse)
-        return translated("A coarse picture first; the full one follows");
+        return withLastTime(translated("A coarse picture first; the full one follows"), accuracy);
     if (!std::isfinite(status.displayError))
-        return accuracy.holding == Holding::paused ? translated("%1 · paused").arg(unknownText(status))
-                                                   : unknownText(status);
+        return accuracy.holding == Holding::paused ? translated("%1 · paused").arg(unknownText(accuracy))
+                                                   : unknownText(accuracy);
     const QualityStep* next = nextStep(accuracy.steps);
     const Ending ending = endingOf(accuracy.holding, next);
     const QString sentence = (accuracy.smoothed ? smoothedSentenceOf(ending) : sentenceOf(ending))
                                  .arg(wordText(qualityOf(status)), levels(status.displayError));
     const bool priced = ending == Ending::price || ending == Ending::leastPrice;
     return priced ? sentence.arg(levels(next->levels), durationText(next->seconds.value - accuracy.seconds)) : sentence;
+}
+
+QString previewText(const FilmStatus& status, double target, bool smoothed) {
+    if (status.displayError <= target)
+        return {};
+    if (!std::isfinite(status.displayError))
+        return translated("Preview, not converged · how far it is off is not known yet");
+    const QString sentence =
+        smoothed ? translated(
+                       "Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before smoothing, "
+                       "wanted ±%2")
+                 : translated("Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2");
+    return sentence.arg(levels(status.displayError), levels(target));
 }
 
 QString stepText(double stepLevels) {

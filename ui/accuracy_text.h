@@ -2,6 +2,7 @@
 /// How good the picture is, what more would cost, and what else is to be known of it, in whole sentences.
 
 #include <QString>
+#include <optional>
 #include <vector>
 
 #include "render/accuracy/forecast.h"
@@ -19,14 +20,20 @@ struct Accuracy {
     std::vector<QualityStep> steps;  ///< none: not known
     double seconds = 0;              ///< of rendering so far
     Holding holding = Holding::no;
+    std::optional<double> planningSeconds = {};  ///< from the beginning until +-8, as it took the last time
 };
 
 /// "8 s", "1.5 min", "2.0 h"
 QString durationText(double seconds);
 
 /// "Good for orientation · 95 % of the tissue within ±16 of 255 grey levels · ±8 in 40 s": a word, the number in what
-/// is seen, the price of the next step. What is not known it says. Nothing without samples.
+/// is seen, the price of the next step. What is not known it says, and what it was the last time. Nothing without
+/// samples.
 QString accuracyText(const Accuracy& accuracy);
+
+/// "Preview, not converged · 95 % of the tissue within ±12 of 255 grey levels, wanted ±1", for pictures that leave the
+/// window; nothing where it is as good as was wanted.
+QString previewText(const FilmStatus& status, double target, bool smoothed);
 
 /// A step on the strip: "±8"; and for a reader: "±8 in 40 s, to 95 % between 34 s and 47 s".
 QString stepText(double levels);

@@ -105,6 +105,10 @@ void MainWindow::setSmoothed(bool smoothed) {
     smoothed_->setChecked(smoothed);
 }
 
+void MainWindow::setCaptioned(bool captioned) {
+    captioned_->setChecked(captioned);
+}
+
 void MainWindow::setPictureAvailable(bool available) {
     save_->setEnabled(available);
 }
@@ -165,6 +169,10 @@ void MainWindow::fillViewMenu() {
     smoothed_ = menu->addAction(tr("&Smoothed"), QKeySequence(Qt::Key_S));
     smoothed_->setCheckable(true);
     connect(smoothed_, &QAction::triggered, this, &MainWindow::smoothingChosen);
+    captioned_ = menu->addAction(tr("&Caption on previews"));
+    captioned_->setCheckable(true);
+    captioned_->setToolTip(tr("Saved and full-screen pictures say where they are not yet as good as was wanted"));
+    connect(captioned_, &QAction::triggered, this, &MainWindow::captionChosen);
     menu->addSeparator();
     menu->addAction(seriesDock_->toggleViewAction());
     menu->addAction(lookDock_->toggleViewAction());
@@ -202,6 +210,7 @@ void MainWindow::showPictureAlone(bool alone) {
     seriesDock_->setVisible(!alone);
     lookDock_->setVisible(!alone);
     renderDock_->setVisible(!alone);
+    viewport_->setCaptionShown(alone);
     setWindowState(alone ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     if (!alone)
         restoreState(stateBeforeAlone_);

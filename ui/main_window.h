@@ -38,6 +38,8 @@ class MainWindow : public QMainWindow {
     void setUndoAvailable(bool undo, bool redo);
     void setPaused(bool paused);
     void setSmoothed(bool smoothed);
+    /// Whether pictures that leave the window unfinished say so.
+    void setCaptioned(bool captioned);
     /// Whether there is a picture to save.
     void setPictureAvailable(bool available);
 
@@ -50,6 +52,7 @@ class MainWindow : public QMainWindow {
     void resetRequested();
     void pauseChosen(bool paused);
     void smoothingChosen(bool smoothed);
+    void captionChosen(bool captioned);
     void cancelRequested();
     /// Nobody can see the window, minimised or hidden; or it is back.
     void unseenChanged(bool unseen);
@@ -89,6 +92,7 @@ class MainWindow : public QMainWindow {
     QAction* redo_ = nullptr;
     QAction* pause_ = nullptr;
     QAction* smoothed_ = nullptr;
+    QAction* captioned_ = nullptr;
     QAction* alone_ = nullptr;
     QByteArray stateBeforeAlone_;
     QString lastFolder_;

@@ -84,6 +84,11 @@ void Viewport::setCamera(const std::optional<Camera>& camera) {
         moved_ = false;
 }
 
+void Viewport::setCaptionShown(bool shown) {
+    captionShown_ = shown;
+    update();
+}
+
 void Viewport::setMessage(const QString& message) {
     message_ = message;
     update();
@@ -288,7 +293,8 @@ void Viewport::paintLetters(QPainter& painter) const {
 /// Also where nothing else of the window is seen.
 void Viewport::paintLook(QPainter& painter) const {
     painter.setFont(font());
-    QStringList lines{picture_->look, picture_->mark, tr("Not for diagnostic use")};
+    QStringList lines{picture_->look, picture_->mark, captionShown_ ? picture_->caption : QString(),
+                      tr("Not for diagnostic use")};
     lines.removeAll({});
     const QRect area = rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
     paintText(painter, area, Qt::AlignLeft | Qt::AlignBottom, lines.join('\n'));

@@ -27,6 +27,7 @@ class Viewport : public QWidget {
         QString look;             ///< written into a corner, ...
         QString mark;             ///< ... with what else must be known of the picture; empty: nothing
         QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends
+        QString caption;          ///< below the mark, where nothing beside the picture says it: setCaptionShown()
     };
 
     void setPicture(const Shown& picture);
@@ -35,6 +36,7 @@ class Viewport : public QWidget {
     EdgeLetters letters() const;
     /// The camera that the next edit starts from, which may be ahead of the picture's. None: edits are ignored.
     void setCamera(const std::optional<Camera>& camera);
+    void setCaptionShown(bool shown);
     /// What stands in the middle as long as there is no picture.
     void setMessage(const QString& message);
     /// What stands there now; nothing with a picture.
@@ -84,6 +86,7 @@ class Viewport : public QWidget {
 
     std::optional<Shown> picture_;
     QString message_;
+    bool captionShown_ = false;
     std::optional<Camera> camera_;
     Gesture gesture_ = Gesture::none;
     bool moved_ = false;  ///< the gesture has edited the camera

@@ -17,7 +17,6 @@
 #include "render/session/batch_render.h"
 #include "render/session/bias_lattice.h"
 #include "render/session/known_bias.h"
-#include "render/volume/reconstruction.h"
 
 namespace pdr::app {
 namespace {
@@ -30,20 +29,22 @@ struct Finished {
 /// Of the time that the picture took, for what its bias is measured by.
 constexpr double kBiasShare = 0.1;
 
-/// `device` holds another scene then.
-Result<std::vector<Bias>> biasesOf(const LoadedScene& work, const BatchResult& result, const Film& film, bool smoothed,
-                                   Device& device, const std::stop_token& stop) {
-    BiasFacts facts = biasFacts(work.scene, result.film, device.info().name);
-    facts.slicesInterpolated = hasInterpolatedSlices(*work.scene.volume);
+/// Nothing where nothing needs to be measured. `device` holds another scene then.
+Result<std::optional<MeasuredBias>> measureBiasOf(const LoadedScene& work, const BatchResult& result, Device& device,
+                                                  const std::stop_token& stop) {
+    const BiasFacts facts = biasFacts(work.scene, result.film, device.info().name);
+    if (!needsMeasuring(facts) || stop.stop_requested())
+        return std::optional<MeasuredBias>();
+    return measureBias(work.scene, work.display.exposure, device, kBiasShare * result.seconds, stop);
+}
+
+std::vector<Bias> biasesOf(const LoadedScene& work, const Rendered& rendered, const Film& film, bool smoothed,
+                           const std::stop_token& stop) {
+    BiasFacts facts = biasFacts(work.scene, rendered.status, rendered.device);
+    facts.measured = rendered.bias;
     facts.isSmoothed = smoothed;
     if (const auto judgement = smoothed ? SmoothingJudgement::of(film, stop) : std::nullopt)
-        facts.smoothed = judgement->overAll(work.display.exposure);
-    if (needsMeasuring(facts) && !stop.stop_requested()) {
-        const auto measured = measureBias(work.scene, work.display.exposure, device, kBiasShare * result.seconds, stop);
-        if (!measured)
-            return measured.error();
-        facts.measured = *measured;
-    }
+        facts.smoothed = judgement->overAll(rendered.exposure);
     return biases(facts);
 }
 
@@ -85,16 +86,24 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     const auto picture = (*film)->film();
     if (!picture)
         return picture.error();
-    const Provenance facts = provenanceOf(work->scene, result->film, result->seconds);
     const Display display{work->display.exposure, options.smoothed && canBeSmoothed(work->scene)};
-    const WrittenFiles written = writePictures(**picture, display, facts, options.outputs);
+    const auto measured = measureBiasOf(*work, *result, device, stop);
+    Rendered rendered{result->film, display.exposure, result->seconds, device.info().name, {}};
+    if (measured)
+        rendered.bias = *measured;
+    const WrittenFiles written =
+        writePictures(**picture, display, provenanceOf(work->scene, rendered), options.outputs);
     for (const Error& trouble : written.troubles)
         failed(trouble);
-    auto known = biasesOf(*work, *result, **picture, display.smoothed, device, stop);
-    if (!known)
-        return known.error();
-    const RenderReport report{written.files, work->scene.film,      work->scene.seed, device.info(),
-                              *result,       warnings(work->scene), *std::move(known)};
+    if (!measured)
+        return measured.error();
+    const RenderReport report{written.files,
+                              work->scene.film,
+                              work->scene.seed,
+                              device.info(),
+                              *result,
+                              warnings(work->scene),
+                              biasesOf(*work, rendered, **picture, display.smoothed, stop)};
     std::fputs((options.json ? jsonText(report) : plainText(report)).c_str(), stdout);
     return Finished{result->reason, written.troubles.empty()};
 }

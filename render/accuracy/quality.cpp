@@ -7,9 +7,9 @@ namespace pdr {
 Quality qualityOf(const FilmStatus& status) {
     if (!std::isfinite(status.displayError))
         return Quality::estimating;
-    if (status.displayError > 16 || status.fewBrightSamples)
+    if (status.displayError > kOrientationLevels || status.fewBrightSamples)
         return Quality::rough;
-    if (status.displayError > 8)
+    if (status.displayError > kPlanningLevels)
         return Quality::orientation;
     return status.displayError > 1 ? Quality::planning : Quality::reference;
 }

@@ -14,6 +14,8 @@ enum class Quality {
     reference     ///< within 1: more would not be seen
 };
 
+inline constexpr double kOrientationLevels = 16, kPlanningLevels = 8;
+
 Quality qualityOf(const FilmStatus& status);
 
 }  // namespace pdr

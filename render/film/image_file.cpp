@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <csetjmp>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -25,52 +24,6 @@
 
 namespace pdr {
 namespace {
-
-/// "unknown" for what is infinite.
-std::string text(double value) {
-    if (!std::isfinite(value))
-        return "unknown";
-    std::ostringstream out;
-    out.precision(9);
-    out << value;
-    return out.str();
-}
-
-/// "notANumber 0, infinite 2 (pixel 17, sample 3), ...": each cause with the first sample that it happened to.
-std::string healthFact(const Health& health) {
-    std::string fact;
-    for (int i = 0; i < kFaults; ++i) {
-        const FaultCount& fault = health.faults[i];
-        fact += (i > 0 ? ", " : "") + std::string(kFaultNames[i]) + " " + std::to_string(fault.count);
-        if (fault.count > 0)
-            fact += " (pixel " + std::to_string(fault.pixel) + ", sample " + std::to_string(fault.sample) + ")";
-    }
-    return fact;
-}
-
-/// Key and value of each fact, for the formats that hold text.
-std::vector<std::pair<std::string, std::string>> facts(const Provenance& from) {
-    std::vector<std::pair<std::string, std::string>> all{
-        {"pdrender/samplesPerPixel", std::to_string(from.samplesPerPixel)},
-        {"pdrender/seconds", text(from.seconds)},
-        {"pdrender/relativeError", text(from.relativeError)},
-        {"pdrender/rejectedSamples", std::to_string(from.health.rejected())},
-        {"pdrender/health", healthFact(from.health)},
-        {"pdrender/seed", std::to_string(from.seed)},
-        {"pdrender/model", from.model},
-        {"pdrender/extinctionPerMm", text(from.extinctionPerMm)},
-        {"pdrender/program", from.program},
-    };
-    if (!from.estimator.empty())
-        all.emplace_back("pdrender/estimator", from.estimator);
-    if (!from.schedule.empty())
-        all.emplace_back("pdrender/schedule", from.schedule);
-    if (!from.warnings.empty())
-        all.emplace_back("pdrender/warnings", from.warnings);
-    if (!from.remarks.empty())
-        all.emplace_back("pdrender/remarks", from.remarks);
-    return all;
-}
 
 std::string errorFact(const std::optional<SmoothedError>& error) {
     if (!error)
@@ -85,6 +38,18 @@ std::string smoothedFact(const std::optional<SmoothedError>& error, std::size_t 
         return errorFact(error);
     const std::string count = (lostLines >= denoise::kMostLostLines ? "at least " : "") + std::to_string(lostLines);
     return errorFact(error) + "; " + count + (lostLines == 1 ? " line" : " lines") + " of the film missing";
+}
+
+/// White letters on ground of a third of its light.
+void paint(const Caption& caption, ivec2 size, std::vector<std::uint8_t>& rgba) {
+    const int top = size.y - caption.size.y;
+    for (int y = std::max(0, -top); y < caption.size.y; ++y)
+        for (int x = 0; x < std::min(caption.size.x, size.x); ++x) {
+            const int letter = caption.coverage[std::size_t(y) * std::size_t(caption.size.x) + std::size_t(x)];
+            std::uint8_t* pixel = &rgba[(std::size_t(top + y) * std::size_t(size.x) + std::size_t(x)) * 4];
+            for (int channel = 0; channel < 3; ++channel)
+                pixel[channel] = std::uint8_t((letter * 255 + (255 - letter) * (pixel[channel] / 3)) / 255);
+        }
 }
 
 // ---- PNG
@@ -161,23 +126,13 @@ Imf::Header exrHeader(ivec2 size, const Provenance& from) {
                      "Radiance, linear Rec. 709; error.*: standard error of the mean, infinite where it is not known. "
                      "Not for diagnostic use.");
     header.insert("software", Imf::StringAttribute(from.program));
-    header.insert("samplesPerPixel", Imf::DoubleAttribute(double(from.samplesPerPixel)));
+    header.insert("samplesPerPixel", Imf::DoubleAttribute(double(from.status.samplesPerPixel)));
     header.insert("renderTimeSeconds", Imf::DoubleAttribute(from.seconds));
-    header.insert("pdrender/samplesPerPixel", Imf::DoubleAttribute(double(from.samplesPerPixel)));
-    header.insert("pdrender/seconds", Imf::DoubleAttribute(from.seconds));
-    header.insert("pdrender/relativeError", Imf::DoubleAttribute(from.relativeError));
-    header.insert("pdrender/rejectedSamples", Imf::DoubleAttribute(double(from.health.rejected())));
-    header.insert("pdrender/health", Imf::StringAttribute(healthFact(from.health)));
-    header.insert("pdrender/seed", Imf::StringAttribute(std::to_string(from.seed)));  // 64 bits do not fit a double
-    header.insert("pdrender/model", Imf::StringAttribute(from.model));
-    header.insert("pdrender/extinctionPerMm", Imf::DoubleAttribute(from.extinctionPerMm));
-    header.insert("pdrender/program", Imf::StringAttribute(from.program));
-    if (!from.estimator.empty())
-        header.insert("pdrender/estimator", Imf::StringAttribute(from.estimator));
-    if (!from.schedule.empty())
-        header.insert("pdrender/schedule", Imf::StringAttribute(from.schedule));
-    if (!from.warnings.empty())
-        header.insert("pdrender/warnings", Imf::StringAttribute(from.warnings));
+    for (const Fact& fact : factsOf(from))
+        if (const auto* words = std::get_if<std::string>(&fact.value))
+            header.insert(fact.name, Imf::StringAttribute(*words));
+        else
+            header.insert(fact.name, Imf::DoubleAttribute(std::get<double>(fact.value)));
     return header;
 }
 
@@ -210,7 +165,7 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
 }  // namespace
 
 Result<void> writePng(const Film& film, const Display& wanted, const Provenance& provenance,
-                      const std::filesystem::path& path) {
+                      const std::filesystem::path& path, const Caption& caption) {
     Result<ReplacingFile> file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
         return file.error();
@@ -220,22 +175,25 @@ Result<void> writePng(const Film& film, const Display& wanted, const Provenance&
         view.judge(film, {});
     const Display display = view.better(wanted);
     std::vector<std::uint8_t> rgba = toneMap(film, display);
-    auto keys = facts(provenance);
+    paint(caption, film.size(), rgba);
+    std::vector<Fact> facts = factsOf(provenance);
     if (display.smoothed)
-        keys.emplace_back("pdrender/smoothed", smoothedFact(view.error(display.exposure), view.lostLines().size()));
-    keys.emplace_back("pdrender/exposure", text(display.exposure));
-    keys.emplace_back("Software", provenance.program);
-    keys.emplace_back("Comment", "Not for diagnostic use.");
+        facts.push_back({"pdrender/smoothed", smoothedFact(view.error(display.exposure), view.lostLines().size())});
+    facts.push_back({"Software", provenance.program});
+    facts.push_back({"Comment", "Not for diagnostic use."});
 
     PngImage image{film.size(), {}, {}};
     for (int y = 0; y < image.size.y; ++y)
         image.rows.push_back(&rgba[std::size_t(y) * std::size_t(image.size.x) * 4]);
-    for (auto& [key, value] : keys) {
+    std::vector<std::string> values;
+    for (const Fact& fact : facts)
+        values.push_back(textOf(fact));
+    for (std::size_t i = 0; i < facts.size(); ++i) {
         png_text entry{};
         entry.compression = PNG_TEXT_COMPRESSION_NONE;
-        entry.key = key.data();
-        entry.text = value.data();
-        entry.text_length = value.size();
+        entry.key = facts[i].name.data();
+        entry.text = values[i].data();
+        entry.text_length = values[i].size();
         image.texts.push_back(entry);
     }
     if (!encodePng(image, *file))

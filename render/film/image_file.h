@@ -4,36 +4,25 @@
 /// as it was.
 
 #include <filesystem>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "render/base/result.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
+#include "render/film/provenance.h"
 
 namespace pdr {
 
-/// How a picture came about: samples, seconds, seed, model, estimator, extinction scale, program version, schedule.
-struct Provenance {
-    std::uint64_t samplesPerPixel = 0;
-    double seconds = 0;
-    double relativeError = 0;
-    Health health;
-    std::uint64_t seed = 0;
-    std::string model;
-    double extinctionPerMm = 0;
-    std::string program;    ///< "PD-Render 0.1.0"
-    std::string estimator;  ///< "kroesMarch (biased)"; empty: the unbiased one
-    std::string schedule;   ///< "Exposure Render's K1, blurred"; empty: ours
-    std::string warnings;   ///< what is known to be off about the scene: "overDense"; empty: nothing
-    std::string remarks;    ///< on the import of the voxels, in words: "lossy clipped"; empty: none
+/// Words in a picture: white, on ground that is darkened around them, in its lower left corner.
+struct Caption {
+    ivec2 size{0};                       ///< pixels; what does not fit into the picture is cut off
+    std::vector<std::uint8_t> coverage;  ///< of each pixel by letters, 0 ... 255, row by row from the top
 };
 
 /// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks. A smoothed one says so there, with its error; where
-/// the film itself is better, that is written instead.
+/// the film itself is better, that is written instead. `caption` is painted over it.
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
-                      const std::filesystem::path& path);
+                      const std::filesystem::path& path, const Caption& caption = {});
 
 /// A picture that was read: linear radiance, row by row from the top.
 struct RadianceImage {

@@ -160,6 +160,11 @@ std::string sceneText(const SceneFile& file) {
     return jsonText(kFormat, FieldWriter::written(fields));
 }
 
+std::string cameraText(const Camera& camera) {
+    Camera written = camera;
+    return FieldWriter::written(written).dump();
+}
+
 Volume asWanted(Volume volume, const VolumeSource& source) {
     return reconstructed(clamped(std::move(volume), source.clampHu), source.reconstruction);
 }

@@ -43,6 +43,8 @@ Result<SceneFile> sceneFromText(std::string_view text, const std::string& where,
 /// The text that sceneFromText() reads as an equal scene, to the bit; without revision and look, which files do not
 /// hold. Paths are written as they are.
 std::string sceneText(const SceneFile& file);
+/// A camera as it stands in scene files, on one line.
+std::string cameraText(const Camera& camera);
 
 /// `volume` as `source` wants it: clamped, and then reconstructed.
 Volume asWanted(Volume volume, const VolumeSource& source);

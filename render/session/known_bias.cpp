@@ -4,6 +4,7 @@
 #include "render/kernel/texture.h"
 #include "render/prepare/warnings.h"
 #include "render/scene/scene.h"
+#include "render/volume/reconstruction.h"
 
 namespace pdr {
 namespace {
@@ -32,6 +33,7 @@ BiasFacts biasFacts(const Scene& scene, const FilmStatus& status, const std::str
     facts.denseWarning = denseWarning(scene);
     facts.health = status.health;
     facts.tissuePixels = status.tissuePixels;
+    facts.slicesInterpolated = scene.volume && hasInterpolatedSlices(*scene.volume);
     return facts;
 }
 

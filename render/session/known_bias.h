@@ -10,7 +10,7 @@ namespace pdr {
 struct FilmStatus;
 struct Scene;
 
-/// All but what was measured, how it is shown, and how its voxels came about. `device`: its name, "cpu".
+/// All but what was measured and how it is shown. `device`: its name, "cpu".
 BiasFacts biasFacts(const Scene& scene, const FilmStatus& status, const std::string& device);
 
 }  // namespace pdr

@@ -123,8 +123,11 @@ Result<void> Session::Loop::takeSnapshots() {
     const Result<std::shared_ptr<const Film>> film = place_.film()->film();
     if (!film)
         return film.error();
+    const FilmView view{
+        **film,           scene_, seconds_ + frameSeconds_, place_.info().name, knownBias(commands.display().exposure),
+        commands.target()};
     for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
-        order.look(FilmView{**film, scene_, seconds_ + frameSeconds_});
+        order.look(view);
     return {};
 }
 

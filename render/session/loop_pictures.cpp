@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/session/known_bias.h"
 #include "render/session/loop.h"
 
 namespace pdr {
@@ -180,7 +181,9 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
         frame->smoothedError = smoothedView_.error(frame->display.exposure);
         frame->lostLines = smoothedView_.lostLines();
     }
-    frame->bias = knownBias(frame->display.exposure);
+    frame->bias = biasFacts(scene_, frame->status, place_.info().name);
+    frame->bias.measured = knownBias(frame->display.exposure);
+    frame->bias.isSmoothed = frame->smoothed;
     frame->seconds = seconds_;
     if (!coarse())
         frame->steps = history_.steps();

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "render/accuracy/bias_estimate.h"
+#include "render/accuracy/bias.h"
 #include "render/accuracy/forecast.h"
 #include "render/device/device.h"
 #include "render/film/display.h"
@@ -38,7 +38,7 @@ struct Frame {
     bool smoothed = false;                       ///< `rgba` is; the status is still that of the film
     std::optional<SmoothedError> smoothedError;  ///< none: not known yet
     std::vector<denoise::LostLine> lostLines;    ///< that are missing in it; empty: none is known to be, or not yet
-    std::optional<MeasuredBias> bias;            ///< of a way that only measuring tells it of; none: not known yet
+    BiasFacts bias;                              ///< all but its size on the screen and the smoothed error
     double seconds = 0;                          ///< spent on this revision
     std::vector<QualityStep> steps;              ///< when they were and will be reached; see ErrorHistory::steps()
     double iterationsPerSecond = 0;              ///< lately
@@ -58,8 +58,11 @@ using FrameSink = std::function<void(std::shared_ptr<const Frame>)>;
 /// All that is known about a picture.
 struct FilmView {
     const Film& film;
-    const Scene& scene;  ///< that it shows
-    double seconds;      ///< spent
+    const Scene& scene;                ///< that it shows
+    double seconds;                    ///< spent
+    const std::string& device;         ///< its name: "cpu"
+    std::optional<MeasuredBias> bias;  ///< of a way that only measuring tells it of
+    double target;                     ///< as in Frame
 };
 
 /// Called on the render thread: with the film, or with the reason why there is none.

@@ -48,6 +48,8 @@ class TestPictureOnScreen : public QObject {
     void anEditNamesNothingNewBeforeItsPictureIsThere();
     void theLettersAreThoseOfTheFrame();
     void whatIsSavedIsWhatWasSeen();
+    void anUnfinishedPictureSaysSoUnlessItIsToldNotTo();
+    void whatTheLastPictureTookIsToldUntilThisOneKnows();
     void afterAFailureNothingStaysUpAndSavingSaysSo();
     void aFailureAnswersTheSaveThatWaits();
     void closingAnswersTheSaveThatWaits();
@@ -161,6 +163,51 @@ void TestPictureOnScreen::whatIsSavedIsWhatWasSeen() {
     const QString text = trial.desktop.window().message().text();
     QVERIFY2(saved.count() == 0 && !QFile::exists(file), "a back view was saved as front.png");
     QVERIFY2(text.contains("Not saved, because") && text.contains("front.png"), qPrintable(text));
+}
+
+/// The lower left corner of what is saved, and of the picture alone on the screen.
+void TestPictureOnScreen::anUnfinishedPictureSaysSoUnlessItIsToldNotTo() {
+    Trial trial;
+    trial.openAndWait(series_);
+    ui::MainWindow& window = trial.desktop.window();
+    emit window.pauseChosen(true);
+    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    const auto picture = [&](bool captioned) {
+        emit window.captionChosen(captioned);
+        const int before = saved.count();
+        emit window.saveRequested(trial.folder.filePath("picture.png"));
+        [&] { QTRY_COMPARE_WITH_TIMEOUT(saved.count(), before + 1, test::kPatience); }();
+        return QImage(trial.folder.filePath("picture.png"));
+    };
+    const QImage plain = picture(false), captioned = picture(true);
+    QCOMPARE(captioned.size(), plain.size());
+    int changed = 0, elsewhere = 0;
+    for (int y = 0; y < plain.height(); ++y)
+        for (int x = 0; x < plain.width(); ++x)
+            if (plain.pixel(x, y) != captioned.pixel(x, y))
+                ++(y > plain.height() - 40 ? changed : elsewhere);
+    QVERIFY2(changed > 100 && elsewhere == 0, qPrintable(QString("%1 %2").arg(changed).arg(elsewhere)));
+    QCOMPARE(captioned.text("pdrender/device"), QString("cpu"));
+    QCOMPARE(captioned.text("pdrender/bias"), QString("none known"));
+    QVERIFY(captioned.text("pdrender/camera").contains("perspective"));
+    QVERIFY(captioned.text("pdrender/effects").contains("shadows"));
+    QVERIFY(!captioned.text("pdrender/look").isEmpty());
+    QVERIFY(Settings(trial.folder.filePath("settings.ini")).captioned());
+    emit window.captionChosen(false);
+    QVERIFY(!Settings(trial.folder.filePath("settings.ini")).captioned());
+}
+
+void TestPictureOnScreen::whatTheLastPictureTookIsToldUntilThisOneKnows() {
+    Trial trial(test::failing(slow(0.2)));
+    trial.openAndWait(series_);
+    QVERIFY(trial.frames.back()->steps.empty());
+    QVERIFY(!trial.said().contains("the last time"));
+    const Frame& frame = *trial.frames.back();
+    const QSize view = trial.desktop.window().viewport().sizeInPixels();
+    trial.desktop.parts().settings.keepPlanningSeconds(QString::fromStdString(frame.device + "/" + frame.lookName),
+                                                       90.0 / (view.width() * view.height()));
+    emit trial.desktop.window().pauseChosen(true);
+    QVERIFY2(trial.said().contains(QString::fromUtf8("±8 took 1.5 min the last time")), qPrintable(trial.said()));
 }
 
 /// A scene that cannot be rendered.

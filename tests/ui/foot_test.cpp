@@ -19,6 +19,7 @@ class TestFoot : public QObject {
     void theSentenceSaysWordNumberAndPrice_data();
     void theSentenceSaysWordNumberAndPrice();
     void theSentenceSaysWhatIsNotKnown();
+    void aPreviewSaysThatItIsOne();
     void stepsAreToldInWords();
     void theAxisIsLogarithmicFromASecondToAnHour();
     void labelsNeverOverlapAndKeepTheirOrder();
@@ -91,7 +92,13 @@ void TestFoot::theSentenceSaysWhatIsNotKnown() {
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
     Accuracy accuracy{{.samplesPerPixel = 31}};
     QCOMPARE(accuracyText(accuracy), "Estimating how good the picture is");
+    accuracy.planningSeconds = 90;
+    QCOMPARE(accuracyText(accuracy),
+             QString::fromUtf8("Estimating how good the picture is · ±8 took 1.5 min the last time"));
     accuracy.coarse = true;
+    QCOMPARE(accuracyText(accuracy),
+             QString::fromUtf8("A coarse picture first; the full one follows · ±8 took 1.5 min the last time"));
+    accuracy.planningSeconds.reset();
     QCOMPARE(accuracyText(accuracy), "A coarse picture first; the full one follows");
     accuracy = {{.samplesPerPixel = 40}};
     QCOMPARE(accuracyText(accuracy), "No tissue is in view");
@@ -101,6 +108,16 @@ void TestFoot::theSentenceSaysWhatIsNotKnown() {
     QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · no light has been seen yet"));
     accuracy.holding = Holding::paused;
     QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · no light has been seen yet · paused"));
+}
+
+/// Where the picture leaves the window, the sentence goes with it, until it is as good as was wanted.
+void TestFoot::aPreviewSaysThatItIsOne() {
+    QCOMPARE(previewText(statusOf(12), 4, false),
+             QString::fromUtf8("Preview, not converged · 95 % of the tissue within ±12 of 255 grey levels, wanted ±4"));
+    QVERIFY(previewText(statusOf(12), 4, true).contains(QString::fromUtf8("±12 of 255 grey levels before smoothing")));
+    QVERIFY(previewText({.samplesPerPixel = 31}, 4, false).startsWith("Preview, not converged"));
+    QCOMPARE(previewText(statusOf(4), 4, false), QString());
+    QCOMPARE(previewText(statusOf(3.9), 4, true), QString());
 }
 
 void TestFoot::stepsAreToldInWords() {

@@ -69,6 +69,7 @@ class TestViewport : public QObject {
     void withoutCameraTheHandDoesNothing();
     void aCoarsePictureIsStretchedToTheHeight();
     void bracketsStandAtTheEndsOfLostLinesAlone();
+    void theCaptionStandsInAPictureAlone();
     void withoutPictureTheMessageIsShown();
     void theNewSizeIsTold();
 };
@@ -189,6 +190,21 @@ void TestViewport::aCoarsePictureIsStretchedToTheHeight() {
     const QImage narrow = hand.viewport.grab().toImage();
     QCOMPARE(narrow.pixelColor(200, 1), QColor(Qt::red));
     QCOMPARE(narrow.pixelColor(50, 100), QColor(Qt::black));
+}
+
+/// Elsewhere the foot of the window says it.
+void TestViewport::theCaptionStandsInAPictureAlone() {
+    Hand hand;
+    QImage image(400, 200, QImage::Format_RGBX8888);
+    image.fill(Qt::darkGray);
+    const auto shown = [&](bool alone, const QString& caption) {
+        hand.viewport.setCaptionShown(alone);
+        hand.viewport.setPicture({image, hand.camera, "bone", {}, {}, caption});
+        return hand.viewport.grab().toImage();
+    };
+    QVERIFY(shown(false, {}) == shown(false, "Preview"));
+    QVERIFY(shown(true, {}) == shown(false, {}));
+    QVERIFY(shown(true, "Preview") != shown(true, {}));
 }
 
 /// A picture of half the view's size, in which a line lies: seen are its ends, not the line, nor what is written.

@@ -63,7 +63,8 @@ Result<std::filesystem::path> kept(const Film& film, const Display& display, con
                                    const Scene& scene, const AccuracyPlan& plan) {
     const std::string name =
         std::string(display.smoothed ? "smoothed_" : "raw_") + std::to_string(step.samples) + ".png";
-    const Provenance facts = provenanceOf(scene, film.status(), step.seconds);
+    const Provenance facts =
+        provenanceOf(scene, {film.status(display.exposure, [](auto&&...) {}), display.exposure, step.seconds, {}, {}});
     const auto written = writePng(film, display, facts, plan.folder / name);
     if (!written)
         return written.error();

@@ -30,8 +30,25 @@ static Health someFaults() {
     return health;
 }
 
-static const Provenance kFacts{
-    128, 1.5, 0.025, someFaults(), 18446744073709551615u, "singleScattering", 2.5, "PD-Render 0.1.0"};
+static Provenance someFacts() {
+    Provenance facts{.exposure = 4,
+                     .seconds = 1.5,
+                     .seed = 18446744073709551615u,
+                     .model = "singleScattering",
+                     .extinctionPerMm = 2.5,
+                     .program = "PD-Render 0.1.0",
+                     .device = "cpu",
+                     .effects = "shadows, highlights",
+                     .look = "Bone",
+                     .camera = "{}"};
+    facts.status.samplesPerPixel = 128;
+    facts.status.relativeError = 0.025;
+    facts.status.displayError = 9;
+    facts.status.displayErrorSpread = 0.5;
+    facts.status.health = someFaults();
+    return facts;
+}
+static const Provenance kFacts = someFacts();
 
 /// Two samples a pixel, so that means and standard errors are known.
 static Film exampleFilm(ivec2 size) {
@@ -83,6 +100,33 @@ class ImageFileTest : public QObject {
         QCOMPARE(image.text("pdrender/model"), QString("singleScattering"));
         QCOMPARE(image.text("pdrender/extinctionPerMm"), QString("2.5"));
         QCOMPARE(image.text("Software"), QString("PD-Render 0.1.0"));
+        QCOMPARE(image.text("pdrender/tissueWithinLevels"), QString("9"));
+        QCOMPARE(image.text("pdrender/tissueWithinLevelsLow"), QString("8.02"));
+        QCOMPARE(image.text("pdrender/tissueWithinLevelsHigh"), QString("9.98"));
+        QCOMPARE(image.text("pdrender/exposure"), QString("4"));
+        QCOMPARE(image.text("pdrender/bias"), QString("none known"));
+        QCOMPARE(image.text("pdrender/device"), QString("cpu"));
+        QCOMPARE(image.text("pdrender/effects"), QString("shadows, highlights"));
+        QCOMPARE(image.text("pdrender/look"), QString("Bone"));
+        QCOMPARE(image.text("pdrender/camera"), QString("{}"));
+    }
+
+    /// White letters, darker ground, in the corner; what does not fit is cut off.
+    void aCaptionStandsInTheCorner() {
+        const Film film = exampleFilm({7, 5});
+        QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"))));
+        const QImage plain(folder_.filePath("a.png"));
+        QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"), {{3, 2}, {0, 255, 0, 0, 0, 255}})));
+        const QImage captioned(folder_.filePath("a.png"));
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 7; ++x) {
+                const bool under = x < 3 && y >= 3, letter = (x == 1 && y == 3) || (x == 2 && y == 4);
+                const QRgb is = plain.pixel(x, y);
+                const QRgb dark = qRgb(qRed(is) / 3, qGreen(is) / 3, qBlue(is) / 3);
+                QCOMPARE(captioned.pixel(x, y), letter ? qRgb(255, 255, 255) : under ? dark : is);
+            }
+        QVERIFY(bool(writePng(film, {4}, kFacts, at("a.png"), {{9, 6}, std::vector<std::uint8_t>(54, 255)})));
+        QCOMPARE(QImage(folder_.filePath("a.png")).pixel(6, 0), qRgb(255, 255, 255));
     }
 
     /// A picture leaves the program without its status line.
@@ -153,6 +197,8 @@ class ImageFileTest : public QObject {
         const Imf::Header& header = file.header();
         QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/samplesPerPixel").value(), 128.0);
         QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/relativeError").value(), 0.025);
+        QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/tissueWithinLevels").value(), 9.0);
+        QCOMPARE(header.typedAttribute<Imf::StringAttribute>("pdrender/camera").value(), "{}");
         QCOMPARE(header.typedAttribute<Imf::DoubleAttribute>("pdrender/rejectedSamples").value(), 3.0);
         QCOMPARE(header.typedAttribute<Imf::StringAttribute>("pdrender/health").value(),
                  "notANumber 0, infinite 2 (pixel 11, sample 7), negative 1 (pixel 4, sample 3), overMajorant 0, "

@@ -144,7 +144,7 @@ class BiasLatticeTest : public QObject {
             Session session(makeCpuDevice(2), screen.sink());
             session.setIterationsPerFrame(32);
             session.submit(scene, false);
-            QVERIFY(screen.await([](const Frame& frame) { return frame.bias.has_value(); }));
+            QVERIFY(screen.await([](const Frame& frame) { return frame.bias.measured.has_value(); }));
             std::promise<void> taken;
             session.requestSnapshot(5, [&](const Result<FilmView>& view) {
                 film = std::make_shared<Film>(view->film.revision(), view->film.content());
@@ -160,7 +160,7 @@ class BiasLatticeTest : public QObject {
         Session session(makeCpuDevice(2), exact.sink());
         session.submit(scene, false);
         const auto frame = exact.await([](const Frame& frame) { return frame.status.samplesPerPixel > 256; });
-        QVERIFY(frame && !frame->bias);
+        QVERIFY(frame && !frame->bias.measured);
     }
 };
 
