@@ -54,6 +54,10 @@ void RenderBridge::setDisplay(const Display& display) {
     session_.setDisplay(display);
 }
 
+void RenderBridge::setErrorMap(bool wanted) {
+    session_.setErrorMap(wanted);
+}
+
 void RenderBridge::setPace(const FrameBudget& pace) {
     session_.setPace(pace);
 }

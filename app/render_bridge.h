@@ -32,6 +32,8 @@ class RenderBridge : public QObject {
     /// Scenes of a moving hand are taken one at a time, the newest next, so that every one of them is seen.
     void submit(const pdr::Scene& scene, bool moving);
     void setDisplay(const pdr::Display& display);
+    /// Whether frames come with a map of their error.
+    void setErrorMap(bool wanted);
     void setPace(const pdr::FrameBudget& pace);
     /// The picture goes on there. A device that cannot be used ends with noticed().
     void setDevice(const QString& name);

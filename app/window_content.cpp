@@ -3,6 +3,7 @@
 #include "app/series_choice.h"
 #include "render/film/health_text.h"
 #include "render/prepare/warnings.h"
+#include "ui/error_colours.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
 #include "ui/to_qt.h"
@@ -10,12 +11,26 @@
 namespace pdr::app {
 namespace {
 
-/// A view of the frame's bytes; the image keeps the frame alive.
-QImage imageOf(const std::shared_ptr<const Frame>& frame) {
+/// A view of bytes; the image keeps the frame alive that holds them.
+QImage imageOf(const std::shared_ptr<const Frame>& frame, const std::vector<std::uint8_t>& bytes, ivec2 size,
+               QImage::Format format) {
     auto* kept = new std::shared_ptr<const Frame>(frame);
     const auto release = [](void* pointer) { delete static_cast<std::shared_ptr<const Frame>*>(pointer); };
-    return QImage(frame->rgba.data(), frame->size.x, frame->size.y, frame->size.x * 4, QImage::Format_RGBX8888, release,
-                  kept);
+    const qsizetype stride = qsizetype(bytes.size()) / size.y;
+    return QImage(bytes.data(), size.x, size.y, stride, format, release, kept);
+}
+
+QImage pictureOf(const std::shared_ptr<const Frame>& frame) {
+    return imageOf(frame, frame->rgba, frame->size, QImage::Format_RGBX8888);
+}
+
+/// Null where the frame has none.
+QImage errorMapOf(const std::shared_ptr<const Frame>& frame) {
+    if (!frame->errorMap)
+        return {};
+    QImage map = imageOf(frame, frame->errorMap->bins, frame->errorMap->size, QImage::Format_Indexed8);
+    map.setColorTable(ui::errorColours());
+    return map;
 }
 
 /// What stands beside a smoothed picture; nothing beside another.
@@ -132,8 +147,9 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         showNoPicture(parts, ui::MainWindow::tr("No picture"));
         return showFailure(parts, {frame->error, "", ""});
     }
-    parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->lookName),
-                                        smoothedTexts(*frame).join('\n'), lostLinesOf(*frame)});
+    parts.window.viewport().setPicture({pictureOf(frame), frame->camera, QString::fromStdString(frame->lookName),
+                                        smoothedTexts(*frame).join('\n'), lostLinesOf(*frame), errorMapOf(frame),
+                                        frame->smoothed});
     parts.window.setPictureAvailable(true);
     showStatus(parts);
 }

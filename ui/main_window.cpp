@@ -165,6 +165,9 @@ void MainWindow::fillViewMenu() {
     smoothed_ = menu->addAction(tr("&Smoothed"), QKeySequence(Qt::Key_S));
     smoothed_->setCheckable(true);
     connect(smoothed_, &QAction::triggered, this, &MainWindow::smoothingChosen);
+    QAction* errorMap = menu->addAction(tr("Where it is still r&ough"), QKeySequence(Qt::Key_E));
+    errorMap->setCheckable(true);
+    connect(errorMap, &QAction::triggered, this, &MainWindow::errorMapChosen);
     menu->addSeparator();
     menu->addAction(seriesDock_->toggleViewAction());
     menu->addAction(lookDock_->toggleViewAction());

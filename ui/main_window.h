@@ -50,6 +50,8 @@ class MainWindow : public QMainWindow {
     void resetRequested();
     void pauseChosen(bool paused);
     void smoothingChosen(bool smoothed);
+    /// Whether the picture is to show where it is still rough.
+    void errorMapChosen(bool shown);
     void cancelRequested();
     /// Nobody can see the window, minimised or hidden; or it is back.
     void unseenChanged(bool unseen);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "render/scene/orbit.h"
+#include "ui/error_legend.h"
 #include "ui/orientation_cube.h"
 #include "ui/orientation_letters.h"
 
@@ -241,7 +242,15 @@ QRectF Viewport::pictureArea() const {
 }
 
 void Viewport::paintPicture(QPainter& painter) const {
-    const QImage& image = picture_->image;
+    paintImage(painter, picture_->image);
+    if (picture_->errorMap.isNull())
+        return;
+    paintImage(painter, picture_->errorMap);
+    painter.setFont(font());
+    paintErrorLegend(painter, rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), picture_->smoothed);
+}
+
+void Viewport::paintImage(QPainter& painter, const QImage& image) const {
     if (image.size() == sizeInPixels()) {  // pixel by pixel, also where one is no whole part of a length
         const double ratio = devicePixelRatioF();
         painter.scale(1 / ratio, 1 / ratio);

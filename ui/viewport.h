@@ -27,6 +27,8 @@ class Viewport : public QWidget {
         QString look;             ///< written into a corner, ...
         QString mark;             ///< ... with what else must be known of the picture; empty: nothing
         QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends
+        QImage errorMap;          ///< painted over the image, with a legend; null: none
+        bool smoothed = false;    ///< the image is; the map is of what it was before
     };
 
     void setPicture(const Shown& picture);
@@ -77,6 +79,7 @@ class Viewport : public QWidget {
     dvec2 inHeights(QPointF distance) const;
     QRectF pictureArea() const;
     void paintPicture(QPainter& painter) const;
+    void paintImage(QPainter& painter, const QImage& image) const;
     void paintLostLines(QPainter& painter) const;
     void paintLetters(QPainter& painter) const;
     void paintLook(QPainter& painter) const;

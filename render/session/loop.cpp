@@ -181,6 +181,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     guided_ = nullptr;
     frameSeconds_ = 0;
     smoothedView_.clear();
+    errorMap_.clear();
     meter_.clear();
     checkpoint_ = std::move(film);
     checkpointAt_ = clock_();

@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "render/film/error_map_view.h"
 #include "render/film/smoothed_view.h"
 #include "render/session/film_on_device.h"
 #include "render/session/render_commands.h"
@@ -51,6 +52,7 @@ class Session::Loop {
     Result<std::vector<DisplayedPicture>> takeAllBut(std::size_t left);
     bool findGuide(const std::stop_token& stop);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
+    Result<void> mapErrors(const Display& display, const std::stop_token& stop);
     Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
     Result<void> keepCheckpoint();
     Result<void> takeSnapshots();
@@ -117,6 +119,7 @@ class Session::Loop {
     double frameSeconds_ = 0;                      ///< of the frame in the making
     double seconds_ = 0;                           ///< of all of them
     SmoothedView smoothedView_;
+    ErrorMapView errorMap_;
     bool brightens_ = false;  ///< its picture, a smoothed one, was just shown on another display
 
     FrameTimer meter_;

@@ -118,12 +118,10 @@ Tile Session::Loop::nextBand() const {
 Result<void> Session::Loop::takeSnapshots() {
     if (!commands.snapshotRequested(place_.revision()))
         return {};
-    const Result<std::shared_ptr<const Film>> film = place_.film()->film();
-    if (!film)
-        return film.error();
-    for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
-        order.look(FilmView{**film, scene_, seconds_ + frameSeconds_});
-    return {};
+    return place_.film()->look([&](const Film& film) {
+        for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
+            order.look(FilmView{film, scene_, seconds_ + frameSeconds_});
+    });
 }
 
 Result<void> Session::Loop::keepCheckpoint() {

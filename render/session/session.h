@@ -13,6 +13,7 @@
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
+#include "render/film/level_error_map.h"
 #include "render/film/smoothing_judgement.h"
 #include "render/scene/camera.h"
 #include "render/scene/model.h"
@@ -48,6 +49,8 @@ struct Frame {
     bool reached = false;         ///< it does, and rendering holds until more is asked for
     std::string error;            ///< for the user, when rendering failed and holds
     std::string notice;           ///< for the user, when it goes on, but not as was asked: whole sentences
+    /// Of the film, of no more samples than it has; null: not wanted, or coarse.
+    std::shared_ptr<const LevelErrorMap> errorMap;
 };
 
 /// Called on the render thread; must return soon.
@@ -85,6 +88,8 @@ class Session {
     void submit(Scene scene, bool moving);
     /// Shows what is there with other display settings, without a restart.
     void setDisplay(const Display& display);
+    /// Whether full pictures come with a map of their error. What is there gets one at once.
+    void setErrorMap(bool wanted);
     /// How many iterations a displayed frame gets.
     void setPace(const FrameBudget& pace);
     /// n, the iterations per displayed frame, by hand; [1, 10000].

@@ -62,6 +62,7 @@ class TestDesktop : public QObject {
     void brightnessWorksWithoutARestart();
     void aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne();
     void linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone();
+    void oneKeyShowsWhereThePictureIsStillRough();
     void pauseHoldsTheSamples();
     void theFilmFollowsTheWindow();
     void undoBringsTheFirstViewBack();
@@ -201,6 +202,24 @@ void TestDesktop::aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne() {
              qPrintable(trial.said()));
     QVERIFY2(trial.said().contains("No known bias in the computing"), qPrintable(trial.said()));
     QCOMPARE(trial.frames.back()->revision, revision);
+}
+
+/// Also of a picture that is held.
+void TestDesktop::oneKeyShowsWhereThePictureIsStillRough() {
+    Trial trial;
+    trial.openAndWait(series_);
+    ui::Viewport& viewport = trial.desktop.window().viewport();
+    QVERIFY(!trial.frames.back()->errorMap);
+    trial.desktop.parts().bridge.setPaused(true);
+    const std::uint64_t samples = trial.heldSamples();
+    const QImage before = viewport.grab().toImage();
+    QTest::keyClick(&viewport, Qt::Key_E);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->errorMap, test::kPatience);
+    QCOMPARE(trial.frames.back()->status.samplesPerPixel, samples);
+    QVERIFY(viewport.grab().toImage() != before);
+    QTest::keyClick(&viewport, Qt::Key_E);
+    QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.back()->errorMap, test::kPatience);
+    QVERIFY(viewport.grab().toImage() == before);
 }
 
 void TestDesktop::linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone() {

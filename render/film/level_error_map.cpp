@@ -1,0 +1,59 @@
+#include "render/film/level_error_map.h"
+
+#include <algorithm>
+
+#include "render/film/display_error.h"
+#include "render/film/likely_error.h"
+
+namespace pdr {
+namespace {
+
+constexpr double kSigmas = 1.96;  ///< to either side of 95 % of a normal distribution
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
+
+/// What `errors` say of `pixel` at (x, y) of theirs.
+dvec3 errorOf(const PixelEstimate& pixel, const denoise::Colours& errors, int x, int y) {
+    if (pixel.count < kSamplesToEstimate)
+        return dvec3(double(kUnknown));
+    return {errors[0].row(y)[x], errors[1].row(y)[x], errors[2].row(y)[x]};
+}
+
+}  // namespace
+
+std::uint8_t levelBinOf(float levels) {
+    if (std::isinf(levels))
+        return kUnknownBin;
+    if (!(levels > float(kFinestLevels)))
+        return kFirstBin;
+    const long bin = kFirstBin + std::lround(kBinsPerDoubling * std::log2(double(levels) / kFinestLevels));
+    return std::uint8_t(std::min<long>(bin, kLastBin));
+}
+
+float levelsWithin(dvec3 mean, dvec3 error, double exposure) {
+    if (std::isinf(error.x) || std::isinf(error.y) || std::isinf(error.z))
+        return kUnknown;
+    const float* curve = displayCurve();
+    const dvec3 draw = kSigmas * error;
+    return std::max(levelsOff(curve, mean, draw, exposure), levelsOff(curve, mean, -draw, exposure));
+}
+
+/// Band by band: so little is held at once that it stays in the cache.
+LevelErrorMap levelErrorMap(const Film& film, double exposure, const std::stop_token& stop) {
+    const ivec2 size = film.size();
+    LevelErrorMap map{size, std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y), kNoTissueBin)};
+    const bool estimates = film.samples().most >= kSamplesToEstimate;
+    denoise::eachBand(size.y, stop, [&](int begin, int end) {
+        const denoise::Colours errors =
+            estimates ? likelyErrors(film, {0, begin, size.x, end - begin}) : denoise::Colours();
+        std::uint8_t* bin = &map.bins[std::size_t(begin) * std::size_t(size.x)];
+        for (int y = begin; y < end; ++y)
+            for (int x = 0; x < size.x; ++x, ++bin) {
+                const PixelEstimate pixel = film.pixel(x, y);
+                if (pixel.tissue)
+                    *bin = levelBinOf(levelsWithin(pixel.mean, errorOf(pixel, errors, x, y - begin), exposure));
+            }
+    });
+    return map;
+}
+
+}  // namespace pdr
