@@ -57,6 +57,7 @@ void showNoPicture(const DesktopParts& parts, const QString& message) {
     parts.window.viewport().clearPicture();
     parts.window.viewport().setMessage(message);
     parts.window.foot().clear();
+    parts.window.accuracy().clear();
     parts.window.setPictureAvailable(false);
 }
 
@@ -69,18 +70,23 @@ QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofP
     return lines.join('\n');
 }
 
-/// What makes the picture another one than it seems; or that nothing does.
-QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
+/// What makes the picture another one than it seems, but for what went wrong with samples.
+QStringList biasOf(const DesktopParts& parts, const Frame& frame) {
     const Scene& scene = parts.document.scene();
     QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
     remarks << smoothedTexts(frame) << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
-    for (const std::string& line : healthLines(frame.status.health))
-        remarks << QString::fromStdString(line);
     for (const Warning& warning : warnings(scene))
         remarks << QString::fromStdString(warning.text);
     remarks.removeAll({});
-    if (remarks.isEmpty() && scene.filtering == Filtering::exact)
-        remarks << ui::MainWindow::tr("No known bias in the computing");
+    const bool none = remarks.isEmpty() && scene.filtering == Filtering::exact && frame.status.health.perfect();
+    return none ? QStringList(ui::MainWindow::tr("No known bias in the computing")) : remarks;
+}
+
+/// All of it; or that there is nothing.
+QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
+    QStringList remarks = biasOf(parts, frame);
+    for (const std::string& line : healthLines(frame.status.health))
+        remarks << QString::fromStdString(line);
     return remarks;
 }
 
@@ -164,9 +170,16 @@ void showStatus(const DesktopParts& parts) {
     const ui::Holding holding = bridge.paused()    ? ui::Holding::paused
                                 : bridge.reached() ? ui::Holding::reached
                                                    : ui::Holding::no;
-    foot.setAccuracy({frame->status, frame->coarse, frame->smoothed, frame->steps, frame->seconds, holding});
-    foot.setMaking(ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency,
-                                   frame->status.samplesPerPixel, frame->iterationsPerSecond}));
+    const ui::Accuracy accuracy{frame->status,  frame->coarse, frame->smoothed, frame->steps,
+                                frame->seconds, holding,       frame->history};
+    const QString making = ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency,
+                                           frame->status.samplesPerPixel, frame->iterationsPerSecond});
+    foot.setAccuracy(accuracy);
+    foot.setMaking(making);
+    ui::AccuracyPanel& panel = parts.window.accuracy();
+    panel.setAccuracy(accuracy, foot.strip().target());
+    panel.setBias(biasOf(parts, *frame));
+    panel.setMaking(making);
     foot.setRemarks(remarksOn(parts, *frame));
     foot.setLimit(ui::gridText(parts.document.scene().volume->geometry().spacingMm()));
 }

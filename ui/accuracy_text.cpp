@@ -116,6 +116,17 @@ QString accuracyText(const Accuracy& accuracy) {
     return priced ? sentence.arg(levels(next->levels), durationText(next->seconds.value - accuracy.seconds)) : sentence;
 }
 
+QString noiseText(const Accuracy& accuracy) {
+    const FilmStatus& status = accuracy.status;
+    if (status.samplesPerPixel == 0)
+        return {};
+    if (!std::isfinite(status.displayError) || !std::isfinite(status.relativeError))
+        return translated("not known yet");
+    return translated("±%1 levels for 95 % of the tissue; %2 % of its light")
+        .arg(levels(status.displayError))
+        .arg(std::ceil(100 * status.relativeError));
+}
+
 QString stepText(double stepLevels) {
     return translated("±%1").arg(levels(stepLevels));
 }

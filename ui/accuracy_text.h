@@ -19,6 +19,7 @@ struct Accuracy {
     std::vector<QualityStep> steps;  ///< none: not known
     double seconds = 0;              ///< of rendering so far
     Holding holding = Holding::no;
+    std::vector<ErrorPoint> points;  ///< how the error has fallen; none: not known
 };
 
 /// "8 s", "1.5 min", "2.0 h"
@@ -27,6 +28,10 @@ QString durationText(double seconds);
 /// "Good for orientation · 95 % of the tissue within ±16 of 255 grey levels · ±8 in 40 s": a word, the number in what
 /// is seen, the price of the next step. What is not known it says. Nothing without samples.
 QString accuracyText(const Accuracy& accuracy);
+
+/// What chance is to blame for: "±16 levels for 95 % of the tissue; 8 % of its light"; or that
+/// it is not known. Nothing without samples.
+QString noiseText(const Accuracy& accuracy);
 
 /// A step on the strip: "±8"; and for a reader: "±8 in 40 s, to 95 % between 34 s and 47 s".
 QString stepText(double levels);

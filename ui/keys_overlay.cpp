@@ -12,7 +12,7 @@ struct KeyHelp {
     const char* effect;
 };
 
-const std::array<KeyHelp, 20> kKeys{{{"Left drag, arrow keys", "turn"},
+const std::array<KeyHelp, 21> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Middle or Shift+left drag", "move"},
                                      {"Wheel, right drag, + and -", "zoom"},
                                      {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
@@ -22,6 +22,7 @@ const std::array<KeyHelp, 20> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Left, Right on the strip (Tab)", "hold sooner, more accurate"},
                                      {"S", "smoothed, or raw with its noise"},
                                      {"E", "where the picture is still rough"},
+                                     {"Shift+E, click on the sentence", "accuracy on and off"},
                                      {"Ctrl+O, drop a folder", "open a folder"},
                                      {"Ctrl+S", "save the picture (PNG or EXR)"},
                                      {"F2", "series on and off"},

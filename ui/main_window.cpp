@@ -48,6 +48,7 @@ MainWindow::MainWindow()
       look_(new LookPanel),
       rendering_(new RenderPanel),
       foot_(new Foot),
+      accuracy_(new AccuracyPanel),
       message_(new MessageBar),
       keys_(new KeysOverlay(this)) {
     auto* middle = new QWidget;
@@ -63,6 +64,8 @@ MainWindow::MainWindow()
     seriesDock_ = addPanel(tr("Series"), series_, Qt::LeftDockWidgetArea, Qt::Key_F2);
     lookDock_ = addPanel(tr("Look"), look_, Qt::RightDockWidgetArea, Qt::Key_F3);
     renderDock_ = addPanel(tr("Rendering"), rendering_, Qt::RightDockWidgetArea, Qt::Key_F4);
+    accuracyDock_ = addPanel(tr("Accuracy"), accuracy_, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E);
+    accuracyDock_->hide();
     fillFileMenu();
     fillEditMenu();
     fillViewMenu();
@@ -72,6 +75,8 @@ MainWindow::MainWindow()
 
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
+    connect(accuracyDock_->toggleViewAction(), &QAction::triggered, this, &MainWindow::giveAccuracyItsPart);
+    connect(&foot_->status(), &StatusLine::textClicked, accuracyDock_->toggleViewAction(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::cancelRequested, this, &MainWindow::cancelRequested);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
 
@@ -172,6 +177,7 @@ void MainWindow::fillViewMenu() {
     menu->addAction(seriesDock_->toggleViewAction());
     menu->addAction(lookDock_->toggleViewAction());
     menu->addAction(renderDock_->toggleViewAction());
+    menu->addAction(accuracyDock_->toggleViewAction());
     alone_ = menu->addAction(tr("Picture &alone"), QKeySequence(Qt::Key_F11));
     alone_->setCheckable(true);
     connect(alone_, &QAction::toggled, this, &MainWindow::showPictureAlone);
@@ -205,9 +211,17 @@ void MainWindow::showPictureAlone(bool alone) {
     seriesDock_->setVisible(!alone);
     lookDock_->setVisible(!alone);
     renderDock_->setVisible(!alone);
+    accuracyDock_->setVisible(!alone);
     setWindowState(alone ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     if (!alone)
         restoreState(stateBeforeAlone_);
+}
+
+/// Of the window's height: the picture keeps most of it.
+void MainWindow::giveAccuracyItsPart(bool shown) {
+    constexpr double kPart = 0.22;
+    if (shown)
+        resizeDocks({accuracyDock_}, {int(kPart * height())}, Qt::Vertical);
 }
 
 void MainWindow::escape() {

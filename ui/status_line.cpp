@@ -1,12 +1,14 @@
 #include "ui/status_line.h"
 
 #include <QHBoxLayout>
+#include <QMouseEvent>
 #include <chrono>
 
 namespace pdr::ui {
 
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel")) {
     text_.setAccessibleName(tr("How good the picture is"));
+    text_.setCursor(Qt::PointingHandCursor);
     setDetails({});
     // A long line is cut off at its end; it must not make the window wider.
     text_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -42,6 +44,12 @@ void StatusLine::setDetails(const QString& details) {
            "pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its "
            "own, and may lack fine detail: S shows the raw one.");
     text_.setToolTip(details.isEmpty() ? meaning : "<p>" + meaning + "</p><p>" + details.toHtmlEscaped() + "</p>");
+}
+
+/// The label lets clicks through.
+void StatusLine::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && text_.geometry().contains(event->position().toPoint()))
+        emit textClicked();
 }
 
 void StatusLine::showForAWhile(const QString& remark) {

@@ -197,8 +197,10 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
         frame->lostLines = smoothedView_.lostLines();
     }
     frame->seconds = seconds_;
-    if (!coarse())
+    if (!coarse()) {
         frame->steps = history_.steps();
+        frame->history = history_.points();
+    }
     frame->errorMap = errorMap_.map();
     frame->iterationsPerSecond = meter_.iterationsPerSecond();
     frame->iterations = n;

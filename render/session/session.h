@@ -49,6 +49,7 @@ struct Frame {
     bool reached = false;         ///< it does, and rendering holds until more is asked for
     std::string error;            ///< for the user, when rendering failed and holds
     std::string notice;           ///< for the user, when it goes on, but not as was asked: whole sentences
+    std::vector<ErrorPoint> history;  ///< see ErrorHistory::points()
     /// Of the film, of no more samples than it has; null: not wanted, or coarse.
     std::shared_ptr<const LevelErrorMap> errorMap;
 };
