@@ -184,6 +184,11 @@ void showStatus(const DesktopParts& parts) {
     foot.setLimit(ui::gridText(parts.document.scene().volume->geometry().spacingMm()));
 }
 
+void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& errors) {
+    const auto& frame = parts.bridge.lastFrame();
+    parts.window.viewport().showTip(place, ui::hereText(errors, frame && frame->smoothed));
+}
+
 void showDocument(const DesktopParts& parts) {
     const Document& document = parts.document;
     const auto camera = document.hasVolume() ? std::optional(document.setup().camera) : std::nullopt;

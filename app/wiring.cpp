@@ -69,6 +69,9 @@ void wireScreen(const DesktopParts& parts) {
                      [parts](const std::shared_ptr<const Frame>& frame) { showFrame(parts, frame); });
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, &ui::MainWindow::setPaused);
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, [parts] { showStatus(parts); });
+    QObject::connect(&window.viewport(), &ui::Viewport::rested, &parts.bridge, &RenderBridge::askErrorAt);
+    QObject::connect(&parts.bridge, &RenderBridge::errorFound, &window,
+                     [parts](QPointF place, const LevelErrorsAt& errors) { showErrorAt(parts, place, errors); });
     QObject::connect(&parts.bridge, &RenderBridge::deviceChanged, &window.rendering(), &ui::RenderPanel::setDevice);
     QObject::connect(&parts.bridge, &RenderBridge::noticed, &window,
                      [parts](const QString& sentences) { showNotice(parts, sentences); });

@@ -127,6 +127,20 @@ QString noiseText(const Accuracy& accuracy) {
         .arg(std::ceil(100 * status.relativeError));
 }
 
+QString hereText(const LevelErrorsAt& errors, bool smoothed) {
+    if (!errors.tissue)
+        return {};
+    if (!std::isfinite(errors.here))
+        return translated("here: not known yet");
+    const QString here = levels(double(errors.here));
+    QString text = translated("here ±%1; over 1 mm: not known yet").arg(here);
+    if (errors.side < 1)
+        text = translated("here ±%1; a pixel is larger than 1 mm").arg(here);
+    else if (std::isfinite(errors.over))
+        text = translated("here ±%1; over 1 mm ±%2").arg(here, levels(double(errors.over)));
+    return smoothed ? translated("%1, before smoothing").arg(text) : text;
+}
+
 QString stepText(double stepLevels) {
     return translated("±%1").arg(levels(stepLevels));
 }

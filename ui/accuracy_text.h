@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/accuracy/forecast.h"
+#include "render/film/level_error_map.h"
 
 namespace pdr::ui {
 
@@ -32,6 +33,10 @@ QString accuracyText(const Accuracy& accuracy);
 /// What chance is to blame for: "±16 levels for 95 % of the tissue; 8 % of its light"; or that
 /// it is not known. Nothing without samples.
 QString noiseText(const Accuracy& accuracy);
+
+/// At one place: "here ±12; over 1 mm ±3", and what of that is not known yet. `smoothed`: the picture is, and this is
+/// of what it was before. Nothing without tissue.
+QString hereText(const LevelErrorsAt& errors, bool smoothed);
 
 /// A step on the strip: "±8"; and for a reader: "±8 in 40 s, to 95 % between 34 s and 47 s".
 QString stepText(double levels);

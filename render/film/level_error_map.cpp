@@ -37,6 +37,29 @@ float levelsWithin(dvec3 mean, dvec3 error, double exposure) {
     return std::max(levelsOff(curve, mean, draw, exposure), levelsOff(curve, mean, -draw, exposure));
 }
 
+LevelErrorsAt levelErrorsAt(const Film& film, ivec2 pixel, int side, double exposure) {
+    const ivec2 corner = glm::max(pixel - (side - 1) / 2, ivec2(0));
+    const ivec2 end = glm::min(pixel - (side - 1) / 2 + side, film.size());
+    const Tile square{corner.x, corner.y, end.x - corner.x, end.y - corner.y};
+    const denoise::Colours errors = likelyErrors(film, square);
+    LevelErrorsAt found{.side = side};
+    dvec3 light(0.0), squares(0.0);
+    for (int y = 0; y < square.height; ++y)
+        for (int x = 0; x < square.width; ++x) {
+            const PixelEstimate one = film.pixel(corner.x + x, corner.y + y);
+            const dvec3 error = errorOf(one, errors, x, y);
+            light += one.mean;
+            squares += error * error;
+            if (corner + ivec2(x, y) == pixel) {
+                found.tissue = one.tissue;
+                found.here = levelsWithin(one.mean, error, exposure);
+            }
+        }
+    const double pixels = double(square.width) * square.height;
+    found.over = levelsWithin(light / pixels, glm::sqrt(squares) / pixels, exposure);
+    return found;
+}
+
 /// Band by band: so little is held at once that it stays in the cache.
 LevelErrorMap levelErrorMap(const Film& film, double exposure, const std::stop_token& stop) {
     const ivec2 size = film.size();

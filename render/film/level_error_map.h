@@ -35,6 +35,17 @@ struct LevelErrorMap {
 /// where an error is. `exposure`: of the display.
 float levelsWithin(dvec3 mean, dvec3 error, double exposure);
 
+/// What is known at one place of a picture [levels, to 95 %]; infinite: not known.
+struct LevelErrorsAt {
+    bool tissue = false;
+    float here = std::numeric_limits<float>::infinity();  ///< of the pixel, as in the map
+    int side = 0;                                         ///< of a square around it [pixels]
+    float over = std::numeric_limits<float>::infinity();  ///< of the mean of its light: pixels err independently
+};
+
+/// At pixel (x, y) of the film, and over side x side pixels around it, side >= 1, as far as the film goes.
+LevelErrorsAt levelErrorsAt(const Film& film, ivec2 pixel, int side, double exposure);
+
 /// Of the whole film; pixels below kSamplesToEstimate samples are not known. The same bits for any number of threads;
 /// worthless after a stop request.
 LevelErrorMap levelErrorMap(const Film& film, double exposure, const std::stop_token& stop = {});

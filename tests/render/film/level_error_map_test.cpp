@@ -97,6 +97,55 @@ class LevelErrorMapTest : public QObject {
             QCOMPARE(bin, kFirstBin);
     }
 
+    /// The row is one pixel high: four pixels of the square are in it.
+    void overASquareTheErrorsOfItsPixelsAverageOut() {
+        const LevelErrorsAt found = levelErrorsAt(rowOf(1, 0.1, 0.1), {20, 0}, 4, kExposure);
+        QVERIFY(found.tissue && found.side == 4);
+        QVERIFY(std::fabs(double(found.here) - interval(1, 0.1)) < 0.02);
+        QVERIFY(std::fabs(double(found.over) - interval(1, 0.05)) < 0.02);
+        const LevelErrorsAt atTheEdge = levelErrorsAt(rowOf(1, 0.1, 0.1), {0, 0}, 4, kExposure);
+        QVERIFY(std::fabs(double(atTheEdge.over) - interval(1, 0.1 / std::sqrt(3))) < 0.02);
+        const LevelErrorsAt alone = levelErrorsAt(rowOf(1, 0.1, 0.1), {7, 0}, 1, kExposure);
+        QCOMPARE(alone.here, alone.over);
+    }
+
+    void aSquareWithAPixelThatIsNotKnownIsNotKnown() {
+        std::vector<Known> pixels(40, {1, 0.1, 1});
+        for (std::size_t i = 20; i < 40; ++i)
+            pixels[i] = {0, 0, 0, i < 30 ? kSeenTissue | kSeenChance : 0};
+        const Film film = knownFilm(pixels, kSamples);
+        const LevelErrorsAt known = levelErrorsAt(film, {19, 0}, 9, kExposure);
+        QVERIFY(std::isfinite(known.here) && std::isinf(known.over));
+        QVERIFY(std::isinf(levelErrorsAt(film, {25, 0}, 1, kExposure).here));
+        QVERIFY(!levelErrorsAt(film, {35, 0}, 1, kExposure).tissue);
+    }
+
+    /// Of 18,000 pixels and 1,900 squares, four standard errors.
+    void theIntervalsHoldTheTruth() {
+        const ivec2 size(160, 120);
+        const auto truth = [](int x, int y) { return 0.1 + 0.02 * (x / 40) + 0.1 * (y / 60); };
+        const Film film = noisyFilmOf(size, truth, 64);
+        double all = 0, own = 0, squares = 0;
+        for (int y = 1; y < size.y - 1; y += 3)
+            for (int x = 1; x < size.x - 1; x += 3) {
+                const LevelErrorsAt found = levelErrorsAt(film, {x, y}, 3, kExposure);
+                double mean = 0, light = 0;
+                for (int i = 0; i < 9; ++i) {
+                    mean += film.pixel(x - 1 + i % 3, y - 1 + i / 3).mean.y / 9;
+                    light += truth(x - 1 + i % 3, y - 1 + i / 3) / 9;
+                }
+                const auto off = [](double a, double b) {
+                    return std::fabs(curve(a, kExposure) - curve(b, kExposure));
+                };
+                own += off(film.pixel(x, y).mean.y, truth(x, y)) <= double(found.here);
+                squares += off(mean, light) <= double(found.over);
+                ++all;
+            }
+        const double allowed = 4 * std::sqrt(0.95 * 0.05 / all);
+        QVERIFY2(own / all > 0.95 - allowed && own / all < 0.98 + allowed, qPrintable(QString::number(own / all)));
+        QVERIFY2(std::fabs(squares / all - 0.96) < 0.02 + allowed, qPrintable(QString::number(squares / all)));
+    }
+
     /// A bin is 1.7 % wide.
     void binsAreEvenOnALogarithmicScale() {
         QCOMPARE(levelBinOf(0), kFirstBin);
