@@ -42,7 +42,7 @@ void StatusLine::setDetails(const QString& details) {
     const QString meaning =
         tr("How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the "
            "pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its "
-           "own, and may lack fine detail: S shows the raw one.");
+           "own, and may lack fine detail: S shows the raw one. A click tells more.");
     text_.setToolTip(details.isEmpty() ? meaning : "<p>" + meaning + "</p><p>" + details.toHtmlEscaped() + "</p>");
 }
 
