@@ -1,5 +1,7 @@
 #include "app/render_bridge.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/caption.h"
@@ -28,6 +30,17 @@ Result<void> write(const FilmView& view, Display display, bool captioned, const 
         return writeExr(film, provenance, path);
     const QString text = captioned ? ui::previewText(rendered.status, view.target, display.smoothed) : QString();
     return writePng(film, display, provenance, path, captionOf(text, film.size()));
+}
+
+/// A square of 1 mm in the sharp plane around the pixel at `place`.
+LevelErrorsAt errorsAt(const FilmView& view, QPointF place, float exposure) {
+    const ivec2 size = view.film.size();
+    const ivec2 pixel(int(place.x() * size.x), int(place.y() * size.y));
+    const int side = int(std::lround(size.y / view.scene.camera.heightInFocusMm()));
+    LevelErrorsAt errors =
+        levelErrorsAt(view.film, glm::clamp(pixel, ivec2(0), size - 1), std::max(side, 1), double(exposure));
+    errors.side = side;
+    return errors;
 }
 
 Error notSaved(const QString& file, const Error& reason) {
@@ -63,6 +76,22 @@ void RenderBridge::submit(const Scene& scene, bool moving) {
 void RenderBridge::setDisplay(const Display& display) {
     display_ = display;
     session_.setDisplay(display);
+}
+
+void RenderBridge::setErrorMap(bool wanted) {
+    session_.setErrorMap(wanted);
+}
+
+void RenderBridge::askErrorAt(QPointF place) {
+    if (!lastFrame_ || lastFrame_->coarse)
+        return;
+    session_.requestSnapshot(
+        lastFrame_->revision, [this, place, exposure = display_.exposure](const Result<FilmView>& view) {
+            if (!view)
+                return;
+            const LevelErrorsAt errors = errorsAt(*view, place, exposure);
+            QMetaObject::invokeMethod(this, [this, place, errors] { emit errorFound(place, errors); });
+        });
 }
 
 void RenderBridge::setPace(const FrameBudget& pace) {

@@ -3,6 +3,7 @@
 /// window is behind, frames are dropped; it never waits for the renderer, nor the renderer for it.
 
 #include <QObject>
+#include <QPointF>
 #include <QString>
 #include <memory>
 #include <mutex>
@@ -34,6 +35,11 @@ class RenderBridge : public QObject {
     /// Scenes of a moving hand are taken one at a time, the newest next, so that every one of them is seen.
     void submit(const pdr::Scene& scene, bool moving);
     void setDisplay(const pdr::Display& display);
+    /// Whether frames come with a map of their error.
+    void setErrorMap(bool wanted);
+    /// How far the picture may be off at `place`, in fractions of its width and height, and over 1 mm around. Ends
+    /// with errorFound(), unless the picture is coarse or goes away.
+    void askErrorAt(QPointF place);
     void setPace(const pdr::FrameBudget& pace);
     /// The picture goes on there. A device that cannot be used ends with noticed().
     void setDevice(const QString& name);
@@ -56,6 +62,8 @@ class RenderBridge : public QObject {
     void deviceChanged(const QString& name);
     /// Something did not go as it was asked, and the rendering goes on: sentences for the user.
     void noticed(const QString& sentences);
+    /// The square is 1 mm large in the sharp plane; of side 0 where a pixel is larger.
+    void errorFound(QPointF place, const pdr::LevelErrorsAt& errors);
     void saved(const QString& file);
     void saveFailed(const pdr::Error& error);
 

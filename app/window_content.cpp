@@ -2,6 +2,7 @@
 
 #include "app/series_choice.h"
 #include "render/accuracy/quality.h"
+#include "ui/error_colours.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
 #include "ui/to_qt.h"
@@ -9,12 +10,26 @@
 namespace pdr::app {
 namespace {
 
-/// A view of the frame's bytes; the image keeps the frame alive.
-QImage imageOf(const std::shared_ptr<const Frame>& frame) {
+/// A view of bytes; the image keeps the frame alive that holds them.
+QImage imageOf(const std::shared_ptr<const Frame>& frame, const std::vector<std::uint8_t>& bytes, ivec2 size,
+               QImage::Format format) {
     auto* kept = new std::shared_ptr<const Frame>(frame);
     const auto release = [](void* pointer) { delete static_cast<std::shared_ptr<const Frame>*>(pointer); };
-    return QImage(frame->rgba.data(), frame->size.x, frame->size.y, frame->size.x * 4, QImage::Format_RGBX8888, release,
-                  kept);
+    const qsizetype stride = qsizetype(bytes.size()) / size.y;
+    return QImage(bytes.data(), size.x, size.y, stride, format, release, kept);
+}
+
+QImage pictureOf(const std::shared_ptr<const Frame>& frame) {
+    return imageOf(frame, frame->rgba, frame->size, QImage::Format_RGBX8888);
+}
+
+/// Null where the frame has none.
+QImage errorMapOf(const std::shared_ptr<const Frame>& frame) {
+    if (!frame->errorMap)
+        return {};
+    QImage map = imageOf(frame, frame->errorMap->bins, frame->errorMap->size, QImage::Format_Indexed8);
+    map.setColorTable(ui::errorColours());
+    return map;
 }
 
 /// What stands beside a smoothed picture; nothing beside another.
@@ -69,6 +84,7 @@ void showNoPicture(const DesktopParts& parts, const QString& message) {
     parts.window.viewport().clearPicture();
     parts.window.viewport().setMessage(message);
     parts.window.foot().clear();
+    parts.window.accuracy().clear();
     parts.window.setPictureAvailable(false);
 }
 
@@ -158,9 +174,9 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         showNoPicture(parts, ui::MainWindow::tr("No picture"));
         return showFailure(parts, {frame->error, "", ""});
     }
-    parts.window.viewport().setPicture({imageOf(frame), frame->camera, QString::fromStdString(frame->lookName),
-                                        smoothedTexts(*frame).join('\n'), lostLinesOf(*frame),
-                                        captionOn(parts, *frame)});
+    parts.window.viewport().setPicture({pictureOf(frame), frame->camera, QString::fromStdString(frame->lookName),
+                                        smoothedTexts(*frame).join('\n'), lostLinesOf(*frame), captionOn(parts, *frame),
+                                        errorMapOf(frame), frame->smoothed});
     parts.window.setPictureAvailable(true);
     keepWhatItTook(parts.settings, *frame);
     showStatus(parts);
@@ -176,12 +192,24 @@ void showStatus(const DesktopParts& parts) {
     const ui::Holding holding = bridge.paused()    ? ui::Holding::paused
                                 : bridge.reached() ? ui::Holding::reached
                                                    : ui::Holding::no;
-    foot.setAccuracy({frame->status, frame->coarse, frame->smoothed, frame->steps, frame->seconds, holding,
-                      lastTime(parts, *frame)});
-    foot.setMaking(ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency,
-                                   frame->status.samplesPerPixel, frame->iterationsPerSecond}));
-    foot.setRemarks(remarksOn(parts, *frame));
+    const ui::Accuracy accuracy{frame->status,  frame->coarse, frame->smoothed, frame->steps,
+                                frame->seconds, holding,       frame->history,  lastTime(parts, *frame)};
+    const QString making = ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency,
+                                           frame->status.samplesPerPixel, frame->iterationsPerSecond});
+    foot.setAccuracy(accuracy);
+    const QStringList remarks = remarksOn(parts, *frame);
+    foot.setMaking(making);
+    foot.setRemarks(remarks);
+    ui::AccuracyPanel& panel = parts.window.accuracy();
+    panel.setAccuracy(accuracy, foot.strip().target());
+    panel.setBias(remarks);
+    panel.setMaking(making);
     foot.setLimit(ui::gridText(parts.document.scene().volume->geometry().spacingMm()));
+}
+
+void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& errors) {
+    const auto& frame = parts.bridge.lastFrame();
+    parts.window.viewport().showTip(place, ui::hereText(errors, frame && frame->smoothed));
 }
 
 void showDocument(const DesktopParts& parts) {

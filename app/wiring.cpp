@@ -56,6 +56,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &bridge, &RenderBridge::setPace);
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
     QObject::connect(&window.foot().strip(), &ui::AccuracyStrip::targetChosen, &bridge, &RenderBridge::setTarget);
+    QObject::connect(&window, &ui::MainWindow::errorMapChosen, &bridge, &RenderBridge::setErrorMap);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
     QObject::connect(&window, &ui::MainWindow::captionChosen, &bridge, &RenderBridge::setCaptioned);
     QObject::connect(&window, &ui::MainWindow::unseenChanged, &bridge, &RenderBridge::setUnseen);
@@ -69,6 +70,9 @@ void wireScreen(const DesktopParts& parts) {
                      [parts](const std::shared_ptr<const Frame>& frame) { showFrame(parts, frame); });
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, &ui::MainWindow::setPaused);
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, [parts] { showStatus(parts); });
+    QObject::connect(&window.viewport(), &ui::Viewport::rested, &parts.bridge, &RenderBridge::askErrorAt);
+    QObject::connect(&parts.bridge, &RenderBridge::errorFound, &window,
+                     [parts](QPointF place, const LevelErrorsAt& errors) { showErrorAt(parts, place, errors); });
     QObject::connect(&parts.bridge, &RenderBridge::deviceChanged, &window.rendering(), &ui::RenderPanel::setDevice);
     QObject::connect(&parts.bridge, &RenderBridge::noticed, &window,
                      [parts](const QString& sentences) { showNotice(parts, sentences); });

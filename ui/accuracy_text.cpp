@@ -138,6 +138,31 @@ QString previewText(const FilmStatus& status, double target, bool smoothed) {
     return sentence.arg(levels(status.displayError), levels(target));
 }
 
+QString noiseText(const Accuracy& accuracy) {
+    const FilmStatus& status = accuracy.status;
+    if (status.samplesPerPixel == 0)
+        return {};
+    if (!std::isfinite(status.displayError) || !std::isfinite(status.relativeError))
+        return translated("not known yet");
+    return translated("±%1 levels for 95 % of the tissue; %2 % of its light")
+        .arg(levels(status.displayError))
+        .arg(std::ceil(100 * status.relativeError));
+}
+
+QString hereText(const LevelErrorsAt& errors, bool smoothed) {
+    if (!errors.tissue)
+        return {};
+    if (!std::isfinite(errors.here))
+        return translated("here: not known yet");
+    const QString here = levels(double(errors.here));
+    QString text = translated("here ±%1; over 1 mm: not known yet").arg(here);
+    if (errors.side < 1)
+        text = translated("here ±%1; a pixel is larger than 1 mm").arg(here);
+    else if (std::isfinite(errors.over))
+        text = translated("here ±%1; over 1 mm ±%2").arg(here, levels(double(errors.over)));
+    return smoothed ? translated("%1, before smoothing").arg(text) : text;
+}
+
 QString stepText(double stepLevels) {
     return translated("±%1").arg(levels(stepLevels));
 }

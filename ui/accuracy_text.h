@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/accuracy/forecast.h"
+#include "render/film/level_error_map.h"
 
 namespace pdr::ui {
 
@@ -20,6 +21,7 @@ struct Accuracy {
     std::vector<QualityStep> steps;  ///< none: not known
     double seconds = 0;              ///< of rendering so far
     Holding holding = Holding::no;
+    std::vector<ErrorPoint> points;              ///< how the error has fallen; none: not known
     std::optional<double> planningSeconds = {};  ///< from the beginning until +-8, as it took the last time
 };
 
@@ -34,6 +36,14 @@ QString accuracyText(const Accuracy& accuracy);
 /// "Preview, not converged · 95 % of the tissue within ±12 of 255 grey levels, wanted ±1", for pictures that leave the
 /// window; nothing where it is as good as was wanted.
 QString previewText(const FilmStatus& status, double target, bool smoothed);
+
+/// What chance is to blame for: "±16 levels for 95 % of the tissue; 8 % of its light"; or that
+/// it is not known. Nothing without samples.
+QString noiseText(const Accuracy& accuracy);
+
+/// At one place: "here ±12; over 1 mm ±3", and what of that is not known yet. `smoothed`: the picture is, and this is
+/// of what it was before. Nothing without tissue.
+QString hereText(const LevelErrorsAt& errors, bool smoothed);
 
 /// A step on the strip: "±8"; and for a reader: "±8 in 40 s, to 95 % between 34 s and 47 s".
 QString stepText(double levels);

@@ -12,7 +12,7 @@ struct KeyHelp {
     const char* effect;
 };
 
-const std::array<KeyHelp, 19> kKeys{{{"Left drag, arrow keys", "turn"},
+const std::array<KeyHelp, 22> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Middle or Shift+left drag", "move"},
                                      {"Wheel, right drag, + and -", "zoom"},
                                      {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
@@ -21,6 +21,9 @@ const std::array<KeyHelp, 19> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Space", "pause, go on (also beyond what was reached)"},
                                      {"Left, Right on the strip (Tab)", "hold sooner, more accurate"},
                                      {"S", "smoothed, or raw with its noise"},
+                                     {"Mouse at rest", "how good the picture is there"},
+                                     {"E", "where the picture is still rough"},
+                                     {"Shift+E, click on the sentence", "accuracy on and off"},
                                      {"Ctrl+O, drop a folder", "open a folder"},
                                      {"Ctrl+S", "save the picture (PNG or EXR)"},
                                      {"F2", "series on and off"},

@@ -48,6 +48,7 @@ MainWindow::MainWindow()
       look_(new LookPanel),
       rendering_(new RenderPanel),
       foot_(new Foot),
+      accuracy_(new AccuracyPanel),
       message_(new MessageBar),
       keys_(new KeysOverlay(this)) {
     auto* middle = new QWidget;
@@ -63,6 +64,8 @@ MainWindow::MainWindow()
     seriesDock_ = addPanel(tr("Series"), series_, Qt::LeftDockWidgetArea, Qt::Key_F2);
     lookDock_ = addPanel(tr("Look"), look_, Qt::RightDockWidgetArea, Qt::Key_F3);
     renderDock_ = addPanel(tr("Rendering"), rendering_, Qt::RightDockWidgetArea, Qt::Key_F4);
+    accuracyDock_ = addPanel(tr("Accuracy"), accuracy_, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E);
+    accuracyDock_->hide();
     fillFileMenu();
     fillEditMenu();
     fillViewMenu();
@@ -72,6 +75,8 @@ MainWindow::MainWindow()
 
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
+    connect(accuracyDock_->toggleViewAction(), &QAction::triggered, this, &MainWindow::giveAccuracyItsPart);
+    connect(&foot_->status(), &StatusLine::textClicked, accuracyDock_->toggleViewAction(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::cancelRequested, this, &MainWindow::cancelRequested);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
 
@@ -173,10 +178,14 @@ void MainWindow::fillViewMenu() {
     captioned_->setCheckable(true);
     captioned_->setToolTip(tr("Saved and full-screen pictures say where they are not yet as good as was wanted"));
     connect(captioned_, &QAction::triggered, this, &MainWindow::captionChosen);
+    QAction* errorMap = menu->addAction(tr("Where it is still r&ough"), QKeySequence(Qt::Key_E));
+    errorMap->setCheckable(true);
+    connect(errorMap, &QAction::triggered, this, &MainWindow::errorMapChosen);
     menu->addSeparator();
     menu->addAction(seriesDock_->toggleViewAction());
     menu->addAction(lookDock_->toggleViewAction());
     menu->addAction(renderDock_->toggleViewAction());
+    menu->addAction(accuracyDock_->toggleViewAction());
     alone_ = menu->addAction(tr("Picture &alone"), QKeySequence(Qt::Key_F11));
     alone_->setCheckable(true);
     connect(alone_, &QAction::toggled, this, &MainWindow::showPictureAlone);
@@ -211,9 +220,17 @@ void MainWindow::showPictureAlone(bool alone) {
     lookDock_->setVisible(!alone);
     renderDock_->setVisible(!alone);
     viewport_->setCaptionShown(alone);
+    accuracyDock_->setVisible(!alone);
     setWindowState(alone ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     if (!alone)
         restoreState(stateBeforeAlone_);
+}
+
+/// Of the window's height: the picture keeps most of it.
+void MainWindow::giveAccuracyItsPart(bool shown) {
+    constexpr double kPart = 0.22;
+    if (shown)
+        resizeDocks({accuracyDock_}, {int(kPart * height())}, Qt::Vertical);
 }
 
 void MainWindow::escape() {

@@ -7,6 +7,7 @@
 #include <QMainWindow>
 
 #include "render/scene/camera.h"
+#include "ui/accuracy_panel.h"
 #include "ui/foot.h"
 #include "ui/keys_overlay.h"
 #include "ui/look_panel.h"
@@ -28,6 +29,7 @@ class MainWindow : public QMainWindow {
     LookPanel& look() { return *look_; }
     RenderPanel& rendering() { return *rendering_; }
     Foot& foot() { return *foot_; }
+    AccuracyPanel& accuracy() { return *accuracy_; }
     StatusLine& status() { return foot_->status(); }
     MessageBar& message() { return *message_; }
 
@@ -53,6 +55,8 @@ class MainWindow : public QMainWindow {
     void pauseChosen(bool paused);
     void smoothingChosen(bool smoothed);
     void captionChosen(bool captioned);
+    /// Whether the picture is to show where it is still rough.
+    void errorMapChosen(bool shown);
     void cancelRequested();
     /// Nobody can see the window, minimised or hidden; or it is back.
     void unseenChanged(bool unseen);
@@ -74,6 +78,7 @@ class MainWindow : public QMainWindow {
     void chooseFolder();
     void chooseFile();
     void showPictureAlone(bool alone);
+    void giveAccuracyItsPart(bool shown);
     void escape();
     void about();
 
@@ -82,11 +87,13 @@ class MainWindow : public QMainWindow {
     LookPanel* look_;
     RenderPanel* rendering_;
     Foot* foot_;
+    AccuracyPanel* accuracy_;
     MessageBar* message_;
     KeysOverlay* keys_;
     QDockWidget* seriesDock_ = nullptr;
     QDockWidget* lookDock_ = nullptr;
     QDockWidget* renderDock_ = nullptr;
+    QDockWidget* accuracyDock_ = nullptr;
     QAction* save_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;

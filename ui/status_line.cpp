@@ -1,12 +1,14 @@
 #include "ui/status_line.h"
 
 #include <QHBoxLayout>
+#include <QMouseEvent>
 #include <chrono>
 
 namespace pdr::ui {
 
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel")) {
     text_.setAccessibleName(tr("How good the picture is"));
+    text_.setCursor(Qt::PointingHandCursor);
     setDetails({});
     // A long line is cut off at its end; it must not make the window wider.
     text_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -40,8 +42,14 @@ void StatusLine::setDetails(const QString& details) {
     const QString meaning =
         tr("How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the "
            "pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its "
-           "own, and may lack fine detail: S shows the raw one.");
+           "own, and may lack fine detail: S shows the raw one. A click tells more.");
     text_.setToolTip(details.isEmpty() ? meaning : "<p>" + meaning + "</p><p>" + details.toHtmlEscaped() + "</p>");
+}
+
+/// The label lets clicks through.
+void StatusLine::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && text_.geometry().contains(event->position().toPoint()))
+        emit textClicked();
 }
 
 void StatusLine::showForAWhile(const QString& remark) {

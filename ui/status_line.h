@@ -26,6 +26,11 @@ class StatusLine : public QWidget {
 
   signals:
     void cancelRequested();
+    /// The text was clicked.
+    void textClicked();
+
+  protected:
+    void mouseReleaseEvent(QMouseEvent* event) override;
 
   private:
     QLabel text_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/film/health_text.h"
 #include "render/film/levels_text.h"
 
 namespace pdr::ui {
@@ -91,6 +92,15 @@ QString comparisonText(const Schedule& schedule, Estimator estimator) {
 QString deviceText(const QString& name, const QString& details) {
     const QString title = name == "cpu" ? translated("CPU") : name;
     return details.isEmpty() ? title : title + " (" + details + ')';
+}
+
+QString healthText(const FilmStatus& status) {
+    if (status.samplesPerPixel == 0)
+        return {};
+    QStringList lines;
+    for (const std::string& line : healthLines(status.health))
+        lines << QString::fromStdString(line);
+    return lines.isEmpty() ? translated("No sample was left out") : lines.join('\n');
 }
 
 QString makingText(const Making& making) {

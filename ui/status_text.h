@@ -38,6 +38,9 @@ struct Making {
 /// Empty: it is its own.
 QString comparisonText(const Schedule& schedule, Estimator estimator);
 
+/// "No sample was left out", or how many were and what else went wrong with samples, a line each. Nothing without any.
+QString healthText(const FilmStatus& status);
+
 /// "256 samples, 31 iterations/s, 10 iterations per frame on the CPU, efficiency 99 %"
 QString makingText(const Making& making);
 

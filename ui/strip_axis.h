@@ -16,6 +16,9 @@ class StripAxis {
     /// Of `seconds` of rendering; what lies beyond either end stands there.
     double at(double seconds) const;
 
+    double first() const { return first_; }
+    double last() const { return last_; }
+
   private:
     double first_, last_;
 };

@@ -1,14 +1,17 @@
 #include "ui/viewport.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <chrono>
 #include <cmath>
 
 #include "render/scene/orbit.h"
+#include "ui/error_legend.h"
 #include "ui/orientation_cube.h"
 #include "ui/orientation_letters.h"
 
@@ -53,6 +56,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::ArrowCursor);
+    setMouseTracking(true);  // to know when it does not rest any more
     setAccessibleName(tr("Picture"));
     setAccessibleDescription(
         tr("The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom."));
@@ -98,8 +102,30 @@ QSize Viewport::sizeInPixels() const {
     return (QSizeF(size()) * devicePixelRatioF()).toSize();
 }
 
+void Viewport::showTip(QPointF place, const QString& text) {
+    if (resting_ == place)
+        QToolTip::showText(restingAt_, text, this, QRect(mapFromGlobal(restingAt_), QSize(1, 1)));
+}
+
+void Viewport::tellPlace(const QHelpEvent& event) {
+    if (!picture_ || gesture_ != Gesture::none)
+        return;
+    const QRectF area = pictureArea();
+    const QPointF place = event.pos() - area.topLeft();
+    resting_ = QPointF(place.x() / area.width(), place.y() / area.height());
+    restingAt_ = event.globalPos();
+    if (QRectF(0, 0, 1, 1).contains(*resting_))
+        emit rested(*resting_);
+}
+
 /// A screen with other pixels changes the size, too.
 bool Viewport::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        tellPlace(*static_cast<QHelpEvent*>(event));
+        return true;
+    }
+    if (event->type() == QEvent::Leave)
+        resting_.reset();
     if (event->type() == QEvent::ScreenChangeInternal)
         changeSize();
     return QWidget::event(event);
@@ -139,6 +165,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    resting_.reset();
     if (!camera_ || gesture_ == Gesture::none)
         return;
     const dvec2 drag = inHeights(event->position() - last_);
@@ -246,7 +273,15 @@ QRectF Viewport::pictureArea() const {
 }
 
 void Viewport::paintPicture(QPainter& painter) const {
-    const QImage& image = picture_->image;
+    paintImage(painter, picture_->image);
+    if (picture_->errorMap.isNull())
+        return;
+    paintImage(painter, picture_->errorMap);
+    painter.setFont(font());
+    paintErrorLegend(painter, rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), picture_->smoothed);
+}
+
+void Viewport::paintImage(QPainter& painter, const QImage& image) const {
     if (image.size() == sizeInPixels()) {  // pixel by pixel, also where one is no whole part of a length
         const double ratio = devicePixelRatioF();
         painter.scale(1 / ratio, 1 / ratio);

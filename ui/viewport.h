@@ -12,6 +12,8 @@
 #include "render/scene/camera.h"
 #include "ui/orientation_letters.h"
 
+class QHelpEvent;
+
 namespace pdr::ui {
 
 class Viewport : public QWidget {
@@ -28,12 +30,16 @@ class Viewport : public QWidget {
         QString mark;             ///< ... with what else must be known of the picture; empty: nothing
         QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends
         QString caption;          ///< below the mark, where nothing beside the picture says it: setCaptionShown()
+        QImage errorMap;          ///< painted over the image, with a legend; null: none
+        bool smoothed = false;    ///< the image is; the map is of what it was before
     };
 
     void setPicture(const Shown& picture);
     void clearPicture();
     /// The letters at the edges of the picture; none without one.
     EdgeLetters letters() const;
+    /// A tip where the mouse rests, if it still does at `place`; see rested(). Empty: none.
+    void showTip(QPointF place, const QString& text);
     /// The camera that the next edit starts from, which may be ahead of the picture's. None: edits are ignored.
     void setCamera(const std::optional<Camera>& camera);
     void setCaptionShown(bool shown);
@@ -51,6 +57,8 @@ class Viewport : public QWidget {
   signals:
     /// A drag, a wheel or an arrow key. `moving`: the gesture goes on; the last edit of a gesture comes with false.
     void cameraEdited(const pdr::Camera& camera, bool moving);
+    /// The mouse rests on the picture: at `place`, in fractions of its width and height.
+    void rested(QPointF place);
     /// A double click.
     void resetRequested();
     /// With a picture only when the size has settled: until then the picture is stretched. It may be the old one.
@@ -78,7 +86,9 @@ class Viewport : public QWidget {
     /// From widget coordinates to fractions of the view's height.
     dvec2 inHeights(QPointF distance) const;
     QRectF pictureArea() const;
+    void tellPlace(const QHelpEvent& event);
     void paintPicture(QPainter& painter) const;
+    void paintImage(QPainter& painter, const QImage& image) const;
     void paintLostLines(QPainter& painter) const;
     void paintLetters(QPainter& painter) const;
     void paintLook(QPainter& painter) const;
@@ -91,8 +101,10 @@ class Viewport : public QWidget {
     Gesture gesture_ = Gesture::none;
     bool moved_ = false;  ///< the gesture has edited the camera
     QPointF last_;
-    QTimer settleTimer_;  ///< the size has settled when this runs out
-    QTimer restTimer_;    ///< wheels and keys have no release: they rest when this runs out
+    std::optional<QPointF> resting_;  ///< place that was told last; none: the mouse has moved on
+    QPoint restingAt_;                ///< on the screen
+    QTimer settleTimer_;              ///< the size has settled when this runs out
+    QTimer restTimer_;                ///< wheels and keys have no release: they rest when this runs out
 };
 
 }  // namespace pdr::ui

@@ -55,7 +55,8 @@ void ErrorHistory::forgetErrors() {
 
 void ErrorHistory::add(double seconds, const FilmStatus& status) {
     const Point point{double(status.samplesPerPixel), seconds, status.displayError,
-                      std::hypot(kDip, status.displayError > 0 ? status.displayErrorSpread / status.displayError : 0)};
+                      std::hypot(kDip, status.displayError > 0 ? status.displayErrorSpread / status.displayError : 0),
+                      status.displayErrorSpread};
     const std::size_t kept = points_.size();
     if (kept > 1 && points_[kept - 1].samples < kThinning * points_[kept - 2].samples)
         points_.pop_back();
@@ -133,6 +134,14 @@ Foretold ErrorHistory::seconds(double levels) const {
         return {low, low, kUnknown};
     const double later = std::hypot(left(samples.high) - value, value * slower - value);
     return {now.seconds + value, low, now.seconds + value + later};
+}
+
+std::vector<ErrorPoint> ErrorHistory::points() const {
+    std::vector<ErrorPoint> known;
+    for (const Point& point : points_)
+        if (std::isfinite(point.error) && point.error > 0 && point.seconds > 0)
+            known.push_back({point.seconds, point.error, point.chance});
+    return known;
 }
 
 bool ErrorHistory::foresees() const {

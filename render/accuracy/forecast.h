@@ -23,6 +23,13 @@ struct Foretold {
     double value = 0, low = 0, high = 0;
 };
 
+/// What a picture showed.
+struct ErrorPoint {
+    double seconds = 0;  ///< of rendering, > 0
+    double levels = 0;   ///< FilmStatus::displayError, > 0
+    double spread = 0;   ///< standard deviation of that
+};
+
 /// When a step is reached.
 struct QualityStep {
     double levels = 0;
@@ -49,6 +56,8 @@ class ErrorHistory {
     /// What a picture showed after `seconds` of rendering; samples and seconds never less than before.
     void add(double seconds, const FilmStatus& status);
 
+    /// Of the pictures so far whose error is known, a few to each doubling of the samples, and the newest.
+    std::vector<ErrorPoint> points() const;
     /// Samples per pixel, in all, until the error is `levels`, which it is not yet. One error must be known. Where few
     /// bright samples are all that is there: at least so many, `value` is `low` and `high` infinite.
     Foretold samples(double levels) const;
@@ -62,6 +71,7 @@ class ErrorHistory {
         double samples = 0, seconds = 0;
         double error = 0;   ///< not finite: not known
         double spread = 0;  ///< of its logarithm
+        double chance = 0;  ///< standard deviation that chance gives it
     };
     struct Guess {
         double mean, variance;

@@ -5,6 +5,7 @@
 ///   restart                                the next scene, in the same memory
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <utility>
@@ -37,6 +38,14 @@ class Accumulator {
 
     /// All that is known, on the host. Pictures ordered stay ordered.
     virtual Result<std::shared_ptr<const Film>> film() = 0;
+    /// Lets `use` see what film() knows; where that lies on the host, without a copy.
+    virtual Result<void> look(const std::function<void(const Film&)>& use) {
+        const Result<std::shared_ptr<const Film>> known = film();
+        if (!known)
+            return known.error();
+        use(**known);
+        return {};
+    }
     /// Goes on from `film`, of the same area, as if all its samples had been taken here.
     virtual Result<void> resume(const Film& film) = 0;
     /// Empties it for the scene of that revision, uploaded before; pictures that were ordered are forgotten. Memory is

@@ -24,6 +24,10 @@ double Camera::focusDistanceMm() const {
     return focusMm > 0 ? focusMm : glm::length(targetMm - eyeMm);
 }
 
+double Camera::heightInFocusMm() const {
+    return type == Type::perspective ? 2 * std::tan(glm::radians(fovDegrees) / 2) * focusDistanceMm() : heightMm;
+}
+
 Result<void> Camera::check() const {
     if (auto ok = FieldCheck::check(*this, "camera"); !ok)
         return ok;

@@ -19,6 +19,7 @@ struct Camera {
     double focusMm = 0;        ///< distance of the sharp plane from the eye; [1e-12, 1e9]; 0 = the target's
 
     double focusDistanceMm() const;  ///< focusMm, or else the target's distance
+    double heightInFocusMm() const;  ///< of what is seen, in the sharp plane
 
     dvec3 forward() const;  ///< unit
     dvec3 right() const;    ///< unit; the image's x

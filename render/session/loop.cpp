@@ -183,6 +183,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     smoothedView_.clear();
     lattice_.reset();
     latticeSought_ = false;
+    errorMap_.clear();
     meter_.clear();
     checkpoint_ = std::move(film);
     checkpointAt_ = clock_();

@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "render/film/error_map_view.h"
 #include "render/film/smoothed_view.h"
 #include "render/session/bias_lattice.h"
 #include "render/session/film_on_device.h"
@@ -52,6 +53,7 @@ class Session::Loop {
     Result<std::vector<DisplayedPicture>> takeAllBut(std::size_t left);
     bool findGuide(const std::stop_token& stop);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
+    Result<void> mapErrors(const Display& display, const std::stop_token& stop);
     Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
     Result<void> measureBias(const RenderCommands::Iteration& step);
     bool seeksBias();
@@ -127,6 +129,7 @@ class Session::Loop {
     double biasSeconds_ = 0;              ///< what that cost
     std::optional<MeasuredBias> bias_;    ///< that it tells, on a display of this exposure (0: of none)
     float biasExposure_ = 0;
+    ErrorMapView errorMap_;
     bool brightens_ = false;  ///< its picture, a smoothed one, was just shown on another display
 
     FrameTimer meter_;

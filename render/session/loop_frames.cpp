@@ -120,15 +120,16 @@ Tile Session::Loop::nextBand() const {
 Result<void> Session::Loop::takeSnapshots() {
     if (!commands.snapshotRequested(place_.revision()))
         return {};
-    const Result<std::shared_ptr<const Film>> film = place_.film()->film();
-    if (!film)
-        return film.error();
-    const FilmView view{
-        **film,           scene_, seconds_ + frameSeconds_, place_.info().name, knownBias(commands.display().exposure),
-        commands.target()};
-    for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
-        order.look(view);
-    return {};
+    return place_.film()->look([&](const Film& film) {
+        const FilmView view{film,
+                            scene_,
+                            seconds_ + frameSeconds_,
+                            place_.info().name,
+                            knownBias(commands.display().exposure),
+                            commands.target()};
+        for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
+            order.look(view);
+    });
 }
 
 Result<void> Session::Loop::keepCheckpoint() {

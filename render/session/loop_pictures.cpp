@@ -23,6 +23,20 @@ Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step
     return {};
 }
 
+/// Where the picture is still rough, if that is wanted of it.
+Result<void> Session::Loop::mapErrors(const Display& display, const std::stop_token& stop) {
+    if (!commands.errorMap() || coarse()) {
+        errorMap_.clear();
+        return {};
+    }
+    if (!errorMap_.isDue(samples_, display.exposure))
+        return {};
+    const double start = clock_();
+    Result<void> made = place_.film()->look([&](const Film& film) { errorMap_.make(film, display.exposure, stop); });
+    seconds_ += secondsSince(start);
+    return made;
+}
+
 /// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing
 /// goes on behind. `adds`: it shows new iterations. None where smoothing was broken off, since something newer is
 /// waiting.
@@ -55,6 +69,8 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         ladder_.addDisplay(pixels(), displaySeconds);
     for (const DisplayedPicture& picture : *pictures)
         remember(picture);
+    if (Result<void> mapped = mapErrors(asked, step.stop); !mapped)
+        return mapped;
     send(*std::move(pictures), wanted(step.pace));
     return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
 }
@@ -185,8 +201,11 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->bias.measured = knownBias(frame->display.exposure);
     frame->bias.isSmoothed = frame->smoothed;
     frame->seconds = seconds_;
-    if (!coarse())
+    if (!coarse()) {
         frame->steps = history_.steps();
+        frame->history = history_.points();
+    }
+    frame->errorMap = errorMap_.map();
     frame->iterationsPerSecond = meter_.iterationsPerSecond();
     frame->iterations = n;
     if (scene_.schedule.kind == Schedule::Kind::pd)  // else iterations hold their own display

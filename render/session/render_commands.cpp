@@ -48,6 +48,18 @@ Display RenderCommands::display() {
     return display_;
 }
 
+void RenderCommands::setErrorMap(bool wanted) {
+    const std::lock_guard lock(mutex_);
+    displayChanged_ = displayChanged_ || wanted != errorMap_;
+    errorMap_ = wanted;
+    changed_.notify_one();
+}
+
+bool RenderCommands::errorMap() {
+    const std::lock_guard lock(mutex_);
+    return errorMap_;
+}
+
 void RenderCommands::setPace(const FrameBudget& pace) {
     const std::lock_guard lock(mutex_);
     pace_ = pace.clamped();

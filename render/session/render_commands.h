@@ -53,6 +53,8 @@ class RenderCommands {
 
     void submit(Scene scene, bool moving);
     void setDisplay(const Display& display);
+    /// What is there is shown again, with a map.
+    void setErrorMap(bool wanted);
     void setPace(const FrameBudget& pace);
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
@@ -65,6 +67,8 @@ class RenderCommands {
     double target();
     /// Whether a picture of that error is as good as was wanted, and left as it is.
     bool holdsAt(std::optional<double> displayError);
+    /// Whether one is wanted.
+    bool errorMap();
     /// The newest: what a step shows at its end is not what was wanted at its beginning.
     Display display();
     /// Cancels the running step.
@@ -93,6 +97,7 @@ class RenderCommands {
     DeviceOpener device_;
     Display display_;
     bool displayChanged_ = false;
+    bool errorMap_ = false;
     FrameBudget pace_;
     bool paused_ = false;
     double target_ = kFinestStep;  ///< display levels

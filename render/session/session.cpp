@@ -25,6 +25,10 @@ void Session::setDisplay(const Display& display) {
     loop_->commands.setDisplay(display);
 }
 
+void Session::setErrorMap(bool wanted) {
+    loop_->commands.setErrorMap(wanted);
+}
+
 void Session::setPace(const FrameBudget& pace) {
     loop_->commands.setPace(pace);
 }

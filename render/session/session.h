@@ -14,6 +14,7 @@
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
+#include "render/film/level_error_map.h"
 #include "render/film/smoothing_judgement.h"
 #include "render/scene/camera.h"
 #include "render/scene/model.h"
@@ -46,10 +47,13 @@ struct Frame {
     double efficiency = 0;  ///< lately: the part of the time that went into iterations, (0, 1]; 0 = not known
     std::string device;     ///< its name: "cpu"
     Schedule schedule;
-    double target = kFinestStep;  ///< levels within which 95 % of the tissue is to lie
-    bool reached = false;         ///< it does, and rendering holds until more is asked for
-    std::string error;            ///< for the user, when rendering failed and holds
-    std::string notice;           ///< for the user, when it goes on, but not as was asked: whole sentences
+    double target = kFinestStep;      ///< levels within which 95 % of the tissue is to lie
+    bool reached = false;             ///< it does, and rendering holds until more is asked for
+    std::string error;                ///< for the user, when rendering failed and holds
+    std::string notice;               ///< for the user, when it goes on, but not as was asked: whole sentences
+    std::vector<ErrorPoint> history;  ///< see ErrorHistory::points()
+    /// Of the film, of no more samples than it has; null: not wanted, or coarse.
+    std::shared_ptr<const LevelErrorMap> errorMap;
 };
 
 /// Called on the render thread; must return soon.
@@ -90,6 +94,8 @@ class Session {
     void submit(Scene scene, bool moving);
     /// Shows what is there with other display settings, without a restart.
     void setDisplay(const Display& display);
+    /// Whether full pictures come with a map of their error. What is there gets one at once.
+    void setErrorMap(bool wanted);
     /// How many iterations a displayed frame gets.
     void setPace(const FrameBudget& pace);
     /// n, the iterations per displayed frame, by hand; [1, 10000].

@@ -2,10 +2,12 @@
 
 #include <QElapsedTimer>
 #include <QFile>
+#include <QHelpEvent>
 #include <QImage>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -62,6 +64,8 @@ class TestDesktop : public QObject {
     void brightnessWorksWithoutARestart();
     void aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne();
     void linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone();
+    void oneKeyShowsWhereThePictureIsStillRough();
+    void whereTheMouseRestsItIsSaidHowGoodThePictureIsThere();
     void pauseHoldsTheSamples();
     void theFilmFollowsTheWindow();
     void undoBringsTheFirstViewBack();
@@ -201,6 +205,45 @@ void TestDesktop::aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne() {
              qPrintable(trial.said()));
     QVERIFY2(trial.said().contains("No known bias in the computing"), qPrintable(trial.said()));
     QCOMPARE(trial.frames.back()->revision, revision);
+}
+
+/// Also of a picture that is held.
+void TestDesktop::oneKeyShowsWhereThePictureIsStillRough() {
+    Trial trial;
+    trial.openAndWait(series_);
+    ui::Viewport& viewport = trial.desktop.window().viewport();
+    QVERIFY(!trial.frames.back()->errorMap);
+    trial.desktop.parts().bridge.setPaused(true);
+    const std::uint64_t samples = trial.heldSamples();
+    const QImage before = viewport.grab().toImage();
+    QTest::keyClick(&viewport, Qt::Key_E);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->errorMap, test::kPatience);
+    QCOMPARE(trial.frames.back()->status.samplesPerPixel, samples);
+    QVERIFY(viewport.grab().toImage() != before);
+    QTest::keyClick(&viewport, Qt::Key_E);
+    QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.back()->errorMap, test::kPatience);
+    QVERIFY(viewport.grab().toImage() == before);
+}
+
+/// Also of a picture that is held; its millimetre is that of the camera.
+void TestDesktop::whereTheMouseRestsItIsSaidHowGoodThePictureIsThere() {
+    Trial trial;
+    trial.openAndWait(series_);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= kSamplesToEstimate, test::kPatience);
+    RenderBridge& bridge = trial.desktop.parts().bridge;
+    bridge.setPaused(true);
+    trial.heldSamples();
+    std::vector<LevelErrorsAt> found;
+    connect(&bridge, &RenderBridge::errorFound, [&](QPointF, const LevelErrorsAt& errors) { found.push_back(errors); });
+    ui::Viewport& viewport = trial.desktop.window().viewport();
+    const QPoint middle = viewport.rect().center();
+    QHelpEvent rest(QEvent::ToolTip, middle, viewport.mapToGlobal(middle));
+    QCoreApplication::sendEvent(&viewport, &rest);
+    QTRY_COMPARE_WITH_TIMEOUT(found.size(), std::size_t(1), test::kPatience);
+    const Frame& frame = *trial.frames.back();
+    QCOMPARE(found[0].side, int(std::lround(frame.size.y / frame.camera.heightInFocusMm())));
+    QVERIFY(found[0].tissue && found[0].here > 0 && found[0].over <= found[0].here);
+    QVERIFY2(QToolTip::text().startsWith(QString::fromUtf8("here ±")), qPrintable(QToolTip::text()));
 }
 
 void TestDesktop::linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone() {

@@ -21,6 +21,7 @@ class TestFoot : public QObject {
     void theSentenceSaysWhatIsNotKnown();
     void aPreviewSaysThatItIsOne();
     void stepsAreToldInWords();
+    void onePlaceIsToldInWords();
     void theAxisIsLogarithmicFromASecondToAnHour();
     void labelsNeverOverlapAndKeepTheirOrder();
     void laterStepsStandFartherRight();
@@ -128,6 +129,16 @@ void TestFoot::stepsAreToldInWords() {
     QCOMPARE(durationText(0.2), "1 s");
     QCOMPARE(durationText(90), "1.5 min");
     QCOMPARE(durationText(7200), "2.0 h");
+}
+
+void TestFoot::onePlaceIsToldInWords() {
+    constexpr float kUnknown = std::numeric_limits<float>::infinity();
+    QCOMPARE(hereText({true, 11.2f, 3, 2.81f}, false), QString::fromUtf8("here ±12; over 1 mm ±2.9"));
+    QCOMPARE(hereText({true, 11.2f, 3, 2.81f}, true), QString::fromUtf8("here ±12; over 1 mm ±2.9, before smoothing"));
+    QCOMPARE(hereText({true, 11.2f, 3, kUnknown}, false), QString::fromUtf8("here ±12; over 1 mm: not known yet"));
+    QCOMPARE(hereText({true, 11.2f, 0, 11.2f}, false), QString::fromUtf8("here ±12; a pixel is larger than 1 mm"));
+    QCOMPARE(hereText({true, kUnknown, 3, kUnknown}, true), "here: not known yet");
+    QCOMPARE(hereText({false, 0, 3, 0}, false), QString());
 }
 
 void TestFoot::theAxisIsLogarithmicFromASecondToAnHour() {

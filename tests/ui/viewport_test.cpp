@@ -1,7 +1,9 @@
 /// The hand on the picture.
 
+#include <QHelpEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include "render/scene/orbit.h"
@@ -72,7 +74,23 @@ class TestViewport : public QObject {
     void theCaptionStandsInAPictureAlone();
     void withoutPictureTheMessageIsShown();
     void theNewSizeIsTold();
+    void whereTheMouseRestsIsToldInPartsOfThePicture();
+    void aTipIsShownOnlyWhereTheMouseStillRests();
 };
+
+/// The mouse rests at `place`.
+static void restAt(Viewport& viewport, QPoint place) {
+    QHelpEvent event(QEvent::ToolTip, place, viewport.mapToGlobal(place));
+    QCoreApplication::sendEvent(&viewport, &event);
+}
+
+/// In a view of 400 x 200.
+static Viewport::Shown shownOf(QSize size) {
+    Viewport::Shown shown;
+    shown.image = QImage(size, QImage::Format_RGBX8888);
+    shown.image.fill(Qt::black);
+    return shown;
+}
 
 void TestViewport::leftDragTurns() {
     Hand hand;
@@ -250,6 +268,41 @@ void TestViewport::theNewSizeIsTold() {
     hand.viewport.resize(300, 250);
     QTRY_COMPARE_WITH_TIMEOUT(size.count(), 1, test::kPatience);
     QCOMPARE(size.first().first().toSize(), QSize(300, 250) * hand.viewport.devicePixelRatioF());
+}
+
+void TestViewport::whereTheMouseRestsIsToldInPartsOfThePicture() {
+    Hand hand;
+    QSignalSpy rested(&hand.viewport, &Viewport::rested);
+    restAt(hand.viewport, {100, 100});
+    QCOMPARE(rested.count(), 0);  // no picture
+    hand.viewport.setPicture(shownOf({400, 200}));
+    restAt(hand.viewport, {100, 50});
+    QCOMPARE(rested.takeLast()[0].toPointF(), QPointF(0.25, 0.25));
+    hand.viewport.setPicture(shownOf({50, 50}));  // stretched to the height, in the middle
+    restAt(hand.viewport, {150, 50});
+    QCOMPARE(rested.takeLast()[0].toPointF(), QPointF(0.25, 0.25));
+    restAt(hand.viewport, {50, 50});
+    QCOMPARE(rested.count(), 0);  // beside it
+    QTest::mousePress(&hand.viewport, Qt::LeftButton, {}, {150, 50});
+    restAt(hand.viewport, {150, 50});
+    QCOMPARE(rested.count(), 0);  // a hand that drags
+}
+
+void TestViewport::aTipIsShownOnlyWhereTheMouseStillRests() {
+    Hand hand;
+    hand.viewport.setPicture(shownOf({400, 200}));
+    restAt(hand.viewport, {100, 50});
+    hand.viewport.showTip({0.5, 0.5}, "elsewhere");
+    QVERIFY(QToolTip::text() != "elsewhere");
+    hand.viewport.showTip({0.25, 0.25}, "here");
+    QCOMPARE(QToolTip::text(), "here");
+    hand.viewport.showTip({0.25, 0.25}, {});
+    QTRY_VERIFY(!QToolTip::isVisible());
+    QMouseEvent move(QEvent::MouseMove, QPointF(101, 50), hand.viewport.mapToGlobal(QPointF(101, 50)), Qt::NoButton,
+                     Qt::NoButton, {});
+    QCoreApplication::sendEvent(&hand.viewport, &move);
+    hand.viewport.showTip({0.25, 0.25}, "too late");
+    QVERIFY(!QToolTip::isVisible());
 }
 
 }  // namespace pdr::ui

@@ -26,6 +26,10 @@ class CpuAccumulator final : public Accumulator {
     Result<Picture> readback() override;
     int maxInFlight() const override { return 1; }
     Result<std::shared_ptr<const Film>> film() override { return std::make_shared<const Film>(film_); }
+    Result<void> look(const std::function<void(const Film&)>& use) override {
+        use(film_);
+        return {};
+    }
     Result<void> resume(const Film& film) override;
     Result<void> restart(const Tile& area, std::uint64_t revision) override;
 

@@ -43,6 +43,21 @@ class ForecastTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void whatWasShownIsKeptAsFarAsItIsKnown() {
+        ErrorHistory history;
+        history.add(1, {.samplesPerPixel = 16});
+        const Fall fall;
+        for (const std::uint64_t n : {32, 64, 65})
+            history.add(double(n) / 8, fall.status(n));
+        const std::vector<ErrorPoint> points = history.points();
+        QCOMPARE(points.size(), std::size_t(3));
+        QVERIFY(points[0].seconds == 4 && points[1].seconds == 8 && points[2].seconds == 65.0 / 8);
+        QCOMPARE(points[1].levels, fall.errorOf(64));
+        QCOMPARE(points[1].spread, fall.spread * fall.errorOf(64));
+        history.forgetErrors();
+        QVERIFY(history.points().empty());
+    }
+
     void errorsThatFallAsMostDoAreForetoldExactly() {
         const Fall fall;
         const std::vector<QualityStep> steps = fall.until(256).steps();

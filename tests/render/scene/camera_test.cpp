@@ -32,6 +32,14 @@ class CameraTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// The ray through the middle of the upper edge has risen by half of it when it meets the sharp plane.
+    void theHeightInFocusIsWhatTheEdgesSee() {
+        Scene scene = view(Camera::Type::perspective);
+        scene.camera.focusMm = 300;
+        const vec3 edge = through(scene, vec2(100, 0)).direction;
+        QVERIFY(std::fabs(2 * 300 * double(edge.z / edge.y) / scene.camera.heightInFocusMm() - 1) < 1e-5);
+        QCOMPARE(view(Camera::Type::orthographic).camera.heightInFocusMm(), 60.0);
+    }
     /// The image's middle looks at the target; a ray through the middle of the upper edge rises by half the field of
     /// view, and one through the right edge goes as much further aside as the film is wider than high.
     void fieldOfViewIsVertical() {

@@ -1,0 +1,82 @@
+#include "render/film/level_error_map.h"
+
+#include <algorithm>
+
+#include "render/film/display_error.h"
+#include "render/film/likely_error.h"
+
+namespace pdr {
+namespace {
+
+constexpr double kSigmas = 1.96;  ///< to either side of 95 % of a normal distribution
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
+
+/// What `errors` say of `pixel` at (x, y) of theirs.
+dvec3 errorOf(const PixelEstimate& pixel, const denoise::Colours& errors, int x, int y) {
+    if (pixel.count < kSamplesToEstimate)
+        return dvec3(double(kUnknown));
+    return {errors[0].row(y)[x], errors[1].row(y)[x], errors[2].row(y)[x]};
+}
+
+}  // namespace
+
+std::uint8_t levelBinOf(float levels) {
+    if (std::isinf(levels))
+        return kUnknownBin;
+    if (!(levels > float(kFinestLevels)))
+        return kFirstBin;
+    const long bin = kFirstBin + std::lround(kBinsPerDoubling * std::log2(double(levels) / kFinestLevels));
+    return std::uint8_t(std::min<long>(bin, kLastBin));
+}
+
+float levelsWithin(dvec3 mean, dvec3 error, double exposure) {
+    if (std::isinf(error.x) || std::isinf(error.y) || std::isinf(error.z))
+        return kUnknown;
+    const float* curve = displayCurve();
+    const dvec3 draw = kSigmas * error;
+    return std::max(levelsOff(curve, mean, draw, exposure), levelsOff(curve, mean, -draw, exposure));
+}
+
+LevelErrorsAt levelErrorsAt(const Film& film, ivec2 pixel, int side, double exposure) {
+    const ivec2 corner = glm::max(pixel - (side - 1) / 2, ivec2(0));
+    const ivec2 end = glm::min(pixel - (side - 1) / 2 + side, film.size());
+    const Tile square{corner.x, corner.y, end.x - corner.x, end.y - corner.y};
+    const denoise::Colours errors = likelyErrors(film, square);
+    LevelErrorsAt found{.side = side};
+    dvec3 light(0.0), squares(0.0);
+    for (int y = 0; y < square.height; ++y)
+        for (int x = 0; x < square.width; ++x) {
+            const PixelEstimate one = film.pixel(corner.x + x, corner.y + y);
+            const dvec3 error = errorOf(one, errors, x, y);
+            light += one.mean;
+            squares += error * error;
+            if (corner + ivec2(x, y) == pixel) {
+                found.tissue = one.tissue;
+                found.here = levelsWithin(one.mean, error, exposure);
+            }
+        }
+    const double pixels = double(square.width) * square.height;
+    found.over = levelsWithin(light / pixels, glm::sqrt(squares) / pixels, exposure);
+    return found;
+}
+
+/// Band by band: so little is held at once that it stays in the cache.
+LevelErrorMap levelErrorMap(const Film& film, double exposure, const std::stop_token& stop) {
+    const ivec2 size = film.size();
+    LevelErrorMap map{size, std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y), kNoTissueBin)};
+    const bool estimates = film.samples().most >= kSamplesToEstimate;
+    denoise::eachBand(size.y, stop, [&](int begin, int end) {
+        const denoise::Colours errors =
+            estimates ? likelyErrors(film, {0, begin, size.x, end - begin}) : denoise::Colours();
+        std::uint8_t* bin = &map.bins[std::size_t(begin) * std::size_t(size.x)];
+        for (int y = begin; y < end; ++y)
+            for (int x = 0; x < size.x; ++x, ++bin) {
+                const PixelEstimate pixel = film.pixel(x, y);
+                if (pixel.tissue)
+                    *bin = levelBinOf(levelsWithin(pixel.mean, errorOf(pixel, errors, x, y - begin), exposure));
+            }
+    });
+    return map;
+}
+
+}  // namespace pdr

@@ -1,0 +1,96 @@
+/// Pictures come with a map of their error where one is wanted, and nothing is computed for it where not.
+
+#include <QTest>
+#include <future>
+
+#include "tests/support/reel.h"
+#include "tests/support/screen.h"
+
+using namespace pdr;
+
+namespace {
+
+/// A session that holds at its picture of revision 1.
+struct Held {
+    test::Screen screen;
+    Session session{makeCpuDevice(2), screen.sink()};
+    std::shared_ptr<const Frame> frame;
+
+    Held() {
+        session.setIterationsPerFrame(20);
+        session.setTarget(8);
+        Scene scene = test::largeScene(1);
+        scene.film = {48, 32};
+        session.submit(scene, false);
+        frame = screen.await([](const Frame& f) { return f.reached; });
+    }
+    std::shared_ptr<const Frame> mapped() {
+        return screen.await([](const Frame& f) { return f.errorMap != nullptr; });
+    }
+    LevelErrorMap truth(double exposure) {
+        std::promise<LevelErrorMap> made;
+        session.requestSnapshot(
+            1, [&](const Result<FilmView>& view) { made.set_value(levelErrorMap(view->film, exposure)); });
+        return made.get_future().get();
+    }
+};
+
+}  // namespace
+
+class ErrorMapTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void thereIsNoneUntilItIsWanted() {
+        Held held;
+        QVERIFY(held.frame && !held.frame->errorMap);
+    }
+
+    void aPictureThatIsHeldGetsItAtOnceAndLosesItAgain() {
+        Held held;
+        held.session.setErrorMap(true);
+        const auto mapped = held.mapped();
+        QVERIFY(mapped && mapped->status.samplesPerPixel == held.frame->status.samplesPerPixel);
+        QVERIFY(mapped->errorMap->size == mapped->size);
+        QVERIFY(mapped->errorMap->bins == held.truth(1).bins);
+        held.session.setErrorMap(false);
+        QVERIFY(held.screen.await([](const Frame& f) { return f.errorMap == nullptr; }));
+    }
+
+    void itIsThatOfTheDisplay() {
+        Held held;
+        held.session.setErrorMap(true);
+        QVERIFY(held.mapped());
+        held.session.setPaused(true);
+        held.session.setDisplay({.exposure = 8});
+        const auto dark = held.screen.await([](const Frame& f) { return f.display.exposure == 8; });
+        QVERIFY(dark->errorMap->bins == held.truth(8).bins);
+    }
+
+    /// At each quarter more: some eleven times from 1 to 1000 samples after the first few.
+    void itIsMadeAnewSeldom() {
+        test::Reel reel;
+        Session session(makeCpuDevice(1), reel.sink());
+        session.setIterationsPerFrame(1);
+        session.setErrorMap(true);
+        Scene scene = test::largeScene(1);
+        scene.film = {24, 16};
+        session.submit(scene, false);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 150), 1'800'000);
+        std::shared_ptr<const LevelErrorMap> last;
+        double madeAt = 0;
+        for (const auto& frame : reel.of(1)) {
+            const double samples = double(frame->status.samplesPerPixel);
+            QCOMPARE(frame->errorMap == nullptr, frame->coarse);
+            if (frame->errorMap && frame->errorMap != last) {
+                QVERIFY(samples >= 1.25 * madeAt);
+                madeAt = samples;
+            }
+            QVERIFY(frame->coarse || samples < 1.25 * madeAt + 1);
+            last = frame->errorMap;
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ErrorMapTest)
+#include "error_map_test.moc"

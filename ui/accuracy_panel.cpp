@@ -1,0 +1,77 @@
+#include "ui/accuracy_panel.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QScrollArea>
+
+#include "ui/status_text.h"
+
+namespace pdr::ui {
+namespace {
+
+/// A row of a fact: its name, faint, and what is so.
+QLabel* addFact(QGridLayout& grid, const QString& name) {
+    auto* heading = new QLabel(name);
+    heading->setForegroundRole(QPalette::PlaceholderText);
+    auto* fact = new QLabel;
+    fact->setWordWrap(true);
+    fact->setTextFormat(Qt::PlainText);
+    fact->setAccessibleName(name);
+    const int row = grid.rowCount();
+    grid.addWidget(heading, row, 0, Qt::AlignTop | Qt::AlignRight);
+    grid.addWidget(fact, row, 1, Qt::AlignTop);
+    return fact;
+}
+
+}  // namespace
+
+AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new ErrorPlot) {
+    auto* facts = new QWidget;
+    auto* grid = new QGridLayout(facts);
+    grid->setContentsMargins(0, 0, 8, 0);
+    grid->setHorizontalSpacing(10);
+    grid->setVerticalSpacing(3);
+    grid->setColumnStretch(1, 1);
+    noise_ = addFact(*grid, tr("Noise"));
+    bias_ = addFact(*grid, tr("Besides noise"));
+    health_ = addFact(*grid, tr("Health"));
+    making_ = addFact(*grid, tr("Made by"));
+    grid->setRowStretch(grid->rowCount(), 1);
+
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(facts);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::TabFocus);
+    scroll->setAccessibleName(tr("What is known of the error"));
+    scroll->setMinimumWidth(200);
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 0, 6, 4);
+    row->setSpacing(12);
+    row->addWidget(plot_, 3);
+    row->addWidget(scroll, 2);
+}
+
+void AccuracyPanel::setAccuracy(const Accuracy& accuracy, double target) {
+    plot_->setAccuracy(accuracy, target);
+    noise_->setText(noiseText(accuracy));
+    health_->setText(healthText(accuracy.status));
+}
+
+void AccuracyPanel::setBias(const QStringList& remarks) {
+    bias_->setText(remarks.join('\n'));
+}
+
+void AccuracyPanel::setMaking(const QString& making) {
+    making_->setText(making);
+}
+
+void AccuracyPanel::clear() {
+    setAccuracy({}, plot_->target());
+    setBias({});
+    setMaking({});
+}
+
+}  // namespace pdr::ui

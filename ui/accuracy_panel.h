@@ -1,0 +1,35 @@
+#pragma once
+/// How good the picture is, in full: how its error falls, what is noise and what is not, what went wrong with samples,
+/// and what it is made by. Setters are silent.
+
+#include <QLabel>
+
+#include "ui/error_plot.h"
+
+namespace pdr::ui {
+
+class AccuracyPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit AccuracyPanel(QWidget* parent = nullptr);
+
+    ErrorPlot& plot() { return *plot_; }
+
+    /// `target`: the levels at which rendering holds.
+    void setAccuracy(const Accuracy& accuracy, double target);
+    /// Sentences on what is not noise.
+    void setBias(const QStringList& remarks);
+    /// What the picture is made by.
+    void setMaking(const QString& making);
+    void clear();
+
+  private:
+    ErrorPlot* plot_;
+    QLabel* noise_;
+    QLabel* bias_;
+    QLabel* health_;
+    QLabel* making_;
+};
+
+}  // namespace pdr::ui

@@ -1,0 +1,42 @@
+#pragma once
+/// How the picture's error has fallen and will fall: error against time, both logarithmic. What was measured with its
+/// band, the way of independent samples (1 / sqrt(t)) to compare with, the target, and what is foretold, hatched where
+/// it lies to 95 %. Setters are silent.
+
+#include <QWidget>
+
+#include "ui/accuracy_text.h"
+#include "ui/error_axes.h"
+
+namespace pdr::ui {
+
+class ErrorPlot : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ErrorPlot(QWidget* parent = nullptr);
+
+    /// `target`: the levels at which rendering holds.
+    void setAccuracy(const Accuracy& accuracy, double target);
+    double target() const { return target_; }
+    /// Of the plot as it is large now.
+    ErrorAxes axes() const;
+
+    QSize sizeHint() const override { return {520, 150}; }
+    QSize minimumSizeHint() const override { return {240, 90}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void paintGrid(QPainter& painter, const ErrorAxes& axes) const;
+    void paintTarget(QPainter& painter, const ErrorAxes& axes) const;
+    void paintRootLine(QPainter& painter, const ErrorAxes& axes) const;
+    void paintForecast(QPainter& painter, const ErrorAxes& axes) const;
+    void paintMeasured(QPainter& painter, const ErrorAxes& axes) const;
+
+    Accuracy accuracy_;
+    double target_ = kFinestStep;
+};
+
+}  // namespace pdr::ui
