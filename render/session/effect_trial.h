@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "render/accuracy/cost_band.h"
+#include "render/accuracy/picture_change.h"
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
@@ -21,13 +23,36 @@ namespace pdr {
 using Iterate = std::function<Result<double>(std::uint32_t n)>;
 
 /// What one iteration of each picture takes [ms], measured in turn, kBandMeasurements times, in at most about
-/// `budgetSeconds` in all; a picture of which one iteration takes longer than its share gets one at a time. The first
-/// iteration of each only shows how many fit.
-Result<std::vector<CostBand>> costsInTurn(const std::vector<Iterate>& pictures, double budgetSeconds);
+/// `budgetSeconds` in all, step by step; a picture of which one iteration takes longer than its share gets one at a
+/// time. The first iteration of each only shows how many fit. The order changes from round to round, so that a drift of
+/// the machine's speed cancels.
+class CostsInTurn {
+  public:
+    /// `pictures`: at least one.
+    CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds);
 
-/// The band of what one iteration with takes more than one without [ms]; measured like that, the order of the two
-/// changing from pair to pair so that a drift of the machine's speed cancels.
-Result<CostBand> addedCost(const Iterate& with, const Iterate& without, double budgetSeconds);
+    bool isDone() const { return rounds_.size() == kBandMeasurements && rounds_.back().size() == pictures_.size(); }
+    /// One measurement of one picture; not when it is done.
+    Result<void> step();
+    /// When it is done: of each picture; of what the first takes more than the second; and the part of the first's time
+    /// that this is, 1 at most.
+    std::vector<CostBand> bands() const;
+    CostBand added() const;
+    CostBand share() const;
+
+  private:
+    Result<void> first(std::size_t picture);
+    /// Of picture(round).
+    template <class Value>
+    CostBand bandOfRounds(const Value& value) const;
+
+    std::vector<Iterate> pictures_;
+    double budgetSeconds_;
+    std::size_t begun_ = 0;                    ///< pictures whose first iteration is taken
+    double firstSeconds_ = 0;                  ///< that they took
+    std::uint32_t iterations_ = 0;             ///< of each measurement
+    std::vector<std::vector<double>> rounds_;  ///< ms an iteration, of each round in the order of its turns
+};
 
 /// A scene on its way to a picture.
 class TrialPicture {
@@ -48,16 +73,37 @@ class TrialPicture {
 };
 
 struct EffectTrial {
-    CostBand milliseconds;  ///< per iteration: with minus without
-    double levels = 0;  ///< display levels of 255 by which the picture changes without it: mean over pixels and colours
+    CostBand milliseconds;         ///< per iteration: with minus without
+    CostBand share;                ///< of an iteration's time: 1 is all of it
+    PictureChange change;          ///< without it
+    std::optional<Foretold> time;  ///< so many times as long to any target without it: what an iteration takes and how
+                                   ///< noisy it is, both; none where an error is not known
 };
 
-/// Below, a change is 0.00 levels: nobody could tell.
-inline constexpr double kNoLevels = 0.005;
+/// `samples` times as many of them, each for the share less: so many times as long.
+Foretold timeWithout(const Foretold& samples, const CostBand& share);
 
-/// Of an effect of `scene` that can be left out. Errors: those of the device.
-Result<EffectTrial> tryEffect(const Effect& effect, const Scene& scene, const Display& display, Device& device,
-                              double budgetSeconds);
+/// Levels that nobody sees: less than what is rounded away. An effect that changes 95 % of the picture by less than
+/// kUnseenLevels and the picture as a whole by less than kUnseenMean, to 95 %, could be left out.
+inline constexpr double kUnseenLevels = 0.5, kUnseenMean = 0.05;
+bool isUnseen(const PictureChange& change);
+
+/// Trying an effect of `scene` that can be left out, step by step. Errors: those of the device.
+class EffectTrying {
+  public:
+    /// `device` must outlive it.
+    EffectTrying(const Effect& effect, const Scene& scene, Device& device, double budgetSeconds);
+
+    bool isDone() const { return costs_.isDone(); }
+    /// One launch of one of the two pictures; not when it is done.
+    Result<void> step() { return costs_.step(); }
+    /// When it is done.
+    Result<EffectTrial> trial(const Display& display) const;
+
+  private:
+    TrialPicture with_, without_;
+    CostsInTurn costs_;
+};
 
 /// The film of a small picture for trials of `scene`: at most `longestSide` pixels, and so few (at least 16 on its
 /// longest side) that an iteration takes about `seconds` of processor time.
