@@ -25,7 +25,7 @@ Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) 
     }
     std::vector<Iterate> iterates;
     for (TrialPicture& picture : pictures)
-        iterates.push_back([&picture](std::uint32_t n) { return picture.accumulate(n); });
+        iterates.push_back([&picture](std::uint32_t n, const std::stop_token& stop) { return picture.accumulate(n, stop); });
     CostsInTurn costs(std::move(iterates), kModelSeconds);
     while (!costs.isDone())
         if (auto ok = costs.step(); !ok)

@@ -31,23 +31,23 @@ double Calibration::secondsEach() const {
     return effort_.seconds / double(std::max<std::ptrdiff_t>(tried, 1));
 }
 
-Result<void> Calibration::step() {
+Result<void> Calibration::step(const std::stop_token& stop) {
     const double start = processorSeconds();
-    Result<void> done = ledger_.film == ivec2(0) ? chooseFilm() : tryNext();
+    Result<void> done = ledger_.film == ivec2(0) ? chooseFilm(stop) : tryNext(stop);
     ledger_.seconds += processorSeconds() - start;
     return done;
 }
 
-Result<void> Calibration::chooseFilm() {
+Result<void> Calibration::chooseFilm(const std::stop_token& stop) {
     const auto film =
-        trialFilm(scene_, device_, effort_.longestSide, secondsEach() / (2 * kBandMeasurements * kWantedIterations));
+        trialFilm(scene_, device_, effort_.longestSide, secondsEach() / (2 * kBandMeasurements * kWantedIterations), stop);
     if (!film)
         return film.error();
     ledger_.film = scene_.film = *film;
     return {};
 }
 
-Result<void> Calibration::tryNext() {
+Result<void> Calibration::tryNext(const std::stop_token& stop) {
     while (next_ < ledger_.effects.size() && !ledger_.effects[next_].canBeTried())
         ++next_;
     ledger_.complete = next_ == ledger_.effects.size();
@@ -56,7 +56,7 @@ Result<void> Calibration::tryNext() {
     TriedEffect& tried = ledger_.effects[next_];
     if (!trying_)
         trying_ = std::make_unique<EffectTrying>(tried.effect, scene_, device_, secondsEach());
-    if (auto ok = trying_->step(); !ok || !trying_->isDone())
+    if (auto ok = trying_->step(stop); !ok || stop.stop_requested() || !trying_->isDone())
         return ok;
     const auto trial = trying_->trial(display_);
     if (!trial)

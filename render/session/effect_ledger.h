@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "render/device/device.h"
@@ -45,15 +46,15 @@ class Calibration {
     Calibration(Scene scene, const Display& display, Device& device, const Effort& effort);
 
     bool isDone() const { return ledger_.complete; }
-    /// One launch. Errors: those of the device.
-    Result<void> step();
+    /// One launch. Errors: those of the device. After a stop request all of it is worthless.
+    Result<void> step(const std::stop_token& stop = {});
     const EffectLedger& ledger() const { return ledger_; }
     /// With the film of the ledger.
     const Scene& scene() const { return scene_; }
 
   private:
-    Result<void> chooseFilm();
-    Result<void> tryNext();
+    Result<void> chooseFilm(const std::stop_token& stop);
+    Result<void> tryNext(const std::stop_token& stop);
     double secondsEach() const;
 
     Scene scene_;

@@ -29,8 +29,8 @@ Scene leanScene(const Effect& effect, Scene scene) {
 CostsInTurn::CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds)
     : pictures_(std::move(pictures)), budgetSeconds_(budgetSeconds) {}
 
-Result<void> CostsInTurn::first(std::size_t picture) {
-    const auto seconds = pictures_[picture](1);
+Result<void> CostsInTurn::first(std::size_t picture, const std::stop_token& stop) {
+    const auto seconds = pictures_[picture](1, stop);
     if (!seconds)
         return seconds.error();
     firstSeconds_ += *seconds;
@@ -39,13 +39,13 @@ Result<void> CostsInTurn::first(std::size_t picture) {
     return {};
 }
 
-Result<void> CostsInTurn::step() {
+Result<void> CostsInTurn::step(const std::stop_token& stop) {
     if (begun_ < pictures_.size())
-        return first(begun_);
+        return first(begun_, stop);
     if (rounds_.empty() || rounds_.back().size() == pictures_.size())
         rounds_.emplace_back();
     const std::size_t turn = rounds_.back().size();
-    const auto seconds = pictures_[rounds_.size() % 2 == 1 ? turn : pictures_.size() - 1 - turn](iterations_);
+    const auto seconds = pictures_[rounds_.size() % 2 == 1 ? turn : pictures_.size() - 1 - turn](iterations_, stop);
     if (!seconds)
         return seconds.error();
     rounds_.back().push_back(1e3 * *seconds / iterations_);
@@ -87,11 +87,11 @@ Result<void> TrialPicture::begin() {
     return {};
 }
 
-Result<double> TrialPicture::accumulate(std::uint32_t n) {
+Result<double> TrialPicture::accumulate(std::uint32_t n, const std::stop_token& stop) {
     if (auto ok = begin(); !ok)
         return ok.error();
     const double start = processorSeconds();
-    if (auto ok = film_->accumulate(n, {}); !ok)
+    if (auto ok = film_->accumulate(n, stop); !ok)
         return ok.error();
     return processorSeconds() - start;
 }
@@ -112,8 +112,8 @@ bool isUnseen(const PictureChange& change) {
 EffectTrying::EffectTrying(const Effect& effect, const Scene& scene, Device& device, double budgetSeconds)
     : with_(scene, device),
       without_(leanScene(effect, scene), device),
-      costs_({[this](std::uint32_t n) { return with_.accumulate(n); },
-              [this](std::uint32_t n) { return without_.accumulate(n); }},
+      costs_({[this](std::uint32_t n, const std::stop_token& stop) { return with_.accumulate(n, stop); },
+              [this](std::uint32_t n, const std::stop_token& stop) { return without_.accumulate(n, stop); }},
              budgetSeconds) {}
 
 Result<EffectTrial> EffectTrying::trial(const Display& display) const {
@@ -128,14 +128,15 @@ Result<EffectTrial> EffectTrying::trial(const Display& display) const {
                        samples ? std::optional(timeWithout(*samples, share)) : std::nullopt};
 }
 
-Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, double seconds) {
+Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, double seconds,
+                        const std::stop_token& stop) {
     Scene small = scene;
     const auto shrink = [&](int side) {
         small.film = glm::max(scene.film * side / std::max({scene.film.x, scene.film.y, side}), ivec2(1));
     };
     shrink(longestSide);
     TrialPicture picture(small, device);
-    const auto first = picture.accumulate(1);
+    const auto first = picture.accumulate(1, stop);
     if (!first)
         return first.error();
     if (*first > seconds)

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -19,8 +20,9 @@
 
 namespace pdr {
 
-/// Takes n more iterations of a picture; the result is the processor time that they took [s].
-using Iterate = std::function<Result<double>(std::uint32_t n)>;
+/// Takes n more iterations of a picture; the result is the processor time that they took [s]. After a stop request it
+/// returns early, and the picture is worthless.
+using Iterate = std::function<Result<double>(std::uint32_t n, const std::stop_token& stop)>;
 
 /// What one iteration of each picture takes [ms], measured in turn, kBandMeasurements times, in at most about
 /// `budgetSeconds` in all, step by step; a picture of which one iteration takes longer than its share gets one at a
@@ -32,8 +34,8 @@ class CostsInTurn {
     CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds);
 
     bool isDone() const { return rounds_.size() == kBandMeasurements && rounds_.back().size() == pictures_.size(); }
-    /// One measurement of one picture; not when it is done.
-    Result<void> step();
+    /// One measurement of one picture; not when it is done, nor after one that was stopped.
+    Result<void> step(const std::stop_token& stop = {});
     /// When it is done: of each picture; of what the first takes more than the second; and the part of the first's time
     /// that this is, 1 at most.
     std::vector<CostBand> bands() const;
@@ -41,7 +43,7 @@ class CostsInTurn {
     CostBand share() const;
 
   private:
-    Result<void> first(std::size_t picture);
+    Result<void> first(std::size_t picture, const std::stop_token& stop);
     /// Of picture(round).
     template <class Value>
     CostBand bandOfRounds(const Value& value) const;
@@ -60,7 +62,7 @@ class TrialPicture {
     /// `device` must outlive it.
     TrialPicture(Scene scene, Device& device) : scene_(std::move(scene)), device_(device) {}
 
-    Result<double> accumulate(std::uint32_t n);
+    Result<double> accumulate(std::uint32_t n, const std::stop_token& stop);
     /// At least one iteration must have been taken.
     Result<std::shared_ptr<const Film>> film() const { return film_->film(); }
 
@@ -95,8 +97,8 @@ class EffectTrying {
     EffectTrying(const Effect& effect, const Scene& scene, Device& device, double budgetSeconds);
 
     bool isDone() const { return costs_.isDone(); }
-    /// One launch of one of the two pictures; not when it is done.
-    Result<void> step() { return costs_.step(); }
+    /// One launch of one of the two pictures; not when it is done, nor after one that was stopped.
+    Result<void> step(const std::stop_token& stop) { return costs_.step(stop); }
     /// When it is done.
     Result<EffectTrial> trial(const Display& display) const;
 
@@ -106,7 +108,8 @@ class EffectTrying {
 };
 
 /// The film of a small picture for trials of `scene`: at most `longestSide` pixels, and so few (at least 16 on its
-/// longest side) that an iteration takes about `seconds` of processor time.
-Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, double seconds);
+/// longest side) that an iteration takes about `seconds` of processor time. Worthless after a stop request.
+Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, double seconds,
+                        const std::stop_token& stop = {});
 
 }  // namespace pdr

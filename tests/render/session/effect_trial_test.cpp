@@ -20,7 +20,7 @@ struct Machine {
     std::mt19937 random{7};
 
     Iterate picture(double seconds) {
-        return [this, seconds](std::uint32_t n) -> Result<double> {
+        return [this, seconds](std::uint32_t n, const std::stop_token&) -> Result<double> {
             const double off = noise * std::uniform_real_distribution<double>(-1, 1)(random);
             const double took = n * seconds * (1 + drift * measurements++ + off);
             spent += took;
@@ -104,7 +104,7 @@ class EffectTrialTest : public QObject {
     }
 
     void aFailureIsPassedOn() {
-        const Iterate broken = [](std::uint32_t) -> Result<double> { return Error{"gone", "device", ""}; };
+        const Iterate broken = [](std::uint32_t, const std::stop_token&) -> Result<double> { return Error{"gone", "device", ""}; };
         Machine machine;
         CostsInTurn costs({machine.picture(0.1), broken}, 1);
         QVERIFY(bool(costs.step()));
