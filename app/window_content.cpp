@@ -1,5 +1,6 @@
 #include "app/window_content.h"
 
+#include "app/ledger_content.h"
 #include "app/series_choice.h"
 #include "render/film/health_text.h"
 #include "render/prepare/warnings.h"
@@ -153,6 +154,18 @@ void showStatus(const DesktopParts& parts) {
                                    frame->status.samplesPerPixel, frame->iterationsPerSecond}));
     foot.setRemarks(remarksOn(parts, *frame));
     foot.setLimit(ui::gridText(parts.document.scene().volume->geometry().spacingMm()));
+}
+
+void showEffects(const DesktopParts& parts) {
+    const auto& ledger = parts.bridge.lastLedger();
+    if (!ledger || !parts.document.hasVolume())
+        return parts.window.effects().setRows({});
+    parts.window.effects().setRows(effectRows(*ledger, leanSetup(parts.document, *ledger).leftOut));
+}
+
+void leaveOutUnseen(const DesktopParts& parts) {
+    if (const auto& ledger = parts.bridge.lastLedger(); ledger && parts.document.hasVolume())
+        parts.document.setSetup(leanSetup(parts.document, *ledger).setup);
 }
 
 void showDocument(const DesktopParts& parts) {

@@ -40,6 +40,10 @@ void showNotice(const DesktopParts& parts, const QString& sentences);
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame);
 /// How good the picture is, in words; again when the rendering is held or goes on.
 void showStatus(const DesktopParts& parts);
+/// What the effects cost, as far as it is known.
+void showEffects(const DesktopParts& parts);
+/// Does what the panel of effects offers.
+void leaveOutUnseen(const DesktopParts& parts);
 /// Everything that follows the document: the camera that the user turns, preset, brightness, undo.
 void showDocument(const DesktopParts& parts);
 

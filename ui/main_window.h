@@ -7,6 +7,7 @@
 #include <QMainWindow>
 
 #include "render/scene/camera.h"
+#include "ui/effect_ledger.h"
 #include "ui/foot.h"
 #include "ui/keys_overlay.h"
 #include "ui/look_panel.h"
@@ -27,6 +28,7 @@ class MainWindow : public QMainWindow {
     SeriesPanel& series() { return *series_; }
     LookPanel& look() { return *look_; }
     RenderPanel& rendering() { return *rendering_; }
+    EffectLedger& effects() { return *effects_; }
     Foot& foot() { return *foot_; }
     StatusLine& status() { return foot_->status(); }
     MessageBar& message() { return *message_; }
@@ -53,6 +55,8 @@ class MainWindow : public QMainWindow {
     void cancelRequested();
     /// Nobody can see the window, minimised or hidden; or it is back.
     void unseenChanged(bool unseen);
+    /// What the effects cost is looked at, or not any more.
+    void effectsShown(bool shown);
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -78,12 +82,14 @@ class MainWindow : public QMainWindow {
     SeriesPanel* series_;
     LookPanel* look_;
     RenderPanel* rendering_;
+    EffectLedger* effects_;
     Foot* foot_;
     MessageBar* message_;
     KeysOverlay* keys_;
     QDockWidget* seriesDock_ = nullptr;
     QDockWidget* lookDock_ = nullptr;
     QDockWidget* renderDock_ = nullptr;
+    QDockWidget* effectsDock_ = nullptr;
     QAction* save_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;

@@ -39,8 +39,8 @@ Result<void> Calibration::step(const std::stop_token& stop) {
 }
 
 Result<void> Calibration::chooseFilm(const std::stop_token& stop) {
-    const auto film =
-        trialFilm(scene_, device_, effort_.longestSide, secondsEach() / (2 * kBandMeasurements * kWantedIterations), stop);
+    const auto film = trialFilm(scene_, device_, effort_.longestSide,
+                                secondsEach() / (2 * kBandMeasurements * kWantedIterations), stop);
     if (!film)
         return film.error();
     ledger_.film = scene_.film = *film;

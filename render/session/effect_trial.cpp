@@ -11,7 +11,9 @@ namespace pdr {
 namespace {
 
 constexpr std::uint32_t kMostIterations = 64;  ///< in one measurement
-constexpr int kFewestPixels = 16;              ///< on a trial picture's longest side
+/// In one measurement of an effect: of fewer samples in all no error is known.
+constexpr std::uint32_t kFewestIterations = std::uint32_t(kSamplesToEstimate) / kBandMeasurements + 1;
+constexpr int kFewestPixels = 16;  ///< on a trial picture's longest side
 
 /// Of each measurement, where a round over all pictures takes so long.
 std::uint32_t iterationsFor(double secondsOfARound, double budgetSeconds) {
@@ -26,8 +28,8 @@ Scene leanScene(const Effect& effect, Scene scene) {
 
 }  // namespace
 
-CostsInTurn::CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds)
-    : pictures_(std::move(pictures)), budgetSeconds_(budgetSeconds) {}
+CostsInTurn::CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds, std::uint32_t fewest)
+    : pictures_(std::move(pictures)), budgetSeconds_(budgetSeconds), fewest_(fewest) {}
 
 Result<void> CostsInTurn::first(std::size_t picture, const std::stop_token& stop) {
     const auto seconds = pictures_[picture](1, stop);
@@ -35,7 +37,7 @@ Result<void> CostsInTurn::first(std::size_t picture, const std::stop_token& stop
         return seconds.error();
     firstSeconds_ += *seconds;
     if (++begun_ == pictures_.size())
-        iterations_ = iterationsFor(firstSeconds_, budgetSeconds_ - firstSeconds_);
+        iterations_ = std::max(fewest_, iterationsFor(firstSeconds_, budgetSeconds_ - firstSeconds_));
     return {};
 }
 
@@ -114,7 +116,7 @@ EffectTrying::EffectTrying(const Effect& effect, const Scene& scene, Device& dev
       without_(leanScene(effect, scene), device),
       costs_({[this](std::uint32_t n, const std::stop_token& stop) { return with_.accumulate(n, stop); },
               [this](std::uint32_t n, const std::stop_token& stop) { return without_.accumulate(n, stop); }},
-             budgetSeconds) {}
+             budgetSeconds, kFewestIterations) {}
 
 Result<EffectTrial> EffectTrying::trial(const Display& display) const {
     const auto a = with_.film(), b = without_.film();

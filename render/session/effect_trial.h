@@ -25,13 +25,13 @@ namespace pdr {
 using Iterate = std::function<Result<double>(std::uint32_t n, const std::stop_token& stop)>;
 
 /// What one iteration of each picture takes [ms], measured in turn, kBandMeasurements times, in at most about
-/// `budgetSeconds` in all, step by step; a picture of which one iteration takes longer than its share gets one at a
-/// time. The first iteration of each only shows how many fit. The order changes from round to round, so that a drift of
-/// the machine's speed cancels.
+/// `budgetSeconds` in all, step by step, but `fewest` iterations at a time where even these take longer. The first
+/// iteration of each only shows how many fit. The order changes from round to round, so that a drift of the machine's
+/// speed cancels.
 class CostsInTurn {
   public:
     /// `pictures`: at least one.
-    CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds);
+    CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds, std::uint32_t fewest = 1);
 
     bool isDone() const { return rounds_.size() == kBandMeasurements && rounds_.back().size() == pictures_.size(); }
     /// One measurement of one picture; not when it is done, nor after one that was stopped.
@@ -50,6 +50,7 @@ class CostsInTurn {
 
     std::vector<Iterate> pictures_;
     double budgetSeconds_;
+    std::uint32_t fewest_;
     std::size_t begun_ = 0;                    ///< pictures whose first iteration is taken
     double firstSeconds_ = 0;                  ///< that they took
     std::uint32_t iterations_ = 0;             ///< of each measurement

@@ -22,8 +22,8 @@ bool differInViewOnly(Scene a, const Scene& b) {
 }
 
 std::size_t tried(const EffectLedger& ledger) {
-    return std::size_t(std::ranges::count_if(
-        ledger.effects, [](const TriedEffect& row) { return row.trial && !row.ofViewBefore; }));
+    return std::size_t(
+        std::ranges::count_if(ledger.effects, [](const TriedEffect& row) { return row.trial && !row.ofViewBefore; }));
 }
 
 }  // namespace
@@ -46,6 +46,8 @@ void LiveLedger::follow(const Scene& scene, const Display& display) {
         ledger_ = {};
     for (TriedEffect& row : ledger_.effects)
         row.ofViewBefore = row.trial.has_value();
+    ledger_.film = ivec2(0);
+    ledger_.seconds = 0;
     ledger_.complete = false;
     ledger_.failure.clear();
     scene_ = scene;
