@@ -50,16 +50,15 @@ ui::EffectRow rowOf(const TriedEffect& tried, bool complete) {
 QString howText(const EffectLedger& ledger) {
     if (!ledger.failure.empty())
         return tr("Not measured any further: %1").arg(qt(ledger.failure));
-    const QString how = tr("on a picture of %1 × %2 pixels on the CPU (%3), %4 s of processor time")
-                            .arg(ledger.film.x)
-                            .arg(ledger.film.y)
-                            .arg(qt(ledger.device.details))
-                            .arg(ledger.seconds, 0, 'f', 1);
+    const QString where = tr("on a picture of %1 × %2 pixels on the CPU (%3)")
+                              .arg(ledger.film.x)
+                              .arg(ledger.film.y)
+                              .arg(qt(ledger.device.details));
+    const QString text = ledger.complete
+                             ? tr("Measured %1, %2 s of calibration").arg(where).arg(ledger.seconds, 0, 'f', 1)
+                         : ledger.film.x > 0 ? tr("Measuring %1, now and then, in a twentieth of the time").arg(where)
+                                             : tr("Measuring as soon as the picture is at rest");
     const bool before = std::ranges::any_of(ledger.effects, &TriedEffect::ofViewBefore);
-    const QString text = ledger.complete ? tr("Measured %1").arg(how)
-                         : ledger.film.x > 0
-                             ? tr("Measuring %1 so far: now and then, in a twentieth of the time").arg(how)
-                             : tr("Measuring as soon as the picture is at rest");
     return before ? text + tr(" · in italics: of the view before") : text;
 }
 

@@ -21,8 +21,9 @@ const std::array<Column, 7> kColumns{
     {{QT_TR_NOOP("Effect"), ""},
      {QT_TR_NOOP("needed, because"), ""},
      {QT_TR_NOOP("ms per iteration"),
-      QT_TR_NOOP("Processor time that an iteration takes more with it: median, and the smallest to the largest of six "
-                 "measurements"),
+      QT_TR_NOOP(
+          "Processor time that an iteration of the small picture takes more with it: median, and the smallest to the "
+          "largest of six measurements"),
       "12.34 (12.34 to 12.34)"},
      {QT_TR_NOOP("share"), QT_TR_NOOP("The part of an iteration's time that goes to it"), "51 % (42 to 55)"},
      {QT_TR_NOOP("without it: mean"),
@@ -68,7 +69,8 @@ EffectLedger::EffectLedger(QWidget* parent)
       off_(cell({}, true)),
       how_(cell({}, true)),
       onlyNeeded_(new QPushButton(tr("Only what this scene calls for"))),
-      question_(new QFrame),
+      statement_(new QWidget),
+      question_(new QWidget),
       questionText_(new QLabel),
       leaveOut_(new QPushButton(tr("Leave out"))),
       keep_(new QPushButton(tr("Keep all"))) {
@@ -94,6 +96,7 @@ void EffectLedger::layOut() {
     for (QLabel* label : {off_, how_})
         mayBeCut(label);
     questionText_->setWordWrap(true);
+    onlyNeeded_->setToolTip(tr("Leaves out what nobody would see, and says first what that is"));
     // A click leaves the keyboard with the picture; Tab still reaches everything.
     for (QPushButton* button : {onlyNeeded_, leaveOut_, keep_})
         button->setFocusPolicy(Qt::TabFocus);
@@ -103,7 +106,8 @@ void EffectLedger::layOut() {
     ask->addWidget(questionText_, 1);
     ask->addWidget(leaveOut_);
     ask->addWidget(keep_);
-    auto* last = new QHBoxLayout;
+    auto* last = new QHBoxLayout(statement_);
+    last->setContentsMargins(0, 0, 0, 0);
     last->addWidget(how_, 1);
     last->addWidget(onlyNeeded_);
     auto* column = new QVBoxLayout(this);
@@ -116,14 +120,14 @@ void EffectLedger::layOut() {
     lines->addWidget(off_);
     lines->addStretch(1);
     column->addWidget(scrolled(content), 1);
-    column->addLayout(last);
+    column->addWidget(statement_);
     column->addWidget(question_);
-    question_->hide();
+    showQuestion(false);
 }
 
 void EffectLedger::setRows(const EffectRows& rows) {
     if (rows.leftOut != rows_.leftOut)
-        question_->hide();
+        showQuestion(false);
     rows_ = rows;
     fill();
 }
@@ -162,20 +166,24 @@ void EffectLedger::fill() {
         names << nameOf(effect);
     off_->setText(names.isEmpty() ? QString() : tr("Off, and nothing is lost: %1").arg(names.join(", ")));
     off_->setToolTip(rows_.off.join('\n'));
-    how_->setText(rows_.how);
-    how_->setToolTip(rows_.how);
+    const bool allNeeded = rows_.complete && rows_.leftOut.isEmpty();
+    how_->setText(allNeeded ? tr("%1 · all that is on is called for").arg(rows_.how) : rows_.how);
+    how_->setToolTip(how_->text());
     onlyNeeded_->setEnabled(!rows_.leftOut.isEmpty());
-    onlyNeeded_->setToolTip(rows_.leftOut.isEmpty() && rows_.complete ? tr("All that is on is called for.")
-                                                                      : tr("Leaves out what nobody would see"));
 }
 
 void EffectLedger::ask() {
     questionText_->setText(tr("Leaves out %1.").arg(rows_.leftOut.join("; ")));
-    question_->show();
+    showQuestion(true);
+}
+
+void EffectLedger::showQuestion(bool shown) {
+    statement_->setVisible(!shown);
+    question_->setVisible(shown);
 }
 
 void EffectLedger::answer(bool leaveOut) {
-    question_->hide();
+    showQuestion(false);
     if (leaveOut)
         emit leaveOutChosen();
 }

@@ -2,7 +2,6 @@
 /// What the seconds go to: a calm table of the effects that a scene calls for, with what each costs and brings, and a
 /// button that leaves out what nobody would see. Setters are silent.
 
-#include <QFrame>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -47,13 +46,15 @@ class EffectLedger : public QWidget {
     void fill();
     void ask();
     void answer(bool leaveOut);
+    void showQuestion(bool shown);
 
     EffectRows rows_;
     QGridLayout* table_;
     QLabel* off_;
     QLabel* how_;
     QPushButton* onlyNeeded_;
-    QFrame* question_;
+    QWidget* statement_;  ///< how it was measured, and the button; the question takes its place
+    QWidget* question_;
     QLabel* questionText_;
     QPushButton* leaveOut_;
     QPushButton* keep_;

@@ -16,6 +16,7 @@ constexpr double kModelSeconds = 3;  ///< of processor time for all models
 /// The same scene under every model, in turn: what each costs, so that the slowest cannot tax the simplest unseen.
 Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) {
     std::vector<TrialPicture> pictures;
+    pictures.reserve(std::size(kModels));
     for (const Model model : kModels) {
         Scene other = scene;
         other.model = model;
@@ -24,6 +25,7 @@ Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) 
         pictures.emplace_back(std::move(other), device);
     }
     std::vector<Iterate> iterates;
+    iterates.reserve(pictures.size());
     for (TrialPicture& picture : pictures)
         iterates.push_back([&picture](std::uint32_t n, const std::stop_token& stop) { return picture.accumulate(n, stop); });
     CostsInTurn costs(std::move(iterates), kModelSeconds);
@@ -32,6 +34,7 @@ Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) 
             return ok.error();
     const std::vector<CostBand> bands = costs.bands();
     std::vector<TriedModel> models;
+    models.reserve(bands.size());
     for (std::size_t i = 0; i < std::size(kModels); ++i)
         models.push_back({kModels[i], bands[i]});
     return models;
