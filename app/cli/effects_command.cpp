@@ -22,12 +22,13 @@ Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) 
         other.model = model;
         if (!other.check())
             other.estimator = Estimator::unbiased;  // of the other models there is no other
-        pictures.emplace_back(std::move(other), device);
+        pictures.emplace_back(std::move(other), device, TrialPicture::Use::shared);
     }
     std::vector<Iterate> iterates;
     iterates.reserve(pictures.size());
     for (TrialPicture& picture : pictures)
-        iterates.push_back([&picture](std::uint32_t n, const std::stop_token& stop) { return picture.accumulate(n, stop); });
+        iterates.push_back(
+            [&picture](std::uint32_t n, const std::stop_token& stop) { return picture.accumulate(n, stop); });
     CostsInTurn costs(std::move(iterates), kModelSeconds);
     while (!costs.isDone())
         if (auto ok = costs.step(); !ok)
@@ -45,7 +46,8 @@ Result<EffectsReport> listEffects(const EffectsOptions& options) {
     if (!loaded)
         return loaded.error();
     const auto device = makeCpuDevice(options.threads);
-    Calibration calibration(loaded->scene, loaded->display, *device, kEffort);
+    const auto other = makeCpuDevice(options.threads);
+    Calibration calibration(loaded->scene, loaded->display, {*device, *other}, kEffort);
     while (!calibration.isDone())
         if (auto ok = calibration.step(); !ok)
             return ok.error();

@@ -18,9 +18,9 @@ bool TriedEffect::couldBeLeftOut() const {
     return trial && verdictOf(trial->share) != CostVerdict::saves && isUnseen(trial->change);
 }
 
-Calibration::Calibration(Scene scene, const Display& display, Device& device, const Effort& effort)
-    : scene_(std::move(scene)), display_(display), device_(device), effort_(effort) {
-    ledger_.device = device_.info();
+Calibration::Calibration(Scene scene, const Display& display, const DevicePair& devices, const Effort& effort)
+    : scene_(std::move(scene)), display_(display), devices_(devices), effort_(effort) {
+    ledger_.device = devices_.with.info();
     ledger_.model = scene_.model;
     for (Effect& effect : needs(scene_))
         ledger_.effects.push_back({std::move(effect), std::nullopt});
@@ -39,7 +39,7 @@ Result<void> Calibration::step(const std::stop_token& stop) {
 }
 
 Result<void> Calibration::chooseFilm(const std::stop_token& stop) {
-    const auto film = trialFilm(scene_, device_, effort_.longestSide,
+    const auto film = trialFilm(scene_, devices_.with, effort_.longestSide,
                                 secondsEach() / (2 * kBandMeasurements * kWantedIterations), stop);
     if (!film)
         return film.error();
@@ -55,7 +55,7 @@ Result<void> Calibration::tryNext(const std::stop_token& stop) {
         return {};
     TriedEffect& tried = ledger_.effects[next_];
     if (!trying_)
-        trying_ = std::make_unique<EffectTrying>(tried.effect, scene_, device_, secondsEach());
+        trying_ = std::make_unique<EffectTrying>(tried.effect, scene_, devices_, secondsEach());
     if (auto ok = trying_->step(stop); !ok || stop.stop_requested() || !trying_->isDone())
         return ok;
     const auto trial = trying_->trial(display_);

@@ -42,8 +42,8 @@ class Calibration {
         double seconds;   ///< of processor time, about, for all effects
     };
 
-    /// `device` must outlive it; it belongs to it meanwhile.
-    Calibration(Scene scene, const Display& display, Device& device, const Effort& effort);
+    /// `devices` must outlive it, and are its own meanwhile.
+    Calibration(Scene scene, const Display& display, const DevicePair& devices, const Effort& effort);
 
     bool isDone() const { return ledger_.complete; }
     /// One launch. Errors: those of the device. After a stop request all of it is worthless.
@@ -59,7 +59,7 @@ class Calibration {
 
     Scene scene_;
     Display display_;
-    Device& device_;
+    DevicePair devices_;
     Effort effort_;
     EffectLedger ledger_;
     std::size_t next_ = 0;  ///< effect that is tried

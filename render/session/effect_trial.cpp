@@ -80,6 +80,8 @@ CostBand CostsInTurn::share() const {
 }
 
 Result<void> TrialPicture::begin() {
+    if (film_ && use_ == Use::alone)
+        return {};
     if (auto ok = device_.upload(scene_); !ok || film_)
         return ok;
     auto film = device_.film(scene_.film, scene_.revision, scene_.schedule);
@@ -111,9 +113,9 @@ bool isUnseen(const PictureChange& change) {
     return change.ninetyFifth.high < kUnseenLevels && change.mean.high < kUnseenMean;
 }
 
-EffectTrying::EffectTrying(const Effect& effect, const Scene& scene, Device& device, double budgetSeconds)
-    : with_(scene, device),
-      without_(leanScene(effect, scene), device),
+EffectTrying::EffectTrying(const Effect& effect, const Scene& scene, const DevicePair& devices, double budgetSeconds)
+    : with_(scene, devices.with, TrialPicture::Use::alone),
+      without_(leanScene(effect, scene), devices.without, TrialPicture::Use::alone),
       costs_({[this](std::uint32_t n, const std::stop_token& stop) { return with_.accumulate(n, stop); },
               [this](std::uint32_t n, const std::stop_token& stop) { return without_.accumulate(n, stop); }},
              budgetSeconds, kFewestIterations) {}
@@ -137,7 +139,7 @@ Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, dou
         small.film = glm::max(scene.film * side / std::max({scene.film.x, scene.film.y, side}), ivec2(1));
     };
     shrink(longestSide);
-    TrialPicture picture(small, device);
+    TrialPicture picture(small, device, TrialPicture::Use::alone);
     const auto first = picture.accumulate(1, stop);
     if (!first)
         return first.error();

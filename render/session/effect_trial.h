@@ -57,11 +57,21 @@ class CostsInTurn {
     std::vector<std::vector<double>> rounds_;  ///< ms an iteration, of each round in the order of its turns
 };
 
+/// Two devices, since one that goes from scene to scene prepares each of them anew: in large volumes that takes longer
+/// than the samples.
+struct DevicePair {
+    Device& with;
+    Device& without;
+};
+
 /// A scene on its way to a picture.
 class TrialPicture {
   public:
+    /// Whose the device is, from the first iteration to the last.
+    enum class Use { alone, shared };
+
     /// `device` must outlive it.
-    TrialPicture(Scene scene, Device& device) : scene_(std::move(scene)), device_(device) {}
+    TrialPicture(Scene scene, Device& device, Use use) : scene_(std::move(scene)), device_(device), use_(use) {}
 
     Result<double> accumulate(std::uint32_t n, const std::stop_token& stop);
     /// At least one iteration must have been taken.
@@ -72,6 +82,7 @@ class TrialPicture {
 
     Scene scene_;
     Device& device_;
+    Use use_;
     std::unique_ptr<Accumulator> film_;
 };
 
@@ -94,8 +105,8 @@ bool isUnseen(const PictureChange& change);
 /// Trying an effect of `scene` that can be left out, step by step. Errors: those of the device.
 class EffectTrying {
   public:
-    /// `device` must outlive it.
-    EffectTrying(const Effect& effect, const Scene& scene, Device& device, double budgetSeconds);
+    /// `devices` must outlive it, and are its own meanwhile.
+    EffectTrying(const Effect& effect, const Scene& scene, const DevicePair& devices, double budgetSeconds);
 
     bool isDone() const { return costs_.isDone(); }
     /// One launch of one of the two pictures; not when it is done, nor after one that was stopped.

@@ -32,7 +32,8 @@ void LiveLedger::watch(EffectsWatch watch) {
     watch_ = std::move(watch);
     scene_.reset();
     calibration_.reset();
-    device_.reset();
+    with_.reset();
+    without_.reset();
     ledger_ = {};
 }
 
@@ -90,15 +91,22 @@ void LiveLedger::step(const std::stop_token& stop) {
         calibration_.reset();
 }
 
+Result<void> LiveLedger::openDevices() {
+    for (auto* place : {&with_, &without_})
+        if (!*place) {
+            auto device = watch_.device();
+            if (!device)
+                return device.error();
+            *place = *std::move(device);
+        }
+    return {};
+}
+
 Result<void> LiveLedger::measure(const std::stop_token& stop) {
-    if (!device_) {
-        auto device = watch_.device();
-        if (!device)
-            return device.error();
-        device_ = *std::move(device);
-    }
+    if (auto ok = openDevices(); !ok)
+        return ok;
     if (!calibration_)
-        calibration_ = std::make_unique<Calibration>(*scene_, display_, *device_, kEffort);
+        calibration_ = std::make_unique<Calibration>(*scene_, display_, DevicePair{*with_, *without_}, kEffort);
     else if (auto ok = calibration_->step(stop); !ok || stop.stop_requested())
         return ok;
     takeRows();

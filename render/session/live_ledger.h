@@ -32,6 +32,7 @@ class LiveLedger {
     static constexpr double kPart = 0.05;
 
     Result<void> measure(const std::stop_token& stop);
+    Result<void> openDevices();
     void takeRows();
     void tell() const;
 
@@ -39,8 +40,8 @@ class LiveLedger {
     EffectsWatch watch_;
     std::optional<Scene> scene_;
     Display display_;
-    std::unique_ptr<Device> device_;
-    std::unique_ptr<Calibration> calibration_;  ///< after device_: it must not outlive it
+    std::unique_ptr<Device> with_, without_;
+    std::unique_ptr<Calibration> calibration_;  ///< after both: it must not outlive them
     EffectLedger ledger_;                       ///< as it was told last
     double begunAt_ = 0, spent_ = 0;            ///< of the scene in hand [s]
 };

@@ -72,7 +72,7 @@ using EffectsObserver = std::function<void(std::shared_ptr<const EffectLedger>)>
 
 /// Who looks at what effects cost, and where that is measured: apart from the picture. Nobody: both are empty.
 struct EffectsWatch {
-    DeviceOpener device;
+    DeviceOpener device;  ///< called twice: for pictures with an effect and without
     EffectsObserver look;
 };
 

@@ -13,8 +13,8 @@ constexpr Calibration::Effort kEffort{.longestSide = 32, .seconds = 1};
 
 /// A lit ball; all effects measured.
 EffectLedger measured(const Scene& scene) {
-    const auto device = makeCpuDevice(1);
-    Calibration calibration(scene, {}, *device, kEffort);
+    const auto with = makeCpuDevice(1), without = makeCpuDevice(1);
+    Calibration calibration(scene, {}, {*with, *without}, kEffort);
     while (!calibration.isDone())
         if (!calibration.step())
             qFatal("the CPU has failed");

@@ -104,7 +104,9 @@ class EffectTrialTest : public QObject {
     }
 
     void aFailureIsPassedOn() {
-        const Iterate broken = [](std::uint32_t, const std::stop_token&) -> Result<double> { return Error{"gone", "device", ""}; };
+        const Iterate broken = [](std::uint32_t, const std::stop_token&) -> Result<double> {
+            return Error{"gone", "device", ""};
+        };
         Machine machine;
         CostsInTurn costs({machine.picture(0.1), broken}, 1);
         QVERIFY(bool(costs.step()));
