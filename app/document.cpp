@@ -83,6 +83,15 @@ void Document::setLook(const Look& look, bool moving) {
     emit displayChanged(display());
 }
 
+void Document::setSetup(const PictureSetup& setup) {
+    if (setup == setup_)
+        return;
+    PictureSetup named = setup;
+    named.lookName = nameOf(setup.look);
+    edit(std::move(named));
+    emit displayChanged(display());
+}
+
 /// A picture must not bear the name of a preset that it does not show.
 std::string Document::nameOf(const Look& look) const {
     const std::string changed = tr(" (changed)").toStdString();

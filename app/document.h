@@ -44,6 +44,8 @@ class Document : public QObject {
     void setPreset(int index);
     /// The user's own; one gesture is one step to undo, as well.
     void setLook(const pdr::Look& look, bool moving = false);
+    /// All of it at once: one step to undo.
+    void setSetup(const pdr::PictureSetup& setup);
     void setEstimator(pdr::Estimator estimator);
     void setSchedule(const pdr::Schedule& schedule);
     /// Only what is shown changes, not what is computed. A step to undo of its own, one for each gesture as well.

@@ -127,6 +127,27 @@ void RenderBridge::clear() {
     lastFrame_.reset();
 }
 
+void RenderBridge::watchEffects(bool watch) {
+    watching_ = watch;
+    takeLedger(nullptr);
+    if (!watch)
+        return session_.watchEffects({});
+    session_.watchEffects({[threads = threads_]() -> Result<std::unique_ptr<Device>> { return makeCpuDevice(threads); },
+                           [this](std::shared_ptr<const EffectLedger> ledger) {
+                               QMetaObject::invokeMethod(this, [this, ledger = std::move(ledger)]() mutable {
+                                   takeLedger(std::move(ledger));
+                               });
+                           }});
+}
+
+/// What was on its way when nobody looked any more is dropped.
+void RenderBridge::takeLedger(std::shared_ptr<const EffectLedger> ledger) {
+    if (!watching_)
+        ledger = nullptr;
+    if (std::exchange(lastLedger_, ledger) != ledger)
+        emit ledgerChanged();
+}
+
 void RenderBridge::save(const QString& file) {
     if (!isExr(file) && !file.endsWith(".png", Qt::CaseInsensitive)) {
         emit saveFailed({"the name says no format that pictures are saved in", file.toStdString(),

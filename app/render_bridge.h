@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "render/scene/scene.h"
+#include "render/session/effect_ledger.h"
 #include "render/session/session.h"
 
 namespace pdr::app {
@@ -30,6 +31,8 @@ class RenderBridge : public QObject {
     bool captioned() const { return captioned_; }
     /// The picture on the screen; null when there is none.
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
+    /// What effects cost, as far as it is known; null while nobody looks.
+    const std::shared_ptr<const EffectLedger>& lastLedger() const { return lastLedger_; }
 
   public slots:
     /// Scenes of a moving hand are taken one at a time, the newest next, so that every one of them is seen.
@@ -51,12 +54,16 @@ class RenderBridge : public QObject {
     void setUnseen(bool unseen);
     /// Nothing is rendered any more, and nothing of the scenes so far is kept.
     void clear();
+    /// What effects cost is measured, on the CPU, or not any more.
+    void watchEffects(bool watch);
     /// Writes the picture that is on the screen, with the samples that it has by then; the name's end says the format:
     /// ".exr" or ".png". Ends with saved() or saveFailed(), the latter also when another picture has taken its place.
     void save(const QString& file);
 
   signals:
     void frameReady(const std::shared_ptr<const pdr::Frame>& frame);
+    /// lastLedger() is another one.
+    void ledgerChanged();
     void pausedChanged(bool paused);
     /// Frames come from this device from now on; said again with each notice.
     void deviceChanged(const QString& name);
@@ -70,10 +77,13 @@ class RenderBridge : public QObject {
   private:
     void take(std::shared_ptr<const Frame> frame);
     void deliver();
+    void takeLedger(std::shared_ptr<const EffectLedger> ledger);
 
     std::mutex mutex_;
     std::shared_ptr<const Frame> waiting_;  ///< guarded by mutex_: the newest frame that the window has not seen
     std::shared_ptr<const Frame> lastFrame_;
+    std::shared_ptr<const EffectLedger> lastLedger_;
+    bool watching_ = false;
     std::optional<Scene> next_;      ///< of a moving hand, as long as the one before has not been seen
     bool movingUnseen_ = false;      ///< the renderer is at a moving hand's scene
     std::uint64_t submitted_ = 0;    ///< revision that the renderer is at

@@ -1,5 +1,6 @@
 #include "app/window_content.h"
 
+#include "app/ledger_content.h"
 #include "app/series_choice.h"
 #include "render/accuracy/quality.h"
 #include "ui/error_colours.h"
@@ -210,6 +211,18 @@ void showStatus(const DesktopParts& parts) {
 void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& errors) {
     const auto& frame = parts.bridge.lastFrame();
     parts.window.viewport().showTip(place, ui::hereText(errors, frame && frame->smoothed));
+}
+
+void showEffects(const DesktopParts& parts) {
+    const auto& ledger = parts.bridge.lastLedger();
+    if (!ledger || !parts.document.hasVolume())
+        return parts.window.effects().setRows({});
+    parts.window.effects().setRows(effectRows(*ledger, leanSetup(parts.document, *ledger).leftOut));
+}
+
+void leaveOutUnseen(const DesktopParts& parts) {
+    if (const auto& ledger = parts.bridge.lastLedger(); ledger && parts.document.hasVolume())
+        parts.document.setSetup(leanSetup(parts.document, *ledger).setup);
 }
 
 void showDocument(const DesktopParts& parts) {

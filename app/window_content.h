@@ -42,6 +42,10 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
 void showStatus(const DesktopParts& parts);
 /// How far the picture may be off where the mouse rests.
 void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& errors);
+/// What the effects cost, as far as it is known.
+void showEffects(const DesktopParts& parts);
+/// Does what the panel of effects offers.
+void leaveOutUnseen(const DesktopParts& parts);
 /// Everything that follows the document: the camera that the user turns, preset, brightness, undo.
 void showDocument(const DesktopParts& parts);
 

@@ -41,6 +41,8 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&window, &ui::MainWindow::smoothingChosen, &document, &Document::setSmoothed);
     QObject::connect(&window.rendering(), &ui::RenderPanel::estimatorChosen, &document, &Document::setEstimator);
     QObject::connect(&window.rendering(), &ui::RenderPanel::scheduleChosen, &document, &Document::setSchedule);
+    QObject::connect(&window.effects(), &ui::EffectLedger::leaveOutChosen, &document,
+                     [parts] { leaveOutUnseen(parts); });
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }
@@ -60,6 +62,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
     QObject::connect(&window, &ui::MainWindow::captionChosen, &bridge, &RenderBridge::setCaptioned);
     QObject::connect(&window, &ui::MainWindow::unseenChanged, &bridge, &RenderBridge::setUnseen);
+    QObject::connect(&window, &ui::MainWindow::effectsShown, &bridge, &RenderBridge::watchEffects);
     QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
 }
 
@@ -68,6 +71,7 @@ void wireScreen(const DesktopParts& parts) {
     ui::MainWindow& window = parts.window;
     QObject::connect(&parts.bridge, &RenderBridge::frameReady, &window,
                      [parts](const std::shared_ptr<const Frame>& frame) { showFrame(parts, frame); });
+    QObject::connect(&parts.bridge, &RenderBridge::ledgerChanged, &window, [parts] { showEffects(parts); });
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, &ui::MainWindow::setPaused);
     QObject::connect(&parts.bridge, &RenderBridge::pausedChanged, &window, [parts] { showStatus(parts); });
     QObject::connect(&window.viewport(), &ui::Viewport::rested, &parts.bridge, &RenderBridge::askErrorAt);

@@ -12,7 +12,7 @@ struct KeyHelp {
     const char* effect;
 };
 
-const std::array<KeyHelp, 22> kKeys{{{"Left drag, arrow keys", "turn"},
+const std::array<KeyHelp, 23> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Middle or Shift+left drag", "move"},
                                      {"Wheel, right drag, + and -", "zoom"},
                                      {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
@@ -29,6 +29,7 @@ const std::array<KeyHelp, 22> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"F2", "series on and off"},
                                      {"F3", "look on and off"},
                                      {"F4", "rendering on and off"},
+                                     {"F6", "what the seconds go to, on and off"},
                                      {"F11", "the picture alone"},
                                      {"Tab", "next control"},
                                      {"Esc", "cancel reading, close a message"},

@@ -16,6 +16,7 @@
 
 #include "render/base/version.h"
 #include "ui/file_dialogs.h"
+#include "ui/scrolled.h"
 
 namespace pdr::ui {
 namespace {
@@ -47,6 +48,7 @@ MainWindow::MainWindow()
       series_(new SeriesPanel),
       look_(new LookPanel),
       rendering_(new RenderPanel),
+      effects_(new EffectLedger),
       foot_(new Foot),
       accuracy_(new AccuracyPanel),
       message_(new MessageBar),
@@ -63,9 +65,12 @@ MainWindow::MainWindow()
 
     seriesDock_ = addPanel(tr("Series"), series_, Qt::LeftDockWidgetArea, Qt::Key_F2);
     lookDock_ = addPanel(tr("Look"), look_, Qt::RightDockWidgetArea, Qt::Key_F3);
-    renderDock_ = addPanel(tr("Rendering"), rendering_, Qt::RightDockWidgetArea, Qt::Key_F4);
+    renderDock_ = addPanel(tr("Rendering"), scrolled(rendering_), Qt::RightDockWidgetArea, Qt::Key_F4);
     accuracyDock_ = addPanel(tr("Accuracy"), accuracy_, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E);
     accuracyDock_->hide();
+    effectsDock_ = addPanel(tr("What the seconds go to"), effects_, Qt::BottomDockWidgetArea, Qt::Key_F6);
+    effectsDock_->hide();
+    connect(effectsDock_, &QDockWidget::visibilityChanged, this, &MainWindow::effectsShown);
     fillFileMenu();
     fillEditMenu();
     fillViewMenu();
@@ -186,6 +191,7 @@ void MainWindow::fillViewMenu() {
     menu->addAction(lookDock_->toggleViewAction());
     menu->addAction(renderDock_->toggleViewAction());
     menu->addAction(accuracyDock_->toggleViewAction());
+    menu->addAction(effectsDock_->toggleViewAction());
     alone_ = menu->addAction(tr("Picture &alone"), QKeySequence(Qt::Key_F11));
     alone_->setCheckable(true);
     connect(alone_, &QAction::toggled, this, &MainWindow::showPictureAlone);
@@ -221,6 +227,8 @@ void MainWindow::showPictureAlone(bool alone) {
     renderDock_->setVisible(!alone);
     viewport_->setCaptionShown(alone);
     accuracyDock_->setVisible(!alone);
+    if (alone)
+        effectsDock_->hide();
     setWindowState(alone ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     if (!alone)
         restoreState(stateBeforeAlone_);

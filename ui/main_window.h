@@ -8,6 +8,7 @@
 
 #include "render/scene/camera.h"
 #include "ui/accuracy_panel.h"
+#include "ui/effect_ledger.h"
 #include "ui/foot.h"
 #include "ui/keys_overlay.h"
 #include "ui/look_panel.h"
@@ -28,6 +29,7 @@ class MainWindow : public QMainWindow {
     SeriesPanel& series() { return *series_; }
     LookPanel& look() { return *look_; }
     RenderPanel& rendering() { return *rendering_; }
+    EffectLedger& effects() { return *effects_; }
     Foot& foot() { return *foot_; }
     AccuracyPanel& accuracy() { return *accuracy_; }
     StatusLine& status() { return foot_->status(); }
@@ -60,6 +62,8 @@ class MainWindow : public QMainWindow {
     void cancelRequested();
     /// Nobody can see the window, minimised or hidden; or it is back.
     void unseenChanged(bool unseen);
+    /// What the effects cost is looked at, or not any more.
+    void effectsShown(bool shown);
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -86,6 +90,7 @@ class MainWindow : public QMainWindow {
     SeriesPanel* series_;
     LookPanel* look_;
     RenderPanel* rendering_;
+    EffectLedger* effects_;
     Foot* foot_;
     AccuracyPanel* accuracy_;
     MessageBar* message_;
@@ -94,6 +99,7 @@ class MainWindow : public QMainWindow {
     QDockWidget* lookDock_ = nullptr;
     QDockWidget* renderDock_ = nullptr;
     QDockWidget* accuracyDock_ = nullptr;
+    QDockWidget* effectsDock_ = nullptr;
     QAction* save_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;

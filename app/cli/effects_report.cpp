@@ -6,11 +6,17 @@
 
 #include <cstdio>
 
+#include "render/accuracy/ledger_text.h"
+
 namespace pdr::app {
 namespace {
 
-QJsonObject bandObject(const CostBand& band) {
+QJsonObject object(const CostBand& band) {
     return {{"low", band.low}, {"median", band.middle}, {"high", band.high}};
+}
+
+QJsonObject object(const Foretold& number) {
+    return {{"value", number.value}, {"low", number.low}, {"high", number.high}};
 }
 
 template <class... Values>
@@ -20,47 +26,76 @@ std::string line(const char* format, Values... values) {
     return text;
 }
 
+constexpr const char* kRow = "%-24s %-18s %-22s %-18s %-22s %-22s %-20s %s\n";
+
+std::string row(const TriedEffect& tried) {
+    const std::string name = tried.effect.name, verdict = verdictText(tried), reason = tried.effect.reason;
+    if (!tried.trial)
+        return line(kRow, name.c_str(), verdict.c_str(), "", "", "", "", "", reason.c_str());
+    const EffectTrial& trial = *tried.trial;
+    return line(kRow, name.c_str(), verdict.c_str(), costText(trial.milliseconds).c_str(),
+                shareText(trial.share).c_str(), levelsText(trial.change.mean).c_str(),
+                levelsText(trial.change.ninetyFifth).c_str(), trial.time ? timeLeftText(*trial.time).c_str() : "?",
+                reason.c_str());
+}
+
+QJsonObject object(const TriedEffect& tried) {
+    QJsonObject effect{{"name", tried.effect.name.c_str()},
+                       {"verdict", verdictText(tried).c_str()},
+                       {"reason", tried.effect.reason.c_str()}};
+    for (const char* figure : {"milliseconds", "share", "meanLevels", "levels95", "timeWithout"})
+        effect[figure] = QJsonValue();
+    if (!tried.trial)
+        return effect;
+    effect["milliseconds"] = object(tried.trial->milliseconds);
+    effect["share"] = object(tried.trial->share);
+    effect["meanLevels"] = object(tried.trial->change.mean);
+    effect["levels95"] = object(tried.trial->change.ninetyFifth);
+    if (tried.trial->time)
+        effect["timeWithout"] = object(*tried.trial->time);
+    return effect;
+}
+
 }  // namespace
 
 std::string verdictText(const TriedEffect& tried) {
     if (!tried.effect.needed)
         return "off";
-    const bool idle = tried.effect.couldBeLeftOut || (tried.trial && tried.trial->levels < kNoLevels);
-    return idle ? "could be left out" : "needed";
+    return tried.effect.couldBeLeftOut || tried.couldBeLeftOut() ? "could be left out" : "needed";
 }
 
 std::string plainText(const EffectsReport& report) {
-    constexpr const char* kRow = "%-24s %-18s %-26s %7s  %s\n";
-    std::string text =
-        line("%d x %d pixels on %s, %s; ms: processor time per iteration, median (smallest to largest of six)\n\n",
-             report.film.x, report.film.y, report.device.name.c_str(), report.device.details.c_str());
-    text += line(kRow, "effect", "", "ms", "levels", "because");
-    for (const TriedEffect& tried : report.effects)
-        text += line(kRow, tried.effect.name.c_str(), verdictText(tried).c_str(),
-                     tried.trial ? costText(tried.trial->milliseconds).c_str() : "",
-                     tried.trial ? line("%.2f", tried.trial->levels).c_str() : "", tried.effect.reason.c_str());
+    const EffectLedger& ledger = report.ledger;
+    std::string text = line("%d x %d pixels on %s, %s, %.0f s of processor time\n", ledger.film.x, ledger.film.y,
+                            ledger.device.name.c_str(), ledger.device.details.c_str(), ledger.seconds);
+    text +=
+        "ms and share: of an iteration, median (smallest to largest of six); change: of the picture without it, in\n"
+        "levels of 255, mean and what 95 % stay below; time: to any target without it (95 % interval)\n\n";
+    text += line(kRow, "effect", "", "ms", "share", "mean change", "95 % below", "time without", "because");
+    for (const TriedEffect& tried : ledger.effects)
+        text += row(tried);
     text += line("\n%-24s %s\n", "model", "ms");
     for (const TriedModel& tried : report.models)
         text += line("%-24s %s%s\n", modelName(tried.model), costText(tried.milliseconds).c_str(),
-                     tried.model == report.model ? "  (this one)" : "");
+                     tried.model == ledger.model ? "  (this one)" : "");
     return text;
 }
 
 std::string jsonText(const EffectsReport& report) {
+    const EffectLedger& ledger = report.ledger;
     QJsonArray effects, models;
-    for (const TriedEffect& tried : report.effects)
-        effects.append(QJsonObject{
-            {"name", tried.effect.name.c_str()},
-            {"verdict", verdictText(tried).c_str()},
-            {"reason", tried.effect.reason.c_str()},
-            {"milliseconds", tried.trial ? QJsonValue(bandObject(tried.trial->milliseconds)) : QJsonValue()},
-            {"levels", tried.trial ? QJsonValue(tried.trial->levels) : QJsonValue()}});
+    for (const TriedEffect& tried : ledger.effects)
+        effects.append(object(tried));
     for (const TriedModel& tried : report.models)
-        models.append(QJsonObject{{"name", modelName(tried.model)}, {"milliseconds", bandObject(tried.milliseconds)}});
-    const QJsonObject object{
-        {"width", report.film.x},           {"height", report.film.y}, {"device", report.device.name.c_str()},
-        {"model", modelName(report.model)}, {"effects", effects},      {"models", models}};
-    return QJsonDocument(object).toJson().toStdString();
+        models.append(QJsonObject{{"name", modelName(tried.model)}, {"milliseconds", object(tried.milliseconds)}});
+    const QJsonObject all{{"width", ledger.film.x},
+                          {"height", ledger.film.y},
+                          {"device", ledger.device.name.c_str()},
+                          {"model", modelName(ledger.model)},
+                          {"seconds", ledger.seconds},
+                          {"effects", effects},
+                          {"models", models}};
+    return QJsonDocument(all).toJson().toStdString();
 }
 
 }  // namespace pdr::app

@@ -27,10 +27,25 @@ double squared(double value) {
     return value * value;
 }
 
+/// Of the logarithm of a displayError.
+double spreadOf(const FilmStatus& status) {
+    return std::hypot(kDip, status.displayError > 0 ? status.displayErrorSpread / status.displayError : 0);
+}
+
 }  // namespace
 
 double samplesToReach(double target, double error, std::uint64_t samples) {
     return double(samples) * std::max(std::pow(error / target, 1 / kExponent), 1.0);
+}
+
+/// The exponent is not known better for being the same of both: it multiplies what the logarithms differ.
+std::optional<Foretold> samplesRatio(const FilmStatus& a, const FilmStatus& b) {
+    const bool known = std::isfinite(a.displayError) && std::isfinite(b.displayError);
+    if (!known || !(a.displayError > 0) || !(b.displayError > 0))
+        return std::nullopt;
+    const double growth = std::log(b.displayError / a.displayError) / kExponent;
+    const double spread = kSigmas * std::hypot(growth * kExponentSpread, spreadOf(a), spreadOf(b)) / kExponent;
+    return Foretold{std::exp(growth), std::exp(growth - spread), std::exp(growth + spread)};
 }
 
 bool QualityStep::atLeast() const {
@@ -54,8 +69,7 @@ void ErrorHistory::forgetErrors() {
 }
 
 void ErrorHistory::add(double seconds, const FilmStatus& status) {
-    const Point point{double(status.samplesPerPixel), seconds, status.displayError,
-                      std::hypot(kDip, status.displayError > 0 ? status.displayErrorSpread / status.displayError : 0),
+    const Point point{double(status.samplesPerPixel), seconds, status.displayError, spreadOf(status),
                       status.displayErrorSpread};
     const std::size_t kept = points_.size();
     if (kept > 1 && points_[kept - 1].samples < kThinning * points_[kept - 2].samples)

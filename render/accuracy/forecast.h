@@ -48,6 +48,10 @@ const QualityStep* nextStep(const std::vector<QualityStep>& steps);
 /// unit. Infinite while it is not known; the samples that are there if it is reached already.
 double samplesToReach(double target, double error, std::uint64_t samples);
 
+/// So many times the samples of picture `a` bring picture `b` to the same error, whatever that is: both have the same
+/// samples per pixel. None where a displayError is not known, or is nothing.
+std::optional<Foretold> samplesRatio(const FilmStatus& a, const FilmStatus& b);
+
 class ErrorHistory {
   public:
     void clear() { *this = {}; }

@@ -41,6 +41,21 @@ Scene sceneOf(const PictureSetup& setup, std::shared_ptr<const Volume> volume, i
     return withLook(std::move(scene), setup.look);
 }
 
+std::optional<PictureSetup> setupOf(const Scene& scene, PictureSetup setup) {
+    setup.look.transferFunction = scene.transferFunction;
+    setup.look.phaseG = scene.phaseG;
+    setup.look.gradientFactor = scene.gradientFactor;
+    setup.look.environment = scene.environment;
+    if (scene.lights.empty())
+        setup.look.rig.key = setup.look.rig.fill = setup.look.rig.rim = 0;
+    setup.camera = scene.camera;
+    setup.clip = scene.clip;
+    setup.model = scene.model;
+    Scene made = sceneOf(setup, scene.volume, scene.film);
+    made.revision = scene.revision;
+    return made == scene ? std::optional(std::move(setup)) : std::nullopt;
+}
+
 Display displayOf(const PictureSetup& setup) {
     Display display = setup.look.display;
     display.exposure *= float(std::exp2(-setup.stops));

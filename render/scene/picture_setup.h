@@ -3,6 +3,7 @@
 /// device are not part of it.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,6 +28,10 @@ Result<void> check(const PictureSetup& setup);
 
 /// The one place that joins a look, a camera and a volume. `volume` is not null; `film`: pixels.
 Scene sceneOf(const PictureSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film);
+
+/// `setup` changed so that its scene is `scene`, which is one of `setup` with some things set otherwise; none where no
+/// setup says what `scene` says.
+std::optional<PictureSetup> setupOf(const Scene& scene, PictureSetup setup);
 
 /// How its pictures are shown.
 Display displayOf(const PictureSetup& setup);

@@ -5,80 +5,83 @@
 #include <utility>
 
 #include "render/base/processor_time.h"
-#include "render/film/tone_map.h"
 
 namespace pdr {
 
 namespace {
 
 constexpr std::uint32_t kMostIterations = 64;  ///< in one measurement
-constexpr int kFewestPixels = 16;              ///< on a trial picture's longest side
+/// In one measurement of an effect: of fewer samples in all no error is known.
+constexpr std::uint32_t kFewestIterations = std::uint32_t(kSamplesToEstimate) / kBandMeasurements + 1;
+constexpr int kFewestPixels = 16;  ///< on a trial picture's longest side
 
-/// Seconds that `iterations` rounds over all pictures take, as the first round showed.
+/// Of each measurement, where a round over all pictures takes so long.
 std::uint32_t iterationsFor(double secondsOfARound, double budgetSeconds) {
     const double fitting = budgetSeconds / (kBandMeasurements * std::max(secondsOfARound, 1e-9));
     return std::uint32_t(std::clamp(fitting, 1.0, double(kMostIterations)));
 }
 
-/// Milliseconds per iteration: [measurement][picture].
-using Measured = std::vector<std::vector<double>>;
-
-Result<Measured> measured(const std::vector<Iterate>& pictures, double budgetSeconds) {
-    double first = 0;
-    for (const Iterate& picture : pictures) {
-        const auto seconds = picture(1);
-        if (!seconds)
-            return seconds.error();
-        first += *seconds;
-    }
-    const std::uint32_t n = iterationsFor(first, budgetSeconds - first);
-    Measured rounds(kBandMeasurements, std::vector<double>(pictures.size()));
-    for (std::size_t round = 0; round < rounds.size(); ++round)
-        for (std::size_t i = 0; i < pictures.size(); ++i) {
-            const std::size_t turn = round % 2 == 0 ? i : pictures.size() - 1 - i;
-            const auto seconds = pictures[turn](n);
-            if (!seconds)
-                return seconds.error();
-            rounds[round][turn] = 1e3 * *seconds / n;
-        }
-    return rounds;
-}
-
-/// Mean over pixels and colours; both pictures are made with the same random numbers.
-double changedLevels(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += std::abs(int(a[i]) - int(b[i]));
-    return sum / (double(a.size()) * 3 / 4);  // alpha never changes
+Scene leanScene(const Effect& effect, Scene scene) {
+    effect.leaveOut(scene);
+    return scene;
 }
 
 }  // namespace
 
-Result<std::vector<CostBand>> costsInTurn(const std::vector<Iterate>& pictures, double budgetSeconds) {
-    const auto rounds = measured(pictures, budgetSeconds);
-    if (!rounds)
-        return rounds.error();
+CostsInTurn::CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds, std::uint32_t fewest)
+    : pictures_(std::move(pictures)), budgetSeconds_(budgetSeconds), fewest_(fewest) {}
+
+Result<void> CostsInTurn::first(std::size_t picture, const std::stop_token& stop) {
+    const auto seconds = pictures_[picture](1, stop);
+    if (!seconds)
+        return seconds.error();
+    firstSeconds_ += *seconds;
+    if (++begun_ == pictures_.size())
+        iterations_ = std::max(fewest_, iterationsFor(firstSeconds_, budgetSeconds_ - firstSeconds_));
+    return {};
+}
+
+Result<void> CostsInTurn::step(const std::stop_token& stop) {
+    if (begun_ < pictures_.size())
+        return first(begun_, stop);
+    if (rounds_.empty() || rounds_.back().size() == pictures_.size())
+        rounds_.emplace_back();
+    const std::size_t turn = rounds_.back().size();
+    const auto seconds = pictures_[rounds_.size() % 2 == 1 ? turn : pictures_.size() - 1 - turn](iterations_, stop);
+    if (!seconds)
+        return seconds.error();
+    rounds_.back().push_back(1e3 * *seconds / iterations_);
+    return {};
+}
+
+template <class Value>
+CostBand CostsInTurn::bandOfRounds(const Value& value) const {
+    std::vector<double> values;
+    for (std::size_t round = 0; round < rounds_.size(); ++round)
+        values.push_back(value([&](std::size_t picture) {
+            return rounds_[round][round % 2 == 0 ? picture : pictures_.size() - 1 - picture];
+        }));
+    return bandOf(std::move(values));
+}
+
+std::vector<CostBand> CostsInTurn::bands() const {
     std::vector<CostBand> bands;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        std::vector<double> milliseconds;
-        for (const std::vector<double>& round : *rounds)
-            milliseconds.push_back(round[i]);
-        bands.push_back(bandOf(std::move(milliseconds)));
-    }
+    for (std::size_t i = 0; i < pictures_.size(); ++i)
+        bands.push_back(bandOfRounds([i](const auto& of) { return of(i); }));
     return bands;
 }
 
-Result<CostBand> addedCost(const Iterate& with, const Iterate& without, double budgetSeconds) {
-    const auto rounds = measured({with, without}, budgetSeconds);
-    if (!rounds)
-        return rounds.error();
-    std::vector<double> differences;
-    for (const std::vector<double>& round : *rounds)
-        differences.push_back(round[0] - round[1]);
-    return bandOf(std::move(differences));
+CostBand CostsInTurn::added() const {
+    return bandOfRounds([](const auto& of) { return of(0) - of(1); });
+}
+
+CostBand CostsInTurn::share() const {
+    return bandOfRounds([](const auto& of) { return of(0) > 0 ? 1 - of(1) / of(0) : 0; });
 }
 
 Result<void> TrialPicture::begin() {
+    if (film_ && use_ == Use::alone)
+        return {};
     if (auto ok = device_.upload(scene_); !ok || film_)
         return ok;
     auto film = device_.film(scene_.film, scene_.revision, scene_.schedule);
@@ -88,38 +91,56 @@ Result<void> TrialPicture::begin() {
     return {};
 }
 
-Result<double> TrialPicture::accumulate(std::uint32_t n) {
+Result<double> TrialPicture::accumulate(std::uint32_t n, const std::stop_token& stop) {
     if (auto ok = begin(); !ok)
         return ok.error();
     const double start = processorSeconds();
-    if (auto ok = film_->accumulate(n, {}); !ok)
+    if (auto ok = film_->accumulate(n, stop); !ok)
         return ok.error();
     return processorSeconds() - start;
 }
 
-Result<EffectTrial> tryEffect(const Effect& effect, const Scene& scene, const Display& display, Device& device,
-                              double budgetSeconds) {
-    Scene lean = scene;
-    effect.leaveOut(lean);
-    TrialPicture with(scene, device), without(std::move(lean), device);
-    const auto added = addedCost([&](std::uint32_t n) { return with.accumulate(n); },
-                                 [&](std::uint32_t n) { return without.accumulate(n); }, budgetSeconds);
-    if (!added)
-        return added.error();
-    const auto a = with.film(), b = without.film();
-    if (!a || !b)
-        return a ? b.error() : a.error();
-    return EffectTrial{*added, changedLevels(toneMap(**a, display), toneMap(**b, display))};
+Foretold timeWithout(const Foretold& samples, const CostBand& share) {
+    constexpr double kLeast = 1e-3;  // nothing is for free
+    const auto price = [&](double part) { return std::log(std::max(1 - part, kLeast)); };
+    const double value = std::log(samples.value) + price(share.middle);
+    const double below = std::hypot(std::log(samples.value / samples.low), price(share.middle) - price(share.high));
+    const double above = std::hypot(std::log(samples.high / samples.value), price(share.low) - price(share.middle));
+    return {std::exp(value), std::exp(value - below), std::exp(value + above)};
 }
 
-Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, double seconds) {
+bool isUnseen(const PictureChange& change) {
+    return change.ninetyFifth.high < kUnseenLevels && change.mean.high < kUnseenMean;
+}
+
+EffectTrying::EffectTrying(const Effect& effect, const Scene& scene, const DevicePair& devices, double budgetSeconds)
+    : with_(scene, devices.with, TrialPicture::Use::alone),
+      without_(leanScene(effect, scene), devices.without, TrialPicture::Use::alone),
+      costs_({[this](std::uint32_t n, const std::stop_token& stop) { return with_.accumulate(n, stop); },
+              [this](std::uint32_t n, const std::stop_token& stop) { return without_.accumulate(n, stop); }},
+             budgetSeconds, kFewestIterations) {}
+
+Result<EffectTrial> EffectTrying::trial(const Display& display) const {
+    const auto a = with_.film(), b = without_.film();
+    if (!a || !b)
+        return a ? b.error() : a.error();
+    const PixelLook unseen = [](std::size_t, const Moments&) {};
+    const auto samples =
+        samplesRatio((*a)->status(double(display.exposure), unseen), (*b)->status(double(display.exposure), unseen));
+    const CostBand share = costs_.share();
+    return EffectTrial{costs_.added(), share, pictureChange(**a, **b, display),
+                       samples ? std::optional(timeWithout(*samples, share)) : std::nullopt};
+}
+
+Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, double seconds,
+                        const std::stop_token& stop) {
     Scene small = scene;
     const auto shrink = [&](int side) {
         small.film = glm::max(scene.film * side / std::max({scene.film.x, scene.film.y, side}), ivec2(1));
     };
     shrink(longestSide);
-    TrialPicture picture(small, device);
-    const auto first = picture.accumulate(1);
+    TrialPicture picture(small, device, TrialPicture::Use::alone);
+    const auto first = picture.accumulate(1, stop);
     if (!first)
         return first.error();
     if (*first > seconds)

@@ -58,8 +58,11 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
         revision_ = step.order->scene.revision;
         begin(*step.order);
     }
-    if (place_.film() != nullptr)
+    if (step.watch)
+        ledger_.watch(*step.watch);
+    if (place_.film() != nullptr && !step.idle)
         work(step);
+    measureEffects(step);
 }
 
 RenderCommands::LoopState Session::Loop::state() const {
@@ -71,12 +74,14 @@ RenderCommands::LoopState Session::Loop::state() const {
             .lingers = film && (brightens_ || (moving_ && coarse() && !first_)),
             .displayError = film ? shownError_ : std::nullopt,
             .unshown = film && samples_ > 0 && (done_ > 0 || !waiting_.empty() || fresh_),
-            .canSnapshot = canSnapshot()};
+            .canSnapshot = canSnapshot(),
+            .unmeasured = canSnapshot() && ledger_.hasWork()};
 }
 
 void Session::Loop::clear() {
     goOnFrom(nullptr);
     coarser_.reset();
+    ledger_.forget();
     scene_ = {};
     place_.close();
 }
@@ -102,6 +107,7 @@ void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
         return fail(fits.error().text());
     }
     scene_ = order.scene;
+    ledger_.follow(scene_, commands.display());
     coarser_.reset();
     passing_ = moving_;
     beginFilm(ladder_.first(scene_.film));

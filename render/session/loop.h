@@ -11,6 +11,7 @@
 #include "render/film/smoothed_view.h"
 #include "render/session/bias_lattice.h"
 #include "render/session/film_on_device.h"
+#include "render/session/live_ledger.h"
 #include "render/session/render_commands.h"
 #include "render/session/resolution_ladder.h"
 #include "render/session/session.h"
@@ -42,6 +43,7 @@ class Session::Loop {
     void begin(const RenderCommands::SceneOrder& order);
     void work(const RenderCommands::Iteration& step);
     void finish(const RenderCommands::Iteration& step, Result<void> done);
+    void measureEffects(const RenderCommands::Iteration& step);
 
     // Parts of work(). Errors: the device's.
     Result<void> accumulate(const RenderCommands::Iteration& step);
@@ -141,6 +143,7 @@ class Session::Loop {
     double checkpointSeconds_ = 0;  ///< what the last one cost
 
     ResolutionLadder ladder_;
+    LiveLedger ledger_{clock_};
 
     std::jthread thread_;  ///< last: it uses all of the above
 };

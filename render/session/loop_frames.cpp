@@ -54,6 +54,15 @@ void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> d
         failedOnDevice(done.error());
 }
 
+/// Between launches, where nothing else is wanted; all the time while rendering holds.
+void Session::Loop::measureEffects(const RenderCommands::Iteration& step) {
+    if (!canSnapshot())
+        return;
+    ledger_.follow(scene_, commands.display());
+    if (ledger_.hasWork() && (step.idle || ledger_.isDue()) && !step.stop.stop_requested())
+        ledger_.step(step.stop);
+}
+
 /// Iterations of the next frame.
 std::uint32_t Session::Loop::wanted(const FrameBudget& pace) const {
     const std::uint32_t usual = coarse() ? ResolutionLadder::kSamples : meter_.iterations(pace);

@@ -119,6 +119,12 @@ void RenderCommands::requestSnapshot(std::uint64_t revision, SnapshotObserver lo
     changed_.notify_one();
 }
 
+void RenderCommands::watchEffects(EffectsWatch watch) {
+    const std::lock_guard lock(mutex_);
+    watch_ = std::move(watch);
+    changed_.notify_one();
+}
+
 void RenderCommands::cancel() {
     const std::lock_guard lock(mutex_);
     breakOff();
@@ -150,14 +156,17 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     std::unique_lock lock(mutex_);
     if (state.lingers)
         changed_.wait_for(lock, stop, kStill, [&] { return asked(state); });
-    changed_.wait(lock, stop, [&] { return asked(state) || (state.film && (renders(state) || state.unshown)); });
+    const auto busy = [&] { return asked(state) || (state.film && (renders(state) || state.unshown)); };
+    changed_.wait(lock, stop, [&] { return busy() || watch_ || state.unmeasured; });
     if (stop.stop_requested())
         return std::nullopt;
     running_ = std::stop_source();
     detour_ = std::stop_source();
     Iteration step;
+    step.idle = !busy();
     step.clear = std::exchange(clear_, false);
     step.device = std::exchange(device_, nullptr);
+    step.watch = std::exchange(watch_, std::nullopt);
     step.order = std::exchange(scene_, std::nullopt);
     step.render = renders(state) || step.order;
     step.redisplay = displayChanged_;

@@ -36,6 +36,7 @@ class RenderCommands {
         std::optional<double> displayError;  ///< of the full picture that was shown last; none: there is none
         bool unshown = false;                ///< the film holds what has not been shown
         bool canSnapshot = false;            ///< it can be looked at
+        bool unmeasured = false;             ///< what effects cost is to be measured, and can be now
     };
 
     /// What the render thread does next, in the order in which it does it.
@@ -43,7 +44,9 @@ class RenderCommands {
         bool clear = false;                         ///< forget the scene
         std::vector<SnapshotRequest> unanswerable;  ///< looks at what is not there and will not come
         DeviceOpener device;                        ///< go on there; empty: as before
+        std::optional<EffectsWatch> watch;          ///< who looks at what effects cost; none: as before
         std::optional<SceneOrder> order;
+        bool idle = false;       ///< the picture can stay as it is
         bool render = false;     ///< more iterations, if there is a film
         bool redisplay = false;  ///< the display is another one: first show what is there
         FrameBudget pace;
@@ -64,6 +67,7 @@ class RenderCommands {
     void goOn();
     void clear();
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
+    void watchEffects(EffectsWatch watch);
     double target();
     /// Whether a picture of that error is as good as was wanted, and left as it is.
     bool holdsAt(std::optional<double> displayError);
@@ -95,6 +99,7 @@ class RenderCommands {
     std::optional<SceneOrder> scene_;
     std::optional<std::uint64_t> newest_;  ///< revision of the scene that was submitted last
     DeviceOpener device_;
+    std::optional<EffectsWatch> watch_;
     Display display_;
     bool displayChanged_ = false;
     bool errorMap_ = false;

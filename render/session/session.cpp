@@ -61,4 +61,8 @@ void Session::requestSnapshot(std::uint64_t revision, SnapshotObserver look) {
     loop_->commands.requestSnapshot(revision, std::move(look));
 }
 
+void Session::watchEffects(EffectsWatch watch) {
+    loop_->commands.watchEffects(std::move(watch));
+}
+
 }  // namespace pdr

@@ -22,6 +22,7 @@
 
 namespace pdr {
 
+struct EffectLedger;
 struct Scene;
 
 /// One displayed picture, or a word to the user.
@@ -75,6 +76,15 @@ using SnapshotObserver = std::function<void(const Result<FilmView>&)>;
 /// Opens a device; called on the render thread, so it may take its time.
 using DeviceOpener = std::function<Result<std::unique_ptr<Device>>()>;
 
+/// Called on the render thread with what is known by now of what effects cost; must return soon.
+using EffectsObserver = std::function<void(std::shared_ptr<const EffectLedger>)>;
+
+/// Who looks at what effects cost, and where that is measured: apart from the picture. Nobody: both are empty.
+struct EffectsWatch {
+    DeviceOpener device;  ///< called twice: for pictures with an effect and without
+    EffectsObserver look;
+};
+
 /// Seconds since some moment; called on the render thread.
 using SessionClock = std::function<double()>;
 /// That of the wall, which never goes back.
@@ -114,6 +124,9 @@ class Session {
     /// Calls `look` once, between two launches, as soon as the scene of `revision` has samples and interaction has
     /// ended. Errors: another scene has taken its place, it was closed, or it could not be rendered.
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
+    /// Measures what the effects of the scene cost while somebody looks: a launch now and then where the picture is at
+    /// rest, in a twentieth of the time, and in all of it where rendering holds. Another scene comes first.
+    void watchEffects(EffectsWatch watch);
 
   private:
     class Loop;

@@ -146,20 +146,30 @@ class CliTest : public QObject {
         QVERIFY(plain.out.contains("the gradient factor is 0"));
         QVERIFY(plain.out.contains("no light is a rectangle or a sphere"));
         QVERIFY(plain.out.contains("multipleScattering"));
+        for (const char* column : {"share", "mean change", "95 % below", "time without"})
+            QVERIFY2(plain.out.contains(column), column);
         QVERIFY(!QRegularExpression(" -[0-9]").match(plain.out).hasMatch());  // no cost is negative
         const ProgramRun lit = BallScene::run({"effects", scene(), "--preset", "CT bone", "--json"});
         QCOMPARE(lit.code, 0);
         const QJsonObject ledger = QJsonDocument::fromJson(lit.out).object();
         QCOMPARE(ledger["models"].toArray().size(), 6);
+        QVERIFY(ledger["seconds"].toDouble() > 0 && ledger["width"].toInt() > 0);
         QCOMPARE(ledger["model"].toString(), QString("singleScattering"));
         QStringList tried;
         for (const QJsonValue& effect : ledger["effects"].toArray())
             if (const QJsonObject band = effect["milliseconds"].toObject(); !band.isEmpty()) {
                 tried << effect["name"].toString();
                 QCOMPARE(effect["verdict"].toString(), QString("needed"));
-                QVERIFY(effect["levels"].toDouble() > 0);  // that the picture changes by
                 QVERIFY(band["low"].toDouble() <= band["median"].toDouble() &&
                         band["median"].toDouble() <= band["high"].toDouble());
+                QVERIFY(effect["share"].toObject()["high"].toDouble() < 1);
+                QVERIFY(effect["meanLevels"].toObject()["value"].toDouble() > 0);  // that the picture changes by
+                for (const char* figure : {"meanLevels", "levels95", "timeWithout"}) {
+                    const QJsonObject told = effect[figure].toObject();
+                    QVERIFY2(told["low"].toDouble() <= told["value"].toDouble() &&
+                                 told["value"].toDouble() <= told["high"].toDouble() && told["high"].toDouble() > 0,
+                             figure);
+                }
             }
         QVERIFY(tried.contains("shadows") && tried.contains("lights with a place"));
     }

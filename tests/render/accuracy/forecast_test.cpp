@@ -73,6 +73,18 @@ class ForecastTest : public QObject {
         QVERIFY(reachedStep(steps)->levels == 16 && nextStep(steps)->levels == 8);
     }
 
+    /// As errors of most scenes fall: 2^(1/0.57) times. What is not known, or nothing, has no ratio.
+    void twiceTheErrorTakesMoreThanThreeTimesTheSamples() {
+        const FilmStatus one{.samplesPerPixel = 64, .displayError = 8, .displayErrorSpread = 0.1};
+        const FilmStatus two{.samplesPerPixel = 64, .displayError = 16, .displayErrorSpread = 0.1};
+        const Foretold ratio = *samplesRatio(one, two), back = *samplesRatio(two, one), same = *samplesRatio(one, one);
+        QVERIFY(std::fabs(ratio.value - std::pow(2, 1 / 0.57)) < 1e-9 &&
+                std::fabs(ratio.value * back.value - 1) < 1e-9);
+        QVERIFY(contains(ratio, 3) && contains(ratio, 4) && !contains(ratio, 1));
+        QVERIFY(same.value == 1 && contains(same, 1.1) && contains(same, 0.9));
+        QVERIFY(!samplesRatio(one, FilmStatus{}) && !samplesRatio(FilmStatus{.displayError = 0}, one));
+    }
+
     /// A scene of its own kind: the longer its errors are watched, the less it counts how those of others fall.
     void theExponentIsLearnedFromThePicture() {
         const Fall slow{.exponent = 0.45};

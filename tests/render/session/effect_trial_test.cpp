@@ -20,7 +20,7 @@ struct Machine {
     std::mt19937 random{7};
 
     Iterate picture(double seconds) {
-        return [this, seconds](std::uint32_t n) -> Result<double> {
+        return [this, seconds](std::uint32_t n, const std::stop_token&) -> Result<double> {
             const double off = noise * std::uniform_real_distribution<double>(-1, 1)(random);
             const double took = n * seconds * (1 + drift * measurements++ + off);
             spent += took;
@@ -28,6 +28,19 @@ struct Machine {
         };
     }
 };
+
+/// All steps of it; nothing when one has failed.
+bool finish(CostsInTurn& costs) {
+    while (!costs.isDone())
+        if (!costs.step())
+            return false;
+    return true;
+}
+
+CostBand addedCost(Iterate with, Iterate without, double budgetSeconds) {
+    CostsInTurn costs({std::move(with), std::move(without)}, budgetSeconds);
+    return finish(costs) ? costs.added() : CostBand();
+}
 
 }  // namespace
 
@@ -56,9 +69,8 @@ class EffectTrialTest : public QObject {
     void whatCostsMoreThanTheNoiseIsTold() {
         Machine machine{.noise = 0.05};
         const auto cost = addedCost(machine.picture(0.012), machine.picture(0.010), 1);
-        QVERIFY(bool(cost));
-        QVERIFY(verdictOf(*cost) == CostVerdict::costs);
-        QVERIFY(cost->low < 2 && cost->high > 2 && cost->low > 1 && cost->high < 3);
+        QVERIFY(verdictOf(cost) == CostVerdict::costs);
+        QVERIFY(cost.low < 2 && cost.high > 2 && cost.low > 1 && cost.high < 3);
     }
 
     /// A machine that gets slower all the while, or noise, must not look like a cost of what costs nothing.
@@ -67,51 +79,54 @@ class EffectTrialTest : public QObject {
         for (unsigned seed = 0; seed < 400; ++seed) {
             Machine machine{.drift = 0.01, .noise = 0.1, .random = std::mt19937(seed)};
             const auto cost = addedCost(machine.picture(0.01), machine.picture(0.01), 1);
-            told += verdictOf(*cost) != CostVerdict::withinNoise;
+            told += verdictOf(cost) != CostVerdict::withinNoise;
         }
         QVERIFY2(told < 400 * 0.06, qPrintable(QString::number(told)));  // 3 of 100 are to be expected
         Machine drifting{.drift = 0.05};
-        QVERIFY(verdictOf(*addedCost(drifting.picture(0.01), drifting.picture(0.01), 1)) == CostVerdict::withinNoise);
+        QVERIFY(verdictOf(addedCost(drifting.picture(0.01), drifting.picture(0.01), 1)) == CostVerdict::withinNoise);
     }
 
     void theBudgetIsKept() {
         for (const double seconds : {1e-7, 1e-4, 1e-3, 0.03}) {
             Machine machine;
-            QVERIFY(bool(addedCost(machine.picture(2 * seconds), machine.picture(seconds), 1)));
+            addedCost(machine.picture(2 * seconds), machine.picture(seconds), 1);
             QVERIFY2(machine.spent <= 1.001, qPrintable(QString::number(machine.spent)));
             QCOMPARE(machine.measurements, 2 + 2 * kBandMeasurements);
         }
         Machine slow;  // one iteration each, however slow
-        QVERIFY(bool(addedCost(slow.picture(1), slow.picture(1), 1)));
+        addedCost(slow.picture(1), slow.picture(1), 1);
         QVERIFY(slow.spent < 2 + 2 * kBandMeasurements + 0.001);
         Machine many;
-        const auto costs = costsInTurn({many.picture(0.001), many.picture(0.02), many.picture(0.005)}, 2);
-        QVERIFY(many.spent <= 2.001);
-        QVERIFY(std::fabs((*costs)[1].middle - 20) < 1e-9 && std::fabs((*costs)[2].low - 5) < 1e-9);
+        CostsInTurn costs({many.picture(0.001), many.picture(0.02), many.picture(0.005)}, 2);
+        QVERIFY(finish(costs) && many.spent <= 2.001);
+        QVERIFY(std::fabs(costs.bands()[1].middle - 20) < 1e-9 && std::fabs(costs.bands()[2].low - 5) < 1e-9);
+        QVERIFY(std::fabs(costs.share().middle + 19) < 1e-9);  // what is left out may be what saves time
     }
 
     void aFailureIsPassedOn() {
-        const Iterate broken = [](std::uint32_t) -> Result<double> { return Error{"gone", "device", ""}; };
+        const Iterate broken = [](std::uint32_t, const std::stop_token&) -> Result<double> {
+            return Error{"gone", "device", ""};
+        };
         Machine machine;
-        QCOMPARE(addedCost(machine.picture(0.1), broken, 1).error().what, std::string("gone"));
-        QCOMPARE(costsInTurn({broken}, 1).error().what, std::string("gone"));
+        CostsInTurn costs({machine.picture(0.1), broken}, 1);
+        QVERIFY(bool(costs.step()));
+        QCOMPARE(costs.step().error().what, std::string("gone"));
     }
 
-    /// Shadows change the picture of a lit ball; a panel that shines on nothing does not.
-    void levelsSayWhetherAPictureNeedsAnEffect() {
-        Scene scene = test::plainScene(test::bumpyVolume({30, 30, 30}, dvec3(1), 1), 0.3f);
-        scene.lights.push_back(SphereLight{.radiusMm = 1, .radiance = vec3(1e-6f)});
-        const auto device = makeCpuDevice(1);
-        int tried = 0;
-        for (const Effect& effect : needs(scene)) {
-            if (!effect.needed || effect.leaveOut == nullptr)
-                continue;
-            const auto trial = tryEffect(effect, scene, {}, *device, 0.2);
-            QVERIFY(bool(trial));
-            QVERIFY2((trial->levels < kNoLevels) == (effect.name == "lights with a place"), effect.name.c_str());
-            ++tried;
-        }
-        QCOMPARE(tried, 2);
+    void withoutItsShareAnIterationTakesTheRest() {
+        Machine machine;
+        CostsInTurn costs({machine.picture(0.02), machine.picture(0.005)}, 1);
+        QVERIFY(finish(costs));
+        QVERIFY(std::fabs(costs.share().middle - 0.75) < 1e-9 && std::fabs(costs.added().middle - 15) < 1e-9);
+    }
+
+    /// Three times the samples for a quarter of the price each; both are uncertain.
+    void priceAndNoiseMakeTheTime() {
+        const Foretold time = timeWithout({3, 2, 4.5}, {0.7, 0.75, 0.8});
+        QVERIFY(std::fabs(time.value - 0.75) < 1e-9);
+        QVERIFY(time.low < 0.5 && time.low > 0.4 && time.high > 1.125 && time.high < 1.35);
+        const Foretold sure = timeWithout({1, 1, 1}, {0, 0, 0});
+        QVERIFY(sure.value == 1 && sure.low == 1 && sure.high == 1);
     }
 
     void aTrialsFilmIsAsSmallAsTheBudgetAsks() {

@@ -1,0 +1,242 @@
+/// The ledger of effects is filled beside the picture, which it does not change; and only while somebody looks.
+
+#include <QTest>
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <mutex>
+#include <optional>
+
+#include "render/session/live_ledger.h"
+#include "tests/support/failing_device.h"
+#include "tests/support/reel.h"
+#include "tests/support/screen.h"
+
+using namespace pdr;
+
+namespace {
+
+/// The same volume in each.
+Scene smallScene(std::uint64_t revision) {
+    static const Scene first = test::largeScene(1);
+    Scene scene = first;
+    scene.film = {24, 16};
+    scene.camera.eyeMm.x += double(revision);
+    scene.revision = revision;
+    return scene;
+}
+
+/// Somebody who looks, and counts.
+struct Watcher {
+    std::atomic<int> opened = 0, launches = 0;
+    std::shared_ptr<test::Mishaps> mishaps = std::make_shared<test::Mishaps>();
+
+    Watcher() {
+        mishaps->before = [this](const std::string& verb) { launches += verb == "accumulate"; };
+    }
+    EffectsWatch watch() {
+        return {[this]() -> Result<std::unique_ptr<Device>> {
+                    ++opened;
+                    return test::failing(mishaps);
+                },
+                [this](std::shared_ptr<const EffectLedger> ledger) {
+                    const std::lock_guard lock(mutex_);
+                    told_ = std::move(ledger);
+                    ++times_;
+                }};
+    }
+    /// What was told last; nothing: an empty one.
+    EffectLedger told() const {
+        const std::lock_guard lock(mutex_);
+        return told_ ? *told_ : EffectLedger();
+    }
+    int times() const {
+        const std::lock_guard lock(mutex_);
+        return times_;
+    }
+
+  private:
+    mutable std::mutex mutex_;
+    std::shared_ptr<const EffectLedger> told_;
+    int times_ = 0;
+};
+
+int trials(const EffectLedger& ledger, bool ofViewBefore) {
+    return int(std::ranges::count_if(
+        ledger.effects, [&](const TriedEffect& row) { return row.trial && row.ofViewBefore == ofViewBefore; }));
+}
+
+/// A ledger by hand.
+struct Live {
+    Watcher watcher;
+    std::shared_ptr<test::FakeClock> clock = std::make_shared<test::FakeClock>();
+    LiveLedger ledger{test::readingOf(clock)};
+
+    explicit Live(const Scene& scene) {
+        watcher.mishaps->clock = clock;
+        ledger.watch(watcher.watch());
+        ledger.follow(scene, {});
+    }
+    void finish() {
+        while (ledger.hasWork())
+            ledger.step({});
+    }
+};
+
+}  // namespace
+
+class LiveLedgerTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void allThatCanBeTriedIsTried() {
+        Live live(smallScene(1));
+        live.finish();
+        const EffectLedger ledger = live.watcher.told();
+        QVERIFY(ledger.complete && ledger.film == ivec2(24, 16) && ledger.seconds > 0);
+        QVERIFY(trials(ledger, false) > 0 && trials(ledger, true) == 0);
+        for (const TriedEffect& row : ledger.effects)
+            QCOMPARE(row.trial.has_value(), row.canBeTried());
+    }
+
+    void aMovedCameraKeepsWhatIsKnownAsThatOfTheViewBefore() {
+        Live live(smallScene(1));
+        live.finish();
+        const int rows = trials(live.watcher.told(), false);
+        live.ledger.follow(smallScene(2), {});
+        QVERIFY(!live.watcher.told().complete && live.ledger.hasWork());
+        QCOMPARE(trials(live.watcher.told(), true), rows);
+        live.ledger.step({});
+        QCOMPARE(trials(live.watcher.told(), true), rows);
+        live.finish();
+        QCOMPARE(trials(live.watcher.told(), true), 0);
+        QCOMPARE(trials(live.watcher.told(), false), rows);
+    }
+
+    void anotherBrightnessIsAnotherView() {
+        Live live(smallScene(1));
+        live.finish();
+        live.ledger.follow(smallScene(1), {.exposure = 2});
+        QVERIFY(live.ledger.hasWork() && trials(live.watcher.told(), true) > 0);
+    }
+
+    void anotherLookForgetsWhatIsKnown() {
+        Live live(smallScene(1));
+        live.finish();
+        Scene other = smallScene(2);
+        other.gradientFactor = 1;
+        live.ledger.follow(other, {});
+        QVERIFY(live.watcher.told().effects.empty() && live.ledger.hasWork());
+    }
+
+    void whatIsCancelledLeavesNoTrace() {
+        Live live(smallScene(1));
+        for (int i = 0; i < 5; ++i)
+            live.ledger.step({});
+        QVERIFY(live.watcher.launches > 0);
+        const int told = live.watcher.times();
+        std::stop_source stop;
+        stop.request_stop();
+        live.ledger.step(stop.get_token());
+        QCOMPARE(live.watcher.times(), told);
+        Scene other = smallScene(2);
+        other.lights.clear();
+        other.environment.visible = false;
+        live.ledger.follow(other, {});
+        live.finish();
+        QVERIFY(live.watcher.told().complete);
+        QCOMPARE(trials(live.watcher.told(), false) + trials(live.watcher.told(), true), 0);
+    }
+
+    /// Each step takes a second of 20.
+    void measuringTakesATwentiethOfTheTime() {
+        Live live(smallScene(1));
+        live.watcher.mishaps->iterationSeconds = 1;
+        QVERIFY(live.ledger.isDue());
+        while (live.watcher.launches == 0)
+            live.ledger.step({});
+        const double spent = live.clock->seconds() - 1;
+        QVERIFY(spent >= 1 && !live.ledger.isDue());
+        live.clock->advanceTo(1 + 19.9 * spent);
+        QVERIFY(!live.ledger.isDue());
+        live.clock->advanceTo(1 + 20.1 * spent);
+        QVERIFY(live.ledger.isDue());
+    }
+
+    void aDeviceThatFailsIsToldOnce() {
+        Live live(smallScene(1));
+        live.watcher.mishaps->accumulates = 3;
+        live.finish();
+        QVERIFY(live.watcher.told().failure.find("the device is lost") != std::string::npos);
+        QCOMPARE(live.watcher.opened.load(), 2);
+    }
+
+    void nobodyLooksAndNothingIsMeasured() {
+        Live live(smallScene(1));
+        live.ledger.step({});
+        live.ledger.watch({});
+        QVERIFY(!live.ledger.hasWork());
+        live.ledger.follow(smallScene(2), {});
+        QVERIFY(!live.ledger.hasWork());
+    }
+
+    /// Held pictures are measured to the end, no frame comes of it, and the film is the same to the last bit.
+    void thePictureStaysAsItIs() {
+        std::optional<FilmContent> films[2];
+        for (const bool watched : {false, true}) {
+            test::Screen screen;
+            Watcher watcher;
+            Session session(makeCpuDevice(2), screen.sink());
+            session.setIterationsPerFrame(50);
+            if (watched)
+                session.watchEffects(watcher.watch());
+            session.submit(smallScene(1), false);
+            QVERIFY(screen.await([](const Frame& frame) { return frame.reached; }));
+            if (watched)
+                QTRY_VERIFY_WITH_TIMEOUT(watcher.told().complete, 1800000);
+            const int frames = screen.count();
+            QTest::qWait(50);
+            QCOMPARE(screen.count(), frames);
+            std::promise<FilmContent> content;
+            session.requestSnapshot(1, [&](const Result<FilmView>& view) { content.set_value(view->film.content()); });
+            films[watched] = content.get_future().get();
+            QCOMPARE(watcher.opened.load(), watched ? 2 : 0);
+        }
+        QVERIFY(sameBits(*films[0], *films[1]));
+    }
+
+    /// Also where it goes on for long, and where nobody looks any more.
+    void nothingRunsWhileNobodyLooks() {
+        test::Screen screen;
+        Watcher watcher;
+        Session session(makeCpuDevice(2), screen.sink());
+        session.submit(smallScene(1), false);
+        QVERIFY(screen.await([](const Frame& frame) { return frame.reached; }));
+        QCOMPARE(watcher.opened + watcher.launches, 0);
+        session.watchEffects(watcher.watch());
+        QTRY_VERIFY_WITH_TIMEOUT(watcher.launches > 0, 1800000);
+        session.watchEffects({});
+        session.submit(smallScene(2), false);
+        QVERIFY(screen.await([](const Frame& frame) { return frame.revision == 2 && frame.reached; }));
+        const int launches = watcher.launches, told = watcher.times();
+        session.submit(smallScene(3), false);
+        QVERIFY(screen.await([](const Frame& frame) { return frame.revision == 3 && frame.reached; }));
+        QCOMPARE(watcher.launches.load(), launches);
+        QCOMPARE(watcher.times(), told);
+    }
+
+    void aClosedPictureHasNoLedger() {
+        test::Screen screen;
+        Watcher watcher;
+        Session session(makeCpuDevice(2), screen.sink());
+        session.watchEffects(watcher.watch());
+        session.submit(smallScene(1), false);
+        QTRY_VERIFY_WITH_TIMEOUT(!watcher.told().effects.empty(), 1800000);
+        session.clear();
+        QTRY_VERIFY_WITH_TIMEOUT(watcher.told().effects.empty(), 1800000);
+    }
+};
+
+QTEST_GUILESS_MAIN(LiveLedgerTest)
+#include "live_ledger_test.moc"

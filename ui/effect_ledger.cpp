@@ -1,0 +1,191 @@
+#include "ui/effect_ledger.h"
+
+#include <QVBoxLayout>
+#include <array>
+
+#include "ui/scrolled.h"
+
+namespace pdr::ui {
+namespace {
+
+constexpr int kReason = 1;   ///< column that gives way where there is little room
+constexpr int kFigures = 2;  ///< first column of figures
+
+struct Column {
+    const char* title;
+    const char* explanation;
+    const char* widest = "";  ///< that is to be expected in it
+};
+
+const std::array<Column, 7> kColumns{
+    {{QT_TR_NOOP("Effect"), ""},
+     {QT_TR_NOOP("needed, because"), ""},
+     {QT_TR_NOOP("ms per iteration"),
+      QT_TR_NOOP(
+          "Processor time that an iteration of the small picture takes more with it: median, and the smallest to the "
+          "largest of six measurements"),
+      "12.34 (12.34 to 12.34)"},
+     {QT_TR_NOOP("share"), QT_TR_NOOP("The part of an iteration's time that goes to it"), "51 % (42 to 55)"},
+     {QT_TR_NOOP("without it: mean"),
+      QT_TR_NOOP("Of 255 grey levels, by how many the picture changes without it, on average over what it shows; to "
+                 "95 % it lies between the two faint numbers"),
+      "65.7 (62.9 to 68.3)"},
+     {QT_TR_NOOP("95 % within"),
+      QT_TR_NOOP("95 % of the picture changes by no more levels than this; to 95 % it lies between the two faint "
+                 "numbers"),
+      "122.3 (115.8 to 128.8)"},
+     {QT_TR_NOOP("time to the target"),
+      QT_TR_NOOP("How long any target takes without it, in percent of the time with it: an iteration takes another "
+                 "time, and the picture has other noise"),
+      "71 % (46 to 110)"}}};
+
+QLabel* cell(const QString& text, bool faint) {
+    auto* label = new QLabel(text);
+    label->setTextFormat(Qt::RichText);
+    if (faint)
+        label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+/// "38 % (36 to 40)" with its band faint.
+QString figure(const QString& text, const QString& faint) {
+    const qsizetype band = text.indexOf(" (");
+    const QString value = text.left(band < 0 ? text.size() : band).toHtmlEscaped();
+    if (band < 0)
+        return value;
+    return QString("%1 <span style='color:%2'>%3</span>").arg(value, faint, text.mid(band + 1).toHtmlEscaped());
+}
+
+/// Long ones are cut off at their end; they must not make the window wider.
+void mayBeCut(QLabel* label) {
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+}  // namespace
+
+EffectLedger::EffectLedger(QWidget* parent)
+    : QWidget(parent),
+      table_(new QGridLayout),
+      off_(cell({}, true)),
+      how_(cell({}, true)),
+      onlyNeeded_(new QPushButton(tr("Only what this scene calls for"))),
+      statement_(new QWidget),
+      question_(new QWidget),
+      questionText_(new QLabel),
+      leaveOut_(new QPushButton(tr("Leave out"))),
+      keep_(new QPushButton(tr("Keep all"))) {
+    layOut();
+    connect(onlyNeeded_, &QPushButton::clicked, this, &EffectLedger::ask);
+    connect(leaveOut_, &QPushButton::clicked, this, [this] { answer(true); });
+    connect(keep_, &QPushButton::clicked, this, [this] { answer(false); });
+    fill();
+}
+
+QSize EffectLedger::sizeHint() const {
+    constexpr int kLines = 8;  // of most scenes: a title, six effects, those that are off
+    return {QWidget::sizeHint().width(),
+            kLines * (fontMetrics().height() + table_->verticalSpacing()) + onlyNeeded_->sizeHint().height() + 16};
+}
+
+void EffectLedger::layOut() {
+    table_->setHorizontalSpacing(18);
+    table_->setVerticalSpacing(3);
+    table_->setColumnStretch(kReason, 1);
+    for (std::size_t i = kFigures; i < kColumns.size(); ++i)
+        table_->setColumnMinimumWidth(int(i), fontMetrics().horizontalAdvance(kColumns[i].widest));
+    for (QLabel* label : {off_, how_})
+        mayBeCut(label);
+    questionText_->setWordWrap(true);
+    onlyNeeded_->setToolTip(tr("Leaves out what nobody would see, and says first what that is"));
+    // A click leaves the keyboard with the picture; Tab still reaches everything.
+    for (QPushButton* button : {onlyNeeded_, leaveOut_, keep_})
+        button->setFocusPolicy(Qt::TabFocus);
+
+    auto* ask = new QHBoxLayout(question_);
+    ask->setContentsMargins(0, 0, 0, 0);
+    ask->addWidget(questionText_, 1);
+    ask->addWidget(leaveOut_);
+    ask->addWidget(keep_);
+    auto* last = new QHBoxLayout(statement_);
+    last->setContentsMargins(0, 0, 0, 0);
+    last->addWidget(how_, 1);
+    last->addWidget(onlyNeeded_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 2, 10, 8);
+    column->setSpacing(6);
+    auto* content = new QWidget;
+    auto* lines = new QVBoxLayout(content);
+    lines->setContentsMargins(0, 0, 0, 0);
+    lines->addLayout(table_);
+    lines->addWidget(off_);
+    lines->addStretch(1);
+    column->addWidget(scrolled(content), 1);
+    column->addWidget(statement_);
+    column->addWidget(question_);
+    showQuestion(false);
+}
+
+void EffectLedger::setRows(const EffectRows& rows) {
+    if (rows.leftOut != rows_.leftOut)
+        showQuestion(false);
+    rows_ = rows;
+    fill();
+}
+
+void EffectLedger::fill() {
+    while (QLayoutItem* item = table_->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    for (std::size_t i = 0; i < kColumns.size() && !rows_.needed.isEmpty(); ++i) {
+        QLabel* title = cell(tr(kColumns[i].title), true);
+        title->setToolTip(tr(kColumns[i].explanation));
+        table_->addWidget(title, 0, int(i));
+    }
+    const QString faint = palette().color(QPalette::PlaceholderText).name();
+    int line = 0;
+    for (const EffectRow& row : rows_.needed) {
+        ++line;
+        table_->addWidget(cell(row.name.toHtmlEscaped(), false), line, 0);
+        QLabel* reason = cell(row.reason.toHtmlEscaped(), true);
+        reason->setToolTip(row.reason);
+        mayBeCut(reason);
+        table_->addWidget(reason, line, kReason);
+        int column = kFigures;
+        for (const QString& text : {row.milliseconds, row.share, row.meanLevels, row.levels95, row.time}) {
+            QLabel* shown = cell(figure(text, faint), row.ofViewBefore);
+            QFont font = shown->font();
+            font.setItalic(row.ofViewBefore);
+            shown->setFont(font);
+            table_->addWidget(shown, line, column++);
+        }
+    }
+    const auto nameOf = [](const QString& effect) { return effect.section(':', 0, 0); };
+    QStringList names;
+    for (const QString& effect : rows_.off)
+        names << nameOf(effect);
+    off_->setText(names.isEmpty() ? QString() : tr("Off, and nothing is lost: %1").arg(names.join(", ")));
+    off_->setToolTip(rows_.off.join('\n'));
+    const bool allNeeded = rows_.complete && rows_.leftOut.isEmpty();
+    how_->setText(allNeeded ? tr("%1 · all that is on is called for").arg(rows_.how) : rows_.how);
+    how_->setToolTip(how_->text());
+    onlyNeeded_->setEnabled(!rows_.leftOut.isEmpty());
+}
+
+void EffectLedger::ask() {
+    questionText_->setText(tr("Leaves out %1.").arg(rows_.leftOut.join("; ")));
+    showQuestion(true);
+}
+
+void EffectLedger::showQuestion(bool shown) {
+    statement_->setVisible(!shown);
+    question_->setVisible(shown);
+}
+
+void EffectLedger::answer(bool leaveOut) {
+    showQuestion(false);
+    if (leaveOut)
+        emit leaveOutChosen();
+}
+
+}  // namespace pdr::ui
