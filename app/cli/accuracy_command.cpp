@@ -1,10 +1,12 @@
 #include "app/cli/accuracy_command.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <fstream>
+#include <iterator>
 #include <new>
 
 #include "app/cli/accuracy/accuracy_page.h"
+#include "app/cli/accuracy/measure_accuracy.h"
 #include "app/cli/film_room.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
@@ -14,6 +16,7 @@
 #include "render/base/replacing_file.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
+#include "render/session/bias_lattice.h"
 
 namespace pdr::app {
 namespace {
@@ -22,6 +25,7 @@ namespace fs = std::filesystem;
 
 /// Of the time, for the picture that all others are compared with: half of its error is then about that of the best.
 constexpr double kReferenceShare = 0.6;
+constexpr double kSceneShare = 0.7;  ///< for the scene itself; the rest is for other pictures of it
 
 Result<void> makeFolder(const fs::path& folder) {
     std::error_code trouble;
@@ -39,39 +43,60 @@ Result<void> writeText(const std::string& text, const fs::path& path) {
     return file->commit();
 }
 
-/// Renders the reference, then each way in turn.
-Result<AccuracyReport> measured(const AccuracyOptions& options, const LoadedScene& loaded, Device& device,
-                                const std::stop_token& stop, ProgressLine& line) {
-    const auto progress = [&](double fraction, const std::string& what) { line.show(fraction, what); };
-    const Scene& scene = loaded.scene;
-    const auto reference = referenceFor(scene, kReferenceShare * options.seconds, device, stop, progress);
+/// What all measurements share.
+struct Work {
+    const AccuracyOptions& options;
+    const Display& display;
+    Device& device;
+    const std::stop_token& stop;
+    AccuracyProgress progress;
+};
+
+/// Renders the reference, then each way in turn, in so many seconds.
+Result<AccuracyPicture> measured(const std::string& name, const std::vector<AccuracyWay>& ways, double seconds,
+                                 const fs::path& folder, const Work& work) {
+    const auto reference =
+        referenceFor(exactly(ways.front().scene), kReferenceShare * seconds, work.device, work.stop, work.progress);
     if (!reference)
         return reference.error();
-    AccuracyReport report{scene.film,
-                          modelName(scene.model),
-                          device.info().name,
-                          "PD-Render " PDR_VERSION,
-                          scene.seed,
-                          (*reference)->samplesPerPixel(),
-                          {},
-                          {},
-                          true};
+    AccuracyPicture picture{name, (*reference)->samplesPerPixel()};
     if (const auto judgement = SmoothingJudgement::of(**reference))
-        report.referenceError = judgement->overAll(loaded.display.exposure);
-    const std::vector<AccuracyWay> ways = accuracyWays(scene);
-    const AccuracyPlan plan{(1 - kReferenceShare) * options.seconds / double(ways.size()), loaded.display,
-                            options.folder};
+        picture.referenceError = judgement->overAll(work.display.exposure);
+    const AccuracyPlan plan{(1 - kReferenceShare) * seconds / double(ways.size()), work.display, folder};
     for (const AccuracyWay& way : ways) {
-        if (stop.stop_requested())
+        if (work.stop.stop_requested())
             break;
-        auto curves = measureAccuracy(way, **reference, plan, device, stop, progress);
+        auto curves = measureAccuracy(way, **reference, plan, work.device, work.stop, work.progress);
         if (!curves)
             return curves.error();
-        for (AccuracyCurve& curve : *curves)
-            report.curves.push_back(std::move(curve));
+        std::ranges::move(*curves, std::back_inserter(picture.curves));
     }
-    report.complete = !stop.stop_requested();
-    line.finish();
+    return picture;
+}
+
+Result<AccuracyReport> measured(const Scene& scene, const Work& work) {
+    const DeviceInfo device = work.device.info();
+    AccuracyReport report{.size = scene.film,
+                          .model = modelName(scene.model),
+                          .device = device.name,
+                          .program = "PD-Render " PDR_VERSION,
+                          .seed = scene.seed};
+    auto own = measured("the scene", accuracyWays(scene, device.name), kSceneShare * work.options.seconds,
+                        work.options.folder, work);
+    if (!own)
+        return own.error();
+    report.scene = *std::move(own);
+    const std::vector<AccuracyWay> others = otherPictures(scene);
+    for (const AccuracyWay& other : others) {
+        if (work.stop.stop_requested())
+            break;
+        const double seconds = (1 - kSceneShare) * work.options.seconds / double(others.size());
+        auto picture = measured(other.name, {{"as it is", "", other.scene}}, seconds, {}, work);
+        if (!picture)
+            return picture.error();
+        report.others.push_back(*std::move(picture));
+    }
+    report.complete = !work.stop.stop_requested();
     return report;
 }
 
@@ -87,7 +112,11 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
     if (auto room = roomForFilm(loaded->scene.film, (*opened)->info()); !room)
         return room.error();
     ProgressLine line;
-    const auto found = measured(options, *loaded, **opened, interrupt.token(), line);
+    const std::stop_token stop = interrupt.token();
+    const auto found =
+        measured(loaded->scene, {options, loaded->display, **opened, stop,
+                                 [&](double fraction, const std::string& what) { line.show(fraction, what); }});
+    line.finish();
     if (!found)
         return found.error();
     for (const auto& [text, name] :
@@ -95,7 +124,7 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
           std::pair(pageText(*found, options.folder), "accuracy.html")})
         if (auto written = writeText(text, options.folder / name); !written)
             return written.error();
-    for (const AccuracyCurve& curve : found->curves)
+    for (const AccuracyCurve& curve : found->scene.curves)
         std::printf("%s: %s\n", curve.name.c_str(), ladderText(curve).c_str());
     std::printf("%s\n", (options.folder / "accuracy.html").c_str());
     return found->complete;
