@@ -16,7 +16,6 @@
 #include "render/base/replacing_file.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
-#include "render/session/bias_lattice.h"
 
 namespace pdr::app {
 namespace {
@@ -52,21 +51,40 @@ struct Work {
     AccuracyProgress progress;
 };
 
+/// The truth of `scene`. Where a folder is named, it goes on from what an earlier run has left there, and leaves its
+/// own: also when it is interrupted.
+Result<KeptFilm> reference(const Scene& scene, double seconds, const fs::path& folder, const Work& work) {
+    const fs::path file = folder / "reference.film";
+    const std::uint64_t key = folder.empty() ? 0 : filmKey(scene, work.device.info().name);
+    const auto before = folder.empty() ? std::nullopt : readFilm(scene, key, file);
+    auto film = referenceFor(scene, seconds, before, work.device, work.stop, work.progress);
+    if (!film || folder.empty() || (before && film->seconds <= before->seconds))
+        return film;
+    if (auto written = writeFilm(*film, key, file); !written)
+        return written.error();
+    return film;
+}
+
+/// Of the time for all ways: half of it for the first, which is the picture itself; the rest for all others alike.
+double shareOf(std::size_t way, std::size_t ways) {
+    if (ways == 1)
+        return 1;
+    return way == 0 ? 0.5 : 0.5 / double(ways - 1);
+}
+
 /// Renders the reference, then each way in turn, in so many seconds.
 Result<AccuracyPicture> measured(const std::string& name, const std::vector<AccuracyWay>& ways, double seconds,
                                  const fs::path& folder, const Work& work) {
-    const auto reference =
-        referenceFor(exactly(ways.front().scene), kReferenceShare * seconds, work.device, work.stop, work.progress);
-    if (!reference)
-        return reference.error();
-    AccuracyPicture picture{name, (*reference)->samplesPerPixel()};
-    if (const auto judgement = SmoothingJudgement::of(**reference))
+    const auto truth = reference(referenceScene(ways.front().scene), kReferenceShare * seconds, folder, work);
+    if (!truth)
+        return truth.error();
+    AccuracyPicture picture{name, truth->film->samplesPerPixel()};
+    if (const auto judgement = SmoothingJudgement::of(*truth->film))
         picture.referenceError = judgement->overAll(work.display.exposure);
-    const AccuracyPlan plan{(1 - kReferenceShare) * seconds / double(ways.size()), work.display, folder};
-    for (const AccuracyWay& way : ways) {
-        if (work.stop.stop_requested())
-            break;
-        auto curves = measureAccuracy(way, **reference, plan, work.device, work.stop, work.progress);
+    const double left = (1 - kReferenceShare) * seconds;
+    for (std::size_t i = 0; i < ways.size() && !work.stop.stop_requested(); ++i) {
+        const AccuracyPlan plan{left * shareOf(i, ways.size()), work.display, folder};
+        auto curves = measureAccuracy(ways[i], *truth->film, plan, work.device, work.stop, work.progress);
         if (!curves)
             return curves.error();
         std::ranges::move(*curves, std::back_inserter(picture.curves));

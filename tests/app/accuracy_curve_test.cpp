@@ -5,6 +5,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -89,10 +90,10 @@ class AccuracyCurveTest : public QObject {
         Scene scene = test::tissueScene();
         const auto device = makeCpuDevice();
         const auto quiet = [](double, const std::string&) {};
-        const auto reference = referenceFor(scene, 0.01, *device, {}, quiet);
+        const auto reference = referenceFor(referenceScene(scene), 0.01, {}, *device, {}, quiet);
         QVERIFY(bool(reference));
         const AccuracyPlan plan{1, {}, {}};
-        const auto curves = measureAccuracy({"as it is", "", scene}, **reference, plan, *device, {}, quiet);
+        const auto curves = measureAccuracy({"as it is", "", scene}, *reference->film, plan, *device, {}, quiet);
         QVERIFY(bool(curves) && curves->size() == 2);
         int foretold = 0;
         for (const AccuracyStep& step : (*curves)[0].steps) {
@@ -102,6 +103,39 @@ class AccuracyCurveTest : public QObject {
                 QVERIFY(step.foretoldAtQuarter->low <= step.foretoldAtQuarter->value);
         }
         QVERIFY((*curves)[0].steps.back().samples < 128 || foretold > 0);
+    }
+    /// The reference of an earlier run, of the same scene, is gone on from; of any other it is not.
+    void aReferenceIsKeptFromRunToRun() {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("reference.film").toStdString();
+        const Scene scene = referenceScene(test::tissueScene());
+        const auto device = makeCpuDevice();
+        const auto quiet = [](double, const std::string&) {};
+        const std::uint64_t key = filmKey(scene, "cpu");
+        QVERIFY(!readFilm(scene, key, file));
+        const auto first = referenceFor(scene, 0.05, {}, *device, {}, quiet);
+        QVERIFY(first && writeFilm(*first, key, file));
+        const auto kept = readFilm(scene, key, file);
+        QVERIFY(kept && kept->seconds == first->seconds && sameBits(kept->film->content(), first->film->content()));
+        const auto same = referenceFor(scene, 0.05, kept, *device, {}, quiet);
+        QCOMPARE(same->film->samplesPerPixel(), first->film->samplesPerPixel());
+        const auto longer = referenceFor(scene, 1.5 * first->seconds, kept, *device, {}, quiet);
+        const std::uint64_t samples = longer->film->samplesPerPixel();
+        QVERIFY(samples > first->film->samplesPerPixel());
+        QVERIFY(sameBits(longer->film->content(), test::render(scene, samples).content()));
+
+        Scene other = scene;
+        other.lights.clear();
+        QVERIFY(filmKey(other, "cpu") != key && filmKey(scene, "cuda:0") != key);
+        other = scene;
+        other.volume = test::bumpyVolume({50, 41, 37}, {0.9, 1.1, 1.3}, 4);
+        QVERIFY(filmKey(other, "cpu") != key && !readFilm(scene, filmKey(other, "cpu"), file));
+        QFile bytes(folder.filePath("reference.film"));
+        QVERIFY(bytes.open(QIODevice::ReadWrite) && bytes.seek(bytes.size() / 2) && bytes.write("damage") == 6);
+        bytes.close();
+        QVERIFY(!readFilm(scene, key, file));
+        std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+        QVERIFY(!readFilm(scene, key, file));
     }
     void tableAndPageHoldTheSteps() {
         AccuracyReport report;

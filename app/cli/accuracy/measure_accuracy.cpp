@@ -36,6 +36,11 @@ class GrowingFilm {
         samples_ = samples;
         return done;
     }
+    Result<void> goOnFrom(const KeptFilm& before) {
+        samples_ = before.film->samplesPerPixel();
+        seconds_ = before.seconds;
+        return film_->resume(*before.film);
+    }
     Result<std::shared_ptr<const Film>> film() { return film_->film(); }
     std::uint64_t samples() const { return samples_; }
     double seconds() const { return seconds_; }
@@ -167,21 +172,31 @@ Result<std::vector<AccuracyCurve>> measureAccuracy(const AccuracyWay& way, const
     return curves;
 }
 
-Result<std::shared_ptr<const Film>> referenceFor(const Scene& scene, double seconds, Device& device,
-                                                 const std::stop_token& stop, const AccuracyProgress& progress) {
-    Scene other = scene;
+Scene referenceScene(Scene scene) {
+    Scene other = exactly(std::move(scene));
     other.seed += 1;
-    auto film = GrowingFilm::of(other, device);
+    return other;
+}
+
+Result<KeptFilm> referenceFor(const Scene& scene, double seconds, const std::optional<KeptFilm>& before, Device& device,
+                              const std::stop_token& stop, const AccuracyProgress& progress) {
+    auto film = GrowingFilm::of(scene, device);
     if (!film)
         return film.error();
-    do {
+    if (before)
+        if (auto ok = film->goOnFrom(*before); !ok)
+            return ok.error();
+    while (film->samples() == 0 || (film->seconds() < seconds && !stop.stop_requested())) {
         const double each = film->samples() == 0 ? 0 : film->seconds() / double(film->samples());
         const double left = each > 0 ? std::clamp((seconds - film->seconds()) / each, 1.0, 16.0) : 2.0;
         if (auto ok = film->growTo(film->samples() + std::uint64_t(left)); !ok)
             return ok.error();
         progress(std::min(1.0, film->seconds() / seconds), "reference");
-    } while (film->seconds() < seconds && !stop.stop_requested());
-    return film->film();
+    }
+    const auto known = film->film();
+    if (!known)
+        return known.error();
+    return KeptFilm{*known, film->seconds()};
 }
 
 }  // namespace pdr::app

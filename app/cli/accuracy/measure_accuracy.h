@@ -9,6 +9,7 @@
 
 #include "app/cli/accuracy/accuracy_curve.h"
 #include "app/cli/accuracy/accuracy_ways.h"
+#include "app/cli/accuracy/kept_film.h"
 #include "render/device/device.h"
 
 namespace pdr::app {
@@ -29,8 +30,11 @@ Result<std::vector<AccuracyCurve>> measureAccuracy(const AccuracyWay& way, const
                                                    const AccuracyPlan& plan, Device& device,
                                                    const std::stop_token& stop, const AccuracyProgress& progress);
 
-/// A film of `scene` with the next seed, of as many samples as fit `seconds`; at least 2 unless stopped.
-Result<std::shared_ptr<const Film>> referenceFor(const Scene& scene, double seconds, Device& device,
-                                                 const std::stop_token& stop, const AccuracyProgress& progress);
+/// `scene` as its references are made: exactly, and with the next seed.
+Scene referenceScene(Scene scene);
+/// A film of `scene`, of as many samples as fit `seconds` in all; at least 2 unless stopped. It goes on from `before`,
+/// where that is not nothing.
+Result<KeptFilm> referenceFor(const Scene& scene, double seconds, const std::optional<KeptFilm>& before, Device& device,
+                              const std::stop_token& stop, const AccuracyProgress& progress);
 
 }  // namespace pdr::app
