@@ -139,7 +139,8 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
         return found.error();
     for (const auto& [text, name] :
          {std::pair(csvText(*found), "accuracy.csv"), std::pair(jsonText(*found), "accuracy.json"),
-          std::pair(pageText(*found, options.folder), "accuracy.html")})
+          std::pair(pageText(*found, options.folder), "accuracy.html"),
+          std::pair(plotText(found->scene), "accuracy.svg")})
         if (auto written = writeText(text, options.folder / name); !written)
             return written.error();
     for (const AccuracyCurve& curve : found->scene.curves)

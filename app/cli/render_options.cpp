@@ -79,7 +79,7 @@ void describeEffects(QCommandLineParser& parser) {
 void describeAccuracy(QCommandLineParser& parser) {
     describeScene(parser);
     parser.addOptions({
-        {{"o", "output"}, "Write accuracy.html, .csv, .json and the pictures into this folder.", "DIR"},
+        {{"o", "output"}, "Write accuracy.html, .svg, .csv, .json and the pictures into this folder.", "DIR"},
         {"time-limit", "Render for T seconds in all; default 120.", "T", "120"},
         kDeviceOption,
     });

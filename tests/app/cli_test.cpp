@@ -184,6 +184,7 @@ class CliTest : public QObject {
                 QCOMPARE(QImage(folder + "/" + picture).size(), QSize(96, 80));
         }
         const QByteArray page = BallScene::contents(folder + "/accuracy.html");
+        QVERIFY(BallScene::contents(folder + "/accuracy.svg").startsWith("<svg xmlns="));
         QVERIFY(page.contains("<svg") && page.contains("data:image/png;base64,") && !page.contains("src='http"));
         QVERIFY(BallScene::contents(folder + "/accuracy.csv").startsWith("picture,way,samples,seconds"));
         const ProgramRun nowhere = BallScene::run({"accuracy", scene(), "-o", scene() + "/report"});

@@ -139,14 +139,18 @@ QString gallery(const AccuracyCurve& curve, const std::filesystem::path& picture
 
 }  // namespace
 
+std::string plotText(const AccuracyPicture& picture) {
+    const auto floor = picture.referenceError ? std::optional(picture.referenceError->levels) : std::nullopt;
+    return accuracyPlot(picture.curves, floor).toStdString();
+}
+
 std::string pageText(const AccuracyReport& report, const std::filesystem::path& pictures) {
     const AccuracyPicture& scene = report.scene;
-    const auto floor = scene.referenceError ? std::optional(scene.referenceError->levels) : std::nullopt;
     QString text = kHead + heading(report) + "<h2>How soon</h2>" + ladder(scene) +
                    "<h2>Error against time</h2><p>Lines with dots: measured. Dashed: what the program says of itself. "
                    "Dotted: the root of the time. Smoothing "
                    "itself takes a tenth of a second or two more.</p>" +
-                   accuracyPlot(scene.curves, floor);
+                   QString::fromStdString(plotText(scene));
     if (!scene.curves.empty())
         text += "<h2>Foretold and come true</h2>" + prophecies(scene.curves[0]);
     if (!report.others.empty())
