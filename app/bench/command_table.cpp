@@ -72,6 +72,14 @@ constexpr Command kCommands[] = {
      "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"
      "  --quick       20 s instead of about 5 minutes on two cores; finds larger biases only\n"
      "  --seed N      of the random numbers; default 1\n"},
+    {"prediction", prediction, "[SCENE.json ...] [--seeds N] [--threads N] [--width N] [--height N]",
+     "Says whether forecasts come true: samples to two parts of the error, foretold over needed, and how often the 95 "
+     "%\n"
+     "interval holds; without scenes, of a head with easy and hard light. Takes minutes.\n",
+     "  --seeds N     pictures of each, from 2; default 40\n"
+     "  --threads N   of the CPU; default 0: one per core\n"
+     "  --width N     pixels of a picture, from 8; default 28\n"
+     "  --height N    default 22\n"},
     {"warps", warps, "SCENE.json [--samples N] [--width N] [--height N]",
      "Says how full a GPU's warps are in the queues that they walk, without a GPU: walks and steps for each sample, "
      "of\n"

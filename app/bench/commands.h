@@ -56,6 +56,10 @@ int parity(const Arguments& arguments);
 /// table. 1: the device deviates, or the test was broken off. WORDS: only cases whose name or family holds them.
 int selftest(const Arguments& arguments);
 
+/// prediction [SCENE.json ...] [--seeds N] [--threads N] [--width N] [--height N]: whether forecasts come true, from 64
+/// and from 256 samples to two parts of the error; without scenes, of five whose light is easy and hard to find.
+int prediction(const Arguments& arguments);
+
 /// warps SCENE.json [--samples N] [--width N] [--height N]: how full a GPU's warps are in the queues that it walks, by
 /// warps that are played on the CPU: walks and steps for each sample, of lanes and of warps.
 int warps(const Arguments& arguments);

@@ -1,10 +1,12 @@
 #include "app/cli/accuracy_command.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <fstream>
+#include <iterator>
 #include <new>
 
 #include "app/cli/accuracy/accuracy_page.h"
+#include "app/cli/accuracy/measure_accuracy.h"
 #include "app/cli/film_room.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
@@ -22,6 +24,7 @@ namespace fs = std::filesystem;
 
 /// Of the time, for the picture that all others are compared with: half of its error is then about that of the best.
 constexpr double kReferenceShare = 0.6;
+constexpr double kSceneShare = 0.7;  ///< for the scene itself; the rest is for other pictures of it
 
 Result<void> makeFolder(const fs::path& folder) {
     std::error_code trouble;
@@ -39,39 +42,79 @@ Result<void> writeText(const std::string& text, const fs::path& path) {
     return file->commit();
 }
 
-/// Renders the reference, then each way in turn.
-Result<AccuracyReport> measured(const AccuracyOptions& options, const LoadedScene& loaded, Device& device,
-                                const std::stop_token& stop, ProgressLine& line) {
-    const auto progress = [&](double fraction, const std::string& what) { line.show(fraction, what); };
-    const Scene& scene = loaded.scene;
-    const auto reference = referenceFor(scene, kReferenceShare * options.seconds, device, stop, progress);
-    if (!reference)
-        return reference.error();
-    AccuracyReport report{scene.film,
-                          modelName(scene.model),
-                          device.info().name,
-                          "PD-Render " PDR_VERSION,
-                          scene.seed,
-                          (*reference)->samplesPerPixel(),
-                          {},
-                          {},
-                          true};
-    if (const auto judgement = SmoothingJudgement::of(**reference))
-        report.referenceError = judgement->overAll(loaded.display.exposure);
-    const std::vector<AccuracyWay> ways = accuracyWays(scene);
-    const AccuracyPlan plan{(1 - kReferenceShare) * options.seconds / double(ways.size()), loaded.display,
-                            options.folder};
-    for (const AccuracyWay& way : ways) {
-        if (stop.stop_requested())
-            break;
-        auto curves = measureAccuracy(way, **reference, plan, device, stop, progress);
+/// What all measurements share.
+struct Work {
+    const AccuracyOptions& options;
+    const Display& display;
+    Device& device;
+    const std::stop_token& stop;
+    AccuracyProgress progress;
+};
+
+/// The truth of `scene`. Where a folder is named, it goes on from what an earlier run has left there, and leaves its
+/// own: also when it is interrupted.
+Result<KeptFilm> reference(const Scene& scene, double seconds, const fs::path& folder, const Work& work) {
+    const fs::path file = folder / "reference.film";
+    const std::uint64_t key = folder.empty() ? 0 : filmKey(scene, work.device.info().name);
+    const auto before = folder.empty() ? std::nullopt : readFilm(scene, key, file);
+    auto film = referenceFor(scene, seconds, before, work.device, work.stop, work.progress);
+    if (!film || folder.empty() || (before && film->seconds <= before->seconds))
+        return film;
+    if (auto written = writeFilm(*film, key, file); !written)
+        return written.error();
+    return film;
+}
+
+/// Of the time for all ways: half of it for the first, which is the picture itself; the rest for all others alike.
+double shareOf(std::size_t way, std::size_t ways) {
+    if (ways == 1)
+        return 1;
+    return way == 0 ? 0.5 : 0.5 / double(ways - 1);
+}
+
+/// Renders the reference, then each way in turn, in so many seconds.
+Result<AccuracyPicture> measured(const std::string& name, const std::vector<AccuracyWay>& ways, double seconds,
+                                 const fs::path& folder, const Work& work) {
+    const auto truth = reference(referenceScene(ways.front().scene), kReferenceShare * seconds, folder, work);
+    if (!truth)
+        return truth.error();
+    AccuracyPicture picture{name, truth->film->samplesPerPixel()};
+    if (const auto judgement = SmoothingJudgement::of(*truth->film))
+        picture.referenceError = judgement->overAll(work.display.exposure);
+    const double left = (1 - kReferenceShare) * seconds;
+    for (std::size_t i = 0; i < ways.size() && !work.stop.stop_requested(); ++i) {
+        const AccuracyPlan plan{left * shareOf(i, ways.size()), work.display, folder, work.device.info().name};
+        auto curves = measureAccuracy(ways[i], *truth->film, plan, work.device, work.stop, work.progress);
         if (!curves)
             return curves.error();
-        for (AccuracyCurve& curve : *curves)
-            report.curves.push_back(std::move(curve));
+        std::ranges::move(*curves, std::back_inserter(picture.curves));
     }
-    report.complete = !stop.stop_requested();
-    line.finish();
+    return picture;
+}
+
+Result<AccuracyReport> measured(const Scene& scene, const Work& work) {
+    const DeviceInfo device = work.device.info();
+    AccuracyReport report{.size = scene.film,
+                          .model = modelName(scene.model),
+                          .device = device.name,
+                          .program = "PD-Render " PDR_VERSION,
+                          .seed = scene.seed};
+    auto own = measured("the scene", accuracyWays(scene, device.name), kSceneShare * work.options.seconds,
+                        work.options.folder, work);
+    if (!own)
+        return own.error();
+    report.scene = *std::move(own);
+    const std::vector<AccuracyWay> others = otherPictures(scene);
+    for (const AccuracyWay& other : others) {
+        if (work.stop.stop_requested())
+            break;
+        const double seconds = (1 - kSceneShare) * work.options.seconds / double(others.size());
+        auto picture = measured(other.name, {{"as it is", "", other.scene}}, seconds, {}, work);
+        if (!picture)
+            return picture.error();
+        report.others.push_back(*std::move(picture));
+    }
+    report.complete = !work.stop.stop_requested();
     return report;
 }
 
@@ -87,15 +130,20 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
     if (auto room = roomForFilm(loaded->scene.film, (*opened)->info()); !room)
         return room.error();
     ProgressLine line;
-    const auto found = measured(options, *loaded, **opened, interrupt.token(), line);
+    const std::stop_token stop = interrupt.token();
+    const auto found =
+        measured(loaded->scene, {options, loaded->display, **opened, stop,
+                                 [&](double fraction, const std::string& what) { line.show(fraction, what); }});
+    line.finish();
     if (!found)
         return found.error();
     for (const auto& [text, name] :
          {std::pair(csvText(*found), "accuracy.csv"), std::pair(jsonText(*found), "accuracy.json"),
-          std::pair(pageText(*found, options.folder), "accuracy.html")})
+          std::pair(pageText(*found, options.folder), "accuracy.html"),
+          std::pair(plotText(found->scene), "accuracy.svg")})
         if (auto written = writeText(text, options.folder / name); !written)
             return written.error();
-    for (const AccuracyCurve& curve : found->curves)
+    for (const AccuracyCurve& curve : found->scene.curves)
         std::printf("%s: %s\n", curve.name.c_str(), ladderText(curve).c_str());
     std::printf("%s\n", (options.folder / "accuracy.html").c_str());
     return found->complete;

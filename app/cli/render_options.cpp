@@ -79,7 +79,7 @@ void describeEffects(QCommandLineParser& parser) {
 void describeAccuracy(QCommandLineParser& parser) {
     describeScene(parser);
     parser.addOptions({
-        {{"o", "output"}, "Write accuracy.html, .csv, .json and the pictures into this folder.", "DIR"},
+        {{"o", "output"}, "Write accuracy.html, .svg, .csv, .json and the pictures into this folder.", "DIR"},
         {"time-limit", "Render for T seconds in all; default 120.", "T", "120"},
         kDeviceOption,
     });
@@ -333,10 +333,13 @@ std::string renderHelp() {
 
 std::string accuracyHelp() {
     return "Usage: pdrender-cli accuracy FOLDER|SCENE.json -o DIR [--time-limit T] [options]\n"
-           "Measures what accuracy costs in time: the picture as it is, smoothed, and as Exposure Render makes it, "
-           "each\n"
-           "against a picture of more samples with other random numbers, which takes most of the time. 512x512 pixels\n"
-           "unless --size says otherwise. Ctrl-C ends it with what was measured until then; the exit code is 1.\n" +
+           "Measures what accuracy costs in time: the picture as it is, smoothed, and in every way that Exposure "
+           "Render\n"
+           "or a fast filter would make it, each against a picture of more samples with other random numbers, which\n"
+           "takes most of the time; then the other models, and slices interpolated, against theirs. 512x512 pixels\n"
+           "unless --size says otherwise. Ctrl-C ends it with what was measured until then; the exit code is 1. Run "
+           "again with\n"
+           "the same folder, also with a longer time limit, it goes on from the reference that it left there.\n" +
            optionsText(describeAccuracy);
 }
 

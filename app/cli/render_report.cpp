@@ -8,6 +8,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/cli/bias_report.h"
 #include "app/cli/error_text.h"
 #include "app/cli/progress_line.h"
 
@@ -50,26 +51,6 @@ std::string replayArguments(const FaultCount& fault, const RenderReport& report)
            std::to_string(fault.pixel / report.size.x) + " --sample " + std::to_string(fault.sample);
 }
 
-QJsonObject object(const Between& between) {
-    return {{"value", between.value}, {"low", between.low}, {"high", between.high}};
-}
-
-QJsonObject biasObject(const Bias& bias) {
-    const auto known = [](const std::optional<double>& value) { return value ? QJsonValue(*value) : QJsonValue(); };
-    QJsonObject facts{{"cause", biasName(bias.cause)},
-                      {"ofComputing", isOfComputing(bias.cause)},
-                      {"text", QString::fromStdString(bias.text)},
-                      {"brightness", QJsonValue()},
-                      {"levels", QJsonValue()},
-                      {"levelsAtMost", known(bias.levelsAtMost)},
-                      {"shareAtMost", known(bias.shareAtMost)}};
-    if (bias.measured) {
-        facts["brightness"] = object(bias.measured->brightness);
-        facts["levels"] = object(bias.measured->levels);
-    }
-    return facts;
-}
-
 /// JSON has no infinity: null.
 QJsonValue known(double value) {
     return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
@@ -89,9 +70,6 @@ std::string jsonText(const RenderReport& report) {
     QJsonArray warnings;
     for (const Warning& warning : report.warnings)
         warnings.append(QString::fromStdString(warning.name));
-    QJsonArray biases;
-    for (const Bias& bias : report.biases)
-        biases.append(biasObject(bias));
     const FilmStatus& film = report.result.film;
     const QJsonObject object{
         {"outputs", outputs},
@@ -100,7 +78,7 @@ std::string jsonText(const RenderReport& report) {
         {"samplesPerPixel", double(film.samplesPerPixel)},
         {"rejectedSamples", double(film.health.rejected())},
         {"warnings", warnings},
-        {"biases", biases},
+        {"biases", biasArray(report.biases)},
         {"health", healthObject(film.health, report.size.x)},
         {"seconds", report.result.seconds},
         {"samplesPerSecond", samplesPerSecond(report)},

@@ -26,15 +26,6 @@ std::vector<Shortcut> shortcuts(const BiasFacts& facts) {
     return all;
 }
 
-/// They are off together.
-Bias shortcutBias(const std::vector<Shortcut>& together, const BiasFacts& facts) {
-    std::string names;
-    for (const Shortcut& shortcut : together)
-        names += (names.empty() ? "" : ", ") + std::string(shortcut.text);
-    const std::string size = facts.measured ? measuredText(*facts.measured) : "how much is not known yet";
-    return {together.front().cause, names + ": " + size, facts.measured};
-}
-
 BiasCause causeOf(Fault fault) {
     switch (fault) {
         case Fault::overMajorant:
@@ -73,8 +64,11 @@ std::string sizeText(ivec2 size) {
 }
 
 void addOfComputing(const BiasFacts& facts, std::vector<Bias>& all) {
-    if (const std::vector<Shortcut> together = shortcuts(facts); !together.empty())
-        all.push_back(shortcutBias(together, facts));
+    if (const std::vector<Shortcut> together = shortcuts(facts); !together.empty())  // they are off together
+        all.push_back({together.front().cause,
+                       shortcutNames(facts) + ": " +
+                           (facts.measured ? measuredText(*facts.measured) : "how much is not known yet"),
+                       facts.measured});
     if (facts.schedule.kind == Schedule::Kind::kroes && facts.schedule.runningMean)
         all.push_back({BiasCause::runningMean, "mean kept in single precision: how much is not known"});
     if (isProjection(facts.model) && facts.model != Model::maximumIntensity)
@@ -103,8 +97,11 @@ bool isOfComputing(BiasCause cause) {
     return cause < BiasCause::resolution;
 }
 
-bool needsMeasuring(const BiasFacts& facts) {
-    return !shortcuts(facts).empty();
+std::string shortcutNames(const BiasFacts& facts) {
+    std::string names;
+    for (const Shortcut& shortcut : shortcuts(facts))
+        names += (names.empty() ? "" : ", ") + std::string(shortcut.text);
+    return names;
 }
 
 std::vector<Bias> biases(const BiasFacts& facts) {

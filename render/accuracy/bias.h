@@ -66,8 +66,11 @@ struct BiasFacts {
     bool slicesInterpolated = false;
 };
 
-/// Whether what `facts` say of the computing can only be told by measuring.
-bool needsMeasuring(const BiasFacts& facts);
+/// What only measuring tells the bias of: "march of 3 voxels, each iteration blurred". Empty: nothing.
+std::string shortcutNames(const BiasFacts& facts);
+inline bool needsMeasuring(const BiasFacts& facts) {
+    return !shortcutNames(facts).empty();
+}
 
 /// In the order of the causes. None of the computing: no bias is known there.
 std::vector<Bias> biases(const BiasFacts& facts);

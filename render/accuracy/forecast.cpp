@@ -15,13 +15,15 @@ constexpr double kSigmas = 1.96;  ///< to either side of 95 % of a normal distri
 constexpr double kExponent = 0.57, kExponentSpread = 0.07;
 /// How far the exponent of one doubling of the samples lies from that of a scene.
 constexpr double kExponentWander = 0.1;
-/// Of the error's logarithm: low-discrepancy points dip below the line at powers of two, by a twentieth to a tenth.
-constexpr double kDip = 0.06;
+/// Of the error's logarithm: low-discrepancy points dip below the line at powers of two, by a twentieth. So what counts
+/// as the error of now is the mean of what it was since the samples were so many times fewer; of the dip this is left.
+constexpr double kRecent = 1.5, kDip = 0.03;
 /// Of the speed's logarithm, at least: what a machine does besides changes it by so much.
 constexpr double kSpeedSpread = 0.05;
 
 constexpr double kWatched = 16;     ///< so many times the samples ago errors fell otherwise: a display clips large ones
-constexpr double kThinning = 1.19;  ///< 2^(1/4): between the samples of two points that are kept
+constexpr double kLasting = 4;      ///< ... and as long as samples are not so many times as many, few bright ones count
+constexpr double kThinning = 1.09;  ///< 2^(1/8): between the samples of two points that are kept
 
 double squared(double value) {
     return value * value;
@@ -69,13 +71,13 @@ void ErrorHistory::forgetErrors() {
 }
 
 void ErrorHistory::add(double seconds, const FilmStatus& status) {
-    const Point point{double(status.samplesPerPixel), seconds, status.displayError, spreadOf(status),
-                      status.displayErrorSpread};
+    const Point point{
+        double(status.samplesPerPixel), seconds, status.displayError, spreadOf(status), status.displayErrorSpread,
+        status.fewBrightSamples};
     const std::size_t kept = points_.size();
     if (kept > 1 && points_[kept - 1].samples < kThinning * points_[kept - 2].samples)
         points_.pop_back();
     points_.push_back(point);
-    fewBright_ = status.fewBrightSamples;
     for (std::size_t i = 0; i < kQualitySteps.size(); ++i)
         if (!(status.displayError <= kQualitySteps[i]))
             reachedAt_[i].reset();
@@ -93,11 +95,32 @@ ErrorHistory::Guess ErrorHistory::exponent() const {
     if (!(doublings >= 1) || !(now.error > 0))
         return {kExponent, squared(kExponentSpread)};
     const double length = std::log(now.samples / first->samples);
-    const double own = std::log(first->error / now.error) / length;
+    const Recent recent = this->recent(kExponent);
+    const double own = (std::log(first->error) - recent.logError) / length;
     const double ownVariance =
-        (squared(first->spread) + squared(now.spread)) / squared(length) + squared(kExponentWander) / doublings;
+        (squared(first->spread) + recent.squaredSpread) / squared(length) + squared(kExponentWander) / doublings;
     const double weight = squared(kExponentSpread) / (squared(kExponentSpread) + ownVariance);
     return {std::lerp(kExponent, own, weight), weight * ownVariance};
+}
+
+/// The error that the picture has now, and its spread, by all that both were lately: few pixels tell either.
+ErrorHistory::Recent ErrorHistory::recent(double exponent) const {
+    const Point& now = points_.back();
+    double errors = 0, spreads = 0, count = 0;
+    for (auto point = points_.rbegin(); point != points_.rend() && kRecent * point->samples >= now.samples; ++point)
+        if (std::isfinite(point->error) && point->error > 0) {
+            errors += std::log(point->error) - exponent * std::log(now.samples / point->samples);
+            spreads += squared(point->spread);
+            ++count;
+        }
+    return {errors / count, spreads / count};
+}
+
+/// Now, or so lately that the errors which the forecast begins from may have said too little.
+bool ErrorHistory::restedOnFewBright() const {
+    return std::ranges::any_of(points_, [&](const Point& point) {
+        return point.fewBright && kLasting * point.samples > points_.back().samples;
+    });
 }
 
 /// Pixels whose error is large now are likely to have a large one when the samples have grown but little. What is
@@ -105,12 +128,13 @@ ErrorHistory::Guess ErrorHistory::exponent() const {
 Foretold ErrorHistory::samples(double levels) const {
     const Point& now = points_.back();
     const Guess exponent = this->exponent();
-    const double fall = std::log(now.error / levels), growth = fall / exponent.mean;
-    const double chance = 2 * squared(now.spread) * -std::expm1(-growth);
+    const Recent recent = this->recent(exponent.mean);
+    const double fall = std::max(recent.logError - std::log(levels), 0.0), growth = fall / exponent.mean;
+    const double chance = 2 * recent.squaredSpread * -std::expm1(-growth);
     const double wander = squared(kExponentWander) * growth * std::log(2.0);
     const double spread = kSigmas * std::sqrt(chance + squared(growth) * exponent.variance + wander) / exponent.mean;
     const auto after = [&](double more) { return now.samples * std::exp(std::max(more, 0.0)); };
-    if (fewBright_) {
+    if (restedOnFewBright()) {
         const double least = after(std::min(growth - spread, fall - kSigmas * std::sqrt(chance)));
         return {least, least, kUnknown};
     }

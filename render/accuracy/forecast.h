@@ -76,19 +76,24 @@ class ErrorHistory {
         double error = 0;   ///< not finite: not known
         double spread = 0;  ///< of its logarithm
         double chance = 0;  ///< standard deviation that chance gives it
+        bool fewBright = false;
     };
     struct Guess {
         double mean, variance;
     };
 
     Guess exponent() const;
+    struct Recent {
+        double logError, squaredSpread;
+    };
+    Recent recent(double exponent) const;
     /// Of the speed's logarithm [samples/s].
     Guess speed() const;
     bool foresees() const;
+    bool restedOnFewBright() const;
 
     std::vector<Point> points_;  ///< a few to each doubling of the samples, and the newest
     std::array<std::optional<double>, kQualitySteps.size()> reachedAt_;  ///< [s]; none: the newest error is above
-    bool fewBright_ = false;
 };
 
 }  // namespace pdr

@@ -5,11 +5,13 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
 
 #include "app/cli/accuracy/accuracy_page.h"
+#include "app/cli/accuracy/measure_accuracy.h"
 
 using namespace pdr;
 using namespace pdr::app;
@@ -21,7 +23,7 @@ AccuracyCurve curveOf(double high, double slope, double floor = 0) {
     AccuracyCurve curve{"a way", floor > 0 ? "a bias" : "", {}};
     for (std::uint64_t samples = 1; samples <= 64; samples *= 2) {
         const double seconds = 0.1 * double(samples);
-        curve.steps.push_back({samples, seconds, {0.1, std::max(floor, high * std::pow(seconds, -slope))}, {}, {}, {}});
+        curve.steps.push_back({samples, seconds, {0.1, std::max(floor, high * std::pow(seconds, -slope))}});
     }
     return curve;
 }
@@ -64,27 +66,99 @@ class AccuracyCurveTest : public QObject {
         QCOMPARE(QString::fromStdString(ladderText(curveOf(1000, 0.1))), QString("not yet within ±32"));
     }
     void aSceneIsAlsoMadeAsExposureRenderMakesIt() {
-        const auto ways = accuracyWays(test::tissueScene());
-        QCOMPARE(ways.size(), std::size_t(3));
-        QVERIFY(ways[0].bias.empty() && !ways[1].bias.empty() && !ways[2].bias.empty());
+        const auto ways = accuracyWays(test::tissueScene(), "cpu");
+        QCOMPARE(ways.size(), std::size_t(5));
+        for (const AccuracyWay& way : ways) {
+            const bool exact = way.name == "as it is" || way.name == "Exposure Render's order";
+            QCOMPARE(way.bias.empty(), exact);
+        }
         Scene bounces = test::tissueScene();
         bounces.model = Model::multipleScattering;
-        QCOMPARE(accuracyWays(bounces).size(), std::size_t(2));  // the march knows one event alone
+        QCOMPARE(accuracyWays(bounces, "cpu").size(), std::size_t(3));  // the march knows one event alone
+        QCOMPARE(accuracyWays(test::tissueScene(), "cuda:0").back().bias, std::string("fast filter"));
+    }
+    void allModelsAndReconstructionsAreOtherPictures() {
+        const Scene scene = test::tissueScene();
+        const auto others = otherPictures(scene);
+        QCOMPARE(others.size(), std::size(kModels));  // the others, and interpolated slices
+        for (const AccuracyWay& other : others)
+            QVERIFY(other.bias.empty() && other.scene.check() && !(other.scene == scene));
+        QCOMPARE(otherPictures(others.back().scene).size(), std::size(kModels) - 1);  // they are there already
+    }
+    /// Errors that fall as most do: the times foretold with a quarter and a sixteenth of the samples hold what came.
+    void whatWasForetoldStandsBesideWhatCame() {
+        Scene scene = test::tissueScene();
+        const auto device = makeCpuDevice();
+        const auto quiet = [](double, const std::string&) {};
+        const auto reference = referenceFor(referenceScene(scene), 0.01, {}, *device, {}, quiet);
+        QVERIFY(bool(reference));
+        const AccuracyPlan plan{1, {}, {}, {}};
+        const auto curves = measureAccuracy({"as it is", "", scene}, *reference->film, plan, *device, {}, quiet);
+        QVERIFY(bool(curves) && curves->size() == 2);
+        int foretold = 0;
+        for (const AccuracyStep& step : (*curves)[0].steps) {
+            QVERIFY(step.samples > 64 || !step.foretoldAtQuarter);  // 32 samples are the first to know an error
+            foretold += step.foretoldAtQuarter.has_value();
+            if (step.foretoldAtQuarter)
+                QVERIFY(step.foretoldAtQuarter->low <= step.foretoldAtQuarter->value);
+        }
+        QVERIFY((*curves)[0].steps.back().samples < 128 || foretold > 0);
+    }
+    /// The reference of an earlier run, of the same scene, is gone on from; of any other it is not.
+    void aReferenceIsKeptFromRunToRun() {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("reference.film").toStdString();
+        const Scene scene = referenceScene(test::tissueScene());
+        const auto device = makeCpuDevice();
+        const auto quiet = [](double, const std::string&) {};
+        const std::uint64_t key = filmKey(scene, "cpu");
+        QVERIFY(!readFilm(scene, key, file));
+        const auto first = referenceFor(scene, 0.05, {}, *device, {}, quiet);
+        QVERIFY(first && writeFilm(*first, key, file));
+        const auto kept = readFilm(scene, key, file);
+        QVERIFY(kept && kept->seconds == first->seconds && sameBits(kept->film->content(), first->film->content()));
+        const auto same = referenceFor(scene, 0.05, kept, *device, {}, quiet);
+        QCOMPARE(same->film->samplesPerPixel(), first->film->samplesPerPixel());
+        const auto longer = referenceFor(scene, 1.5 * first->seconds, kept, *device, {}, quiet);
+        const std::uint64_t samples = longer->film->samplesPerPixel();
+        QVERIFY(samples > first->film->samplesPerPixel());
+        QVERIFY(sameBits(longer->film->content(), test::render(scene, samples).content()));
+
+        Scene other = scene;
+        other.lights.clear();
+        QVERIFY(filmKey(other, "cpu") != key && filmKey(scene, "cuda:0") != key);
+        other = scene;
+        other.volume = test::bumpyVolume({50, 41, 37}, {0.9, 1.1, 1.3}, 4);
+        QVERIFY(filmKey(other, "cpu") != key && !readFilm(scene, filmKey(other, "cpu"), file));
+        QFile bytes(folder.filePath("reference.film"));
+        QVERIFY(bytes.open(QIODevice::ReadWrite) && bytes.seek(bytes.size() / 2) && bytes.write("damage") == 6);
+        bytes.close();
+        QVERIFY(!readFilm(scene, key, file));
+        std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+        QVERIFY(!readFilm(scene, key, file));
     }
     void tableAndPageHoldTheSteps() {
         AccuracyReport report;
-        report.curves = {curveOf(20, 0.5), curveOf(10, 0.5, 12)};
-        report.curves[0].steps[3].stated = 9;
+        report.scene.curves = {curveOf(20, 0.5), curveOf(10, 0.5, 12)};
+        report.scene.curves[0].steps[3].stated = 9;
+        report.scene.curves[0].steps[3].foretoldAtQuarter = Foretold{0.7, 0.6, INFINITY};
+        report.scene.curves[1].measuredBias = MeasuredBias{{0.05, 0.04, 0.06}, {12, 10, 14}};
+        report.others.push_back({"emission", 7, {}, {curveOf(20, 0.5)}});
         const QString csv = QString::fromStdString(csvText(report));
-        QCOMPARE(csv.count('\n'), 15);
-        QVERIFY(csv.contains("\"a way\",8,0.8,0.1,22.3607,9,\n"));
+        QCOMPARE(csv.count('\n'), 22);
+        QVERIFY(csv.contains("\"\",\"a way\",8,0.8,0.1,22.3607,9,\n"));
         const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(jsonText(report))).object();
         const QJsonObject way = json["ways"].toArray()[0].toObject();
         QCOMPARE(way["steps"].toArray().size(), 7);
+        const QJsonObject foretold = way["steps"].toArray()[3].toObject()["foretoldAtQuarter"].toObject();
+        QVERIFY(foretold["value"].toDouble() == 0.7 && foretold["high"].isNull());
+        QCOMPARE(json["ways"].toArray()[1].toObject()["measuredBias"].toObject()["levels"].toObject()["high"], 14.0);
+        QCOMPARE(json["others"].toArray()[0].toObject()["reference"].toObject()["samples"], 7);
         QVERIFY(std::fabs(way["secondsTo"].toObject()["16"].toDouble() - 1.5625) < 1e-9);
         QVERIFY(way["secondsTo"].toObject()["1"].isNull());
         const QString page = QString::fromStdString(pageText(report, {}));
         QVERIFY(page.contains("<svg") && page.contains("never after"));
+        QVERIFY(page.contains("at least 0.6 s") && page.contains("+5.0 % bright") && page.contains("emission"));
         QVERIFY(!page.contains("nan") && !page.contains("inf"));
     }
 };

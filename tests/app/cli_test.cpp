@@ -182,7 +182,9 @@ class CliTest : public QObject {
         QVERIFY(run.out.contains("as it is, smoothed: "));
         const QJsonObject report = QJsonDocument::fromJson(BallScene::contents(folder + "/accuracy.json")).object();
         const QJsonArray ways = report["ways"].toArray();
-        QCOMPARE(ways.size(), 4);
+        QCOMPARE(ways.size(), 6);
+        QCOMPARE(report["others"].toArray().size(), 6);
+        QVERIFY(ways[2].toObject()["measuredBias"].toObject().contains("levels"));
         QVERIFY(report["reference"].toObject()["samples"].toInt() >= 2 && report["complete"].toBool());
         double last = 0;
         for (const QJsonValue& step : ways[0].toObject()["steps"].toArray()) {
@@ -192,8 +194,9 @@ class CliTest : public QObject {
                 QCOMPARE(QImage(folder + "/" + picture).size(), QSize(96, 80));
         }
         const QByteArray page = BallScene::contents(folder + "/accuracy.html");
+        QVERIFY(BallScene::contents(folder + "/accuracy.svg").startsWith("<svg xmlns="));
         QVERIFY(page.contains("<svg") && page.contains("data:image/png;base64,") && !page.contains("src='http"));
-        QVERIFY(BallScene::contents(folder + "/accuracy.csv").startsWith("way,samples,seconds"));
+        QVERIFY(BallScene::contents(folder + "/accuracy.csv").startsWith("picture,way,samples,seconds"));
         const ProgramRun nowhere = BallScene::run({"accuracy", scene(), "-o", scene() + "/report"});
         QVERIFY(nowhere.code == 1 && nowhere.err.contains("report"));
     }

@@ -101,6 +101,7 @@ class ProgramsTest : public QObject {
             row(command, "pdrender-bench", {command, "--help"}, "--device D   ");
         row("frames", "pdrender-bench", {"frames", "-h"}, "--threads N   ");
         row("trackers", "pdrender-bench", {"help", "trackers"}, "--rays N   ");
+        row("prediction", "pdrender-bench", {"help", "prediction"}, "--seeds N   ");
     }
 
     void helpExplainsEveryOptionOnStandardOutput() {

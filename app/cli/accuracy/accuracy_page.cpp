@@ -7,6 +7,7 @@
 
 #include "app/cli/accuracy/accuracy_plot.h"
 #include "app/cli/progress_line.h"
+#include "render/accuracy/bias_text.h"
 #include "render/film/levels_text.h"
 
 namespace pdr::app {
@@ -23,20 +24,24 @@ QString levels(const std::optional<double>& value) {
     return value ? "±" + QString::fromStdString(levelsText(*value)) : QString("-");
 }
 
+QString referenceText(const AccuracyPicture& picture) {
+    QString text = QString("a picture of %1 samples a pixel with other random numbers").arg(picture.referenceSamples);
+    if (picture.referenceError)
+        text += QString(", which is itself within %1, at most %2: what is smaller than that cannot be told")
+                    .arg(levels(picture.referenceError->levels), levels(picture.referenceError->levelsAtMost));
+    return text;
+}
+
 QString heading(const AccuracyReport& report) {
     QString text = QString(
                        "<h1>What accuracy costs</h1><p>%1 × %2 pixels, model %3, %4, %5, seed %6. An error of ±8 "
-                       "means that 95 % of the tissue is shown within 8 of 255 grey levels of a picture of %7 "
-                       "samples a pixel with other random numbers")
+                       "means that 95 % of the tissue is shown within 8 of 255 grey levels of %7. Not for diagnostic "
+                       "use.</p>")
                        .arg(report.size.x)
                        .arg(report.size.y)
                        .arg(report.model.c_str(), report.device.c_str(), report.program.c_str())
                        .arg(report.seed)
-                       .arg(report.referenceSamples);
-    if (report.referenceError)
-        text += QString(", which is itself within %1, at most %2: what is smaller than that cannot be told")
-                    .arg(levels(report.referenceError->levels), levels(report.referenceError->levelsAtMost));
-    text += ". Not for diagnostic use.</p>";
+                       .arg(referenceText(report.scene));
     if (!report.complete)
         text += "<p><strong>Interrupted: what follows is what was measured until then.</strong></p>";
     return text;
@@ -52,24 +57,29 @@ QString crossingText(const AccuracyCurve& biased, const AccuracyCurve& unbiased)
     return QString("better than the unbiased picture until %1 s, never after").arg(*until, 0, 'g', 2);
 }
 
-QString ladder(const AccuracyReport& report) {
+QString ladder(const AccuracyPicture& picture) {
     QString text = "<table class='ladder'><tr><th>way</th><th>within reach</th></tr>";
-    for (std::size_t i = 0; i < report.curves.size(); ++i) {
-        const AccuracyCurve& curve = report.curves[i];
-        text += QString("<tr><td><span style='color:%1'>■</span> %2</td><td>%3</td></tr>")
-                    .arg(curveColour(i), QString::fromStdString(curve.name), QString::fromStdString(ladderText(curve)));
+    const auto row = [&](const QString& left, const QString& right) {
+        text += "<tr><td>" + left + "</td><td>" + right + "</td></tr>";
+    };
+    for (std::size_t i = 0; i < picture.curves.size(); ++i) {
+        const AccuracyCurve& curve = picture.curves[i];
+        row(QString("<span style='color:%1'>■</span> %2").arg(curveColour(i), QString::fromStdString(curve.name)),
+            QString::fromStdString(ladderText(curve)));
+        if (curve.measuredBias)
+            row({}, QString::fromStdString("bias: " + measuredText(*curve.measuredBias)));
         if (!curve.bias.empty() && i > 0)
-            text += QString("<tr><td></td><td>biased (%1): %2</td></tr>")
-                        .arg(QString::fromStdString(curve.bias), crossingText(curve, report.curves[0]));
+            row({}, QString("biased (%1): %2")
+                        .arg(QString::fromStdString(curve.bias), crossingText(curve, picture.curves[0])));
     }
     return text + "</table>";
 }
 
-QString table(const AccuracyReport& report) {
+QString table(const AccuracyPicture& picture) {
     QString text =
         "<table><tr><th>way</th><th>samples</th><th>seconds</th><th>error</th><th>stated</th><th>at most</th>"
         "</tr>";
-    for (const AccuracyCurve& curve : report.curves)
+    for (const AccuracyCurve& curve : picture.curves)
         for (const AccuracyStep& step : curve.steps)
             text += QString("<tr><td>%1</td><td>%2</td><td>%3</td><td>%4</td><td>%5</td><td>%6</td></tr>")
                         .arg(QString::fromStdString(curve.name))
@@ -77,6 +87,34 @@ QString table(const AccuracyReport& report) {
                         .arg(step.seconds, 0, 'g', 3)
                         .arg(levels(step.error.levels), levels(step.stated), levels(step.atMost));
     return text + "</table>";
+}
+
+QString foretoldText(const std::optional<Foretold>& foretold) {
+    const auto seconds = [](double value) { return QString::number(value, 'g', 3); };
+    if (!foretold)
+        return "-";
+    if (std::isinf(foretold->high))
+        return "at least " + seconds(foretold->low) + " s";
+    return QString("%1 s (%2 to %3)").arg(seconds(foretold->value), seconds(foretold->low), seconds(foretold->high));
+}
+
+/// What the program said of the time while the picture was young, and what came of it.
+QString prophecies(const AccuracyCurve& curve) {
+    QString text =
+        "<table><tr><th>stated error</th><th>reached after</th><th>foretold at 1/4 of the samples</th>"
+        "<th>at 1/16</th></tr>";
+    for (const AccuracyStep& step : curve.steps)
+        if (step.foretoldAtQuarter)
+            text += QString("<tr><td>%1</td><td>%2 s</td><td>%3</td><td>%4</td></tr>")
+                        .arg(levels(step.stated))
+                        .arg(step.seconds, 0, 'g', 3)
+                        .arg(foretoldText(step.foretoldAtQuarter), foretoldText(step.foretoldAtSixteenth));
+    return text + "</table>";
+}
+
+QString otherPicture(const AccuracyPicture& other) {
+    return "<h3>" + QString::fromStdString(other.name) + "</h3><p>Against " + referenceText(other) + ".</p>" +
+           ladder(other);
 }
 
 QString figure(const AccuracyStep& step, const std::filesystem::path& pictures) {
@@ -101,15 +139,27 @@ QString gallery(const AccuracyCurve& curve, const std::filesystem::path& picture
 
 }  // namespace
 
+std::string plotText(const AccuracyPicture& picture) {
+    const auto floor = picture.referenceError ? std::optional(picture.referenceError->levels) : std::nullopt;
+    return accuracyPlot(picture.curves, floor).toStdString();
+}
+
 std::string pageText(const AccuracyReport& report, const std::filesystem::path& pictures) {
-    const auto floor = report.referenceError ? std::optional(report.referenceError->levels) : std::nullopt;
-    QString text = kHead + heading(report) + "<h2>How soon</h2>" + ladder(report) +
+    const AccuracyPicture& scene = report.scene;
+    QString text = kHead + heading(report) + "<h2>How soon</h2>" + ladder(scene) +
                    "<h2>Error against time</h2><p>Lines with dots: measured. Dashed: what the program says of itself. "
                    "Dotted: the root of the time. Smoothing "
                    "itself takes a tenth of a second or two more.</p>" +
-                   accuracyPlot(report.curves, floor) + "<h2>All steps</h2>" + table(report);
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, report.curves.size()); ++i)
-        text += gallery(report.curves[i], pictures);
+                   QString::fromStdString(plotText(scene));
+    if (!scene.curves.empty())
+        text += "<h2>Foretold and come true</h2>" + prophecies(scene.curves[0]);
+    if (!report.others.empty())
+        text += "<h2>Other pictures of the same anatomy</h2><p>Each has a truth of its own.</p>";
+    for (const AccuracyPicture& other : report.others)
+        text += otherPicture(other);
+    text += "<h2>All steps</h2>" + table(scene);
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, scene.curves.size()); ++i)
+        text += gallery(scene.curves[i], pictures);
     return (text + "</body></html>\n").toStdString();
 }
 

@@ -90,6 +90,17 @@ QString curveDrawing(const AccuracyCurve& curve, const char* colour, const Scale
     return path(measured, colour, "stroke-width='2'") + path(stated, colour, "stroke-dasharray='5 4'") + dots;
 }
 
+/// Names in the upper right corner, where curves that fall leave room.
+QString legend(const std::vector<AccuracyCurve>& curves) {
+    QString svg;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        svg += QString("<text x='%1' y='%2' text-anchor='end' fill='%3'>%4</text>")
+                   .arg(kWidth - kRight - 6)
+                   .arg(kTop + 16 + 15 * double(i))
+                   .arg(curveColour(i), QString::fromStdString(curves[i].name).toHtmlEscaped());
+    return svg;
+}
+
 }  // namespace
 
 const char* curveColour(std::size_t i) {
@@ -99,7 +110,9 @@ const char* curveColour(std::size_t i) {
 
 QString accuracyPlot(const std::vector<AccuracyCurve>& curves, std::optional<double> floor) {
     const Scale time = timeScale(curves), levels(0.5, 256, kHeight - kBottom, kTop);
-    QString svg = QString("<svg viewBox='0 0 %1 %2' width='%1' height='%2' font-family='sans-serif' font-size='12'>")
+    QString svg = QString(
+                      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %1 %2' width='%1' height='%2' "
+                      "font-family='sans-serif' font-size='12'><rect width='%1' height='%2' fill='#fff'/>")
                       .arg(kWidth)
                       .arg(kHeight) +
                   ground(floor, levels) + axes(time, levels);
@@ -111,7 +124,7 @@ QString accuracyPlot(const std::vector<AccuracyCurve>& curves, std::optional<dou
     }
     for (std::size_t i = 0; i < curves.size(); ++i)
         svg += curveDrawing(curves[i], curveColour(i), time, levels);
-    return svg + "</svg>";
+    return svg + legend(curves) + "</svg>";
 }
 
 }  // namespace pdr::app

@@ -4,8 +4,11 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
+#include "app/cli/bias_report.h"
 #include "render/film/levels_text.h"
 
 namespace pdr::app {
@@ -15,6 +18,13 @@ QJsonValue valueOr(const std::optional<double>& value) {
     return value ? QJsonValue(*value) : QJsonValue();
 }
 
+QJsonValue foretoldValue(const std::optional<Foretold>& foretold) {
+    if (!foretold)
+        return {};
+    const QJsonValue high = std::isinf(foretold->high) ? QJsonValue() : QJsonValue(foretold->high);
+    return QJsonObject{{"value", foretold->value}, {"low", foretold->low}, {"high", high}};
+}
+
 QJsonObject stepObject(const AccuracyStep& step) {
     return {{"samples", double(step.samples)},
             {"seconds", step.seconds},
@@ -22,6 +32,8 @@ QJsonObject stepObject(const AccuracyStep& step) {
             {"levels", step.error.levels},
             {"stated", valueOr(step.stated)},
             {"atMost", valueOr(step.atMost)},
+            {"foretoldAtQuarter", foretoldValue(step.foretoldAtQuarter)},
+            {"foretoldAtSixteenth", foretoldValue(step.foretoldAtSixteenth)},
             {"picture", step.picture.empty() ? QJsonValue() : QJsonValue(step.picture.c_str())}};
 }
 
@@ -32,7 +44,28 @@ QJsonObject curveObject(const AccuracyCurve& curve) {
     QJsonObject secondsTo;
     for (const double levels : kLadder)
         secondsTo.insert(levelsText(levels).c_str(), valueOr(secondsToReach(levels, curve)));
-    return {{"name", curve.name.c_str()}, {"bias", curve.bias.c_str()}, {"steps", steps}, {"secondsTo", secondsTo}};
+    QJsonValue measured;
+    if (const auto& bias = curve.measuredBias)
+        measured =
+            QJsonObject{{"brightness", intervalObject(bias->brightness)}, {"levels", intervalObject(bias->levels)}};
+    return {{"name", curve.name.c_str()},
+            {"bias", curve.bias.c_str()},
+            {"measuredBias", measured},
+            {"steps", steps},
+            {"secondsTo", secondsTo}};
+}
+
+/// Its name, reference and ways.
+QJsonObject pictureObject(const AccuracyPicture& picture) {
+    QJsonArray ways;
+    for (const AccuracyCurve& curve : picture.curves)
+        ways.append(curveObject(curve));
+    QJsonObject reference{{"samples", double(picture.referenceSamples)}};
+    if (picture.referenceError) {
+        reference.insert("levels", picture.referenceError->levels);
+        reference.insert("atMost", picture.referenceError->levelsAtMost);
+    }
+    return {{"name", picture.name.c_str()}, {"reference", reference}, {"ways", ways}};
 }
 
 std::string number(double value) {
@@ -44,36 +77,36 @@ std::string number(double value) {
 }  // namespace
 
 std::string csvText(const AccuracyReport& report) {
-    std::string text = "way,samples,seconds,relative error,levels,stated,at most\n";
-    for (const AccuracyCurve& curve : report.curves)
-        for (const AccuracyStep& step : curve.steps) {
-            text.append("\"").append(curve.name).append("\",").append(std::to_string(step.samples));
-            for (const std::optional<double>& value : {std::optional(step.seconds), std::optional(step.error.relative),
-                                                       std::optional(step.error.levels), step.stated, step.atMost})
-                text.append(",").append(value ? number(*value) : std::string());
-            text += '\n';
-        }
+    std::string text = "picture,way,samples,seconds,relative error,levels,stated,at most\n";
+    const auto add = [&](const AccuracyPicture& picture) {
+        for (const AccuracyCurve& curve : picture.curves)
+            for (const AccuracyStep& step : curve.steps) {
+                text += "\"" + picture.name + "\",\"" + curve.name + "\"," + std::to_string(step.samples);
+                for (const std::optional<double>& value :
+                     {std::optional(step.seconds), std::optional(step.error.relative), std::optional(step.error.levels),
+                      step.stated, step.atMost})
+                    text.append(",").append(value ? number(*value) : std::string());
+                text += '\n';
+            }
+    };
+    add(report.scene);
+    std::ranges::for_each(report.others, add);
     return text;
 }
 
 std::string jsonText(const AccuracyReport& report) {
-    QJsonArray ways;
-    for (const AccuracyCurve& curve : report.curves)
-        ways.append(curveObject(curve));
-    QJsonObject reference{{"samples", double(report.referenceSamples)}};
-    if (report.referenceError) {
-        reference.insert("levels", report.referenceError->levels);
-        reference.insert("atMost", report.referenceError->levelsAtMost);
-    }
-    const QJsonObject object{{"width", report.size.x},
-                             {"height", report.size.y},
-                             {"model", report.model.c_str()},
-                             {"device", report.device.c_str()},
-                             {"program", report.program.c_str()},
-                             {"seed", std::to_string(report.seed).c_str()},
-                             {"complete", report.complete},
-                             {"reference", reference},
-                             {"ways", ways}};
+    QJsonArray others;
+    for (const AccuracyPicture& other : report.others)
+        others.append(pictureObject(other));
+    QJsonObject object = pictureObject(report.scene);
+    object.insert("width", report.size.x);
+    object.insert("height", report.size.y);
+    object.insert("model", report.model.c_str());
+    object.insert("device", report.device.c_str());
+    object.insert("program", report.program.c_str());
+    object.insert("seed", std::to_string(report.seed).c_str());
+    object.insert("complete", report.complete);
+    object.insert("others", others);
     return QJsonDocument(object).toJson().toStdString();
 }
 

@@ -10,14 +10,21 @@
 
 namespace pdr::app {
 
+/// Ways to one picture, all compared with the same one of many samples.
+struct AccuracyPicture {
+    std::string name;
+    std::uint64_t referenceSamples = 0;
+    std::optional<SmoothedError> referenceError = {};  ///< what is said of it, smoothed
+    std::vector<AccuracyCurve> curves = {};  ///< the first is the picture as it is, the second the same, smoothed
+};
+
 struct AccuracyReport {
     ivec2 size{0};  ///< pixels
     std::string model, device, program;
     std::uint64_t seed = 0;
-    std::uint64_t referenceSamples = 0;
-    std::optional<SmoothedError> referenceError;  ///< what is said of it, smoothed
-    std::vector<AccuracyCurve> curves;            ///< the first is the scene as it is, the second the same, smoothed
-    bool complete = true;                         ///< false: it was interrupted
+    AccuracyPicture scene;                ///< as it is, and each way that it can be made in
+    std::vector<AccuracyPicture> others;  ///< of the same anatomy: see otherPictures()
+    bool complete = true;                 ///< false: it was interrupted
 };
 
 /// Errors in display levels that a ladder tells the time of.
@@ -25,8 +32,9 @@ inline constexpr double kLadder[] = {32, 16, 8, 4, 2, 1};
 
 /// Columns: way, samples, seconds, relative error, levels, stated, at most. A line each step; nothing where unknown.
 std::string csvText(const AccuracyReport& report);
-/// An object: width, height, model, device, seed (as text), reference, ways: each with name, bias, steps, and
-/// secondsTo, the seconds after which its error is 32, 16, 8, 4, 2 and 1 levels; null where it is not reached.
+/// An object: width, height, model, device, seed (as text), reference, ways, others: each with name, reference, ways. A
+/// way has name, bias, measuredBias, steps, and secondsTo, the seconds after which its error is 32, 16, 8, 4, 2 and 1
+/// levels; null where it is not reached.
 std::string jsonText(const AccuracyReport& report);
 /// "±8 in 1.2 s, ±4 in 5.0 s": those that `curve` reached.
 std::string ladderText(const AccuracyCurve& curve);

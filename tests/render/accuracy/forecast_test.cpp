@@ -160,6 +160,42 @@ class ForecastTest : public QObject {
         QVERIFY(!history.steps()[0].atLeast());  // it is reached
     }
 
+    /// Low-discrepancy points dip at powers of two: what follows is not foretold from there alone.
+    void aDipOfTheNewestErrorHardlyShowsInTheForecast() {
+        const Fall fall;
+        const auto until = [&](double newest) {
+            ErrorHistory history;
+            for (double n = 32; n <= 257; n *= std::pow(2, 0.125)) {
+                FilmStatus status = fall.status(std::uint64_t(n));
+                status.displayError *= n > 250 ? newest : 1;
+                history.add(n / fall.speed, status);
+            }
+            return history.samples(6);
+        };
+        const double plain = until(1).value, dipped = until(0.9).value;
+        QVERIFY(contains(until(1), fall.samplesOf(6)));
+        QVERIFY(dipped < plain && std::log(plain / dipped) < 0.6 * std::log(1 / 0.9) / 0.57);
+        ErrorHistory bump = fall.until(256);
+        FilmStatus high = fall.status(272);
+        high.displayError *= 1.2;
+        bump.add(27.2, high);
+        const Foretold soon = bump.samples(0.99 * high.displayError);  // which it was already
+        QVERIFY(soon.low >= 272 && soon.value >= soon.low && soon.high >= soon.value);
+    }
+
+    /// Errors that were stated while few bright samples were all that was there said too little.
+    void whatRestedOnFewBrightSamplesLatelyIsStillALowerBound() {
+        const Fall fall;
+        ErrorHistory history = fall.until(64);
+        FilmStatus rare = fall.status(128);
+        rare.fewBrightSamples = true;
+        history.add(12.8, rare);
+        history.add(25.6, fall.status(256));
+        QVERIFY(history.steps()[2].atLeast());
+        history.add(51.2, fall.status(512));
+        QVERIFY(!history.steps()[3].atLeast());
+    }
+
     void nothingIsForetoldWithoutAnErrorOrWithoutSpeed() {
         ErrorHistory history;
         QVERIFY(history.steps().empty());

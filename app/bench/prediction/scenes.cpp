@@ -1,0 +1,47 @@
+#include "app/bench/prediction/scenes.h"
+
+#include <utility>
+
+namespace pdr::bench {
+namespace {
+
+/// From above, before a dim sky.
+Scene litHead() {
+    Scene scene = headScenes()[1].scene;
+    scene.environment.radiance = vec3(0.2f, 0.25f, 0.3f);
+    scene.lights = {DirectionalLight{{0, 0.6f, -0.8f}, vec3(2)}};
+    return scene;
+}
+
+void makeFog(Scene& scene) {
+    scene.model = Model::multipleScattering;
+    scene.phaseG = 0.9f;
+    scene.transferFunction = {
+        0.1f,
+        {{.hu = -600, .opacity = 0.05f, .albedo = vec3(0.95f)}, {.hu = 600, .opacity = 1, .albedo = vec3(0.95f)}}};
+}
+
+void makeLamp(Scene& scene) {
+    const dvec3 place = scene.volume->geometry().centreMm() + dvec3(15, -180, 120);
+    scene.environment = {};
+    scene.lights = {SphereLight{place, 3, vec3(3000)}};
+}
+
+}  // namespace
+
+std::vector<NamedScene> predictionScenes() {
+    std::vector<NamedScene> scenes;
+    const auto add = [&, head = litHead()](const char* name, auto change) {
+        Scene scene = head;
+        change(scene);
+        scenes.push_back({name, std::move(scene)});
+    };
+    add("head", [](Scene&) {});
+    add("lens", [](Scene& scene) { scene.camera.apertureMm = 30; });
+    add("forward fog", makeFog);
+    add("small bright lamp", makeLamp);
+    add("many bounces", [](Scene& scene) { scene.model = Model::multipleScattering; });
+    return scenes;
+}
+
+}  // namespace pdr::bench
