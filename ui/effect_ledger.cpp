@@ -50,7 +50,7 @@ QLabel* cell(const QString& text, bool faint) {
 /// "38 % (36 to 40)" with its band faint.
 QString figure(const QString& text, const QString& faint) {
     const qsizetype band = text.indexOf(" (");
-    const QString value = text.left(band < 0 ? text.size() : band).toHtmlEscaped();
+    QString value = text.left(band < 0 ? text.size() : band).toHtmlEscaped();
     if (band < 0)
         return value;
     return QString("%1 <span style='color:%2'>%3</span>").arg(value, faint, text.mid(band + 1).toHtmlEscaped());

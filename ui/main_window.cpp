@@ -71,6 +71,8 @@ MainWindow::MainWindow()
     effectsDock_ = addPanel(tr("What the seconds go to"), effects_, Qt::BottomDockWidgetArea, Qt::Key_F6);
     effectsDock_->hide();
     connect(effectsDock_, &QDockWidget::visibilityChanged, this, &MainWindow::effectsShown);
+    makeRoomBeside(accuracyDock_, effectsDock_);
+    makeRoomBeside(effectsDock_, accuracyDock_);
     fillFileMenu();
     fillEditMenu();
     fillViewMenu();
@@ -133,6 +135,15 @@ QDockWidget* MainWindow::addPanel(const QString& title, QWidget* panel, Qt::Dock
     dock->setTitleBarWidget(panelTitle(title, dock));
     addDockWidget(area, dock);
     return dock;
+}
+
+/// Side by side both are legible in wide windows only.
+void MainWindow::makeRoomBeside(QDockWidget* opened, QDockWidget* other) {
+    constexpr int kWideEnough = 1700;
+    connect(opened->toggleViewAction(), &QAction::triggered, this, [this, other](bool shown) {
+        if (shown && width() < kWideEnough)
+            other->hide();
+    });
 }
 
 void MainWindow::fillFileMenu() {

@@ -75,6 +75,7 @@ class MainWindow : public QMainWindow {
 
   private:
     QDockWidget* addPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key);
+    void makeRoomBeside(QDockWidget* opened, QDockWidget* other);
     void fillFileMenu();
     void fillEditMenu();
     void fillViewMenu();

@@ -186,6 +186,7 @@ Result<void> writePng(const Film& film, const Display& wanted, const Provenance&
     for (int y = 0; y < image.size.y; ++y)
         image.rows.push_back(&rgba[std::size_t(y) * std::size_t(image.size.x) * 4]);
     std::vector<std::string> values;
+    values.reserve(facts.size());
     for (const Fact& fact : facts)
         values.push_back(textOf(fact));
     for (std::size_t i = 0; i < facts.size(); ++i) {

@@ -22,6 +22,7 @@ class TestMainWindow : public QObject {
     void theRawPictureHasAKey();
     void undoAndRedoHaveKeysAndNeedSomethingToUndo();
     void keysWorkWhenThePictureIsAlone();
+    void oneOfThePanelsBelowMakesRoomForTheOther();
     void theKeysAreShownAndGoAwayAgain();
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
@@ -117,6 +118,20 @@ void TestMainWindow::keysWorkWhenThePictureIsAlone() {
     QTest::keyClick(&window, Qt::Key_Escape);
     QVERIFY(window.menuBar()->isVisible());
     QVERIFY(window.look().isVisible());
+}
+
+void TestMainWindow::oneOfThePanelsBelowMakesRoomForTheOther() {
+    MainWindow window;
+    activate(window);
+    const auto shown = [&] { return std::pair(window.accuracy().isVisible(), window.effects().isVisible()); };
+    window.resize(1200, 800);
+    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
+    QCOMPARE(shown(), std::pair(true, false));
+    QTest::keyClick(&window, Qt::Key_F6);
+    QCOMPARE(shown(), std::pair(false, true));
+    window.resize(1800, 800);
+    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
+    QCOMPARE(shown(), std::pair(true, true));
 }
 
 void TestMainWindow::theKeysAreShownAndGoAwayAgain() {

@@ -32,7 +32,7 @@ class WallsTest : public QObject {
         {"render/scene/", "^render/(base|volume|scene)/|^render/film/display.h"},
         {"render/prepare/", "^render/(base|volume|kernel|scene|prepare)/"},
         {"render/device/", "^render/(base|kernel|film|prepare|device)/|^render/scene/(scene|schedule).h"},
-        {"render/session/", "^render/(base|kernel|film|scene|prepare|device|accuracy|timing|session)/"},
+        {"render/session/", "^render/(base|volume|kernel|film|scene|prepare|device|accuracy|timing|session)/"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
         {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy|timing)/|^dicom/series.h"},
         {"app/program/", "^app/program/"},
