@@ -101,7 +101,7 @@ std::vector<StripLabel> AccuracyStrip::labels() const {
         const int rank = step.levels == target() ? 2 : &step == next ? 1 : 0;
         labels.push_back({xOf(step.seconds.value), double(fontMetrics().horizontalAdvance(labelOf(step))), rank});
     }
-    placeLabels(labels, width(), kLabelGap);
+    placeLabels(labels, track().right(), kLabelGap);
     return labels;
 }
 
