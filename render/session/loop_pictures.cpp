@@ -13,14 +13,11 @@ Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step
     if (coarse() || moving_ || !smooths(commands.display()) || !smoothedView_.isDue(samples_))
         return {};
     if (step.detour.stop_requested())
-        return {};  // a copy of the film would be made in vain
+        return {};
     const double start = clock_();
-    const Result<std::shared_ptr<const Film>> film = place_.film()->film();
-    if (!film)
-        return film.error();
-    smoothedView_.judge(**film, step.detour);
+    Result<void> judged = place_.film()->look([&](const Film& film) { smoothedView_.judge(film, step.detour); });
     seconds_ += secondsSince(start);
-    return {};
+    return judged;
 }
 
 /// Where the picture is still rough, if that is wanted of it.
