@@ -172,7 +172,7 @@ Result<void> writePng(const Film& film, const Display& wanted, const Provenance&
 
     SmoothedView view;
     if (wanted.smoothed)
-        view.judge(film, {});
+        view.judge(film, film.samplesPerPixel(), {});
     const Display display = view.better(wanted);
     std::vector<std::uint8_t> rgba = toneMap(film, display);
     paint(caption, film.size(), rgba);

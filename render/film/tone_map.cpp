@@ -89,7 +89,7 @@ Picture rawPictureOf(const Film& film, const Display& display) {
 Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display) {
     const ivec2 size = smooth[0].size();
     Picture picture{std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4, 255),
-                    film.status(display.exposure, [](auto&&...) {}), true};
+                    film.status(display.exposure), true};
     denoise::eachBand(size.y, {}, [&](int begin, int end) {
         std::uint8_t* out = &picture.rgba[std::size_t(begin) * std::size_t(size.x) * 4];
         for (int y = begin; y < end; ++y)

@@ -10,12 +10,13 @@ namespace pdr {
 
 /// At rest, where a smoothed picture is wanted. It takes longer than a picture may: brightness does not wait for it.
 Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
-    if (coarse() || moving_ || !smooths(commands.display()) || !smoothedView_.isDue(samples_))
+    if (coarse() || moving_ || !smooths(commands.display()) || !smoothedView_.isDue(partSamples()))
         return {};
     if (step.detour.stop_requested())
         return {};
     const double start = clock_();
-    Result<void> judged = place_.film()->look([&](const Film& film) { smoothedView_.judge(film, step.detour); });
+    Result<void> judged =
+        place_.film()->look([&](const Film& film) { smoothedView_.judge(film, partSamples(), step.detour); });
     seconds_ += secondsSince(start);
     return judged;
 }
@@ -26,10 +27,11 @@ Result<void> Session::Loop::mapErrors(const Display& display, const std::stop_to
         errorMap_.clear();
         return {};
     }
-    if (!errorMap_.isDue(samples_, display.exposure))
+    if (!errorMap_.isDue(partSamples(), display.exposure))
         return {};
     const double start = clock_();
-    Result<void> made = place_.film()->look([&](const Film& film) { errorMap_.make(film, display.exposure, stop); });
+    Result<void> made =
+        place_.film()->look([&](const Film& film) { errorMap_.make(film, partSamples(), display.exposure, stop); });
     seconds_ += secondsSince(start);
     return made;
 }
@@ -68,6 +70,8 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         remember(picture);
     if (Result<void> mapped = mapErrors(asked, step.stop); !mapped)
         return mapped;
+    if (Result<void> looked = lookAtRegion(asked); !looked)
+        return looked;
     send(*std::move(pictures), wanted(step.pace));
     return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
 }
@@ -80,7 +84,45 @@ void Session::Loop::remember(const DisplayedPicture& picture) {
     shownError_ = picture.picture.status.displayError;
     if (std::exchange(historyExposure_, picture.display.exposure) != picture.display.exposure)
         history_.forgetErrors();
-    history_.add(seconds_, picture.picture.status);
+    history_.add(seconds_ - secondsAhead(), picture.picture.status);
+}
+
+/// That a part has had of the samples that the whole picture is still to get.
+double Session::Loop::secondsAhead() const {
+    const SampleCounts samples = sweep_.samples();
+    return aheadSamples_ > 0 ? aheadSeconds_ / aheadSamples_ * double(samples.most - samples.least) : 0;
+}
+
+/// How good the region is, if there is one.
+Result<void> Session::Loop::lookAtRegion(const Display& display) {
+    if (coarse() || !region_.region())
+        return {};
+    const Tile tile = *region_.tile(place_.size());
+    if (!region_.isDue(sweep_.samplesOf(tile), display.exposure))
+        return {};
+    const double start = clock_();
+    Result<void> looked =
+        place_.film()->look([&](const Film& film) { region_.look(film, display.exposure, seconds_); });
+    seconds_ += secondsSince(start);
+    return looked;
+}
+
+/// Of the full picture that was shown last, the region's where that is more.
+std::optional<double> Session::Loop::worstError() const {
+    if (!shownError_ || !region_.region())
+        return shownError_;
+    return std::max(*shownError_, region_.error());
+}
+
+/// What it takes until the whole picture is as good: what a part has had already counts when the rest gets there.
+std::vector<QualityStep> Session::Loop::steps() const {
+    std::vector<QualityStep> steps = history_.steps();
+    const double ahead = secondsAhead();
+    for (QualityStep& step : steps)
+        if (!step.reached)
+            for (double* seconds : {&step.seconds.value, &step.seconds.low, &step.seconds.high})
+                *seconds += ahead;
+    return steps;
 }
 
 /// Whether there is a guide for the film's pictures: of the device's making, once for all of them. Asked for again only
@@ -119,6 +161,12 @@ Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::madeOnGuide(
 
 /// Of a frame of n iterations. Where work goes on behind, only the sum of both tells something.
 void Session::Loop::addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds) {
+    if (!isWhole(sweep_.part())) {
+        aheadSeconds_ += iterationSeconds + displaySeconds;
+        aheadSamples_ += n;
+    }
+    if (!wholeFrame_)
+        return;
     if (place_.film()->maxInFlight() == 1) {
         meter_.addFrame(n, iterationSeconds, displaySeconds);
         ladder_.addFrame(n * pixels(), iterationSeconds);
@@ -184,7 +232,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->estimator = scene_.estimator;
     frame->coarse = coarse();
     frame->target = commands.target();
-    frame->reached = commands.holdsAt(shownError_);
+    frame->reached = commands.holdsAt(worstError());
     frame->size = picture.size;
     frame->display = picture.display;
     frame->rgba = std::move(picture.picture.rgba);
@@ -199,7 +247,8 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->bias.isSmoothed = frame->smoothed;
     frame->seconds = seconds_;
     if (!coarse()) {
-        frame->steps = history_.steps();
+        frame->steps = steps();
+        frame->region = region_.status(commands.target());
         frame->history = history_.points();
     }
     frame->errorMap = errorMap_.map();

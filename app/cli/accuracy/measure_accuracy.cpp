@@ -61,8 +61,8 @@ Result<std::filesystem::path> kept(const Film& film, const Display& display, con
                                    const Scene& scene, const AccuracyPlan& plan) {
     const std::string name =
         std::string(display.smoothed ? "smoothed_" : "raw_") + std::to_string(step.samples) + ".png";
-    const Provenance facts = provenanceOf(
-        scene, {film.status(display.exposure, [](auto&&...) {}), display.exposure, step.seconds, plan.device, {}});
+    const Provenance facts =
+        provenanceOf(scene, {film.status(display.exposure), display.exposure, step.seconds, plan.device, {}});
     const auto written = writePng(film, display, facts, plan.folder / name);
     if (!written)
         return written.error();
@@ -70,7 +70,7 @@ Result<std::filesystem::path> kept(const Film& film, const Display& display, con
 }
 
 AccuracyStep rawStep(const Film& film, const Film& reference, double seconds, const Display& display) {
-    const FilmStatus status = film.status(display.exposure, [](auto&&...) {});
+    const FilmStatus status = film.status(display.exposure);
     AccuracyStep step{film.samplesPerPixel(), seconds, trueError(film, display, reference)};
     if (std::isfinite(status.displayError))
         step.stated = status.displayError;
@@ -109,7 +109,7 @@ class Measurement {
         const Display raw{plan_.display.exposure, false}, smooth{plan_.display.exposure, true};
         AccuracyStep step = rawStep(film, reference_, seconds, raw);
         ErrorHistory history = histories_.empty() ? ErrorHistory() : histories_.back();
-        history.add(seconds, film.status(raw.exposure, [](auto&&...) {}));
+        history.add(seconds, film.status(raw.exposure));
         histories_.push_back(std::move(history));
         step.foretoldAtQuarter = foretold(histories_, 2, step);
         step.foretoldAtSixteenth = foretold(histories_, 4, step);
