@@ -107,11 +107,10 @@ Result<void> Session::Loop::lookAtRegion(const Display& display) {
     return looked;
 }
 
-/// Of the full picture that was shown last, the region's where that is more.
-std::optional<double> Session::Loop::worstError() const {
-    if (!shownError_ || !region_.region())
-        return shownError_;
-    return std::max(*shownError_, region_.error());
+RenderCommands::Progress Session::Loop::progress() const {
+    const double inRegion = region_.region() ? region_.error() : 0;
+    return {shownError_ ? std::optional(std::max(*shownError_, inRegion)) : std::nullopt, seconds_,
+            sweep_.samples().least};
 }
 
 /// What it takes until the whole picture is as good: what a part has had already counts when the rest gets there.
@@ -231,8 +230,8 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->lookName = scene_.lookName;
     frame->estimator = scene_.estimator;
     frame->coarse = coarse();
-    frame->target = commands.target();
-    frame->reached = commands.holdsAt(worstError());
+    frame->stop = commands.stop();
+    frame->reached = commands.holdsAt(progress());
     frame->size = picture.size;
     frame->display = picture.display;
     frame->rgba = std::move(picture.picture.rgba);
@@ -248,7 +247,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->seconds = seconds_;
     if (!coarse()) {
         frame->steps = steps();
-        frame->region = region_.status(commands.target());
+        frame->region = region_.status(commands.stop().levels);
         frame->history = history_.points();
     }
     frame->errorMap = errorMap_.map();
