@@ -12,11 +12,13 @@ struct KeyHelp {
     const char* effect;
 };
 
-const std::array<KeyHelp, 23> kKeys{{{"Left drag, arrow keys", "turn"},
+const std::array<KeyHelp, 26> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Middle or Shift+left drag", "move"},
                                      {"Wheel, right drag, + and -", "zoom"},
                                      {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
                                      {"R, double click", "first view"},
+                                     {"Ctrl+drag on the picture", "shift the tissue's curve, widen it"},
+                                     {"Ctrl+click on the picture", "show the tissue that is there"},
                                      {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo"},
                                      {"Space", "pause, go on (also beyond what was reached)"},
                                      {"Left, Right on the strip (Tab)", "hold sooner, more accurate"},
@@ -28,6 +30,7 @@ const std::array<KeyHelp, 23> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Ctrl+S", "save the picture (PNG or EXR)"},
                                      {"F2", "series on and off"},
                                      {"F3", "look on and off"},
+                                     {"F5", "tissue: curves and colours, on and off"},
                                      {"F4", "rendering on and off"},
                                      {"F6", "what the seconds go to, on and off"},
                                      {"F11", "the picture alone"},

@@ -47,6 +47,7 @@ MainWindow::MainWindow()
     : viewport_(new Viewport),
       series_(new SeriesPanel),
       look_(new LookPanel),
+      tissue_(new TissuePanel),
       rendering_(new RenderPanel),
       effects_(new EffectLedger),
       foot_(new Foot),
@@ -65,6 +66,11 @@ MainWindow::MainWindow()
 
     seriesDock_ = addPanel(tr("Series"), series_, Qt::LeftDockWidgetArea, Qt::Key_F2);
     lookDock_ = addPanel(tr("Look"), look_, Qt::RightDockWidgetArea, Qt::Key_F3);
+    tissueDock_ = addPanel(tr("Tissue"), scrolled(tissue_), Qt::RightDockWidgetArea, Qt::Key_F5);
+    tissueDock_->hide();
+    connect(tissueDock_->toggleViewAction(), &QAction::triggered, this, &MainWindow::giveTissueItsPart);
+    connect(tissue_, &TissuePanel::pickingChosen, this, &MainWindow::setPicking);
+    connect(viewport_, &Viewport::tissuePicked, this, [this] { setPicking(false); });
     renderDock_ = addPanel(tr("Rendering"), scrolled(rendering_), Qt::RightDockWidgetArea, Qt::Key_F4);
     accuracyDock_ = addPanel(tr("Accuracy"), accuracy_, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E);
     accuracyDock_->hide();
@@ -82,6 +88,7 @@ MainWindow::MainWindow()
 
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
+    connect(look_, &LookPanel::tissueWanted, tissueDock_->toggleViewAction(), &QAction::trigger);
     connect(accuracyDock_->toggleViewAction(), &QAction::triggered, this, &MainWindow::giveAccuracyItsPart);
     connect(&foot_->status(), &StatusLine::textClicked, accuracyDock_->toggleViewAction(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::cancelRequested, this, &MainWindow::cancelRequested);
@@ -146,6 +153,33 @@ void MainWindow::makeRoomBeside(QDockWidget* opened, QDockWidget* other) {
     });
 }
 
+/// The right-hand column; what is chosen once gives way where less than this fraction of the window is left for the
+/// picture.
+void MainWindow::giveTissueItsPart(bool shown) {
+    constexpr int kColumn = 316;
+    constexpr double kPicture = 0.6;
+    if (!shown) {
+        for (QDockWidget* dock : std::exchange(gaveWay_, {}))
+            dock->show();
+        return;
+    }
+    const int left = seriesDock_->isVisible() ? seriesDock_->width() : 0;
+    const bool roomy = double(width() - left - kColumn) * viewport_->height() >= kPicture * width() * height();
+    for (QDockWidget* dock : roomy ? QList{renderDock_} : QList{renderDock_, seriesDock_})
+        if (dock->isVisible()) {
+            dock->hide();
+            gaveWay_ << dock;
+        }
+    resizeDocks({tissueDock_}, {kColumn}, Qt::Horizontal);
+    resizeDocks({lookDock_, tissueDock_}, {1, height()}, Qt::Vertical);
+}
+
+/// Whether the next click on the picture picks a tissue.
+void MainWindow::setPicking(bool picking) {
+    viewport_->setPicking(picking);
+    tissue_->setPicking(picking);
+}
+
 void MainWindow::fillFileMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
     connect(menu->addAction(tr("&Open folder..."), QKeySequence::Open), &QAction::triggered, this,
@@ -200,6 +234,7 @@ void MainWindow::fillViewMenu() {
     menu->addSeparator();
     menu->addAction(seriesDock_->toggleViewAction());
     menu->addAction(lookDock_->toggleViewAction());
+    menu->addAction(tissueDock_->toggleViewAction());
     menu->addAction(renderDock_->toggleViewAction());
     menu->addAction(accuracyDock_->toggleViewAction());
     menu->addAction(effectsDock_->toggleViewAction());
@@ -240,6 +275,8 @@ void MainWindow::showPictureAlone(bool alone) {
     accuracyDock_->setVisible(!alone);
     if (alone)
         effectsDock_->hide();
+    if (alone)
+        tissueDock_->hide();
     setWindowState(alone ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     if (!alone)
         restoreState(stateBeforeAlone_);
@@ -253,6 +290,7 @@ void MainWindow::giveAccuracyItsPart(bool shown) {
 }
 
 void MainWindow::escape() {
+    setPicking(false);
     alone_->setChecked(false);
     message_->clear();
     emit cancelRequested();
