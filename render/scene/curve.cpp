@@ -66,19 +66,28 @@ float firstAt(const Curve& curve, float value) {
 std::size_t insertPoint(Curve& curve, const CurvePoint& point) {
     const auto place = std::upper_bound(curve.begin(), curve.end(), point.hu,
                                         [](float hu, const CurvePoint& other) { return hu < other.hu; });
-    return std::size_t(curve.insert(place, point) - curve.begin());
+    const std::ptrdiff_t index = place - curve.begin();
+    curve.insert(place, point);
+    return std::size_t(index);
 }
 
+/// The neighbours that stay hold against the rounding of a sum, too.
 Curve moved(Curve curve, const CurveSelection& selection, CurvePoint by, float top) {
     const float shift = possibleShift(curve, selection, by.hu);
-    const auto ends = [&](std::size_t i) {  // not beyond a neighbour by the rounding of a sum
-        const bool free = !isSelected(selection, i + 1) && i + 1 < curve.size();
-        return free ? curve[i + 1].hu : kHighestHu;
-    };
     for (const std::size_t i : selection) {
-        const float begins = i > 0 ? curve[i - 1].hu : kLowestHu;
-        curve[i].hu = std::clamp(curve[i].hu + shift, begins, std::max(begins, ends(i)));
+        curve[i].hu += shift;
         curve[i].value = std::clamp(curve[i].value + by.value, 0.0f, top);
+    }
+    float below = kLowestHu, above = kHighestHu;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        if (isSelected(selection, i))
+            curve[i].hu = std::max(curve[i].hu, below);
+        below = curve[i].hu;
+    }
+    for (std::size_t i = curve.size(); i-- > 0;) {
+        if (isSelected(selection, i))
+            curve[i].hu = std::min(curve[i].hu, above);
+        above = curve[i].hu;
     }
     return curve;
 }
