@@ -1,6 +1,7 @@
 #include "app/tissue_study.h"
 
 #include <functional>
+#include <new>
 #include <utility>
 
 #include "render/prepare/flatten.h"
@@ -17,18 +18,22 @@ TissueStudy::~TissueStudy() {
     thread_.wait();
 }
 
-/// `work` runs on the thread; what it returns is called back here, unless the volume has changed.
+/// `work` runs on the thread; what it returns is called back here, unless the volume has changed. Where memory does not
+/// suffice there is no answer, and all else goes on.
 template <class Work>
 void TissueStudy::start(Work work) {
     thread_.start();
     QMetaObject::invokeMethod(&worker_, [this, volume = volume_.load(), work = std::move(work)]() mutable {
         if (volume != volume_)
             return;
-        auto result = work();
-        QMetaObject::invokeMethod(this, [this, volume, result = std::move(result)] {
-            if (volume == volume_)
-                result();
-        });
+        try {
+            auto result = work();
+            QMetaObject::invokeMethod(this, [this, volume, result = std::move(result)] {
+                if (volume == volume_)
+                    result();
+            });
+        } catch (const std::bad_alloc&) {
+        }
     });
 }
 

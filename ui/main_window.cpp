@@ -31,7 +31,7 @@ QWidget* panelTitle(const QString& title, QDockWidget* dock) {
     fold->setFocusPolicy(Qt::TabFocus);
     fold->setAccessibleName(MainWindow::tr("Fold %1 away").arg(title));
     fold->setToolTip(MainWindow::tr("Fold away (%1)").arg(dock->toggleViewAction()->shortcut().toString()));
-    QObject::connect(fold, &QToolButton::clicked, dock, &QWidget::close);
+    QObject::connect(fold, &QToolButton::clicked, dock->toggleViewAction(), &QAction::trigger);
 
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
@@ -164,8 +164,12 @@ void MainWindow::giveTissueItsPart(bool shown) {
         return;
     }
     const int left = seriesDock_->isVisible() ? seriesDock_->width() : 0;
-    const bool roomy = double(width() - left - kColumn) * viewport_->height() >= kPicture * width() * height();
-    for (QDockWidget* dock : roomy ? QList{renderDock_} : QList{renderDock_, seriesDock_})
+    QList<QDockWidget*> inTheWay{renderDock_};
+    if (double(width() - left - kColumn) * viewport_->height() < kPicture * width() * height())
+        inTheWay << seriesDock_;
+    if (viewport_->height() < look_->minimumSizeHint().height() + tissue_->minimumSizeHint().height())
+        inTheWay << lookDock_;
+    for (QDockWidget* dock : std::as_const(inTheWay))
         if (dock->isVisible()) {
             dock->hide();
             gaveWay_ << dock;

@@ -6,6 +6,7 @@
 #include <QTest>
 #include <QWheelEvent>
 #include <algorithm>
+#include <random>
 
 #include "render/volume/volume.h"
 #include "ui/dark_theme.h"
@@ -92,6 +93,7 @@ class TestTissuePanel : public QObject {
     void theOtherCurvesAreEditedAlone();
     void theWheelZoomsBothPlots();
     void tooManyNodesAreNotTaken();
+    void whateverTheHandDoesTheFunctionStaysOne();
     void everyControlIsReachedAndNamed();
     void textAndPointsStandOut();
 };
@@ -318,6 +320,49 @@ void TestTissuePanel::tooManyNodesAreNotTaken() {
     QCOMPARE(hand.edits + hand.rests, 0);
     QVERIFY(hand.panel.transferFunction() == full);
     QCOMPARE(hand.panel.editor().points().size(), full.nodes.size());
+}
+
+/// Thousands of presses, drags, keys and wheels on both plots, with changes from outside between them.
+void TestTissuePanel::whateverTheHandDoesTheFunctionStaysOne() {
+    Hand hand;
+    std::mt19937 random(17);
+    const auto below = [&](int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); };
+    const Qt::Key keys[] = {Qt::Key_Left,   Qt::Key_Up,   Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Insert,
+                            Qt::Key_Delete, Qt::Key_Plus, Qt::Key_Minus,  Qt::Key_Home,     Qt::Key_A};
+    const Qt::KeyboardModifiers modifiers[] = {{}, {}, Qt::ShiftModifier, Qt::ControlModifier};
+    for (int step = 0; step < 4000; ++step) {
+        PointsPlot& plot = below(2) ? static_cast<PointsPlot&>(hand.panel.editor()) : hand.panel.strip();
+        const QPoint place(below(plot.width()), below(plot.height()));
+        const Qt::KeyboardModifiers modifier = modifiers[below(4)];
+        switch (below(8)) {
+            case 0:
+                QTest::mousePress(&plot, below(5) ? Qt::LeftButton : Qt::MiddleButton, modifier, place);
+                break;
+            case 1:
+                QTest::mouseRelease(&plot, below(5) ? Qt::LeftButton : Qt::MiddleButton, modifier, place);
+                break;
+            case 2:
+                QTest::keyClick(&plot, keys[below(10)], modifier);
+                break;
+            case 3:
+                if (below(40) == 0)
+                    hand.panel.setTransferFunction(below(2) ? bone() : TransferFunction{1, {{40, 0.3f}, {40, 0.7f}}});
+                break;
+            case 4:
+                if (below(40) == 0)
+                    hand.choose("Shape of the curve", below(4));
+                if (below(40) == 0)
+                    hand.named<QComboBox>("Curve")->setCurrentIndex(below(4));
+                break;
+            default:
+                Hand::move(plot, place, Qt::LeftButton);
+        }
+        QVERIFY(hand.panel.transferFunction().check());
+        QVERIFY(hand.panel.editor().selection().empty() ||
+                hand.panel.editor().selection().back() < hand.panel.editor().points().size());
+        QCOMPARE(hand.panel.strip().stops().size(), hand.panel.strip().points().size());
+    }
+    QVERIFY2(hand.edits > 100 && hand.rests > 50, qPrintable(QString("%1 %2").arg(hand.edits).arg(hand.rests)));
 }
 
 void TestTissuePanel::everyControlIsReachedAndNamed() {

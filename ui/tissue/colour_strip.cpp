@@ -126,7 +126,7 @@ void ColourStrip::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ColourStrip::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (enter && !selection().empty())
+    if (enter && !hand().isHolding() && !selection().empty())
         emit colourRequested(selection().front());
     else
         PointsPlot::keyPressEvent(event);

@@ -172,10 +172,12 @@ void paintAxes(QPainter& painter, const PlotView& view, double unit, const QPale
         const double left = std::clamp(x - half, area.left() - kGap, area.right() + kGap - 2 * half);
         painter.drawText(QRectF(left, area.bottom() + 3, 2 * half, line), Qt::AlignCenter, locale.toString(hu, 'g', 6));
     }
-    for (const double mark : roundMarks(0, view.top() * unit, std::max(int(area.height()) / (2 * line), 1))) {
-        const double y = view.y(mark / unit);
+    constexpr int kMostMarks = 6;
+    for (const double mark :
+         roundMarks(0, view.top() * unit, std::clamp(int(area.height()) / (2 * line), 1, kMostMarks))) {
+        const double y = view.y(mark / unit), top = std::max(y - line / 2.0, area.top());
         painter.drawLine(QPointF(area.right(), y), QPointF(area.right() + 3, y));
-        painter.drawText(QRectF(area.right() + 5, y - line / 2.0, 100, line), Qt::AlignLeft | Qt::AlignVCenter,
+        painter.drawText(QRectF(area.right() + 5, top, 100, line), Qt::AlignLeft | Qt::AlignVCenter,
                          locale.toString(mark, 'g', 4));
     }
 }

@@ -155,7 +155,10 @@ void PointsPlot::zoom(double x, double factor) {
     emit rangeChanged(view_.lowHu(), view_.highHu());
 }
 
+/// One hand at a time: while the mouse holds points no key takes them away.
 void PointsPlot::keyPressEvent(QKeyEvent* event) {
+    if (hand_.isHolding() || panning_)
+        return;
     if (!moveOrChoose(*event) && !changeOrZoom(*event))
         QWidget::keyPressEvent(event);
 }

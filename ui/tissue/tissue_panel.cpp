@@ -36,6 +36,7 @@ TissuePanel::TissuePanel(QWidget* parent) : QWidget(parent) {
     density_.setRange(0, kDensest);
     density_.setDecimals(3);
     density_.setSingleStep(0.1);
+    density_.setMinimumWidth(80);
     density_.setSuffix(tr(" /mm"));
     density_.setKeyboardTracking(false);
     density_.setAccessibleName(tr("Density at the top of the opacity curve"));
