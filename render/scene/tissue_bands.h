@@ -1,7 +1,8 @@
 #pragma once
 /// Where tissues lie on the scale of CT, to find one's way by: never a classification, since they overlap and shift
 /// with the tube's voltage.
-///   fat, muscle      Mitsiopoulos et al. 1998, J Appl Physiol 85:115; of muscle the part of normal attenuation
+///   fat              Mitsiopoulos et al. 1998, J Appl Physiol 85:115
+///   muscle           of normal attenuation: Goodpaster et al. 2000, J Appl Physiol 89:104
 ///   lung, bone       Kalender, Computed Tomography, 3rd ed. 2011; bone from the lowest compact one to enamel
 ///   air, water       their definition, with the noise of a clinical scan
 ///   contrast         blood with iodine in the arterial to the venous phase

@@ -32,19 +32,6 @@ NodeProperty propertyOf(TissueChannel channel) {
     }
 }
 
-float valueOf(const TransferNode& node, TissueChannel channel) {
-    switch (channel) {
-        case TissueChannel::specular:
-            return largest(node.specular);
-        case TissueChannel::roughness:
-            return node.roughness;
-        case TissueChannel::emission:
-            return largest(node.emission);
-        default:
-            return node.opacity;
-    }
-}
-
 TransferNode withValue(TransferNode node, TissueChannel channel, float value) {
     if (value == valueOf(node, channel))
         return node;
@@ -114,6 +101,19 @@ std::vector<TransferNode> joined(const TransferFunction& function, const Transfe
 
 float highestValue(TissueChannel channel) {
     return channel == TissueChannel::emission ? 1e6f : 1.0f;
+}
+
+float valueOf(const TransferNode& node, TissueChannel channel) {
+    switch (channel) {
+        case TissueChannel::specular:
+            return largest(node.specular);
+        case TissueChannel::roughness:
+            return node.roughness;
+        case TissueChannel::emission:
+            return largest(node.emission);
+        default:
+            return node.opacity;
+    }
 }
 
 Curve curveOf(const TransferFunction& function, TissueChannel channel) {

@@ -13,6 +13,8 @@ enum class TissueChannel { opacity, specular, roughness, emission };
 /// The largest value that a channel may have.
 float highestValue(TissueChannel channel);
 
+float valueOf(const TransferNode& node, TissueChannel channel);
+
 /// The points that `channel` needs; nodes that no property needs count as opacity's, since somebody has put them there.
 Curve curveOf(const TransferFunction& function, TissueChannel channel);
 /// `function` with that curve, and all other properties as they are, up to rounding. Colours keep their hue; what was

@@ -1,84 +1,20 @@
 /// The panel of the tissue under mouse and keys: what it emits, what it shows, and that no gesture is left open.
 
 #include <QColorDialog>
-#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 #include <algorithm>
-#include <random>
 
 #include "render/volume/volume.h"
-#include "ui/dark_theme.h"
-#include "ui/tissue/tissue_panel.h"
+#include "tests/support/tissue_hand.h"
 
 namespace pdr::ui {
-
-static TransferFunction bone() {
-    TransferFunction function{1.2f, std::vector<TransferNode>(4)};
-    const float hu[] = {-1000, 150, 400, 1500}, opacity[] = {0, 0, 0.8f, 1};
-    for (std::size_t i = 0; i < 4; ++i) {
-        function.nodes[i].hu = hu[i];
-        function.nodes[i].opacity = opacity[i];
-        function.nodes[i].albedo = i < 2 ? vec3(0.8f, 0.1f, 0.1f) : vec3(0.9f, 0.9f, 0.7f);
-    }
-    return function;
-}
-
-/// The panel with a function, and what it emits.
-struct Hand {
-    Hand() {
-        QObject::connect(&panel, &TissuePanel::transferFunctionEdited,
-                         [this](const TransferFunction& function, bool moving) {
-                             last = function;
-                             edits += moving;
-                             rests += !moving;
-                             panel.setTransferFunction(function);  // as the document tells it
-                         });
-        panel.setTransferFunction(bone());
-        panel.resize(320, 460);
-        panel.show();
-        emit panel.editor().fitRequested();
-    }
-
-    QPoint at(double hu, double value) { return panel.editor().view().at(hu, value).toPoint(); }
-
-    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
-        QTest::mousePress(&panel.editor(), Qt::LeftButton, keys, from);
-        move(panel.editor(), (from + to) / 2, Qt::LeftButton);
-        move(panel.editor(), to, Qt::LeftButton);
-        QTest::mouseRelease(&panel.editor(), Qt::LeftButton, keys, to);
-    }
-
-    static void move(QWidget& widget, QPoint place, Qt::MouseButton button) {
-        QMouseEvent event(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, button, {});
-        QCoreApplication::sendEvent(&widget, &event);
-    }
-
-    template <class Control>
-    Control* named(const QString& name) {
-        for (Control* control : panel.findChildren<Control*>())
-            if (control->accessibleName() == name)
-                return control;
-        qFatal("there is no control %s", qPrintable(name));
-    }
-
-    void choose(const char* box, int index) {
-        auto* combo = named<QComboBox>(box);
-        combo->setCurrentIndex(index);
-        emit combo->activated(index);
-    }
-
-    TissuePanel panel;
-    TransferFunction last;
-    int edits = 0, rests = 0;
-};
 
 class TestTissuePanel : public QObject {
     Q_OBJECT
 
   private slots:
-    void initTestCase();
     void settersAreSilent();
     void aDragIsOneGesture();
     void whatComesFromOutsideEndsTheDrag();
@@ -93,17 +29,10 @@ class TestTissuePanel : public QObject {
     void theOtherCurvesAreEditedAlone();
     void theWheelZoomsBothPlots();
     void tooManyNodesAreNotTaken();
-    void whateverTheHandDoesTheFunctionStaysOne();
-    void everyControlIsReachedAndNamed();
-    void textAndPointsStandOut();
 };
 
-void TestTissuePanel::initTestCase() {
-    applyDarkTheme(*qApp);
-}
-
 void TestTissuePanel::settersAreSilent() {
-    Hand hand;
+    TissueHand hand;
     hand.panel.setTransferFunction({2, {{0, 1}}});
     hand.panel.setHistogram(std::make_shared<const Histogram>());
     hand.panel.setHistogram(nullptr);
@@ -112,7 +41,7 @@ void TestTissuePanel::settersAreSilent() {
 }
 
 void TestTissuePanel::aDragIsOneGesture() {
-    Hand hand;
+    TissueHand hand;
     hand.drag(hand.at(400, 0.8), hand.at(600, 0.5));
     QVERIFY(hand.edits >= 2);
     QCOMPARE(hand.rests, 1);
@@ -126,21 +55,21 @@ void TestTissuePanel::aDragIsOneGesture() {
 
 /// Undo, or a preset, while the mouse is held.
 void TestTissuePanel::whatComesFromOutsideEndsTheDrag() {
-    Hand hand;
+    TissueHand hand;
     QTest::mousePress(&hand.panel.editor(), Qt::LeftButton, {}, hand.at(400, 0.8));
-    Hand::move(hand.panel.editor(), hand.at(500, 0.8), Qt::LeftButton);
+    TissueHand::move(hand.panel.editor(), hand.at(500, 0.8), Qt::LeftButton);
     QVERIFY(hand.edits > 0);
     TransferFunction other = bone();
     other.nodes[3].opacity = 0.9f;
     hand.panel.setTransferFunction(other);
     const int before = hand.edits + hand.rests;
-    Hand::move(hand.panel.editor(), hand.at(700, 0.2), Qt::LeftButton);
+    TissueHand::move(hand.panel.editor(), hand.at(700, 0.2), Qt::LeftButton);
     QCOMPARE(hand.edits + hand.rests, before);
     QVERIFY(hand.panel.transferFunction() == other);
 }
 
 void TestTissuePanel::keysNudgeAddAndRemove() {
-    Hand hand;
+    TissueHand hand;
     CurveEditor& editor = hand.panel.editor();
     editor.setRange(0, 200);  // a pixel is less than a unit
     for (int i = 0; i < 3; ++i)
@@ -169,7 +98,7 @@ void TestTissuePanel::keysNudgeAddAndRemove() {
 }
 
 void TestTissuePanel::typedValuesAreExact() {
-    Hand hand;
+    TissueHand hand;
     auto* hu = hand.named<QDoubleSpinBox>("Place of the selected point");
     auto* value = hand.named<QDoubleSpinBox>("Value of the selected point");
     QVERIFY(!hu->isEnabled());
@@ -188,7 +117,7 @@ void TestTissuePanel::typedValuesAreExact() {
 }
 
 void TestTissuePanel::aTypedValueAboveTheAxisMakesRoom() {
-    Hand hand;
+    TissueHand hand;
     QTest::mouseClick(&hand.panel.editor(), Qt::LeftButton, {}, hand.at(400, 0.8));
     hand.named<QDoubleSpinBox>("Value of the selected point")->setValue(3);
     QCOMPARE(hand.last.extinctionPerMm, 3.0f);
@@ -198,7 +127,7 @@ void TestTissuePanel::aTypedValueAboveTheAxisMakesRoom() {
 }
 
 void TestTissuePanel::densityScalesTheWholeCurve() {
-    Hand hand;
+    TissueHand hand;
     hand.named<QDoubleSpinBox>("Density at the top of the opacity curve")->setValue(0.6);
     TransferFunction thinner = bone();
     thinner.extinctionPerMm = 0.6f;
@@ -207,7 +136,7 @@ void TestTissuePanel::densityScalesTheWholeCurve() {
 }
 
 void TestTissuePanel::shapesBecomeFreePointsWhenOneIsMoved() {
-    Hand hand;
+    TissueHand hand;
     auto* kinds = hand.named<QComboBox>("Shape of the curve");
     hand.choose("Shape of the curve", 2);
     QCOMPARE(hand.rests, 1);
@@ -225,7 +154,7 @@ void TestTissuePanel::shapesBecomeFreePointsWhenOneIsMoved() {
 }
 
 void TestTissuePanel::percentilesNeedAHistogram() {
-    Hand hand;
+    TissueHand hand;
     auto* kinds = hand.named<QComboBox>("Shape of the curve");
     const auto enabled = [&] { return bool(kinds->model()->flags(kinds->model()->index(4, 0)) & Qt::ItemIsEnabled); };
     QVERIFY(!enabled());
@@ -240,7 +169,7 @@ void TestTissuePanel::percentilesNeedAHistogram() {
 }
 
 void TestTissuePanel::coloursHaveStopsOfTheirOwn() {
-    Hand hand;
+    TissueHand hand;
     ColourStrip& strip = hand.panel.strip();
     QCOMPARE(strip.stops().size(), std::size_t(2));
     const auto x = [&](double hu) { return QPoint(int(strip.view().x(hu)), strip.height() - 8); };
@@ -258,7 +187,7 @@ void TestTissuePanel::coloursHaveStopsOfTheirOwn() {
 }
 
 void TestTissuePanel::aColourIsChosenAndGivenUp() {
-    Hand hand;
+    TissueHand hand;
     QTest::keyClick(&hand.panel.strip(), Qt::Key_PageDown);
     QTest::keyClick(&hand.panel.strip(), Qt::Key_Return);
     auto* dialog = hand.panel.findChild<QColorDialog*>();
@@ -272,7 +201,7 @@ void TestTissuePanel::aColourIsChosenAndGivenUp() {
 }
 
 void TestTissuePanel::theOtherCurvesAreEditedAlone() {
-    Hand hand;
+    TissueHand hand;
     for (const int channel : {1, 2, 3}) {
         hand.named<QComboBox>("Curve")->setCurrentIndex(channel);
         CurveEditor& editor = hand.panel.editor();
@@ -289,7 +218,7 @@ void TestTissuePanel::theOtherCurvesAreEditedAlone() {
 }
 
 void TestTissuePanel::theWheelZoomsBothPlots() {
-    Hand hand;
+    TissueHand hand;
     CurveEditor& editor = hand.panel.editor();
     const QPointF place = hand.at(400, 0.5);
     const double hu = editor.view().hu(place.x());
@@ -311,7 +240,7 @@ void TestTissuePanel::theWheelZoomsBothPlots() {
 }
 
 void TestTissuePanel::tooManyNodesAreNotTaken() {
-    Hand hand;
+    TissueHand hand;
     TransferFunction full;
     for (std::size_t i = 0; i < TransferFunction::kMostNodes; ++i)
         full.nodes.push_back({float(i), i % 2 ? 0.5f : 0.4f});
@@ -320,105 +249,6 @@ void TestTissuePanel::tooManyNodesAreNotTaken() {
     QCOMPARE(hand.edits + hand.rests, 0);
     QVERIFY(hand.panel.transferFunction() == full);
     QCOMPARE(hand.panel.editor().points().size(), full.nodes.size());
-}
-
-/// Thousands of presses, drags, keys and wheels on both plots, with changes from outside between them.
-void TestTissuePanel::whateverTheHandDoesTheFunctionStaysOne() {
-    Hand hand;
-    std::mt19937 random(17);
-    const auto below = [&](int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); };
-    const Qt::Key keys[] = {Qt::Key_Left,   Qt::Key_Up,   Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Insert,
-                            Qt::Key_Delete, Qt::Key_Plus, Qt::Key_Minus,  Qt::Key_Home,     Qt::Key_A};
-    const Qt::KeyboardModifiers modifiers[] = {{}, {}, Qt::ShiftModifier, Qt::ControlModifier};
-    for (int step = 0; step < 4000; ++step) {
-        PointsPlot& plot = below(2) ? static_cast<PointsPlot&>(hand.panel.editor()) : hand.panel.strip();
-        const QPoint place(below(plot.width()), below(plot.height()));
-        const Qt::KeyboardModifiers modifier = modifiers[below(4)];
-        switch (below(8)) {
-            case 0:
-                QTest::mousePress(&plot, below(5) ? Qt::LeftButton : Qt::MiddleButton, modifier, place);
-                break;
-            case 1:
-                QTest::mouseRelease(&plot, below(5) ? Qt::LeftButton : Qt::MiddleButton, modifier, place);
-                break;
-            case 2:
-                QTest::keyClick(&plot, keys[below(10)], modifier);
-                break;
-            case 3:
-                if (below(40) == 0)
-                    hand.panel.setTransferFunction(below(2) ? bone() : TransferFunction{1, {{40, 0.3f}, {40, 0.7f}}});
-                break;
-            case 4:
-                if (below(40) == 0)
-                    hand.choose("Shape of the curve", below(4));
-                if (below(40) == 0)
-                    hand.named<QComboBox>("Curve")->setCurrentIndex(below(4));
-                break;
-            default:
-                Hand::move(plot, place, Qt::LeftButton);
-        }
-        QVERIFY(hand.panel.transferFunction().check());
-        QVERIFY(hand.panel.editor().selection().empty() ||
-                hand.panel.editor().selection().back() < hand.panel.editor().points().size());
-        QCOMPARE(hand.panel.strip().stops().size(), hand.panel.strip().points().size());
-    }
-    QVERIFY2(hand.edits > 100 && hand.rests > 50, qPrintable(QString("%1 %2").arg(hand.edits).arg(hand.rests)));
-}
-
-void TestTissuePanel::everyControlIsReachedAndNamed() {
-    Hand hand;
-    hand.panel.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&hand.panel));
-    for (QWidget* control : hand.panel.findChildren<QWidget*>())
-        if (control->focusPolicy() & Qt::TabFocus && control->isVisible() && !qobject_cast<QLineEdit*>(control))
-            QVERIFY2(!control->accessibleName().isEmpty(), control->metaObject()->className());
-    QSet<QWidget*> reached;
-    for (int i = 0; i < 30; ++i) {
-        QTest::keyClick(qApp->focusWidget() ? qApp->focusWidget() : &hand.panel, Qt::Key_Tab);
-        reached << qApp->focusWidget();
-    }
-    QVERIFY(reached.contains(&hand.panel.editor()) && reached.contains(&hand.panel.strip()));
-    QVERIFY(reached.contains(hand.named<QComboBox>("Curve")) &&
-            reached.contains(hand.named<QComboBox>("Shape of the curve")));
-    QVERIFY(hand.panel.editor().accessibleDescription().contains("400 HU: 0.96 /mm"));
-    QTest::keyClick(&hand.panel.editor(), Qt::Key_PageDown);
-    QVERIFY(hand.panel.editor().accessibleDescription().startsWith("selected, -1000 HU"));
-}
-
-/// WCAG 2.1, relative luminance: 4.5 for text, 3 for what is not.
-static double contrast(const QColor& a, const QColor& b) {
-    const auto luminance = [](const QColor& colour) {
-        const vec3 light = linearColour(colour);
-        return 0.2126 * double(light.x) + 0.7152 * double(light.y) + 0.0722 * double(light.z);
-    };
-    const double x = luminance(a), y = luminance(b);
-    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
-}
-
-/// Against what they stand on: the ground, and the histogram.
-void TestTissuePanel::textAndPointsStandOut() {
-    Hand hand;
-    const Volume volume(VolumeGeometry::aligned({2000, 1, 1}, dvec3(1), dvec3(0)), [] {
-        Voxels voxels;
-        for (int i = 0; i < 2000; ++i)
-            voxels.push_back(std::int16_t(i - 1000));
-        return voxels;
-    }());
-    hand.panel.setHistogram(std::make_shared<const Histogram>(volume));
-    CurveEditor& editor = hand.panel.editor();
-    editor.clearFocus();
-    const QImage image = editor.grab().toImage();
-    const QColor point = image.pixelColor(hand.at(150, 0)), bars = image.pixelColor(hand.at(-300, 0.3));
-    const QColor ground = image.pixelColor(hand.at(-300, 0.95));
-    QVERIFY2(contrast(point, bars) >= 3, qPrintable(QString("%1 on %2").arg(point.name(), bars.name())));
-    QVERIFY(contrast(point, ground) >= 3);
-    const QPalette palette = editor.palette();
-    QVERIFY(contrast(palette.color(QPalette::WindowText), palette.color(QPalette::Window)) >= 4.5);
-    QVERIFY(contrast(palette.color(QPalette::Link), palette.color(QPalette::Window)) >= 3);
-    hand.panel.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&hand.panel));
-    editor.setFocus();
-    QVERIFY(editor.grab().toImage().pixelColor(1, 50) != image.pixelColor(1, 50));
 }
 
 }  // namespace pdr::ui

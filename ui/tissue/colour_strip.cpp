@@ -1,5 +1,6 @@
 #include "ui/tissue/colour_strip.h"
 
+#include <QColorDialog>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -117,9 +118,22 @@ void ColourStrip::paintEvent(QPaintEvent*) {
     paintFocus(painter);
 }
 
+void ColourStrip::askForColour(std::size_t stop) {
+    const QColor before = screenColour(stops_[stop].albedo);
+    auto* dialog = new QColorDialog(before, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Colour at %1 HU").arg(std::lround(stops_[stop].hu)));
+    connect(dialog, &QColorDialog::currentColorChanged, this,
+            [this, stop](const QColor& colour) { setColour(stop, colour, true); });
+    connect(dialog, &QDialog::finished, this, [this, stop, dialog, before](int result) {
+        setColour(stop, result == QDialog::Accepted ? dialog->currentColor() : before, false);
+    });
+    dialog->open();
+}
+
 void ColourStrip::mouseDoubleClickEvent(QMouseEvent* event) {
     if (const auto stop = hand().pointAt(view(), event->position()))
-        emit colourRequested(*stop);
+        askForColour(*stop);
     else
         PointsPlot::mouseDoubleClickEvent(event);
 }
@@ -127,7 +141,7 @@ void ColourStrip::mouseDoubleClickEvent(QMouseEvent* event) {
 void ColourStrip::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (enter && !hand().isHolding() && !selection().empty())
-        emit colourRequested(selection().front());
+        askForColour(selection().front());
     else
         PointsPlot::keyPressEvent(event);
 }

@@ -23,9 +23,9 @@ class ColourStrip : public PointsPlot {
     QSize sizeHint() const override { return {300, 34}; }
     QSize minimumSizeHint() const override { return {200, 34}; }
 
-  signals:
-    /// Another colour is wanted for that stop.
-    void colourRequested(std::size_t stop);
+  public slots:
+    /// Shows a dialog; edits follow while a colour is looked for, and go back where none is chosen.
+    void askForColour(std::size_t stop);
 
   protected:
     CurvePoint step() const override;

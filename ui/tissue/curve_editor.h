@@ -29,7 +29,7 @@ class CurveEditor : public PointsPlot {
     QMargins plotMargins() const;
 
     QSize sizeHint() const override { return {300, 190}; }
-    QSize minimumSizeHint() const override { return {200, 110}; }
+    QSize minimumSizeHint() const override { return {200, 80}; }
 
   protected:
     CurvePoint step() const override;

@@ -1,6 +1,5 @@
 #include "ui/tissue/tissue_panel.h"
 
-#include <QColorDialog>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -94,7 +93,6 @@ void TissuePanel::connectParts() {
 
     connect(&editor_, &PointsPlot::edited, this, &TissuePanel::editCurve);
     connect(&strip_, &PointsPlot::edited, this, &TissuePanel::editColours);
-    connect(&strip_, &ColourStrip::colourRequested, this, &TissuePanel::askForColour);
     for (PointsPlot* plot : std::initializer_list<PointsPlot*>{&editor_, &strip_}) {
         connect(plot, &PointsPlot::selectionChanged, this, [this, plot] { beginWith(*plot); });
         connect(plot, &PointsPlot::fitRequested, this, &TissuePanel::fit);
@@ -104,7 +102,7 @@ void TissuePanel::connectParts() {
     connect(&point_, &PointRow::huTyped, this, &TissuePanel::typeHu);
     connect(&point_, &PointRow::valueTyped, this, &TissuePanel::typeValue);
     connect(&point_, &PointRow::removeWanted, this, [this] { edited_->removeSelected(); });
-    connect(&point_, &PointRow::colourWanted, this, [this] { askForColour(strip_.selection().front()); });
+    connect(&point_, &PointRow::colourWanted, this, [this] { strip_.askForColour(strip_.selection().front()); });
 }
 
 void TissuePanel::setTransferFunction(const TransferFunction& function) {
@@ -235,20 +233,6 @@ void TissuePanel::typeValue(double value) {
     }
     const CurvePoint& first = editor_.points()[editor_.selection().front()];
     editor_.nudge({0, float(value / editor_.unit()) - first.value});
-}
-
-/// The picture follows while a colour is looked for; without one it is as before.
-void TissuePanel::askForColour(std::size_t stop) {
-    const QColor before = screenColour(strip_.stops()[stop].albedo);
-    auto* dialog = new QColorDialog(before, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Colour at %1 HU").arg(std::lround(strip_.stops()[stop].hu)));
-    const auto show = [this, stop](const QColor& colour, bool moving) { strip_.setColour(stop, colour, moving); };
-    connect(dialog, &QColorDialog::currentColorChanged, this, [show](const QColor& colour) { show(colour, true); });
-    connect(dialog, &QDialog::finished, this, [show, dialog, before](int result) {
-        show(result == QDialog::Accepted ? dialog->currentColor() : before, false);
-    });
-    dialog->open();
 }
 
 }  // namespace pdr::ui

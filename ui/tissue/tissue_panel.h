@@ -51,7 +51,6 @@ class TissuePanel : public QWidget {
     void chooseDensity(double extinctionPerMm);
     void typeHu(double hu);
     void typeValue(double value);
-    void askForColour(std::size_t stop);
     void beginWith(PointsPlot& plot);
     TissueChannel channel() const { return TissueChannel(channel_.currentIndex()); }
 

@@ -14,20 +14,6 @@ namespace {
 constexpr std::array kChannels{TissueChannel::opacity, TissueChannel::specular, TissueChannel::roughness,
                                TissueChannel::emission};
 
-float valueOf(const TransferNode& node, TissueChannel channel) {
-    const auto largest = [](vec3 colour) { return std::max({colour.x, colour.y, colour.z}); };
-    switch (channel) {
-        case TissueChannel::specular:
-            return largest(node.specular);
-        case TissueChannel::roughness:
-            return node.roughness;
-        case TissueChannel::emission:
-            return largest(node.emission);
-        default:
-            return node.opacity;
-    }
-}
-
 /// The largest difference of all that is not `channel`, over the HU and their neighbourhood.
 float differenceBeside(const TransferFunction& a, const TransferFunction& b, TissueChannel channel) {
     float largest = std::fabs(a.extinctionPerMm - b.extinctionPerMm);
