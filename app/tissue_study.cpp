@@ -37,28 +37,22 @@ void TissueStudy::start(Work work) {
     });
 }
 
-/// The thread holds the volume while it counts only: whoever opens another waits until this one is freed.
 void TissueStudy::setVolume(const std::shared_ptr<const Volume>& volume) {
     ++volume_;
     if (!volume)
         return;
-    start([this, weak = std::weak_ptr(volume)] {
-        const auto held = weak.lock();
-        auto histogram = std::make_shared<const Histogram>(held ? Histogram(*held) : Histogram());
+    start([this, volume] {
+        const auto histogram = std::make_shared<const Histogram>(*volume);
         return [this, histogram] { emit histogramFound(histogram); };
     });
 }
 
 void TissueStudy::pick(const Scene& scene, QPointF place) {
-    Scene without = scene;
-    without.volume.reset();
-    start([this, without, place, weak = std::weak_ptr(scene.volume)]() -> std::function<void()> {
-        Scene full = without;
-        full.volume = weak.lock();
-        if (!full.volume || !full.check())
+    start([this, scene, place]() -> std::function<void()> {
+        if (!scene.check())
             return [] {};
-        const ivec2 pixel(int(place.x() * full.film.x), int(place.y() * full.film.y));
-        const std::optional<TissueUnder> tissue = tissueUnder(*Flattener().prepare(full), pixel);
+        const ivec2 pixel(int(place.x() * scene.film.x), int(place.y() * scene.film.y));
+        const std::optional<TissueUnder> tissue = tissueUnder(*Flattener().prepare(scene), pixel);
         if (!tissue)
             return [this] { emit nothingFound(); };
         return [this, found = *tissue] { emit tissueFound(found); };

@@ -1,6 +1,6 @@
 #pragma once
 /// What is to be known of a volume's tissue, found beside the window: its histogram, and what lies under a place of the
-/// picture. Nothing of a volume is kept when it is closed.
+/// picture. A volume is held while it is looked at only.
 
 #include <QObject>
 #include <QPointF>
@@ -25,8 +25,8 @@ class TissueStudy : public QObject {
   public slots:
     /// Ends with histogramFound(), unless another volume has come until then. Null: no volume, and no signal.
     void setVolume(const std::shared_ptr<const pdr::Volume>& volume);
-    /// What `scene` shows at `place`, in fractions of its width and height. Ends with tissueFound(), or nothingFound();
-    /// with neither when the volume has gone.
+    /// What `scene`, which has a volume, shows at `place`, in fractions of its width and height. Ends with
+    /// tissueFound(), or nothingFound(); with neither when the volume has gone.
     void pick(const pdr::Scene& scene, QPointF place);
 
   signals:

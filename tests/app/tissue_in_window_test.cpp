@@ -42,6 +42,7 @@ class TestTissueInWindow : public QObject {
     void theButtonPicksOnce();
     void besideTheAnatomyNothingIsPicked();
     void whatIsClosedIsNotHeld();
+    void nothingIsToldOfWhatIsClosed();
 
   private:
     QTemporaryDir folder_;
@@ -172,6 +173,20 @@ void TestTissueInWindow::whatIsClosedIsNotHeld() {
     QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), test::kPatience);
     trial.openAndWait(series_);
     QVERIFY(!trial.desktop.parts().document.canUndo());
+}
+
+/// Not even what was found while the window was busy.
+void TestTissueInWindow::nothingIsToldOfWhatIsClosed() {
+    TissueStudy study;
+    QSignalSpy found(&study, &TissueStudy::histogramFound);
+    study.setVolume(test::bumpyVolume({20, 20, 20}, dvec3(1), 1));
+    QTest::qSleep(200);
+    study.setVolume(nullptr);
+    QTest::qWait(50);
+    QCOMPARE(found.count(), 0);
+    study.setVolume(test::bumpyVolume({10, 10, 10}, dvec3(1), 1));
+    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, test::kPatience);
+    QCOMPARE(found.front().front().value<std::shared_ptr<const Histogram>>()->total(), 1000.0);
 }
 
 }  // namespace pdr::app

@@ -77,19 +77,17 @@ vec3 linearColour(const QColor& colour) {
     return {linear.redF(), linear.greenF(), linear.blueF()};
 }
 
-/// Colours are mixed as light is, not as the screen's numbers are: a few places between the stops say how.
+/// Colours are mixed as light is, not as the screen's numbers are, so not the stops are told but many places between.
 QLinearGradient gradientOf(const std::vector<ColourStop>& stops, const PlotView& view) {
-    constexpr int kPieces = 64;
-    QLinearGradient gradient(view.area().topLeft(), view.area().topRight());
-    const auto place = [&](double hu) { return (hu - view.lowHu()) / (view.highHu() - view.lowHu()); };
+    constexpr int kPieces = 256;
+    QGradientStops places;
     for (int i = 0; i <= kPieces; ++i) {
         const double fraction = double(i) / kPieces;
-        gradient.setColorAt(fraction,
-                            screenColour(albedoAt(stops, view.lowHu() + fraction * (view.highHu() - view.lowHu()))));
+        const double hu = view.lowHu() + fraction * (view.highHu() - view.lowHu());
+        places << QGradientStop(fraction, screenColour(albedoAt(stops, hu)));
     }
-    for (const ColourStop& stop : stops)
-        if (const double fraction = place(double(stop.hu)); fraction > 0 && fraction < 1)
-            gradient.setColorAt(fraction, screenColour(stop.albedo));
+    QLinearGradient gradient(view.area().topLeft(), view.area().topRight());
+    gradient.setStops(places);
     return gradient;
 }
 
