@@ -1,6 +1,7 @@
 #include "ui/keys_overlay.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -30,8 +31,8 @@ const std::array<KeyHelp, 26> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Ctrl+S", "save the picture (PNG or EXR)"},
                                      {"F2", "series on and off"},
                                      {"F3", "look on and off"},
-                                     {"F5", "tissue: curves and colours, on and off"},
                                      {"F4", "rendering on and off"},
+                                     {"F5", "tissue: curves and colours, on and off"},
                                      {"F6", "what the seconds go to, on and off"},
                                      {"F11", "the picture alone"},
                                      {"Tab", "next control"},
@@ -62,7 +63,8 @@ void KeysOverlay::toggle() {
 void KeysOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(12, 13, 15, 225));
-    const int lineHeight = int(painter.fontMetrics().height() * 1.8);
+    const int room = height() / int(kKeys.size());
+    const int lineHeight = std::min(int(painter.fontMetrics().height() * 1.8), room);
     const int top = (height() - lineHeight * int(kKeys.size())) / 2;
     const int middle = width() / 2;
     for (int i = 0; i < int(kKeys.size()); ++i) {
