@@ -30,7 +30,7 @@ void TissueEdits::setTransferFunction(const TransferFunction& function, bool mov
 
 void TissueEdits::drag(QPointF inHeights, bool moving) {
     if (!document_.hasVolume())
-        return;
+        return beforeDrag_.reset();  // closed under the hand
     if (!beforeDrag_)
         beforeDrag_ = document_.setup().look.transferFunction;
     const double shift = std::round(inHeights.x() * kHuPerHeight);

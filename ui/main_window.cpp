@@ -277,10 +277,10 @@ void MainWindow::showPictureAlone(bool alone) {
     renderDock_->setVisible(!alone);
     viewport_->setCaptionShown(alone);
     accuracyDock_->setVisible(!alone);
-    if (alone)
+    if (alone) {
         effectsDock_->hide();
-    if (alone)
         tissueDock_->hide();
+    }
     setWindowState(alone ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     if (!alone)
         restoreState(stateBeforeAlone_);
