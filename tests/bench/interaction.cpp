@@ -2,9 +2,9 @@
 /// first picture that knows of it.
 ///   interaction FOLDER [--seconds S] [--threads N]
 /// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse tells them, 125 a second: a
-/// drag that turns, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and presets, one after a rest of a second.
-/// Prints a line each: events that were answered, milliseconds (median, 99 in 100, most), pictures a second, the median
-/// of their widths, and the processor time of the whole program to the time of the clock.
+/// drag that turns, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and presets,
+/// one after a rest of a second. Prints a line each: events that were answered, milliseconds (median, 99 in 100, most),
+/// pictures a second, the median of their widths, and the processor time of the whole program to the time of the clock.
 
 #include <QApplication>
 #include <QCommandLineParser>
