@@ -141,6 +141,8 @@ void showNothing(const DesktopParts& parts) {
     parts.bridge.clear();
     parts.bridge.setRegion(std::nullopt);
     parts.window.setRegion(std::nullopt);
+    parts.study.setVolume(nullptr);
+    parts.window.tissue().setHistogram(nullptr);
     showNoPicture(parts, invitation());
     parts.window.setSubject({});
     parts.window.series().setNothingShown();
@@ -173,6 +175,7 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
     parts.window.setSubject(ui::windowSubject(series));
     parts.window.series().setCurrent(index);
     showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::windowSubject(series)));
+    parts.study.setVolume(volume);
     parts.document.open(std::move(volume));
 }
 
@@ -251,12 +254,18 @@ void leaveOutUnseen(const DesktopParts& parts) {
         parts.document.setSetup(leanSetup(parts.document, *ledger).setup);
 }
 
+void pickTissue(const DesktopParts& parts, QPointF place) {
+    if (parts.document.hasVolume())
+        parts.study.pick(parts.document.scene(), place);
+}
+
 void showDocument(const DesktopParts& parts) {
     const Document& document = parts.document;
     const auto camera = document.hasVolume() ? std::optional(document.setup().camera) : std::nullopt;
     parts.window.viewport().setCamera(camera);
     parts.window.look().setPreset(document.preset());
     parts.window.look().setBrightness(document.setup().stops);
+    parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
     parts.window.rendering().setEstimator(document.setup().estimator);
     parts.window.rendering().setSchedule(document.setup().schedule);
     parts.window.setSmoothed(document.smoothed());

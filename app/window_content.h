@@ -7,6 +7,8 @@
 #include "app/import_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
+#include "app/tissue_edits.h"
+#include "app/tissue_study.h"
 #include "ui/main_window.h"
 
 namespace pdr::app {
@@ -18,6 +20,8 @@ struct DesktopParts {
     RenderBridge& bridge;
     ui::MainWindow& window;
     Settings& settings;
+    TissueStudy& study;
+    TissueEdits& tissue;
 };
 
 /// An invitation to open a folder, and no picture; nothing of the one before is kept.
@@ -48,6 +52,8 @@ void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& 
 void showEffects(const DesktopParts& parts);
 /// Does what the panel of effects offers.
 void leaveOutUnseen(const DesktopParts& parts);
+/// What the click on the picture asks for: what lies there.
+void pickTissue(const DesktopParts& parts, QPointF place);
 /// Everything that follows the document: the camera that the user turns, preset, brightness, undo.
 void showDocument(const DesktopParts& parts);
 

@@ -43,6 +43,12 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&window.rendering(), &ui::RenderPanel::scheduleChosen, &document, &Document::setSchedule);
     QObject::connect(&window.effects(), &ui::EffectLedger::leaveOutChosen, &document,
                      [parts] { leaveOutUnseen(parts); });
+    QObject::connect(&window.tissue(), &ui::TissuePanel::transferFunctionEdited, &parts.tissue,
+                     &TissueEdits::setTransferFunction);
+    QObject::connect(&window.viewport(), &ui::Viewport::tissueDragged, &parts.tissue, &TissueEdits::drag);
+    QObject::connect(&window.viewport(), &ui::Viewport::tissuePicked, &window,
+                     [parts](QPointF place) { pickTissue(parts, place); });
+    QObject::connect(&parts.study, &TissueStudy::tissueFound, &parts.tissue, &TissueEdits::addBell);
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }
@@ -84,6 +90,10 @@ void wireScreen(const DesktopParts& parts) {
     QObject::connect(&parts.bridge, &RenderBridge::deviceChanged, &window.rendering(), &ui::RenderPanel::setDevice);
     QObject::connect(&parts.bridge, &RenderBridge::noticed, &window,
                      [parts](const QString& sentences) { showNotice(parts, sentences); });
+    QObject::connect(&parts.study, &TissueStudy::histogramFound, &window.tissue(), &ui::TissuePanel::setHistogram);
+    QObject::connect(&parts.study, &TissueStudy::nothingFound, &window, [parts] {
+        parts.window.status().showForAWhile(ui::MainWindow::tr("there is too little tissue at that place"));
+    });
     QObject::connect(&parts.bridge, &RenderBridge::saved, &window, [parts](const QString& file) {
         parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file));
     });

@@ -1,6 +1,7 @@
 #include "ui/keys_overlay.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -12,30 +13,33 @@ struct KeyHelp {
     const char* effect;
 };
 
-const std::array<KeyHelp, 24> kKeys{{{"Left drag, arrow keys", "turn"},
-                                     {"Middle or Shift+left drag", "move"},
-                                     {"Wheel, right drag, + and -", "zoom"},
-                                     {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
-                                     {"R, double click", "first view"},
-                                     {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo"},
-                                     {"Space", "pause, go on (also beyond what was reached)"},
-                                     {"Left, Right on the strip (Tab)", "hold sooner, more accurate"},
-                                     {"S", "smoothed, or raw with its noise"},
-                                     {"Mouse at rest", "how good the picture is there"},
-                                     {"E", "where the picture is still rough"},
-                                     {"B, drag; B again", "a box that comes first; no box"},
-                                     {"Shift+E, click on the sentence", "accuracy on and off"},
-                                     {"Ctrl+O, drop a folder", "open a folder"},
-                                     {"Ctrl+S", "save the picture (PNG or EXR)"},
-                                     {"F2", "series on and off"},
-                                     {"F3", "look on and off"},
-                                     {"F4", "rendering on and off"},
-                                     {"F6", "what the seconds go to, on and off"},
-                                     {"F11", "the picture alone"},
-                                     {"Tab", "next control"},
-                                     {"Esc", "cancel reading or a box, close a message"},
-                                     {"H, ?", "this help"},
-                                     {"Ctrl+Q", "quit"}}};
+const auto kKeys = std::to_array<KeyHelp>({{"Left drag, arrow keys", "turn"},
+                                           {"Middle or Shift+left drag", "move"},
+                                           {"Wheel, right drag, + and -", "zoom"},
+                                           {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
+                                           {"R, double click", "first view"},
+                                           {"Ctrl+drag on the picture", "shift the tissue's curve, widen it"},
+                                           {"Ctrl+click on the picture", "show the tissue that is there"},
+                                           {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo"},
+                                           {"Space", "pause, go on (also beyond what was reached)"},
+                                           {"Left, Right on the strip (Tab)", "hold sooner, more accurate"},
+                                           {"S", "smoothed, or raw with its noise"},
+                                           {"Mouse at rest", "how good the picture is there"},
+                                           {"E", "where the picture is still rough"},
+                                           {"B, drag; B again", "a box that comes first; no box"},
+                                           {"Shift+E, click on the sentence", "accuracy on and off"},
+                                           {"Ctrl+O, drop a folder", "open a folder"},
+                                           {"Ctrl+S", "save the picture (PNG or EXR)"},
+                                           {"F2", "series on and off"},
+                                           {"F3", "look on and off"},
+                                           {"F4", "rendering on and off"},
+                                           {"F5", "tissue: curves and colours, on and off"},
+                                           {"F6", "what the seconds go to, on and off"},
+                                           {"F11", "the picture alone"},
+                                           {"Tab", "next control"},
+                                           {"Esc", "cancel reading or a box, close a message"},
+                                           {"H, ?", "this help"},
+                                           {"Ctrl+Q", "quit"}});
 
 }  // namespace
 
@@ -60,7 +64,8 @@ void KeysOverlay::toggle() {
 void KeysOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(12, 13, 15, 225));
-    const int lineHeight = int(painter.fontMetrics().height() * 1.8);
+    const int room = height() / int(kKeys.size());
+    const int lineHeight = std::min(int(painter.fontMetrics().height() * 1.8), room);
     const int top = (height() - lineHeight * int(kKeys.size())) / 2;
     const int middle = width() / 2;
     for (int i = 0; i < int(kKeys.size()); ++i) {

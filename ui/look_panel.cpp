@@ -31,17 +31,23 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
     connect(&pause_, &QPushButton::clicked, this, &LookPanel::pauseChosen);
     setPaused(false);
 
+    tissue_.setText(tr("&Tissue..."));
+    tissue_.setAccessibleName(tr("Edit the tissue"));
+    tissue_.setToolTip(tr("Curves and colours over Hounsfield units (F5)"));
+    connect(&tissue_, &QPushButton::clicked, this, &LookPanel::tissueWanted);
+
     auto* brightnessLabel = new QLabel(tr("&Brightness"));
     brightnessLabel->setBuddy(&brightness_);
 
     // A click leaves the keyboard with the picture, so that Space goes on to mean pause; Tab still reaches everything.
-    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &pause_})
+    for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &brightness_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 10);
     column->setSpacing(8);
     column->addLayout(presetColumn_);
+    column->addWidget(&tissue_);
     column->addSpacing(14);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
@@ -62,8 +68,10 @@ void LookPanel::setPresets(const QStringList& names) {
 }
 
 void LookPanel::setPreset(int index) {
-    if (QAbstractButton* button = presets_.button(index))
-        button->setChecked(true);
+    presets_.setExclusive(false);  // so that none may be chosen
+    for (QAbstractButton* button : presets_.buttons())
+        button->setChecked(presets_.id(button) == index);
+    presets_.setExclusive(true);
 }
 
 void LookPanel::setBrightness(double stops) {

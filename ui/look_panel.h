@@ -16,6 +16,7 @@ class LookPanel : public QWidget {
     explicit LookPanel(QWidget* parent = nullptr);
 
     void setPresets(const QStringList& names);
+    /// -1: none of them is shown.
     void setPreset(int index);
     /// In stops: one more is twice as bright; 0 = as the preset says. Kept in [-4, 4].
     void setBrightness(double stops);
@@ -28,11 +29,14 @@ class LookPanel : public QWidget {
     /// `moving`: the slider is still held; the last one of a gesture comes with false.
     void brightnessChosen(double stops, bool moving);
     void pauseChosen(bool paused);
+    /// The curves and colours behind the presets are to be edited, or not any more.
+    void tissueWanted();
 
   private:
     QVBoxLayout* presetColumn_;
     QButtonGroup presets_;
     QSlider brightness_;
+    QPushButton tissue_;
     QPushButton pause_;
 };
 

@@ -31,7 +31,7 @@ QWidget* panelTitle(const QString& title, QDockWidget* dock) {
     fold->setFocusPolicy(Qt::TabFocus);
     fold->setAccessibleName(MainWindow::tr("Fold %1 away").arg(title));
     fold->setToolTip(MainWindow::tr("Fold away (%1)").arg(dock->toggleViewAction()->shortcut().toString()));
-    QObject::connect(fold, &QToolButton::clicked, dock, &QWidget::close);
+    QObject::connect(fold, &QToolButton::clicked, dock->toggleViewAction(), &QAction::trigger);
 
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
@@ -48,6 +48,7 @@ MainWindow::MainWindow()
       region_(new RegionBox(viewport_)),
       series_(new SeriesPanel),
       look_(new LookPanel),
+      tissue_(new TissuePanel),
       rendering_(new RenderPanel),
       effects_(new EffectLedger),
       foot_(new Foot),
@@ -66,6 +67,11 @@ MainWindow::MainWindow()
 
     seriesDock_ = addPanel(tr("Series"), series_, Qt::LeftDockWidgetArea, Qt::Key_F2);
     lookDock_ = addPanel(tr("Look"), look_, Qt::RightDockWidgetArea, Qt::Key_F3);
+    tissueDock_ = addPanel(tr("Tissue"), scrolled(tissue_), Qt::RightDockWidgetArea, Qt::Key_F5);
+    tissueDock_->hide();
+    connect(tissueDock_->toggleViewAction(), &QAction::triggered, this, &MainWindow::giveTissueItsPart);
+    connect(tissue_, &TissuePanel::pickingChosen, this, &MainWindow::setPicking);
+    connect(viewport_, &Viewport::tissuePicked, this, [this] { setPicking(false); });
     renderDock_ = addPanel(tr("Rendering"), scrolled(rendering_), Qt::RightDockWidgetArea, Qt::Key_F4);
     accuracyDock_ = addPanel(tr("Accuracy"), accuracy_, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E);
     accuracyDock_->hide();
@@ -85,6 +91,7 @@ MainWindow::MainWindow()
     connect(region_, &RegionBox::drawn, this, &MainWindow::chooseRegion);
     connect(region_, &RegionBox::notDrawn, this, [this] { regionFirst_->setChecked(false); });
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
+    connect(look_, &LookPanel::tissueWanted, tissueDock_->toggleViewAction(), &QAction::trigger);
     connect(accuracyDock_->toggleViewAction(), &QAction::triggered, this, &MainWindow::giveAccuracyItsPart);
     connect(&foot_->status(), &StatusLine::textClicked, accuracyDock_->toggleViewAction(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::cancelRequested, this, &MainWindow::cancelRequested);
@@ -154,6 +161,37 @@ void MainWindow::makeRoomBeside(QDockWidget* opened, QDockWidget* other) {
     });
 }
 
+/// The right-hand column; what is chosen once gives way where less than this fraction of the window is left for the
+/// picture.
+void MainWindow::giveTissueItsPart(bool shown) {
+    constexpr int kColumn = 316;
+    constexpr double kPicture = 0.6;
+    if (!shown) {
+        for (QDockWidget* dock : std::exchange(gaveWay_, {}))
+            dock->show();
+        return;
+    }
+    const int left = seriesDock_->isVisible() ? seriesDock_->width() : 0;
+    QList<QDockWidget*> inTheWay{renderDock_};
+    if (double(width() - left - kColumn) * viewport_->height() < kPicture * width() * height())
+        inTheWay << seriesDock_;
+    if (viewport_->height() < look_->minimumSizeHint().height() + tissue_->minimumSizeHint().height())
+        inTheWay << lookDock_;
+    for (QDockWidget* dock : std::as_const(inTheWay))
+        if (dock->isVisible()) {
+            dock->hide();
+            gaveWay_ << dock;
+        }
+    resizeDocks({tissueDock_}, {kColumn}, Qt::Horizontal);
+    resizeDocks({lookDock_, tissueDock_}, {1, height()}, Qt::Vertical);
+}
+
+/// Whether the next click on the picture picks a tissue.
+void MainWindow::setPicking(bool picking) {
+    viewport_->setPicking(picking);
+    tissue_->setPicking(picking);
+}
+
 void MainWindow::fillFileMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
     connect(menu->addAction(tr("&Open folder..."), QKeySequence::Open), &QAction::triggered, this,
@@ -212,6 +250,7 @@ void MainWindow::fillViewMenu() {
     menu->addSeparator();
     menu->addAction(seriesDock_->toggleViewAction());
     menu->addAction(lookDock_->toggleViewAction());
+    menu->addAction(tissueDock_->toggleViewAction());
     menu->addAction(renderDock_->toggleViewAction());
     menu->addAction(accuracyDock_->toggleViewAction());
     menu->addAction(effectsDock_->toggleViewAction());
@@ -250,8 +289,10 @@ void MainWindow::showPictureAlone(bool alone) {
     renderDock_->setVisible(!alone);
     viewport_->setCaptionShown(alone);
     accuracyDock_->setVisible(!alone);
-    if (alone)
+    if (alone) {
         effectsDock_->hide();
+        tissueDock_->hide();
+    }
     setWindowState(alone ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     if (!alone)
         restoreState(stateBeforeAlone_);
@@ -283,6 +324,7 @@ void MainWindow::escape() {
         region_->stopDrawing();
         return regionFirst_->setChecked(false);
     }
+    setPicking(false);
     alone_->setChecked(false);
     message_->clear();
     emit cancelRequested();

@@ -17,6 +17,7 @@
 #include "ui/region_box.h"
 #include "ui/render_panel.h"
 #include "ui/series_panel.h"
+#include "ui/tissue/tissue_panel.h"
 #include "ui/viewport.h"
 
 namespace pdr::ui {
@@ -30,6 +31,7 @@ class MainWindow : public QMainWindow {
     Viewport& viewport() { return *viewport_; }
     SeriesPanel& series() { return *series_; }
     LookPanel& look() { return *look_; }
+    TissuePanel& tissue() { return *tissue_; }
     RenderPanel& rendering() { return *rendering_; }
     EffectLedger& effects() { return *effects_; }
     Foot& foot() { return *foot_; }
@@ -82,6 +84,8 @@ class MainWindow : public QMainWindow {
   private:
     QDockWidget* addPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key);
     void makeRoomBeside(QDockWidget* opened, QDockWidget* other);
+    void giveTissueItsPart(bool shown);
+    void setPicking(bool picking);
     void fillFileMenu();
     void fillEditMenu();
     void fillViewMenu();
@@ -99,6 +103,7 @@ class MainWindow : public QMainWindow {
     RegionBox* region_;
     SeriesPanel* series_;
     LookPanel* look_;
+    TissuePanel* tissue_;
     RenderPanel* rendering_;
     EffectLedger* effects_;
     Foot* foot_;
@@ -107,6 +112,7 @@ class MainWindow : public QMainWindow {
     KeysOverlay* keys_;
     QDockWidget* seriesDock_ = nullptr;
     QDockWidget* lookDock_ = nullptr;
+    QDockWidget* tissueDock_ = nullptr;
     QDockWidget* renderDock_ = nullptr;
     QDockWidget* accuracyDock_ = nullptr;
     QDockWidget* effectsDock_ = nullptr;
@@ -119,6 +125,7 @@ class MainWindow : public QMainWindow {
     QAction* regionFirst_ = nullptr;
     QAction* alone_ = nullptr;
     QByteArray stateBeforeAlone_;
+    QList<QDockWidget*> gaveWay_;  ///< panels that come back when the one of the tissue goes
     QString lastFolder_;
 };
 

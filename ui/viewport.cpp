@@ -9,6 +9,7 @@
 #include <QWheelEvent>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "render/scene/orbit.h"
 #include "ui/error_legend.h"
@@ -107,12 +108,38 @@ void Viewport::showTip(QPointF place, const QString& text) {
         QToolTip::showText(restingAt_, text, this, QRect(mapFromGlobal(restingAt_), QSize(1, 1)));
 }
 
+/// In fractions of the picture's width and height.
+QPointF Viewport::placeOf(QPointF point) const {
+    const QRectF area = pictureArea();
+    const QPointF place = point - area.topLeft();
+    return {place.x() / area.width(), place.y() / area.height()};
+}
+
+void Viewport::setPicking(bool picking) {
+    picking_ = picking;
+    setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void Viewport::dragTissue(QPointF point) {
+    constexpr double kTremble = 3;  // [px]
+    tissueMoved_ = tissueMoved_ || QLineF(pressed_, point).length() > kTremble;
+    const dvec2 drag = inHeights(point - pressed_);
+    if (tissueMoved_ && !picking_)
+        emit tissueDragged({drag.x, drag.y}, true);
+}
+
+void Viewport::endTissue(QPointF point) {
+    const dvec2 drag = inHeights(point - pressed_);
+    if (std::exchange(tissueMoved_, false) && !picking_)
+        return emit tissueDragged({drag.x, drag.y}, false);
+    if (picture_)
+        emit tissuePicked(placeOf(point));
+}
+
 void Viewport::tellPlace(const QHelpEvent& event) {
     if (!picture_ || gesture_ != Gesture::none)
         return;
-    const QRectF area = pictureArea();
-    const QPointF place = event.pos() - area.topLeft();
-    resting_ = QPointF(place.x() / area.width(), place.y() / area.height());
+    resting_ = placeOf(event.pos());
     restingAt_ = event.globalPos();
     if (QRectF(0, 0, 1, 1).contains(*resting_))
         emit rested(*resting_);
@@ -147,6 +174,8 @@ Viewport::Gesture Viewport::gestureOf(const QMouseEvent& event) {
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     switch (event.button()) {
         case Qt::LeftButton:
+            if (event.modifiers().testFlag(Qt::ControlModifier))
+                return Gesture::tissue;
             return shift ? Gesture::pan : Gesture::orbit;
         case Qt::MiddleButton:
             return Gesture::pan;
@@ -160,8 +189,8 @@ Viewport::Gesture Viewport::gestureOf(const QMouseEvent& event) {
 void Viewport::mousePressEvent(QMouseEvent* event) {
     if (gesture_ != Gesture::none)
         return;
-    gesture_ = gestureOf(*event);
-    last_ = event->position();
+    gesture_ = picking_ && event->button() == Qt::LeftButton ? Gesture::tissue : gestureOf(*event);
+    last_ = pressed_ = event->position();
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
@@ -177,6 +206,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
             return edit(panned(*camera_, drag));
         case Gesture::zoom:
             return edit(zoomed(*camera_, std::pow(kZoomPerHeight, -drag.y)));
+        case Gesture::tissue:
+            return dragTissue(event->position());
         case Gesture::none:
             return;
     }
@@ -185,12 +216,14 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     if (event->buttons() != Qt::NoButton)
         return;
-    gesture_ = Gesture::none;
+    if (std::exchange(gesture_, Gesture::none) == Gesture::tissue)
+        endTissue(event->position());
     rest();
 }
 
-void Viewport::mouseDoubleClickEvent(QMouseEvent*) {
-    emit resetRequested();
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (!event->modifiers().testFlag(Qt::ControlModifier))
+        emit resetRequested();
 }
 
 /// The point under the cursor stays under it.

@@ -43,6 +43,8 @@ class Viewport : public QWidget {
     /// The camera that the next edit starts from, which may be ahead of the picture's. None: edits are ignored.
     void setCamera(const std::optional<Camera>& camera);
     void setCaptionShown(bool shown);
+    /// Whether the next click picks what lies under it, and turns nothing.
+    void setPicking(bool picking);
     /// What stands in the middle as long as there is no picture.
     void setMessage(const QString& message);
     /// What stands there now; nothing with a picture.
@@ -57,6 +59,10 @@ class Viewport : public QWidget {
   signals:
     /// A drag, a wheel or an arrow key. `moving`: the gesture goes on; the last edit of a gesture comes with false.
     void cameraEdited(const pdr::Camera& camera, bool moving);
+    /// A drag with Ctrl: how far it has come, in fractions of the view's height. `moving` as above.
+    void tissueDragged(QPointF drag, bool moving);
+    /// A click with Ctrl, or the one that was asked for: at `place`, in fractions of the picture's width and height.
+    void tissuePicked(QPointF place);
     /// The mouse rests on the picture: at `place`, in fractions of its width and height.
     void rested(QPointF place);
     /// A double click.
@@ -76,7 +82,7 @@ class Viewport : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Gesture { none, orbit, pan, zoom };
+    enum class Gesture { none, orbit, pan, zoom, tissue };
     static Gesture gestureOf(const QMouseEvent& event);
 
     void edit(const Camera& camera);
@@ -86,6 +92,9 @@ class Viewport : public QWidget {
     /// From widget coordinates to fractions of the view's height.
     dvec2 inHeights(QPointF distance) const;
     QRectF pictureArea() const;
+    QPointF placeOf(QPointF point) const;
+    void dragTissue(QPointF point);
+    void endTissue(QPointF point);
     void tellPlace(const QHelpEvent& event);
     void paintPicture(QPainter& painter) const;
     void paintImage(QPainter& painter, const QImage& image) const;
@@ -101,6 +110,9 @@ class Viewport : public QWidget {
     Gesture gesture_ = Gesture::none;
     bool moved_ = false;  ///< the gesture has edited the camera
     QPointF last_;
+    QPointF pressed_;
+    bool tissueMoved_ = false;  ///< further than a hand that clicks trembles
+    bool picking_ = false;
     std::optional<QPointF> resting_;  ///< place that was told last; none: the mouse has moved on
     QPoint restingAt_;                ///< on the screen
     QTimer settleTimer_;              ///< the size has settled when this runs out

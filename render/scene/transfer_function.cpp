@@ -37,6 +37,16 @@ TransferNode TransferFunction::at(float hu) const {
     return outermost;
 }
 
+TransferNode TransferFunction::before(float hu) const {
+    const auto next = std::lower_bound(nodes.begin(), nodes.end(), hu,
+                                       [](const TransferNode& node, float value) { return node.hu < value; });
+    if (next != nodes.begin() && next != nodes.end())
+        return between(*(next - 1), *next, hu);
+    TransferNode outermost = next == nodes.begin() ? nodes.front() : nodes.back();
+    outermost.hu = hu;
+    return outermost;
+}
+
 float TransferFunction::opacityAt(float hu) const {
     const auto after = firstAfter(nodes, hu);
     if (after == nodes.begin() || after == nodes.end())

@@ -32,6 +32,9 @@ struct TransferFunction {
     /// All properties at `hu`, by the rules above. Needs at least one node.
     TransferNode at(float hu) const;
 
+    /// What at() comes close to from the left: another value at a step only. Needs at least one node.
+    TransferNode before(float hu) const;
+
     /// at(hu).opacity, without the rest.
     float opacityAt(float hu) const;
 

@@ -2,9 +2,9 @@
 /// first picture that knows of it.
 ///   interaction FOLDER [--seconds S] [--threads N]
 /// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse tells them, 125 a second: a
-/// drag that turns, and a drag of the brightness. Then single edits, views and presets, one after a rest of a second.
-/// Prints a line each: events that were answered, milliseconds (median, 99 in 100, most), pictures a second, the median
-/// of their widths, and the processor time of the whole program to the time of the clock.
+/// drag that turns, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and presets,
+/// one after a rest of a second. Prints a line each: events that were answered, milliseconds (median, 99 in 100, most),
+/// pictures a second, the median of their widths, and the processor time of the whole program to the time of the clock.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -144,6 +144,20 @@ void brighten(Desktop& desktop, Stopwatch& watch, double seconds) {
     slider->setSliderDown(false);
 }
 
+/// A node goes round, on the panel of the tissue.
+void bend(Desktop& desktop, Stopwatch& watch, double seconds) {
+    ui::CurveEditor& editor = desktop.window().tissue().editor();
+    const CurvePoint point = editor.points()[editor.points().size() / 2];
+    const QPointF place = editor.view().at(double(point.hu), double(point.value));
+    mouse(editor, QEvent::MouseButtonPress, place);
+    watch.begin();
+    watch.repeat(seconds, kBetweenEventsMs, [&](int i) {
+        mouse(editor, QEvent::MouseMove, place + 20 * QPointF(std::sin(0.05 * (i + 1)), std::cos(0.05 * (i + 1))));
+    });
+    watch.report("a node of the tissue");
+    mouse(editor, QEvent::MouseButtonRelease, place);
+}
+
 void edits(Desktop& desktop, Stopwatch& watch, double seconds) {
     Document& document = desktop.parts().document;
     watch.begin();
@@ -159,6 +173,7 @@ int run(const QString& folder, double seconds, int threads) {
     Desktop desktop(*bundledPresets(), makeCpuDevice(threads), settings.filePath("settings.ini"), threads);
     Stopwatch watch(desktop);
     desktop.window().show();
+    emit desktop.window().look().tissueWanted();  // opens the panel
     desktop.open(folder);
     if (!QTest::qWaitFor([&] { return watch.last() && !watch.last()->coarse; }, 600'000)) {
         std::printf("no picture of %s\n", qPrintable(folder));
@@ -170,6 +185,8 @@ int run(const QString& folder, double seconds, int threads) {
     QTest::qWait(3000);
     brighten(desktop, watch, seconds);
     QTest::qWait(1000);
+    bend(desktop, watch, seconds);
+    QTest::qWait(3000);
     edits(desktop, watch, seconds);
     return 0;
 }

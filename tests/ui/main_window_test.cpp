@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include "ui/main_window.h"
 
@@ -23,6 +24,8 @@ class TestMainWindow : public QObject {
     void undoAndRedoHaveKeysAndNeedSomethingToUndo();
     void keysWorkWhenThePictureIsAlone();
     void oneOfThePanelsBelowMakesRoomForTheOther();
+    void theTissueLeavesThePictureMostOfTheWindow_data();
+    void theTissueLeavesThePictureMostOfTheWindow();
     void theKeysAreShownAndGoAwayAgain();
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
@@ -132,6 +135,35 @@ void TestMainWindow::oneOfThePanelsBelowMakesRoomForTheOther() {
     window.resize(1800, 800);
     QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
     QCOMPARE(shown(), std::pair(true, true));
+}
+
+void TestMainWindow::theTissueLeavesThePictureMostOfTheWindow_data() {
+    QTest::addColumn<QSize>("size");
+    for (const QSize size : {QSize(1100, 700), QSize(1400, 900), QSize(2000, 1000), QSize(3000, 2000)})
+        QTest::addRow("%d x %d", size.width(), size.height()) << size;
+}
+
+/// 60 %; what gave way comes back with whichever way the panel is closed.
+void TestMainWindow::theTissueLeavesThePictureMostOfTheWindow() {
+    QFETCH(QSize, size);
+    MainWindow window;
+    activate(window);
+    window.foot().setRemarks({"a remark"});
+    window.resize(size);
+    QCoreApplication::processEvents();
+    const auto shown = [&] { return std::pair(window.series().isVisible(), window.rendering().isVisible()); };
+    const auto before = shown();
+    const auto picture = [&] { return double(window.viewport().width()) * window.viewport().height(); };
+    QTest::keyClick(&window, Qt::Key_F5);
+    QTRY_VERIFY(window.tissue().isVisible());
+    QTRY_VERIFY2(picture() >= 0.6 * size.width() * size.height(),
+                 qPrintable(QString::number(picture() / (size.width() * size.height()))));
+    QVERIFY(window.look().isVisible());
+    for (QToolButton* fold : window.findChildren<QToolButton*>())
+        if (fold->accessibleName() == "Fold Tissue away")
+            fold->click();
+    QVERIFY(!window.tissue().isVisible());
+    QCOMPARE(shown(), before);
 }
 
 void TestMainWindow::theKeysAreShownAndGoAwayAgain() {

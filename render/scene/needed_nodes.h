@@ -1,0 +1,25 @@
+#pragma once
+/// Which nodes of a transfer function are there for which of its properties.
+
+#include <vector>
+
+#include "render/scene/transfer_function.h"
+
+namespace pdr {
+
+/// Properties of a node; several: A | B.
+enum NodeProperty : unsigned {
+    kOpacity = 1,
+    kAlbedo = 2,
+    kEmission = 4,
+    kSpecular = 8,
+    kRoughness = 16,
+    kAllProperties = 31
+};
+
+/// For each node whether one of `properties` (a sum of NodeProperty) changes when it is left out, with all others that
+/// are not needed either: none where they are the same everywhere. Lines count as straight to 1e-6 of the property's
+/// largest value.
+std::vector<bool> neededBy(const std::vector<TransferNode>& nodes, unsigned properties);
+
+}  // namespace pdr

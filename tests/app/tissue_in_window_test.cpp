@@ -1,0 +1,195 @@
+/// The tissue in the whole window: the histogram comes by itself, edits on the panel and on the picture change the
+/// picture, each gesture is one step, and undo brings back the same bits.
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "render/scene/tissue_channels.h"
+#include "tests/support/desktop_trial.h"
+#include "tests/support/patience.h"
+#include "tests/support/phantom_series.h"
+#include "tests/support/pictures.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+/// Presses there, moves on in two steps, and lets go.
+static void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers keys) {
+    QTest::mousePress(&widget, Qt::LeftButton, keys, from);
+    for (const QPoint place : {(from + to) / 2, to}) {
+        QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, Qt::LeftButton, keys);
+        QCoreApplication::sendEvent(&widget, &move);
+    }
+    QTest::mouseRelease(&widget, Qt::LeftButton, keys, to);
+}
+
+/// What the renderer makes of the document's scene, small.
+static Film rendered(const Document& document) {
+    Scene scene = document.scene();
+    scene.film = {48, 40};
+    return test::sampled(Flattener().prepare(scene), 4);
+}
+
+class TestTissueInWindow : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void theHistogramComesWithTheVolumeAndGoesWithIt();
+    void anEditedNodeIsOneStepAndUndoBringsTheSameBits();
+    void aDragOnThePictureShiftsAndWidens();
+    void aClickOnThePictureShowsTheTissueThere();
+    void theButtonPicksOnce();
+    void besideTheAnatomyNothingIsPicked();
+    void whatIsClosedIsNotHeld();
+    void nothingIsToldOfWhatIsClosed();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+void TestTissueInWindow::initTestCase() {
+    series_ = folder_.filePath("series");
+    QVERIFY(writePhantomSeries(ui::fromQt(series_)));
+}
+
+void TestTissueInWindow::theHistogramComesWithTheVolumeAndGoesWithIt() {
+    Trial trial;
+    QSignalSpy found(&trial.desktop.parts().study, &TissueStudy::histogramFound);
+    trial.openAndWait(series_);
+    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, test::kPatience);
+    const auto histogram = found.front().front().value<std::shared_ptr<const Histogram>>();
+    QCOMPARE(histogram->total(), 64.0 * 57 * 64);
+    const ui::PlotView& view = trial.desktop.window().tissue().editor().view();
+    QVERIFY(view.lowHu() < histogram->percentile(0.001) && view.highHu() > histogram->percentile(0.999));
+}
+
+void TestTissueInWindow::anEditedNodeIsOneStepAndUndoBringsTheSameBits() {
+    Trial trial;
+    trial.openAndWait(series_);
+    Document& document = trial.desktop.parts().document;
+    const Look before = document.setup().look;
+    const Film picture = rendered(document);
+    ui::CurveEditor& editor = trial.desktop.window().tissue().editor();
+    editor.resize(400, 200);
+    const CurvePoint point = editor.points()[5];
+    const QPoint place = editor.view().at(double(point.hu), double(point.value)).toPoint();
+    drag(editor, place, place + QPoint(20, 40), {});
+    QVERIFY(document.setup().look != before);
+    QVERIFY(document.setup().look.transferFunction.check());
+    QCOMPARE(document.preset(), -1);
+    QVERIFY(!test::sameBits(rendered(document), picture));
+    trial.waitForNewest();
+    QVERIFY(trial.desktop.parts().bridge.lastFrame()->error.empty());
+
+    document.undo();
+    QVERIFY(!document.canUndo());
+    QVERIFY(document.setup().look == before);
+    QVERIFY(trial.desktop.window().tissue().transferFunction() == before.transferFunction);
+    QVERIFY(test::sameBits(rendered(document), picture));
+    document.redo();
+    QVERIFY(document.setup().look != before);
+}
+
+void TestTissueInWindow::aDragOnThePictureShiftsAndWidens() {
+    Trial trial;
+    trial.openAndWait(series_);
+    Document& document = trial.desktop.parts().document;
+    const PictureSetup before = document.setup();
+    const TransferFunction& nodes = document.setup().look.transferFunction;
+    ui::Viewport& viewport = trial.desktop.window().viewport();
+    const QPoint middle = viewport.rect().center();
+    drag(viewport, middle, middle + QPoint(viewport.height() / 5, 0), Qt::ControlModifier);
+    for (std::size_t i = 0; i < nodes.nodes.size(); ++i)
+        QVERIFY(std::abs(nodes.nodes[i].hu - before.look.transferFunction.nodes[i].hu - 200) < 4);
+    QVERIFY(document.setup().camera == before.camera);
+    const double width = double(nodes.nodes.back().hu - nodes.nodes.front().hu);
+    drag(viewport, middle, middle - QPoint(0, viewport.height() / 2), Qt::ControlModifier);
+    QVERIFY(std::abs(double(nodes.nodes.back().hu - nodes.nodes.front().hu) / width - 2) < 0.1);
+    document.undo();
+    document.undo();
+    QVERIFY(!document.canUndo());
+    QVERIFY(document.setup() == before);
+}
+
+void TestTissueInWindow::aClickOnThePictureShowsTheTissueThere() {
+    Trial trial;
+    trial.openAndWait(series_);
+    Document& document = trial.desktop.parts().document;
+    const Look before = document.setup().look;
+    QSignalSpy found(&trial.desktop.parts().study, &TissueStudy::tissueFound);
+    QTest::mouseClick(&trial.desktop.window().viewport(), Qt::LeftButton, Qt::ControlModifier,
+                      trial.desktop.window().viewport().rect().center());
+    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, test::kPatience);
+    const float hu = std::round(found.front().front().value<TissueUnder>().hu);
+    const TransferFunction& after = document.setup().look.transferFunction;
+    const float top = heightOf(curveOf(before.transferFunction, TissueChannel::opacity));
+    QVERIFY(std::abs(after.opacityAt(hu) - top) < 1e-5f);
+    for (float other = -1024; other < 3000; other += 3)
+        QVERIFY(after.opacityAt(other) >= before.transferFunction.opacityAt(other) - 1e-5f);
+    document.undo();
+    QVERIFY(document.setup().look == before && !document.canUndo());
+}
+
+void TestTissueInWindow::theButtonPicksOnce() {
+    Trial trial;
+    trial.openAndWait(series_);
+    ui::MainWindow& window = trial.desktop.window();
+    const Camera camera = trial.desktop.parts().document.setup().camera;
+    QSignalSpy picked(&window.viewport(), &ui::Viewport::tissuePicked);
+    const QPoint middle = window.viewport().rect().center();
+    emit window.tissue().pickingChosen(true);
+    drag(window.viewport(), middle, middle + QPoint(50, 0), {});
+    QCOMPARE(picked.count(), 1);
+    QVERIFY(trial.desktop.parts().document.setup().camera == camera);
+    drag(window.viewport(), middle, middle + QPoint(50, 0), {});
+    QCOMPARE(picked.count(), 1);
+    QVERIFY(trial.desktop.parts().document.setup().camera != camera);
+    emit window.tissue().pickingChosen(true);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    QTest::mouseClick(&window.viewport(), Qt::LeftButton, {}, middle);
+    QCOMPARE(picked.count(), 1);
+}
+
+void TestTissueInWindow::besideTheAnatomyNothingIsPicked() {
+    Trial trial;
+    trial.openAndWait(series_);
+    QSignalSpy nothing(&trial.desktop.parts().study, &TissueStudy::nothingFound);
+    QTest::mouseClick(&trial.desktop.window().viewport(), Qt::LeftButton, Qt::ControlModifier, {3, 3});
+    QTRY_COMPARE_WITH_TIMEOUT(nothing.count(), 1, test::kPatience);
+    QVERIFY(!trial.desktop.parts().document.canUndo());
+}
+
+/// Another series is read when the volume before is freed: also while its tissue is looked at.
+void TestTissueInWindow::whatIsClosedIsNotHeld() {
+    Trial trial;
+    trial.openAndWait(series_);
+    const std::weak_ptr<const Volume> volume = trial.desktop.parts().document.scene().volume;
+    QTest::mouseClick(&trial.desktop.window().viewport(), Qt::LeftButton, Qt::ControlModifier,
+                      trial.desktop.window().viewport().rect().center());
+    showNothing(trial.desktop.parts());
+    trial.frames.clear();
+    QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), test::kPatience);
+    trial.openAndWait(series_);
+    QVERIFY(!trial.desktop.parts().document.canUndo());
+}
+
+/// Not even what was found while the window was busy.
+void TestTissueInWindow::nothingIsToldOfWhatIsClosed() {
+    TissueStudy study;
+    QSignalSpy found(&study, &TissueStudy::histogramFound);
+    study.setVolume(test::bumpyVolume({20, 20, 20}, dvec3(1), 1));
+    QTest::qSleep(200);
+    study.setVolume(nullptr);
+    QTest::qWait(50);
+    QCOMPARE(found.count(), 0);
+    study.setVolume(test::bumpyVolume({10, 10, 10}, dvec3(1), 1));
+    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, test::kPatience);
+    QCOMPARE(found.front().front().value<std::shared_ptr<const Histogram>>()->total(), 1000.0);
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestTissueInWindow)
+#include "tissue_in_window_test.moc"

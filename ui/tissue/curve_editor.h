@@ -1,0 +1,53 @@
+#pragma once
+/// A curve over the histogram of this patient, with tissue bands faint behind it and axes in Hounsfield units and in
+/// the curve's own unit. Setters are silent.
+
+#include <memory>
+
+#include "ui/tissue/curve_painter.h"
+#include "ui/tissue/histogram_bars.h"
+#include "ui/tissue/points_plot.h"
+
+namespace pdr::ui {
+
+class CurveEditor : public PointsPlot {
+    Q_OBJECT
+
+  public:
+    explicit CurveEditor(QWidget* parent = nullptr);
+
+    /// `top`: the largest value; `unit`: what the axis shows for a value of 1; `unitText`: its name, "/mm" or empty.
+    void setCurve(const Curve& curve, float top, double unit, const QString& unitText);
+    /// Of what lies below the curve.
+    void setColours(const std::vector<ColourStop>& stops);
+    /// Null: none is known.
+    void setHistogram(std::shared_ptr<const Histogram> histogram);
+    void setBarScale(BarScale scale);
+
+    double unit() const { return unit_; }
+    /// The distances of the plot from the widget's sides, for what stands below it.
+    QMargins plotMargins() const;
+
+    QSize sizeHint() const override { return {300, 190}; }
+    QSize minimumSizeHint() const override { return {200, 80}; }
+
+  protected:
+    CurvePoint step() const override;
+    QString tipAt(QPointF place) const override;
+    void zoomValues(double clicks) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    QString pointText(const CurvePoint& point) const;
+    void describe();
+    void layOut();
+
+    std::vector<ColourStop> colours_{ColourStop{}};
+    std::shared_ptr<const Histogram> histogram_;
+    BarScale barScale_ = BarScale::logarithmic;
+    double unit_ = 1;
+    QString unitText_;
+};
+
+}  // namespace pdr::ui
