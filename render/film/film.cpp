@@ -187,6 +187,10 @@ std::pair<StatusSums, ErrorCounts> Film::survey(const Look& look) const {
     return tbb::parallel_deterministic_reduce(Pixels(0, moments_.size(), 16384), Sums{}, add, join);
 }
 
+void Film::each(const PixelLook& look) const {
+    eachPixel(moments_.size(), [&](std::size_t pixel) { look(pixel, at(pixel)); });
+}
+
 FilmStatus Film::status() const {
     const StatusSums sums = survey([](auto&&...) {}).first;
     return statusOf(sums, moments_.size(), samples(), health_);

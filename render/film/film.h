@@ -93,6 +93,9 @@ class Film {
     /// it, on many threads.
     FilmStatus status(double exposure, const PixelLook& look) const;
 
+    /// The look alone.
+    void each(const PixelLook& look) const;
+
     FilmContent content() const { return {progress_, moments_, block_, health_}; }
 
   private:

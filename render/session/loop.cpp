@@ -187,8 +187,8 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     guided_ = nullptr;
     frameSeconds_ = 0;
     smoothedView_.clear();
-    lattice_.reset();
-    latticeSought_ = false;
+    biasMeasurements_.reset();
+    biasExposure_ = 0;
     errorMap_.clear();
     meter_.clear();
     checkpoint_ = std::move(film);

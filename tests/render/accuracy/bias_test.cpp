@@ -143,11 +143,11 @@ class BiasTest : public QObject {
         QVERIFY(needsMeasuring(facts) && !needsMeasuring({}));
         QCOMPARE(QString::fromStdString(biases(facts)[0].text),
                  QString("march of 3 voxels, fast filter: how much is not known yet"));
-        facts.measured = MeasuredBias{{0.097, 0.091, 0.103}, {12, 10, 14}};
+        facts.measured.shortcuts = MeasuredBias{{0.097, 0.091, 0.103}, {12, 10, 14}};
         QCOMPARE(QString::fromStdString(biases(facts)[0].text),
                  QString::fromUtf8("march of 3 voxels, fast filter: +9.7 % bright (+9.1 to +10.3), 95 % of the tissue "
                                    "within ±12 levels (10 to 14)"));
-        facts.measured->levels = {0.2, 0, 0.4};
+        facts.measured.shortcuts->levels = {0.2, 0, 0.4};
         QVERIFY(QString::fromStdString(biases(facts)[0].text)
                     .endsWith(QString::fromUtf8("within ±0.4 levels at most, by now not told from none")));
     }
