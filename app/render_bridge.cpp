@@ -22,8 +22,7 @@ bool isExr(const QString& file) {
 Result<void> write(const FilmView& view, Display display, bool captioned, const QString& file) {
     display.smoothed = display.smoothed && canBeSmoothed(view.scene);
     const Film& film = view.film;
-    const Rendered rendered{film.status(display.exposure, [](auto&&...) {}), display.exposure, view.seconds,
-                            view.device, view.bias};
+    const Rendered rendered{film.status(display.exposure), display.exposure, view.seconds, view.device, view.bias};
     const Provenance provenance = provenanceOf(view.scene, rendered);
     const std::filesystem::path path = ui::fromQt(file);
     if (isExr(file))
@@ -80,6 +79,11 @@ void RenderBridge::setDisplay(const Display& display) {
 
 void RenderBridge::setErrorMap(bool wanted) {
     session_.setErrorMap(wanted);
+}
+
+void RenderBridge::setRegion(const std::optional<QRectF>& box) {
+    session_.setRegion(box ? std::optional(Region{{box->left(), box->top()}, {box->right(), box->bottom()}})
+                           : std::nullopt);
 }
 
 void RenderBridge::askErrorAt(QPointF place) {

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QPointF>
+#include <QRectF>
 #include <QString>
 #include <memory>
 #include <mutex>
@@ -40,6 +41,8 @@ class RenderBridge : public QObject {
     void setDisplay(const pdr::Display& display);
     /// Whether frames come with a map of their error.
     void setErrorMap(bool wanted);
+    /// Which part of the pictures gets its samples first, in fractions of their width and height; none: all alike.
+    void setRegion(const std::optional<QRectF>& box);
     /// How far the picture may be off at `place`, in fractions of its width and height, and over 1 mm around. Ends
     /// with errorFound(), unless the picture is coarse or goes away.
     void askErrorAt(QPointF place);

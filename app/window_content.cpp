@@ -101,6 +101,8 @@ QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofP
 /// What makes the picture another one than it seems; or that nothing does.
 QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
+    if (frame.region)
+        remarks << ui::boxText(frame.region->status, !frame.region->reached, frame.status);
     remarks << smoothedTexts(frame) << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
     const std::vector<Bias> known = biases(frame.bias);
     for (const Bias& bias : known)
@@ -112,11 +114,33 @@ QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     return remarks;
 }
 
+ui::Holding holdingOf(const RenderBridge& bridge) {
+    if (bridge.paused())
+        return ui::Holding::paused;
+    return bridge.reached() ? ui::Holding::reached : ui::Holding::no;
+}
+
+/// Of the box as long as it gets all samples; else of the whole picture.
+ui::Accuracy accuracyOf(const DesktopParts& parts, const Frame& frame) {
+    ui::Accuracy accuracy{frame.status,  frame.coarse,          frame.smoothed,
+                          frame.steps,   frame.seconds,         holdingOf(parts.bridge),
+                          frame.history, lastTime(parts, frame)};
+    if (!frame.region || frame.region->reached)
+        return accuracy;
+    accuracy.status = frame.region->status;
+    accuracy.steps = frame.region->steps;
+    accuracy.points = frame.region->history;
+    accuracy.box = true;
+    return accuracy;
+}
+
 }  // namespace
 
 void showNothing(const DesktopParts& parts) {
     parts.document.close();
     parts.bridge.clear();
+    parts.bridge.setRegion(std::nullopt);
+    parts.window.setRegion(std::nullopt);
     showNoPicture(parts, invitation());
     parts.window.setSubject({});
     parts.window.series().setNothingShown();
@@ -190,11 +214,7 @@ void showStatus(const DesktopParts& parts) {
     const RenderBridge& bridge = parts.bridge;
     ui::Foot& foot = parts.window.foot();
     parts.window.setPaused(bridge.paused() || bridge.reached());
-    const ui::Holding holding = bridge.paused()    ? ui::Holding::paused
-                                : bridge.reached() ? ui::Holding::reached
-                                                   : ui::Holding::no;
-    const ui::Accuracy accuracy{frame->status,  frame->coarse, frame->smoothed, frame->steps,
-                                frame->seconds, holding,       frame->history,  lastTime(parts, *frame)};
+    const ui::Accuracy accuracy = accuracyOf(parts, *frame);
     const QString making = ui::makingText({QString::fromStdString(frame->device), frame->iterations, frame->efficiency,
                                            frame->status.samplesPerPixel, frame->iterationsPerSecond});
     foot.setAccuracy(accuracy);

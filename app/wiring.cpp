@@ -59,6 +59,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
     QObject::connect(&window.foot().strip(), &ui::AccuracyStrip::targetChosen, &bridge, &RenderBridge::setTarget);
     QObject::connect(&window, &ui::MainWindow::errorMapChosen, &bridge, &RenderBridge::setErrorMap);
+    QObject::connect(&window, &ui::MainWindow::regionChosen, &bridge, &RenderBridge::setRegion);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
     QObject::connect(&window, &ui::MainWindow::captionChosen, &bridge, &RenderBridge::setCaptioned);
     QObject::connect(&window, &ui::MainWindow::unseenChanged, &bridge, &RenderBridge::setUnseen);

@@ -98,20 +98,9 @@ QString smoothedSentenceOf(Ending ending) {
     return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing");
 }
 
-}  // namespace
-
-QString durationText(double seconds) {
-    if (seconds < 60)
-        return translated("%1 s").arg(std::max(1.0, std::round(seconds)));
-    const bool hours = seconds >= 3600;
-    const double value = seconds / (hours ? 3600 : 60);
-    return translated(hours ? "%1 h" : "%1 min").arg(QLocale::c().toString(value, 'f', value < 10 ? 1 : 0));
-}
-
-QString accuracyText(const Accuracy& accuracy) {
+/// Wherever that is said of.
+QString sentenceOn(const Accuracy& accuracy) {
     const FilmStatus& status = accuracy.status;
-    if (status.samplesPerPixel == 0)
-        return {};
     if (accuracy.coarse)
         return withLastTime(translated("A coarse picture first; the full one follows"), accuracy);
     if (!std::isfinite(status.displayError))
@@ -123,6 +112,23 @@ QString accuracyText(const Accuracy& accuracy) {
                                  .arg(wordText(qualityOf(status)), levels(status.displayError));
     const bool priced = ending == Ending::price || ending == Ending::leastPrice;
     return priced ? sentence.arg(levels(next->levels), durationText(next->seconds.value - accuracy.seconds)) : sentence;
+}
+
+}  // namespace
+
+QString durationText(double seconds) {
+    if (seconds < 60)
+        return translated("%1 s").arg(std::max(1.0, std::round(seconds)));
+    const bool hours = seconds >= 3600;
+    const double value = seconds / (hours ? 3600 : 60);
+    return translated(hours ? "%1 h" : "%1 min").arg(QLocale::c().toString(value, 'f', value < 10 ? 1 : 0));
+}
+
+QString accuracyText(const Accuracy& accuracy) {
+    if (accuracy.status.samplesPerPixel == 0)
+        return {};
+    const QString sentence = sentenceOn(accuracy);
+    return accuracy.box ? translated("In the box: %1").arg(sentence) : sentence;
 }
 
 QString previewText(const FilmStatus& status, double target, bool smoothed) {

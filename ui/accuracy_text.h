@@ -23,14 +23,15 @@ struct Accuracy {
     Holding holding = Holding::no;
     std::vector<ErrorPoint> points;              ///< how the error has fallen; none: not known
     std::optional<double> planningSeconds = {};  ///< from the beginning until +-8, as it took the last time
+    bool box = false;                            ///< all of this is said of the box on the picture alone
 };
 
 /// "8 s", "1.5 min", "2.0 h"
 QString durationText(double seconds);
 
 /// "Good for orientation · 95 % of the tissue within ±16 of 255 grey levels · ±8 in 40 s": a word, the number in what
-/// is seen, the price of the next step. What is not known it says, and what it was the last time. Nothing without
-/// samples.
+/// is seen, the price of the next step. What is not known it says, and what it was the last time. "In the box: ..."
+/// where it is said of that alone. Nothing without samples.
 QString accuracyText(const Accuracy& accuracy);
 
 /// "Preview, not converged · 95 % of the tissue within ±12 of 255 grey levels, wanted ±1", for pictures that leave the

@@ -12,7 +12,7 @@ struct KeyHelp {
     const char* effect;
 };
 
-const std::array<KeyHelp, 23> kKeys{{{"Left drag, arrow keys", "turn"},
+const std::array<KeyHelp, 24> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Middle or Shift+left drag", "move"},
                                      {"Wheel, right drag, + and -", "zoom"},
                                      {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
@@ -23,6 +23,7 @@ const std::array<KeyHelp, 23> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"S", "smoothed, or raw with its noise"},
                                      {"Mouse at rest", "how good the picture is there"},
                                      {"E", "where the picture is still rough"},
+                                     {"B, drag; B again", "a box that comes first; no box"},
                                      {"Shift+E, click on the sentence", "accuracy on and off"},
                                      {"Ctrl+O, drop a folder", "open a folder"},
                                      {"Ctrl+S", "save the picture (PNG or EXR)"},
@@ -32,7 +33,7 @@ const std::array<KeyHelp, 23> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"F6", "what the seconds go to, on and off"},
                                      {"F11", "the picture alone"},
                                      {"Tab", "next control"},
-                                     {"Esc", "cancel reading, close a message"},
+                                     {"Esc", "cancel reading or a box, close a message"},
                                      {"H, ?", "this help"},
                                      {"Ctrl+Q", "quit"}}};
 

@@ -45,6 +45,7 @@ QWidget* panelTitle(const QString& title, QDockWidget* dock) {
 
 MainWindow::MainWindow()
     : viewport_(new Viewport),
+      region_(new RegionBox(viewport_)),
       series_(new SeriesPanel),
       look_(new LookPanel),
       rendering_(new RenderPanel),
@@ -81,6 +82,8 @@ MainWindow::MainWindow()
         addActions(menu->menu()->actions());  // so that keys work while the menu bar is hidden
 
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
+    connect(region_, &RegionBox::drawn, this, &MainWindow::chooseRegion);
+    connect(region_, &RegionBox::notDrawn, this, [this] { regionFirst_->setChecked(false); });
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
     connect(accuracyDock_->toggleViewAction(), &QAction::triggered, this, &MainWindow::giveAccuracyItsPart);
     connect(&foot_->status(), &StatusLine::textClicked, accuracyDock_->toggleViewAction(), &QAction::trigger);
@@ -115,6 +118,11 @@ void MainWindow::setPaused(bool paused) {
 
 void MainWindow::setSmoothed(bool smoothed) {
     smoothed_->setChecked(smoothed);
+}
+
+void MainWindow::setRegion(const std::optional<QRectF>& box) {
+    regionFirst_->setChecked(box.has_value());
+    region_->setBox(box);
 }
 
 void MainWindow::setCaptioned(bool captioned) {
@@ -197,6 +205,10 @@ void MainWindow::fillViewMenu() {
     QAction* errorMap = menu->addAction(tr("Where it is still r&ough"), QKeySequence(Qt::Key_E));
     errorMap->setCheckable(true);
     connect(errorMap, &QAction::triggered, this, &MainWindow::errorMapChosen);
+    regionFirst_ = menu->addAction(tr("&Box first"), QKeySequence(Qt::Key_B));
+    regionFirst_->setCheckable(true);
+    regionFirst_->setToolTip(tr("Draw a box on the picture: it gets all samples until it is as good as wanted"));
+    connect(regionFirst_, &QAction::triggered, this, &MainWindow::drawOrForgetRegion);
     menu->addSeparator();
     menu->addAction(seriesDock_->toggleViewAction());
     menu->addAction(lookDock_->toggleViewAction());
@@ -252,7 +264,25 @@ void MainWindow::giveAccuracyItsPart(bool shown) {
         resizeDocks({accuracyDock_}, {int(kPart * height())}, Qt::Vertical);
 }
 
+void MainWindow::chooseRegion(const std::optional<QRectF>& box) {
+    setRegion(box);
+    emit regionChosen(box);
+}
+
+/// A box that is there is forgotten; else the next drag draws one.
+void MainWindow::drawOrForgetRegion(bool draw) {
+    region_->stopDrawing();
+    if (draw)
+        region_->startDrawing();
+    else
+        chooseRegion(std::nullopt);
+}
+
 void MainWindow::escape() {
+    if (region_->isDrawing()) {
+        region_->stopDrawing();
+        return regionFirst_->setChecked(false);
+    }
     alone_->setChecked(false);
     message_->clear();
     emit cancelRequested();

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <optional>
 
 #include "render/scene/camera.h"
 #include "ui/accuracy_panel.h"
@@ -13,6 +14,7 @@
 #include "ui/keys_overlay.h"
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
+#include "ui/region_box.h"
 #include "ui/render_panel.h"
 #include "ui/series_panel.h"
 #include "ui/viewport.h"
@@ -42,6 +44,8 @@ class MainWindow : public QMainWindow {
     void setUndoAvailable(bool undo, bool redo);
     void setPaused(bool paused);
     void setSmoothed(bool smoothed);
+    /// The box on the picture that gets its samples first; none: there is none.
+    void setRegion(const std::optional<QRectF>& box);
     /// Whether pictures that leave the window unfinished say so.
     void setCaptioned(bool captioned);
     /// Whether there is a picture to save.
@@ -59,6 +63,8 @@ class MainWindow : public QMainWindow {
     void captionChosen(bool captioned);
     /// Whether the picture is to show where it is still rough.
     void errorMapChosen(bool shown);
+    /// Which box of the picture is to get its samples first, in fractions of its width and height; none: all alike.
+    void regionChosen(const std::optional<QRectF>& box);
     void cancelRequested();
     /// Nobody can see the window, minimised or hidden; or it is back.
     void unseenChanged(bool unseen);
@@ -84,10 +90,13 @@ class MainWindow : public QMainWindow {
     void chooseFile();
     void showPictureAlone(bool alone);
     void giveAccuracyItsPart(bool shown);
+    void chooseRegion(const std::optional<QRectF>& box);
+    void drawOrForgetRegion(bool draw);
     void escape();
     void about();
 
     Viewport* viewport_;
+    RegionBox* region_;
     SeriesPanel* series_;
     LookPanel* look_;
     RenderPanel* rendering_;
@@ -107,6 +116,7 @@ class MainWindow : public QMainWindow {
     QAction* pause_ = nullptr;
     QAction* smoothed_ = nullptr;
     QAction* captioned_ = nullptr;
+    QAction* regionFirst_ = nullptr;
     QAction* alone_ = nullptr;
     QByteArray stateBeforeAlone_;
     QString lastFolder_;

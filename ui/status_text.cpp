@@ -77,6 +77,22 @@ QString stretchedText(ivec2 picture, QSize view) {
         .arg(view.height());
 }
 
+QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture) {
+    const auto levels = [](const FilmStatus& status) {
+        return QString::fromStdString(levelsText(status.displayError));
+    };
+    if (first && std::isfinite(picture.displayError))
+        return translated("the whole picture, which waits for the box: 95 % of the tissue within ±%1")
+            .arg(levels(picture));
+    if (first)
+        return translated("the rest of the picture waits for the box");
+    if (box.tissuePixels == 0)
+        return translated("there is no tissue in the box");
+    if (!std::isfinite(box.displayError))
+        return translated("no light was seen in the box");
+    return translated("in the box 95 % of the tissue within ±%1").arg(levels(box));
+}
+
 QString comparisonText(const Schedule& schedule, Estimator estimator) {
     QStringList parts;
     if (schedule.kind != Schedule::Kind::pd) {

@@ -22,6 +22,10 @@ QString stretchedText(ivec2 picture, QSize view);
 /// it.
 QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines);
 
+/// What stands beside a picture with a box, whose status is `box`: "in the box 95 % of the tissue within ±4"; or, where
+/// it is `first` and gets all samples, what of the whole picture is true meanwhile.
+QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture);
+
 /// A device to choose: "CPU (2 threads)".
 QString deviceText(const QString& name, const QString& details);
 

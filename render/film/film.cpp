@@ -8,6 +8,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -50,6 +51,10 @@ bool areSums(const PixelSums& sums, std::uint32_t count) {
            are(sums.evenSum);
 }
 
+std::size_t pixelsOf(const Tile& tile) {
+    return std::size_t(tile.width) * std::size_t(tile.height);
+}
+
 template <class Each>
 void eachPixel(std::size_t pixels, const Each& each) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, 4096), [&](const auto& some) {
@@ -65,10 +70,7 @@ bool sameBits(const FilmContent& a, const FilmContent& b) {
 }
 
 Film::Film(const Tile& area, std::uint64_t revision, std::uint64_t first)
-    : progress_(area, first),
-      revision_(revision),
-      block_(std::size_t(area.width) * std::size_t(area.height)),
-      moments_(block_.size()) {}
+    : progress_(area, first), revision_(revision), block_(pixelsOf(area)), moments_(block_.size()) {}
 
 Film::Film(std::uint64_t revision, FilmContent content)
     : progress_(std::move(content.progress)),
@@ -81,7 +83,7 @@ void Film::restart(const Tile& area, std::uint64_t revision) {
     progress_ = TileProgress(area);
     revision_ = revision;
     health_ = {};
-    const std::size_t pixels = std::size_t(area.width) * std::size_t(area.height);
+    const std::size_t pixels = pixelsOf(area);
     block_.resize(pixels);
     moments_.resize(pixels);
     eachPixel(pixels, [&](std::size_t i) {
@@ -104,9 +106,8 @@ void Film::commit(const Tile& tile, SampleRange range) {
     progress_.advance(tile, range.end());
     if (range.end() % kSamplesPerBlock != 0)
         return;
-    const std::size_t corner = indexOf(tile), width = std::size_t(tile.width), stride = std::size_t(area().width);
-    eachPixel(width * std::size_t(tile.height), [&](std::size_t i) {
-        const std::size_t pixel = corner + i / width * stride + i % width;
+    eachPixel(pixelsOf(tile), [&](std::size_t i) {
+        const std::size_t pixel = indexIn(tile, i);
         moments_[pixel] = merged(moments_[pixel], block_[pixel]);
         block_[pixel] = nextBlock(block_[pixel]);
     });
@@ -166,15 +167,16 @@ PixelEstimate Film::pixel(int x, int y) const {
 }
 
 template <class Look>
-std::pair<StatusSums, ErrorCounts> Film::survey(const Look& look) const {
+std::pair<StatusSums, ErrorCounts> Film::survey(const Tile& tile, const Look& look) const {
     using Pixels = tbb::blocked_range<std::size_t>;
     using Sums = std::pair<StatusSums, ErrorCounts>;
     const auto add = [&](const Pixels& pixels, Sums sums) {
         for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
-            const Moments known = at(i);
+            const std::size_t pixel = indexIn(tile, i);
+            const Moments known = at(pixel);
             const dvec3 draw = errorDrawOf(known);
-            sums.first.add(known, draw, block_[i].seen);
-            look(i, known, draw, sums.second);
+            sums.first.add(known, draw, block_[pixel].seen);
+            look(pixel, known, draw, sums.second);
         }
         return sums;
     };
@@ -184,7 +186,16 @@ std::pair<StatusSums, ErrorCounts> Film::survey(const Look& look) const {
         return a;
     };
     // Deterministic: the sums must not depend on how many threads there are.
-    return tbb::parallel_deterministic_reduce(Pixels(0, moments_.size(), 16384), Sums{}, add, join);
+    return tbb::parallel_deterministic_reduce(Pixels(0, pixelsOf(tile), 16384), Sums{}, add, join);
+}
+
+FilmStatus Film::counts() const {
+    const SampleCounts samples = this->samples();
+    return {.samplesPerPixel = samples.least,
+            .meanSamplesPerPixel = samples.mean,
+            .mostSamplesPerPixel = samples.most,
+            .health = health_,
+            .relativeError = std::numeric_limits<double>::infinity()};
 }
 
 void Film::each(const PixelLook& look) const {
@@ -192,18 +203,28 @@ void Film::each(const PixelLook& look) const {
 }
 
 FilmStatus Film::status() const {
-    const StatusSums sums = survey([](auto&&...) {}).first;
+    const StatusSums sums = survey(area(), [](auto&&...) {}).first;
     return statusOf(sums, moments_.size(), samples(), health_);
 }
 
-FilmStatus Film::status(double exposure, const PixelLook& look) const {
+template <class Look>
+FilmStatus Film::statusOn(double exposure, const Tile& tile, const Look& look) const {
     const float* curve = displayCurve();
-    const auto [sums, errors] = survey([&](std::size_t pixel, const Moments& known, dvec3 draw, ErrorCounts& counts) {
-        if (knowsItsError(known, block_[pixel].seen))
-            ++counts.pixels[errorBinOf(levelsOff(curve, known.mean, draw, exposure))];
-        look(pixel, known);
-    });
-    return statusOf(sums, moments_.size(), samples(), health_, {errors, exposure});
+    const auto [sums, errors] =
+        survey(tile, [&](std::size_t pixel, const Moments& known, dvec3 draw, ErrorCounts& counts) {
+            if (knowsItsError(known, block_[pixel].seen))
+                ++counts.pixels[errorBinOf(levelsOff(curve, known.mean, draw, exposure))];
+            look(pixel, known);
+        });
+    return statusOf(sums, pixelsOf(tile), progress_.counts(tile), health_, {errors, exposure});
+}
+
+FilmStatus Film::status(double exposure, const PixelLook& look) const {
+    return statusOn(exposure, area(), look);
+}
+
+FilmStatus Film::status(double exposure, const Tile& tile) const {
+    return statusOn(exposure, tile, [](auto&&...) {});
 }
 
 }  // namespace pdr

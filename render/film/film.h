@@ -92,20 +92,33 @@ class Film {
     /// On a display of that exposure, with a look at each pixel on the way: `look` gets its index and what is known of
     /// it, on many threads.
     FilmStatus status(double exposure, const PixelLook& look) const;
+    FilmStatus status(double exposure) const { return status(exposure, area()); }
+    /// Of the pixels of `tile` alone, a part of the film; its samples are those of the cells around it, its health that
+    /// of the whole film.
+    FilmStatus status(double exposure, const Tile& tile) const;
 
+    /// Samples and health; no errors are known.
+    FilmStatus counts() const;
     /// The look alone.
     void each(const PixelLook& look) const;
 
     FilmContent content() const { return {progress_, moments_, block_, health_}; }
 
   private:
-    /// Sums over all pixels; look(index, what is known, a draw of its error, counts) adds to the counts.
+    /// Sums over the pixels of a tile; look(index, what is known, a draw of its error, counts) adds to the counts.
     template <class Look>
-    std::pair<StatusSums, ErrorCounts> survey(const Look& look) const;
+    std::pair<StatusSums, ErrorCounts> survey(const Tile& tile, const Look& look) const;
+    template <class Look>
+    FilmStatus statusOn(double exposure, const Tile& tile, const Look& look) const;
     Moments at(std::size_t index) const { return merged(moments_[index], block_[index]); }
     /// Of the pixel at the corner of `tile`.
     std::size_t indexOf(const Tile& tile) const {
         return std::size_t(tile.y - area().y) * std::size_t(area().width) + std::size_t(tile.x - area().x);
+    }
+    /// Of the pixel of `tile` that is number i there, row by row.
+    std::size_t indexIn(const Tile& tile, std::size_t i) const {
+        const std::size_t width = std::size_t(tile.width), stride = std::size_t(area().width);
+        return indexOf(tile) + (width == stride ? i : i / width * stride + i % width);
     }
     Result<void> check(const TileResult& result) const;
 

@@ -168,7 +168,7 @@ Result<void> writePng(const Film& film, const Display& display, const Provenance
                       const std::filesystem::path& path, const Caption& caption) {
     SmoothedView view;
     if (display.smoothed)
-        view.judge(film, {});
+        view.judge(film, film.samplesPerPixel(), {});
     return writePng(film, display, view, provenance, path, caption);
 }
 

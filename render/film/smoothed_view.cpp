@@ -4,12 +4,12 @@
 
 namespace pdr {
 
-void SmoothedView::judge(const Film& film, const std::stop_token& stop) {
+void SmoothedView::judge(const Film& film, std::uint64_t samples, const std::stop_token& stop) {
     std::optional<SmoothingJudgement> judgement = SmoothingJudgement::of(film, stop);
     if (!judgement)
         return;
     judgement_ = std::move(judgement);
-    judgedSamples_ = film.samplesPerPixel();
+    judgedSamples_ = samples;
     exposure_ = 0;
     const std::optional<SmoothedError> linear = judgement_->overAll(1);
     pays_ = !linear || smoothingPays(*linear, film.status());

@@ -77,19 +77,22 @@ void TileProgress::advance(const Tile& cells, std::uint64_t next) {
         std::fill_n(&at(all.x, y), all.width, next);
 }
 
-SampleCounts TileProgress::counts() const {
-    if (next_.empty())
+SampleCounts TileProgress::counts(const Tile& part) const {
+    const std::vector<EvenTile> tiles = evenTiles(cellsAround(part));
+    if (tiles.empty())
         return {};
-    const auto [least, most] = std::ranges::minmax(next_);
-    if (least == most)
-        return {least - first_, most - first_, double(least - first_)};
-    double samples = 0;
-    for (int y = 0; y * kFilmCell < area_.height; ++y)
-        for (int x = 0; x < columns_; ++x) {
-            const Tile pixels = pixelsOf({x, y, 1, 1});
-            samples += double(at(x, y) - first_) * pixels.width * pixels.height;
-        }
-    return {least - first_, most - first_, samples / (double(area_.width) * area_.height)};
+    SampleCounts counts{tiles.front().next - first_, tiles.front().next - first_, 0};
+    double pixels = 0;
+    for (const EvenTile& even : tiles) {
+        const std::uint64_t samples = even.next - first_;
+        const double here = double(even.tile.width) * even.tile.height;
+        counts.least = std::min(counts.least, samples);
+        counts.most = std::max(counts.most, samples);
+        counts.mean += double(samples) * here;
+        pixels += here;
+    }
+    counts.mean /= pixels;
+    return counts;
 }
 
 }  // namespace pdr

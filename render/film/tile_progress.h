@@ -44,8 +44,9 @@ class TileProgress {
     /// The pixels of the whole cells `cells` have got all samples before `next`.
     void advance(const Tile& cells, std::uint64_t next);
 
-    /// Samples that pixels have.
-    SampleCounts counts() const;
+    /// Samples that the pixels of the cells around `part` have.
+    SampleCounts counts(const Tile& part) const;
+    SampleCounts counts() const { return counts(area_); }
 
     bool operator==(const TileProgress&) const = default;
 

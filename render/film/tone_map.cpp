@@ -87,6 +87,8 @@ PixelLook rawBytes(std::vector<std::uint8_t>& rgba, const Display& display) {
 
 /// In one pass with the status: both wait for the film's memory.
 Picture rawPictureOf(const Film& film, const Display& display) {
+    if (!display.surveyed)
+        return {toneMap(film, display), film.counts(), false, false};
     Picture picture{emptyBytes(film.size()), {}};
     picture.status = film.status(display.exposure, rawBytes(picture.rgba, display));
     return picture;
@@ -97,7 +99,7 @@ Picture rawPictureOf(const Film& film, const Display& display) {
 Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display) {
     const ivec2 size = smooth[0].size();
     Picture picture{std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4, 255),
-                    film.status(display.exposure, [](auto&&...) {}), true};
+                    display.surveyed ? film.status(display.exposure) : film.counts(), true, display.surveyed};
     denoise::eachBand(size.y, {}, [&](int begin, int end) {
         std::uint8_t* out = &picture.rgba[std::size_t(begin) * std::size_t(size.x) * 4];
         for (int y = begin; y < end; ++y)

@@ -52,6 +52,7 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
     if (step.clear)
         clear();
     answer(step);
+    region_.choose(commands.region());
     if (step.device)
         switchTo(step.device);
     if (step.order) {
@@ -70,10 +71,10 @@ RenderCommands::LoopState Session::Loop::state() const {
     return {.scene = place_.hasScene(),
             .film = film,
             .revision = place_.hasScene() ? place_.revision() : 0,
-            .owed = film && (first_ || coarse() || row_ > 0),
+            .owed = film && (first_ || coarse() || sweep_.isHalfMade()),
             .lingers = film && (brightens_ || (moving_ && coarse() && !first_)),
-            .displayError = film ? shownError_ : std::nullopt,
-            .unshown = film && samples_ > 0 && (done_ > 0 || !waiting_.empty() || fresh_),
+            .displayError = film ? worstError() : std::nullopt,
+            .unshown = film && sweep_.samples().least > 0 && (done_ > 0 || !waiting_.empty() || fresh_),
             .canSnapshot = canSnapshot(),
             .unmeasured = canSnapshot() && ledger_.hasWork()};
 }
@@ -120,6 +121,7 @@ void Session::Loop::beginFilm(int divider) {
     const double start = clock_();
     if (const Result<void> begun = place_.begin(dividedScene()); !begun)
         return failedOnDevice(begun.error());
+    sweep_ = Sweep(TileProgress(wholeImage(place_.size())));
     ladder_.addBeginning(secondsSince(start));
 }
 
@@ -147,7 +149,7 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
     const std::string old = deviceLabel(place_.info());
     std::shared_ptr<const Film> from = checkpoint_;
     std::optional<Error> lost;  // when the old device does not hand out its film
-    if (place_.film() != nullptr && samples_ > 0) {
+    if (place_.film() != nullptr && sweep_.samples().least > 0) {
         if (const auto film = place_.film()->film())
             from = *film;
         else
@@ -173,11 +175,16 @@ void Session::Loop::startOver() {
 
 /// The film in hand is a new one, which holds what `film` holds.
 void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
-    samples_ = film ? film->samplesPerPixel() : 0;
-    first_ = first_ || samples_ == 0;
-    if (!film || film->samples().most == samples_)
-        row_ = 0;
+    sweep_ = film                ? Sweep(film->progress())
+             : place_.hasScene() ? Sweep(TileProgress(wholeImage(place_.size())))
+                                 : Sweep();
+    first_ = first_ || sweep_.samples().least == 0;
+    wholeFrame_ = true;
+    aheadSeconds_ = aheadSamples_ = 0;
+    region_.clear();
     shownError_.reset();
+    surveyed_ = {};
+    judgeSeconds_ = mapSeconds_ = 0;
     history_.clear();
     done_ = 0;
     waiting_.clear();

@@ -15,6 +15,7 @@
 #include "render/session/render_commands.h"
 #include "render/session/resolution_ladder.h"
 #include "render/session/session.h"
+#include "render/session/sweep.h"
 
 namespace pdr {
 
@@ -64,7 +65,8 @@ class Session::Loop {
     Result<void> takeSnapshots();
     void send(std::vector<DisplayedPicture> pictures, std::uint32_t n);
     std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
-    void remember(const DisplayedPicture& picture);
+    bool isSurveyDue(const Display& asked) const;
+    void remember(DisplayedPicture& picture);
     void addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds);
 
     // Beginnings.
@@ -83,14 +85,27 @@ class Session::Loop {
 
     std::uint32_t wanted(const FrameBudget& pace) const;
     std::uint32_t launch(std::uint32_t wanted) const;
-    int bandRows() const;
-    Tile nextBand() const;
+    double piecePixels() const;
+    Tile nextPart();
+    Result<void> beginFrame(const FrameBudget& pace);
     bool late() const;
+    Result<void> lookAtRegion(const Display& display);
+    std::optional<double> worstError() const;
+    double secondsAhead() const;
+    std::vector<QualityStep> steps() const;
     bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }
     double pixels() const { return double(place_.size().x) * place_.size().y; }
+    /// Of the part that is being sampled; samples that each of them has.
+    double partPixels() const { return double(sweep_.part().width) * sweep_.part().height; }
+    std::uint64_t partSamples() const { return sweep_.samplesOf(sweep_.part()); }
+    bool isWhole(const Tile& part) const { return part == wholeImage(place_.size()); }
+    /// Whether no part is further than another.
+    bool isEven() const { return sweep_.samples().least == sweep_.samples().most; }
     /// Whether the film is not yet the scene's own.
     bool coarse() const { return divider_ > 1 || passing_; }
-    bool canSnapshot() const { return place_.film() != nullptr && !moving_ && !coarse() && !first_ && row_ == 0; }
+    bool canSnapshot() const {
+        return place_.film() != nullptr && !moving_ && !coarse() && !first_ && !sweep_.isHalfMade();
+    }
 
     double secondsSince(double moment) const { return clock_() - moment; }
 
@@ -110,9 +125,9 @@ class Session::Loop {
     Development coarserPictures_;
 
     // Of the film:
-    std::uint64_t samples_ = 0;                    ///< that it holds, everywhere
-    int row_ = 0;                                  ///< where its next band begins; 0: no iteration is half made
+    Sweep sweep_;                                  ///< how far it is
     std::uint32_t done_ = 0;                       ///< iterations since it was last shown
+    bool wholeFrame_ = true;                       ///< those of the frame in the making give to all pixels alike
     std::deque<Display> waiting_;                  ///< what the pictures that were ordered and not taken are made for
     bool first_ = false;                           ///< its first picture is still to come
     bool fresh_ = false;                           ///< the first one from this device is
@@ -124,6 +139,8 @@ class Session::Loop {
     float historyExposure_ = 0;                    ///< of the display that its errors are those of
     double frameSeconds_ = 0;                      ///< of the frame in the making
     double seconds_ = 0;                           ///< of all of them
+    FilmStatus surveyed_;                          ///< what the last picture that was surveyed told
+    double judgeSeconds_ = 0, mapSeconds_ = 0;     ///< of that, spent on smoothedView_ and errorMap_
     SmoothedView smoothedView_;
     std::optional<BiasMeasurements> biasMeasurements_;  ///< of the same picture; none: not asked for yet
     double biasAt_ = 0;                                 ///< when a round of one was last
@@ -131,7 +148,10 @@ class Session::Loop {
     MeasuredBiases bias_;                               ///< that they tell, on a display of this exposure (0: of none)
     float biasExposure_ = 0;
     ErrorMapView errorMap_;
-    bool brightens_ = false;  ///< its picture, a smoothed one, was just shown on another display
+    RegionView region_;
+    double aheadSeconds_ = 0;  ///< spent on it alone, ...
+    double aheadSamples_ = 0;  ///< ... and samples that each of its pixels got
+    bool brightens_ = false;   ///< its picture, a smoothed one, was just shown on another display
 
     FrameTimer meter_;
     bool measuring_ = false;  ///< the frame in the making, with nothing behind it

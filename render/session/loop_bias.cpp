@@ -7,7 +7,7 @@ namespace pdr {
 
 namespace {
 
-constexpr double kBiasShare = 0.05;  ///< of the time, at most, after the first round
+constexpr double kBiasShare = 0.02;  ///< of the time, at most, after the first round
 
 }  // namespace
 
@@ -15,7 +15,7 @@ constexpr double kBiasShare = 0.05;  ///< of the time, at most, after the first 
 BiasLattice* Session::Loop::nextLattice() {
     if (!biasMeasurements_)
         biasMeasurements_.emplace(scene_, biasFacts(scene_, {}, place_.info().name));
-    return biasMeasurements_->next(samples_, knownBias(commands.display().exposure));
+    return biasMeasurements_->next(sweep_.samples().least, knownBias(commands.display().exposure));
 }
 
 MeasuredBiases Session::Loop::knownBias(float exposure) {

@@ -32,10 +32,10 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
         place_.tearFilm();  // something newer is waiting
         return;
     }
-    const bool frameEnds = !step.render || (row_ == 0 && (done_ >= wanted(step.pace) || late()));
+    const bool frameEnds = !step.render || (!sweep_.isHalfMade() && (done_ >= wanted(step.pace) || late()));
     if (done && frameEnds)
         done = judgeSmoothing(step);
-    if (done && samples_ > 0 && frameEnds)
+    if (done && sweep_.samples().least > 0 && frameEnds)
         done = show(step, step.render);
     finish(step, std::move(done));
 }
@@ -46,7 +46,7 @@ void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> d
         return;  // its picture was broken off
     if (done && canSnapshot())
         done = takeSnapshots();
-    if (done && samples_ > 0 && row_ == 0 && !coarse() && !place_.info().hostMemory)
+    if (done && sweep_.samples().least > 0 && !sweep_.isHalfMade() && !coarse() && !place_.info().hostMemory)
         done = keepCheckpoint();
     if (done && canSnapshot() && step.render)
         done = measureBias(step);
@@ -63,9 +63,10 @@ void Session::Loop::measureEffects(const RenderCommands::Iteration& step) {
         ledger_.step(step.stop);
 }
 
-/// Iterations of the next frame.
+/// Iterations of the next frame; as many more as its part is smaller than the picture.
 std::uint32_t Session::Loop::wanted(const FrameBudget& pace) const {
-    const std::uint32_t usual = coarse() ? ResolutionLadder::kSamples : meter_.iterations(pace);
+    const double larger = pixels() / partPixels();
+    const std::uint32_t usual = coarse() ? ResolutionLadder::kSamples : std::uint32_t(larger * meter_.iterations(pace));
     return first_ && coarser_ ? std::max(usual, std::uint32_t(coarser_->samplesPerPixel())) : usual;
 }
 
@@ -81,49 +82,51 @@ std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
         return 1;
     const double seconds = hurries ? ladder_.secondsForSamples(pixels()) - frameSeconds_ : kLaunchSeconds;
     const std::uint32_t left = wanted > done_ ? wanted - done_ : 1;
-    const double speed = done_ > 0 && frameSeconds_ > 0 ? done_ / frameSeconds_ : ladder_.speed() / pixels();
+    const double speed = done_ > 0 && frameSeconds_ > 0 ? done_ / frameSeconds_ : ladder_.speed() / partPixels();
     return std::uint32_t(std::clamp(speed * seconds, 1.0, double(left)));
 }
 
-/// The part of an iteration to order at once, in rows: all where that does not take long, or cannot be had in parts.
-int Session::Loop::bandRows() const {
-    const ivec2 size = place_.size();
-    if (!place_.info().hostMemory || scene_.schedule.kind != Schedule::Kind::pd)
-        return size.y;
-    const double rows = ladder_.speed() * kLaunchSeconds / size.x;
-    return rows < size.y ? std::max(int(rows) / kFilmCell, 1) * kFilmCell : size.y;
+/// The pixels to order a sample of at once: all where that does not take long, or cannot be had in parts.
+double Session::Loop::piecePixels() const {
+    const bool inPieces = place_.info().hostMemory && scene_.schedule.kind == Schedule::Kind::pd;
+    return inPieces ? ladder_.speed() * kLaunchSeconds : pixels();
 }
 
-Result<void> Session::Loop::accumulate(const RenderCommands::Iteration& step) {
-    const double start = clock_();
-    Accumulator& film = *place_.film();
-    if (done_ == 0) {  // a frame begins
-        const bool due = fresh_ || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
-        measuring_ = film.maxInFlight() > 1 && !coarse() && due;
-        if (measuring_) {
-            Result<std::vector<DisplayedPicture>> before = takeAllBut(0);
-            if (!before)
-                return before.error();
-            send(*std::move(before), wanted(step.pace));
-        }
-    }
-    const double begin = measuring_ ? clock_() : start;
-    const std::uint32_t n = row_ > 0 ? 1 : launch(wanted(step.pace));
-    const Tile part = n == 1 ? nextBand() : wholeImage(place_.size());
-    if (Result<void> accumulated = film.accumulate(part, n, step.stop); !accumulated)
-        return accumulated;
-    row_ = (part.y + part.height) % place_.size().y;
-    if (row_ == 0) {
-        done_ += n;
-        samples_ += n;
-    }
-    frameSeconds_ += secondsSince(begin);
+/// What the next frame gives samples to: the region, as long as it is not as good as is wanted, once there is a picture
+/// around it.
+Tile Session::Loop::nextPart() {
+    const bool inParts = !first_ && !coarse() && scene_.schedule.kind == Schedule::Kind::pd;
+    return inParts && region_.isFirst(commands.target()) ? *region_.tile(place_.size()) : wholeImage(place_.size());
+}
+
+/// All its passes are over the same part.
+Result<void> Session::Loop::beginFrame(const FrameBudget& pace) {
+    sweep_.choose(nextPart());
+    wholeFrame_ = isWhole(sweep_.part()) && isEven();
+    const bool due = fresh_ || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
+    measuring_ = wholeFrame_ && place_.film()->maxInFlight() > 1 && !coarse() && due;
+    if (!measuring_)
+        return {};
+    Result<std::vector<DisplayedPicture>> before = takeAllBut(0);
+    if (!before)
+        return before.error();
+    send(*std::move(before), wanted(pace));
     return {};
 }
 
-Tile Session::Loop::nextBand() const {
-    const ivec2 size = place_.size();
-    return {0, row_, size.x, std::min(bandRows(), size.y - row_)};
+Result<void> Session::Loop::accumulate(const RenderCommands::Iteration& step) {
+    if (done_ == 0 && !sweep_.isHalfMade())
+        if (Result<void> begun = beginFrame(step.pace); !begun)
+            return begun;
+    const double start = clock_();
+    if (!sweep_.isHalfMade())
+        sweep_.begin(launch(wanted(step.pace)));
+    const Sweep::Order order = sweep_.next(piecePixels());
+    if (Result<void> accumulated = place_.film()->accumulate(order.tile, order.n, step.stop); !accumulated)
+        return accumulated;
+    done_ += sweep_.took(order);
+    frameSeconds_ += secondsSince(start);
+    return {};
 }
 
 Result<void> Session::Loop::takeSnapshots() {

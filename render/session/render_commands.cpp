@@ -65,6 +65,18 @@ void RenderCommands::setPace(const FrameBudget& pace) {
     pace_ = pace.clamped();
 }
 
+void RenderCommands::setRegion(const std::optional<Region>& region) {
+    const std::lock_guard lock(mutex_);
+    displayChanged_ = displayChanged_ || region != region_;
+    region_ = region;
+    changed_.notify_one();
+}
+
+std::optional<Region> RenderCommands::region() {
+    const std::lock_guard lock(mutex_);
+    return region_;
+}
+
 // The running step is not cancelled: its samples are to go along.
 void RenderCommands::setDevice(DeviceOpener open) {
     const std::lock_guard lock(mutex_);

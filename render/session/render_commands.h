@@ -33,7 +33,8 @@ class RenderCommands {
         bool owed = false;           ///< its first full picture is still to come, or an iteration is half made; that
                                      ///< much is made even while paused
         bool lingers = false;        ///< what comes next may be in vain, or in the way: a hand that moves soon moves on
-        std::optional<double> displayError;  ///< of the full picture that was shown last; none: there is none
+        std::optional<double> displayError;  ///< of the full picture that was shown last, or of its region where
+                                             ///< that is more; none: there is none
         bool unshown = false;                ///< the film holds what has not been shown
         bool canSnapshot = false;            ///< it can be looked at
         bool unmeasured = false;             ///< what effects cost is to be measured, and can be now
@@ -58,6 +59,8 @@ class RenderCommands {
     void setDisplay(const Display& display);
     /// What is there is shown again, with a map.
     void setErrorMap(bool wanted);
+    /// What is there is shown again, with how good that part is.
+    void setRegion(const std::optional<Region>& region);
     void setPace(const FrameBudget& pace);
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
@@ -73,6 +76,7 @@ class RenderCommands {
     bool holdsAt(std::optional<double> displayError);
     /// Whether one is wanted.
     bool errorMap();
+    std::optional<Region> region();
     /// The newest: what a step shows at its end is not what was wanted at its beginning.
     Display display();
     /// Cancels the running step.
@@ -103,6 +107,7 @@ class RenderCommands {
     Display display_;
     bool displayChanged_ = false;
     bool errorMap_ = false;
+    std::optional<Region> region_;
     FrameBudget pace_;
     bool paused_ = false;
     double target_ = kFinestStep;  ///< display levels

@@ -29,6 +29,10 @@ void Session::setErrorMap(bool wanted) {
     loop_->commands.setErrorMap(wanted);
 }
 
+void Session::setRegion(const std::optional<Region>& region) {
+    loop_->commands.setRegion(region);
+}
+
 void Session::setPace(const FrameBudget& pace) {
     loop_->commands.setPace(pace);
 }

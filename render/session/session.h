@@ -18,6 +18,7 @@
 #include "render/film/smoothing_judgement.h"
 #include "render/scene/camera.h"
 #include "render/scene/model.h"
+#include "render/session/region.h"
 #include "render/timing/frame_budget.h"
 
 namespace pdr {
@@ -55,6 +56,7 @@ struct Frame {
     std::vector<ErrorPoint> history;  ///< see ErrorHistory::points()
     /// Of the film, of no more samples than it has; null: not wanted, or coarse.
     std::shared_ptr<const LevelErrorMap> errorMap;
+    std::optional<RegionStatus> region;  ///< none: it was not asked for, or nothing is known of it yet
 };
 
 /// Called on the render thread; must return soon.
@@ -106,6 +108,9 @@ class Session {
     void setDisplay(const Display& display);
     /// Whether full pictures come with a map of their error. What is there gets one at once.
     void setErrorMap(bool wanted);
+    /// The part of the pictures that gets its samples first, until it is within the target; none: all of it. It stays
+    /// where it is when the scene changes.
+    void setRegion(const std::optional<Region>& region);
     /// How many iterations a displayed frame gets.
     void setPace(const FrameBudget& pace);
     /// n, the iterations per displayed frame, by hand; [1, 10000].

@@ -26,7 +26,7 @@ struct Mishaps {
     std::atomic<int> uploads = kNever, films = kNever, accumulates = kNever, resolves = kNever, readbacks = kNever;
     std::atomic<bool> tooSmall = false;  ///< uploads are refused, and nothing else
 
-    std::atomic<double> iterationSeconds = 0;  ///< what an iteration takes, at least
+    std::atomic<double> iterationSeconds = 0;  ///< what an iteration of a whole picture takes, at least
     std::atomic<double> displaySeconds = 0;    ///< what a picture takes from resolve() to readback(), at least
     int maxInFlight = 1;                       ///< > 1: accumulate() and resolve() return at once, and readback() waits
     std::shared_ptr<FakeClock> clock;          ///< that all this passes on; null: the wall's
@@ -69,7 +69,8 @@ class FailingAccumulator final : public Accumulator {
         if (Result<void> well = mishaps_->call(mishaps_->accumulates); !well)
             return well;
         Result<void> accumulated = film_->accumulate(region, n, stop);
-        spend(n * mishaps_->iterationSeconds, stop);
+        const double part = double(region.width) * region.height / (double(area().width) * area().height);
+        spend(n * part * mishaps_->iterationSeconds, stop);
         return accumulated;
     }
 

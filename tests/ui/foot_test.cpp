@@ -109,6 +109,10 @@ void TestFoot::theSentenceSaysWhatIsNotKnown() {
     QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · no light has been seen yet"));
     accuracy.holding = Holding::paused;
     QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · no light has been seen yet · paused"));
+    accuracy.box = true;
+    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("In the box: Estimating · no light has been seen yet · paused"));
+    accuracy.status = {};
+    QCOMPARE(accuracyText(accuracy), QString());
 }
 
 /// Where the picture leaves the window, the sentence goes with it, until it is as good as was wanted.

@@ -55,6 +55,7 @@ class TestPanels : public QObject {
     void aSmoothedPictureIsMarkedWithItsError();
     void theStatusNamesTheDeviceAndItsIterations();
     void theStatusSaysWhatIsForComparison();
+    void theStatusSaysWhatIsTrueOfABox();
     void aLongStatusDoesNotWidenTheWindow();
     void progressHasACancelButton();
     void anErrorSaysWhatAndWhatNextAndWhere();
@@ -214,6 +215,17 @@ void TestPanels::theStatusSaysWhatIsForComparison() {
     QCOMPARE(comparisonText(k0, Estimator::unbiased), "comparison: Exposure Render's schedule K0, blurred");
     QCOMPARE(comparisonText(k1, Estimator::kroesMarch),
              "comparison: Exposure Render's schedule K1, march of 3 voxels, biased");
+}
+
+void TestPanels::theStatusSaysWhatIsTrueOfABox() {
+    FilmStatus box{.displayError = 3.9, .tissuePixels = 7}, picture{.displayError = 18, .tissuePixels = 99};
+    QCOMPARE(boxText(box, false, picture), QString::fromUtf8("in the box 95 % of the tissue within ±4"));
+    QCOMPARE(boxText(box, true, picture),
+             QString::fromUtf8("the whole picture, which waits for the box: 95 % of the tissue within ±18"));
+    QCOMPARE(boxText(box, true, {}), "the rest of the picture waits for the box");
+    box.displayError = std::numeric_limits<double>::infinity();
+    QCOMPARE(boxText(box, false, picture), "no light was seen in the box");
+    QCOMPARE(boxText({}, false, picture), "there is no tissue in the box");
 }
 
 void TestPanels::aLongStatusDoesNotWidenTheWindow() {

@@ -79,7 +79,7 @@ Result<std::vector<StatedError>> statedErrors(Scene scene, const std::vector<std
             const auto film = picture->grown(error.samples);
             if (!film)
                 return film.error();
-            const FilmStatus status = (*film)->status(double(exposure), [](auto&&...) {});
+            const FilmStatus status = (*film)->status(double(exposure));
             error.within += partWithin(status.displayError, **film, **best, exposure) / seeds;
             error.fewBright += status.fewBrightSamples;
         }

@@ -31,7 +31,7 @@ class Table {
   public:
     void add(const Film& film, const Film& reference, const Plan& plan) {
         const Display raw{plan.display.exposure, false}, smooth{plan.display.exposure, true};
-        const FilmStatus status = film.status(plan.display.exposure, [](auto&&...) {});
+        const FilmStatus status = film.status(plan.display.exposure);
         const TrueError rawError = trueError(film, raw, reference), error = trueError(film, smooth, reference);
         const auto judgement = SmoothingJudgement::of(film);
         const auto stated = judgement ? judgement->overAll(plan.display.exposure) : std::nullopt;

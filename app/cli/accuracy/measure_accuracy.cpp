@@ -100,11 +100,11 @@ class Measurement {
 
     /// Errors: of files.
     Result<void> add(const Film& film, double seconds) {
-        const FilmStatus status = film.status(double(raw_.exposure), [](auto&&...) {});
+        const FilmStatus status = film.status(double(raw_.exposure));
         addRaw(film, status, seconds);
         SmoothedView view;
         if (curves_.size() > 1) {
-            view.judge(film, {});
+            view.judge(film, film.samplesPerPixel(), {});
             curves_[1].steps.push_back(smoothedStep(film, view, reference_, seconds, smooth_));
         }
         if (plan_.folder.empty() || curves_.size() < 2 || !keepsPicture(film.samplesPerPixel()))

@@ -247,7 +247,7 @@ class SmoothingJudgementTest : public QObject {
         const auto texture = [](int x, int y) { return 0.5 + 0.07 * (chance(5, std::size_t(y * 128 + x), 0) - 0.5); };
         const auto shown = [&](std::uint64_t samples, double sigma) {
             SmoothedView view;
-            view.judge(noisyFilmOf(size, texture, samples, sigma), {});
+            view.judge(noisyFilmOf(size, texture, samples, sigma), samples, {});
             return view.better({1, true}).smoothed;
         };
         QVERIFY(shown(4, 1));
@@ -259,7 +259,7 @@ class SmoothingJudgementTest : public QObject {
         SmoothedView view;
         QVERIFY(!view.isDue(3));
         QVERIFY(view.isDue(4));
-        view.judge(noisyFilmOf({64, 64}, discs, 5), {});
+        view.judge(noisyFilmOf({64, 64}, discs, 5), 5, {});
         QVERIFY(!view.isDue(9));
         QVERIFY(view.isDue(10));
         QVERIFY(view.error(1)->levels != view.error(0.1)->levels);

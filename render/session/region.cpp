@@ -1,0 +1,66 @@
+#include "render/session/region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pdr {
+
+namespace {
+
+/// A region that no light was seen in by then does not keep the rest waiting.
+constexpr std::uint64_t kSamplesInTheDark = 256;
+
+}  // namespace
+
+Tile tileOf(const Region& region, ivec2 size) {
+    const dvec2 film(size);
+    const ivec2 from = glm::clamp(ivec2(glm::floor(region.from * film)), ivec2(0), size - 1);
+    const ivec2 to = glm::clamp(ivec2(glm::ceil(region.to * film)), from + 1, size);
+    return {from.x, from.y, to.x - from.x, to.y - from.y};
+}
+
+void RegionView::clear() {
+    status_.reset();
+    history_.clear();
+}
+
+void RegionView::choose(const std::optional<Region>& region) {
+    if (region == region_)
+        return;
+    clear();
+    region_ = region;
+}
+
+std::optional<Tile> RegionView::tile(ivec2 size) const {
+    return region_ ? std::optional(tileOf(*region_, size)) : std::nullopt;
+}
+
+bool RegionView::isDue(std::uint64_t samples, float exposure) const {
+    return region_ && (!status_ || exposure != exposure_ || 8 * samples >= 9 * status_->samplesPerPixel);
+}
+
+void RegionView::look(const Film& film, float exposure, double seconds) {
+    status_ = film.status(double(exposure), *tile(film.size()));
+    if (std::exchange(exposure_, exposure) != exposure)
+        history_.forgetErrors();
+    history_.add(seconds, *status_);
+}
+
+double RegionView::error() const {
+    if (!status_)
+        return std::numeric_limits<double>::infinity();
+    const std::uint64_t samples = status_->samplesPerPixel;
+    const bool isEmpty = status_->tissuePixels == 0 && samples >= kSamplesToEstimate;
+    const bool isDark = !std::isfinite(status_->displayError) && samples >= kSamplesInTheDark;
+    return isEmpty || isDark ? 0 : status_->displayError;
+}
+
+std::optional<RegionStatus> RegionView::status(double target) const {
+    if (!region_ || !status_)
+        return std::nullopt;
+    return RegionStatus{*region_, *status_, !isFirst(target), history_.steps(), history_.points()};
+}
+
+}  // namespace pdr

@@ -1,0 +1,99 @@
+/// The box on the picture, from the key to the sentence.
+
+#include <QTest>
+
+#include "tests/support/desktop_trial.h"
+#include "tests/support/phantom_series.h"
+#include "ui/region_box.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+class TestBoxFirst : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void aBoxIsDrawnHasItsOwnSentenceAndIsForgotten();
+    void escapeDrawsNone();
+    void anotherSeriesHasNone();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+static void drawBox(Trial& trial) {
+    ui::MainWindow& window = trial.desktop.window();
+    QTest::keyClick(&window, Qt::Key_B);
+    auto* layer = window.findChild<ui::RegionBox*>();
+    QVERIFY(layer->isDrawing());
+    const QPoint from = layer->rect().center() - QPoint(40, 40), to = layer->rect().center() + QPoint(40, 40);
+    QTest::mousePress(layer, Qt::LeftButton, {}, from);
+    QTest::mouseRelease(layer, Qt::LeftButton, {}, to);
+}
+
+static QAction* boxFirst(Trial& trial) {
+    for (QAction* action : trial.desktop.window().actions())
+        if (action->shortcut() == QKeySequence(Qt::Key_B))
+            return action;
+    return nullptr;
+}
+
+void TestBoxFirst::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_), "Head of a phantom");
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+void TestBoxFirst::aBoxIsDrawnHasItsOwnSentenceAndIsForgotten() {
+    Trial trial;
+    trial.openAndWait(series_);
+    const std::size_t scene = trial.desktop.parts().document.scene().revision;
+    drawBox(trial);
+    const auto last = [&] { return trial.frames.back(); };
+    QTRY_VERIFY_WITH_TIMEOUT(last()->region && !last()->region->reached, test::kPatience);
+    QVERIFY(boxFirst(trial)->isChecked());
+    const auto* layer = trial.desktop.window().findChild<ui::RegionBox*>();
+    const dvec2 middle = (last()->region->region.from + last()->region->region.to) / 2.0;
+    const dvec2 sides = last()->region->region.to - last()->region->region.from;
+    QVERIFY(glm::length(middle - 0.5) < 0.01);
+    QVERIFY(std::abs(sides.x * layer->width() - 80) < 2 && std::abs(sides.y * layer->height() - 80) < 2);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.said().startsWith("In the box: "), test::kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(std::isfinite(last()->region->status.displayError), test::kPatience);
+    QVERIFY(trial.said().contains("waits for the box"));
+    QVERIFY(last()->status.mostSamplesPerPixel > last()->status.samplesPerPixel);
+    // As good as is wanted of it, all of the picture is spoken of again.
+    trial.desktop.parts().bridge.setTarget(32);
+    QTRY_VERIFY_WITH_TIMEOUT(last()->region->reached, test::kPatience);
+    QVERIFY(!trial.said().startsWith("In the box: "));
+    QVERIFY(trial.said().contains(QString::fromUtf8("in the box 95 % of the tissue within ±")));
+    QTest::keyClick(&trial.desktop.window(), Qt::Key_B);
+    QTRY_VERIFY_WITH_TIMEOUT(!last()->region, test::kPatience);
+    QVERIFY(!boxFirst(trial)->isChecked() && !trial.said().contains("box"));
+    QCOMPARE(trial.desktop.parts().document.scene().revision, scene);
+}
+
+void TestBoxFirst::escapeDrawsNone() {
+    Trial trial;
+    trial.openAndWait(series_);
+    QTest::keyClick(&trial.desktop.window(), Qt::Key_B);
+    QVERIFY(boxFirst(trial)->isChecked());
+    QTest::keyClick(&trial.desktop.window(), Qt::Key_Escape);
+    QVERIFY(!boxFirst(trial)->isChecked() && !trial.desktop.window().findChild<ui::RegionBox*>()->isDrawing());
+}
+
+void TestBoxFirst::anotherSeriesHasNone() {
+    Trial trial;
+    trial.openAndWait(series_);
+    drawBox(trial);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->region.has_value(), test::kPatience);
+    trial.frames.clear();
+    trial.openAndWait(series_);
+    QVERIFY(!trial.frames.back()->region && !boxFirst(trial)->isChecked());
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestBoxFirst)
+#include "box_first_test.moc"

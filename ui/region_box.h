@@ -1,0 +1,48 @@
+#pragma once
+/// The box on the picture whose samples come first: a layer over the picture in which it is drawn, and seen
+/// afterwards. Setters are silent.
+
+#include <QRectF>
+#include <QWidget>
+#include <optional>
+
+namespace pdr::ui {
+
+class RegionBox : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// A layer over all of `picture`, whose size it follows.
+    explicit RegionBox(QWidget* picture);
+
+    /// Fractions of the picture's width and height; none: there is no box.
+    void setBox(const std::optional<QRectF>& box);
+    /// The next drag draws a box; until then the mouse does nothing else.
+    void startDrawing();
+    void stopDrawing();
+    bool isDrawing() const { return drawing_; }
+
+  signals:
+    /// In fractions of the picture's width and height, inside of it; by a drag that is more than a click.
+    void drawn(QRectF box);
+    /// Nothing was: by a click.
+    void notDrawn();
+
+  protected:
+    bool eventFilter(QObject* picture, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+  private:
+    QRectF dragged() const;
+    QRectF inPixels(const QRectF& box) const;
+
+    std::optional<QRectF> box_;
+    bool drawing_ = false;
+    std::optional<QPointF> from_;  ///< where the drag began [px]; none: it has not
+    QPointF to_;
+};
+
+}  // namespace pdr::ui
