@@ -17,12 +17,12 @@ constexpr double kExponent = 0.57, kExponentSpread = 0.07;
 /// the mean, a = 1/2 + ln gain / ln n. Those with a = kUsualFall go on as n^-kUsualExponent, and what differs, differs
 /// more from now on, since the gain of the first samples is in a.
 constexpr double kUsualFall = 0.62, kUsualExponent = 0.59, kGoesOn = 1.35, kExponentOfGainSpread = 0.03;
-constexpr double kLeastExponent = 0.4, kMostExponent = 0.8;
+constexpr double kLeastExponent = 0.5, kMostExponent = 0.8;  ///< no less than independent samples
 /// How far the exponent of one doubling of the samples lies from that of a scene.
-constexpr double kExponentWander = 0.06;
+constexpr double kExponentWander = 0.07;
 /// Of the error's logarithm: low-discrepancy points dip below the line at powers of two, by a twentieth. So what counts
 /// as the error of now is the mean of what it was since the samples were so many times fewer; of the dip this is left.
-constexpr double kRecent = 2, kDip = 0.03;
+constexpr double kRecent = 2, kDip = 0.04;
 /// Of the speed's logarithm, at least: what a machine does besides changes it by so much.
 constexpr double kSpeedSpread = 0.05;
 

@@ -138,6 +138,19 @@ class BiasTest : public QObject {
         QVERIFY(!biases(facts)[1].shareAtMost);
     }
 
+    void roundingAndToleranceAreMeasuredToo() {
+        BiasFacts facts{.model = Model::emissionAbsorption, .toleranceLevels = 0.25};
+        QVERIFY(needsMeasuring(facts) && sumsToATolerance(facts) && !keepsRunningMean(facts));
+        facts.measured.quadrature = MeasuredBias{{0, 0, 0}, {0.14, 0.12, 0.17}};
+        QVERIFY(QString::fromStdString(biases(facts)[0].text).endsWith("within ±0.2 levels (0.2 to 0.2)"));
+        QVERIFY(biases(facts)[0].measured && biases(facts)[0].levelsAtMost);
+        facts = {.schedule = {Schedule::Kind::kroes, false, false, true}};
+        QVERIFY(needsMeasuring(facts) && keepsRunningMean(facts) && !sumsToATolerance(facts));
+        QVERIFY(biases(facts)[0].text.ends_with("how much is not known yet"));
+        facts.measured.runningMean = MeasuredBias{{0, 0, 0}, {3e-5, 2e-5, 4e-5}};
+        QVERIFY(biases(facts)[0].measured);
+    }
+
     void whatWasNotMeasuredIsCalledUnknown() {
         BiasFacts facts{.estimator = Estimator::kroesMarch, .texturesFilter = true};
         QVERIFY(needsMeasuring(facts) && !needsMeasuring({}));
