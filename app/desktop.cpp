@@ -41,14 +41,13 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     offerDevices(window_.rendering(), bridge_.firstDevice());
     window_.rendering().setPace(settings_.pace());
     bridge_.setPace(window_.rendering().pace());
-    window_.foot().strip().setTarget(settings_.target());
-    bridge_.setTarget(settings_.target());
     window_.setCaptioned(settings_.captioned());
     bridge_.setCaptioned(settings_.captioned());
     window_.resize(QSize(1360, 860).boundedTo(window_.screen()->availableSize() * 0.95));
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());
     wire(parts());
+    bridge_.setTarget(settings_.target());
     showNothing(parts());
 }
 

@@ -27,7 +27,7 @@ Result<void> write(const FilmView& view, Display display, bool captioned, const 
     const std::filesystem::path path = ui::fromQt(file);
     if (isExr(file))
         return writeExr(film, provenance, path);
-    const QString text = captioned ? ui::previewText(rendered.status, view.target, display.smoothed) : QString();
+    const QString text = captioned ? ui::previewText(rendered.status, view.stop.levels, display.smoothed) : QString();
     return writePng(film, display, provenance, path, captionOf(text, film.size()));
 }
 
@@ -106,8 +106,16 @@ void RenderBridge::setDevice(const QString& name) {
     session_.setDevice([name = name.toStdString(), threads = threads_] { return openDevice(name, threads); });
 }
 
+void RenderBridge::setStop(const StopRule& rule) {
+    stop_ = rule;
+    session_.setStop(rule);
+    emit stopChanged(rule);
+}
+
 void RenderBridge::setTarget(double levels) {
-    session_.setTarget(levels);
+    StopRule rule = stop_;
+    rule.levels = levels;
+    setStop(rule);
 }
 
 void RenderBridge::setPaused(bool paused) {

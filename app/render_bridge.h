@@ -28,6 +28,7 @@ class RenderBridge : public QObject {
     bool reached() const { return reached_; }
     /// The device that it began with.
     const DeviceInfo& firstDevice() const { return firstDevice_; }
+    const StopRule& stop() const { return stop_; }
     /// Unfinished pictures say so where they are saved.
     bool captioned() const { return captioned_; }
     /// The picture on the screen; null when there is none.
@@ -49,7 +50,9 @@ class RenderBridge : public QObject {
     void setPace(const pdr::FrameBudget& pace);
     /// The picture goes on there. A device that cannot be used ends with noticed().
     void setDevice(const QString& name);
-    /// The levels within which 95 % of the tissue is to lie: there rendering holds.
+    /// When rendering holds by itself.
+    void setStop(const pdr::StopRule& rule);
+    /// The same, but for the levels.
     void setTarget(double levels);
     void setCaptioned(bool captioned) { captioned_ = captioned; }
     void setPaused(bool paused);
@@ -68,6 +71,7 @@ class RenderBridge : public QObject {
     /// lastLedger() is another one.
     void ledgerChanged();
     void pausedChanged(bool paused);
+    void stopChanged(const pdr::StopRule& rule);
     /// Frames come from this device from now on; said again with each notice.
     void deviceChanged(const QString& name);
     /// Something did not go as it was asked, and the rendering goes on: sentences for the user.
@@ -93,6 +97,7 @@ class RenderBridge : public QObject {
     std::uint64_t newest_ = 0;       ///< revision of the newest scene
     std::uint64_t oldestShown_ = 0;  ///< frames of earlier revisions are stale
     Display display_;
+    StopRule stop_;
     bool paused_ = false;
     bool unseen_ = false;
     bool captioned_ = true;

@@ -42,10 +42,10 @@ FrameBudget Settings::pace() const {
             store_.value(kFrames, usual.framesPerSecond).toDouble()};
 }
 
-/// Files are edited by hand: what is no step is the finest.
+/// Files are edited by hand: what is no target is the finest step.
 double Settings::target() const {
     const double kept = store_.value(kTarget, kFinestStep).toDouble();
-    return std::find(kQualitySteps.begin(), kQualitySteps.end(), kept) != kQualitySteps.end() ? kept : kFinestStep;
+    return kept >= kFinestTarget && kept <= kCoarsestTarget ? kept : kFinestStep;
 }
 
 bool Settings::captioned() const {

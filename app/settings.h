@@ -8,7 +8,7 @@
 #include <QString>
 #include <optional>
 
-#include "render/accuracy/forecast.h"
+#include "render/accuracy/stop_rule.h"
 #include "ui/render_panel.h"
 
 namespace pdr::app {
@@ -22,7 +22,7 @@ class Settings {
     QByteArray windowState() const;
     QString device() const;  ///< "auto" as long as none was chosen
     FrameBudget pace() const;
-    double target() const;   ///< display levels, one of kQualitySteps
+    double target() const;   ///< display levels, [kFinestTarget, kCoarsestTarget]
     bool captioned() const;  ///< unfinished pictures say so
     /// What the last picture of `kind` took per pixel until it was good for planning [s]; none: there was none.
     std::optional<double> planningSeconds(const QString& kind) const;

@@ -73,7 +73,7 @@ std::optional<double> lastTime(const DesktopParts& parts, const Frame& frame) {
 
 /// What a picture alone says of itself while it is not as good as was wanted.
 QString captionOn(const DesktopParts& parts, const Frame& frame) {
-    return parts.bridge.captioned() ? ui::previewText(frame.status, frame.target, frame.smoothed) : QString();
+    return parts.bridge.captioned() ? ui::previewText(frame.status, frame.stop.levels, frame.smoothed) : QString();
 }
 
 QString invitation() {
@@ -222,10 +222,16 @@ void showStatus(const DesktopParts& parts) {
     foot.setMaking(making);
     foot.setRemarks(remarks);
     ui::AccuracyPanel& panel = parts.window.accuracy();
-    panel.setAccuracy(accuracy, foot.strip().target());
+    panel.setAccuracy(accuracy, bridge.stop());
     panel.setBias(remarks);
     panel.setMaking(making);
     foot.setLimit(ui::gridText(parts.document.scene().volume->geometry().spacingMm()));
+}
+
+void showStop(const DesktopParts& parts, const StopRule& rule) {
+    parts.window.foot().strip().setTarget(rule.levels);
+    parts.window.accuracy().stop().setRule(rule);
+    showStatus(parts);
 }
 
 void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& errors) {

@@ -40,6 +40,8 @@ void showNotice(const DesktopParts& parts, const QString& sentences);
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame);
 /// How good the picture is, in words; again when the rendering is held or goes on.
 void showStatus(const DesktopParts& parts);
+/// When rendering holds, wherever that is said.
+void showStop(const DesktopParts& parts, const StopRule& rule);
 /// How far the picture may be off where the mouse rests.
 void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& errors);
 /// What the effects cost, as far as it is known.

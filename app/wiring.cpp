@@ -58,6 +58,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&rendering, &ui::RenderPanel::paceChosen, &bridge, &RenderBridge::setPace);
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &bridge, &RenderBridge::setDevice);
     QObject::connect(&window.foot().strip(), &ui::AccuracyStrip::targetChosen, &bridge, &RenderBridge::setTarget);
+    QObject::connect(&window.accuracy().stop(), &ui::StopRow::ruleChosen, &bridge, &RenderBridge::setStop);
     QObject::connect(&window, &ui::MainWindow::errorMapChosen, &bridge, &RenderBridge::setErrorMap);
     QObject::connect(&window, &ui::MainWindow::regionChosen, &bridge, &RenderBridge::setRegion);
     QObject::connect(&window, &ui::MainWindow::pauseChosen, &bridge, &RenderBridge::setPaused);
@@ -78,6 +79,8 @@ void wireScreen(const DesktopParts& parts) {
     QObject::connect(&window.viewport(), &ui::Viewport::rested, &parts.bridge, &RenderBridge::askErrorAt);
     QObject::connect(&parts.bridge, &RenderBridge::errorFound, &window,
                      [parts](QPointF place, const LevelErrorsAt& errors) { showErrorAt(parts, place, errors); });
+    QObject::connect(&parts.bridge, &RenderBridge::stopChanged, &window,
+                     [parts](const StopRule& rule) { showStop(parts, rule); });
     QObject::connect(&parts.bridge, &RenderBridge::deviceChanged, &window.rendering(), &ui::RenderPanel::setDevice);
     QObject::connect(&parts.bridge, &RenderBridge::noticed, &window,
                      [parts](const QString& sentences) { showNotice(parts, sentences); });
@@ -101,6 +104,8 @@ void wireSettings(const DesktopParts& parts) {
                      [parts](bool captioned) { parts.settings.keepCaptioned(captioned); });
     QObject::connect(&parts.window.foot().strip(), &ui::AccuracyStrip::targetChosen, &parts.window,
                      [parts](double levels) { parts.settings.keepTarget(levels); });
+    QObject::connect(&parts.window.accuracy().stop(), &ui::StopRow::ruleChosen, &parts.window,
+                     [parts](const StopRule& rule) { parts.settings.keepTarget(rule.levels); });
 }
 
 }  // namespace

@@ -25,13 +25,19 @@ QLabel* addFact(QGridLayout& grid, const QString& name) {
 
 }  // namespace
 
-AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new ErrorPlot) {
+AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new ErrorPlot), stop_(new StopRow) {
     auto* facts = new QWidget;
     auto* grid = new QGridLayout(facts);
     grid->setContentsMargins(0, 0, 8, 0);
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(1, 1);
+    auto* holdAt = new QLabel(tr("Hold at"));
+    holdAt->setForegroundRole(QPalette::PlaceholderText);
+    grid->addWidget(holdAt, 0, 0, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(stop_, 0, 1);
+    comesFirst_ = addFact(*grid, {});
+    comesFirst_->setAccessibleName(tr("Which limit comes first"));
     noise_ = addFact(*grid, tr("Noise"));
     bias_ = addFact(*grid, tr("Besides noise"));
     health_ = addFact(*grid, tr("Health"));
@@ -54,8 +60,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new Error
     row->addWidget(scroll, 2);
 }
 
-void AccuracyPanel::setAccuracy(const Accuracy& accuracy, double target) {
-    plot_->setAccuracy(accuracy, target);
+void AccuracyPanel::setAccuracy(const Accuracy& accuracy, const StopRule& rule) {
+    plot_->setAccuracy(accuracy, rule.levels);
+    comesFirst_->setText(accuracy.status.samplesPerPixel > 0 ? stopText(rule, accuracy) : QString());
     noise_->setText(noiseText(accuracy));
     health_->setText(healthText(accuracy.status));
 }
@@ -69,7 +76,7 @@ void AccuracyPanel::setMaking(const QString& making) {
 }
 
 void AccuracyPanel::clear() {
-    setAccuracy({}, plot_->target());
+    setAccuracy({}, {.levels = plot_->target()});
     setBias({});
     setMaking({});
 }

@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include "ui/error_plot.h"
+#include "ui/stop_row.h"
 
 namespace pdr::ui {
 
@@ -15,9 +16,10 @@ class AccuracyPanel : public QWidget {
     explicit AccuracyPanel(QWidget* parent = nullptr);
 
     ErrorPlot& plot() { return *plot_; }
+    StopRow& stop() { return *stop_; }
 
-    /// `target`: the levels at which rendering holds.
-    void setAccuracy(const Accuracy& accuracy, double target);
+    /// `rule`: when rendering holds.
+    void setAccuracy(const Accuracy& accuracy, const StopRule& rule);
     /// Sentences on what is not noise.
     void setBias(const QStringList& remarks);
     /// What the picture is made by.
@@ -26,6 +28,8 @@ class AccuracyPanel : public QWidget {
 
   private:
     ErrorPlot* plot_;
+    StopRow* stop_;
+    QLabel* comesFirst_;
     QLabel* noise_;
     QLabel* bias_;
     QLabel* health_;

@@ -14,9 +14,13 @@ namespace {
 
 constexpr double kMargin = 9, kTrackHeight = 8, kKnobRadius = 7, kTop = kKnobRadius + 1, kLabelGap = 8;
 
+constexpr double kSnap = 9;  ///< so near to a tick [px] its step is meant
+
+/// The finest step that is no finer; the first one where there is none.
 int indexOf(double levels) {
-    const auto step = std::find(kQualitySteps.begin(), kQualitySteps.end(), levels);
-    return int(std::min<std::ptrdiff_t>(step - kQualitySteps.begin(), kQualitySteps.size() - 1));
+    const auto finer =
+        std::find_if(kQualitySteps.begin(), kQualitySteps.end(), [&](double step) { return step < levels; });
+    return int(std::max<std::ptrdiff_t>(finer - kQualitySteps.begin() - 1, 0));
 }
 
 }  // namespace
@@ -29,10 +33,7 @@ AccuracyStrip::AccuracyStrip(QWidget* parent) : QAbstractSlider(parent) {
     setFocusPolicy(Qt::TabFocus);  // a click must not take the keys away from the picture
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Target: how accurate the picture is to become"));
-    connect(this, &QAbstractSlider::valueChanged, this, [this] {
-        describe();
-        emit targetChosen(target());
-    });
+    connect(this, &QAbstractSlider::valueChanged, this, [this] { take(kQualitySteps[std::size_t(value())]); });
     describe();
 }
 
@@ -47,20 +48,36 @@ void AccuracyStrip::setAccuracy(const Accuracy& accuracy) {
 
 void AccuracyStrip::setTarget(double levels) {
     const QSignalBlocker silent(this);
+    target_ = levels;
     setValue(indexOf(levels));
     describe();
     update();
 }
 
-double AccuracyStrip::target() const {
-    return kQualitySteps[std::size_t(value())];
+void AccuracyStrip::take(double levels) {
+    if (levels == target_)
+        return;
+    setTarget(levels);
+    emit targetChosen(levels);
+}
+
+/// The steps that are foretold, and the target where it lies between them.
+std::vector<QualityStep> AccuracyStrip::marks() const {
+    std::vector<QualityStep> marks = accuracy_.steps;
+    const auto place =
+        std::find_if(marks.begin(), marks.end(), [&](const auto& step) { return step.levels <= target_; });
+    const bool isStep = place != marks.end() && place->levels == target_;
+    if (const auto seconds = secondsAt(accuracy_.steps, target_); seconds && !isStep)
+        marks.insert(place, {target_, accuracy_.status.displayError <= target_, *seconds});
+    return marks;
 }
 
 /// For those who cannot see the strip.
 void AccuracyStrip::describe() {
-    const bool known = !accuracy_.steps.empty();
-    setAccessibleDescription(known ? stepForecastText(accuracy_.steps[std::size_t(value())], accuracy_.seconds)
-                                   : stepText(target()));
+    setAccessibleDescription(stepText(target_));
+    for (const QualityStep& mark : marks())
+        if (mark.levels == target_)
+            setAccessibleDescription(stepForecastText(mark, accuracy_.seconds));
 }
 
 QSize AccuracyStrip::minimumSizeHint() const {
@@ -76,9 +93,9 @@ double AccuracyStrip::xOf(double seconds) const {
 }
 
 std::optional<double> AccuracyStrip::tickOf(double levels) const {
-    for (const QualityStep& step : accuracy_.steps)
-        if (step.levels == levels)
-            return xOf(step.seconds.value);
+    for (const QualityStep& mark : marks())
+        if (mark.levels == levels)
+            return xOf(mark.seconds.value);
     return std::nullopt;
 }
 
@@ -97,8 +114,8 @@ QString AccuracyStrip::labelOf(const QualityStep& step) const {
 std::vector<StripLabel> AccuracyStrip::labels() const {
     std::vector<StripLabel> labels;
     const QualityStep* next = nextStep(accuracy_.steps);
-    for (const QualityStep& step : accuracy_.steps) {
-        const int rank = step.levels == target() ? 2 : &step == next ? 1 : 0;
+    for (const QualityStep& step : marks()) {
+        const int rank = step.levels == target_ ? 2 : next != nullptr && step.levels == next->levels ? 1 : 0;
         labels.push_back({xOf(step.seconds.value), double(fontMetrics().horizontalAdvance(labelOf(step))), rank});
     }
     placeLabels(labels, track().right(), kLabelGap);
@@ -124,8 +141,8 @@ void AccuracyStrip::paintTrack(QPainter& painter) const {
         painter.drawRect(done);
     }
     const QualityStep* next = nextStep(accuracy_.steps);
-    for (const QualityStep& step : accuracy_.steps)
-        if (!step.reached && (&step == next || step.levels == target()))
+    for (const QualityStep& step : marks())
+        if (!step.reached && (step.levels == target_ || (next != nullptr && step.levels == next->levels)))
             paintBand(painter, step);
 }
 
@@ -141,11 +158,11 @@ void AccuracyStrip::paintTicks(QPainter& painter) const {
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF along = track();
     const std::vector<StripLabel> places = labels();
+    const std::vector<QualityStep> steps = marks();
     for (std::size_t i = 0; i < places.size(); ++i) {
         painter.drawLine(QPointF(places[i].middle, along.top() - 2), QPointF(places[i].middle, along.bottom() + 2));
         if (places[i].shown)
-            painter.drawText(QPointF(places[i].left, height() - fontMetrics().descent() - 1),
-                             labelOf(accuracy_.steps[i]));
+            painter.drawText(QPointF(places[i].left, height() - fontMetrics().descent() - 1), labelOf(steps[i]));
     }
 }
 
@@ -155,7 +172,7 @@ void AccuracyStrip::paintKnob(QPainter& painter) const {
     painter.drawEllipse(QPointF(knob(), track().center().y()), kKnobRadius - 1, kKnobRadius - 1);
 }
 
-/// The step whose tick lies nearest to the mouse is meant, the finest of several at one place.
+/// Near a tick its step is meant, the finest of several at one place; else what is reached at that moment.
 void AccuracyStrip::choose(double x) {
     if (accuracy_.steps.empty())
         return;
@@ -163,8 +180,17 @@ void AccuracyStrip::choose(double x) {
     const auto nearest =
         std::min_element(accuracy_.steps.rbegin(), accuracy_.steps.rend(),
                          [&](const QualityStep& a, const QualityStep& b) { return distance(a) < distance(b); });
-    setValue(indexOf(nearest->levels));
-    update();
+    const double seconds = axis_.secondsAt((x - track().left()) / track().width());
+    take(distance(*nearest) <= kSnap ? nearest->levels : nearestTarget(levelsAt(accuracy_.steps, seconds)));
+}
+
+/// From between two steps to the one before.
+void AccuracyStrip::keyPressEvent(QKeyEvent* event) {
+    const double before = kQualitySteps[std::size_t(value())];
+    const bool back = event->key() == Qt::Key_Left || event->key() == Qt::Key_Down;
+    if (back && target_ < before)
+        return take(before);
+    QAbstractSlider::keyPressEvent(event);
 }
 
 void AccuracyStrip::mousePressEvent(QMouseEvent* event) {
@@ -188,8 +214,8 @@ bool AccuracyStrip::event(QEvent* event) {
         return QAbstractSlider::event(event);
     QStringList lines{
         tr("Rendering holds at %1: drag the knob, to the left for sooner, to the right for more accurate.")
-            .arg(stepText(target()))};
-    for (const QualityStep& step : accuracy_.steps)
+            .arg(stepText(target_))};
+    for (const QualityStep& step : marks())
         lines << stepForecastText(step, accuracy_.seconds);
     QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), lines.join('\n'), this);
     return true;

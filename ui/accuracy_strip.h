@@ -18,9 +18,8 @@ class AccuracyStrip : public QAbstractSlider {
     explicit AccuracyStrip(QWidget* parent = nullptr);
 
     void setAccuracy(const Accuracy& accuracy);
-    /// One of kQualitySteps.
     void setTarget(double levels);
-    double target() const;
+    double target() const { return target_; }
 
     /// Where the tick of that step stands [px]; nothing while it is not known.
     std::optional<double> tickOf(double levels) const;
@@ -38,6 +37,7 @@ class AccuracyStrip : public QAbstractSlider {
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
 
   private:
@@ -49,11 +49,14 @@ class AccuracyStrip : public QAbstractSlider {
     void paintBand(QPainter& painter, const QualityStep& step) const;
     void paintTicks(QPainter& painter) const;
     void paintKnob(QPainter& painter) const;
+    std::vector<QualityStep> marks() const;
     void choose(double x);
+    void take(double levels);
     void describe();
 
     Accuracy accuracy_;
     StripAxis axis_;
+    double target_ = kFinestStep;  ///< at or between the steps; value() is the step at or before it
 };
 
 }  // namespace pdr::ui

@@ -169,6 +169,24 @@ QString hereText(const LevelErrorsAt& errors, bool smoothed) {
     return smoothed ? translated("%1, before smoothing").arg(text) : text;
 }
 
+QString stopText(const StopRule& rule, const Accuracy& accuracy) {
+    const std::optional<ForetoldStop> stop =
+        foretoldStop(rule, accuracy.steps, accuracy.seconds, accuracy.status.samplesPerPixel);
+    if (!stop)
+        return translated("which of them comes first is not known yet");
+    const QString by = levels(stop->levels), samples = QLocale::c().toString(std::ceil(stop->samples), 'f', 0);
+    const QString left = durationText(std::max(stop->seconds - accuracy.seconds, 0.0));
+    switch (stop->cause) {
+        case ForetoldStop::Cause::levels:
+            return translated("±%1 comes first: in %2, with %3 samples").arg(by, left, samples);
+        case ForetoldStop::Cause::seconds:
+            return translated("the time comes first: in %2, within ±%1 and with %3 samples").arg(by, left, samples);
+        case ForetoldStop::Cause::samples:
+            break;
+    }
+    return translated("the samples come first: %3 in %2, within ±%1").arg(by, left, samples);
+}
+
 QString stepText(double stepLevels) {
     return translated("±%1").arg(levels(stepLevels));
 }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/accuracy/forecast.h"
+#include "render/accuracy/stop_rule.h"
 #include "render/film/level_error_map.h"
 
 namespace pdr::ui {
@@ -45,6 +45,9 @@ QString noiseText(const Accuracy& accuracy);
 /// At one place: "here ±12; over 1 mm ±3", and what of that is not known yet. `smoothed`: the picture is, and this is
 /// of what it was before. Nothing without tissue.
 QString hereText(const LevelErrorsAt& errors, bool smoothed);
+
+/// Which limit ends the rendering, and what is there by then: "±4 comes first: in 2.1 min, with 340 samples".
+QString stopText(const StopRule& rule, const Accuracy& accuracy);
 
 /// A step on the strip: "±8"; and for a reader: "±8 in 40 s, to 95 % between 34 s and 47 s".
 QString stepText(double levels);

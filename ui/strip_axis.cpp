@@ -14,6 +14,10 @@ double StripAxis::at(double seconds) const {
     return std::min(place, 1.0);
 }
 
+double StripAxis::secondsAt(double place) const {
+    return first_ * std::pow(last_ / first_, place);
+}
+
 void placeLabels(std::vector<StripLabel>& labels, double width, double gap) {
     std::vector<std::size_t> order(labels.size());
     std::iota(order.begin(), order.end(), std::size_t(0));

@@ -16,6 +16,9 @@ class StripAxis {
     /// Of `seconds` of rendering; what lies beyond either end stands there.
     double at(double seconds) const;
 
+    /// The moment that stands there.
+    double secondsAt(double place) const;
+
     double first() const { return first_; }
     double last() const { return last_; }
 

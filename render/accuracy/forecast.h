@@ -46,6 +46,11 @@ struct QualityStep {
 const QualityStep* reachedStep(const std::vector<QualityStep>& steps);
 const QualityStep* nextStep(const std::vector<QualityStep>& steps);
 
+/// When an error of `levels`, > 0, was or will be reached, between the steps and beyond [s]; none without steps.
+std::optional<Foretold> secondsAt(const std::vector<QualityStep>& steps, double levels);
+/// The error after so many seconds, > 0, of rendering [levels]. There must be steps.
+double levelsAt(const std::vector<QualityStep>& steps, double seconds);
+
 /// Samples per pixel, in all, until an error that falls like most falls from `error` to `target` (> 0), whatever its
 /// unit. Infinite while it is not known; the samples that are there if it is reached already.
 double samplesToReach(double target, double error, std::uint64_t samples);

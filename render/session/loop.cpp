@@ -73,7 +73,7 @@ RenderCommands::LoopState Session::Loop::state() const {
             .revision = place_.hasScene() ? place_.revision() : 0,
             .owed = film && (first_ || coarse() || sweep_.isHalfMade()),
             .lingers = film && (brightens_ || (moving_ && coarse() && !first_)),
-            .displayError = film ? worstError() : std::nullopt,
+            .progress = film ? progress() : RenderCommands::Progress(),
             .unshown = film && sweep_.samples().least > 0 && (done_ > 0 || !waiting_.empty() || fresh_),
             .canSnapshot = canSnapshot(),
             .unmeasured = canSnapshot() && ledger_.hasWork()};

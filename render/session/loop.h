@@ -90,7 +90,7 @@ class Session::Loop {
     Result<void> beginFrame(const FrameBudget& pace);
     bool late() const;
     Result<void> lookAtRegion(const Display& display);
-    std::optional<double> worstError() const;
+    RenderCommands::Progress progress() const;
     double secondsAhead() const;
     std::vector<QualityStep> steps() const;
     bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }

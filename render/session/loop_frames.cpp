@@ -96,7 +96,8 @@ double Session::Loop::piecePixels() const {
 /// around it.
 Tile Session::Loop::nextPart() {
     const bool inParts = !first_ && !coarse() && scene_.schedule.kind == Schedule::Kind::pd;
-    return inParts && region_.isFirst(commands.target()) ? *region_.tile(place_.size()) : wholeImage(place_.size());
+    return inParts && region_.isFirst(commands.stop().levels) ? *region_.tile(place_.size())
+                                                              : wholeImage(place_.size());
 }
 
 /// All its passes are over the same part.
@@ -138,7 +139,7 @@ Result<void> Session::Loop::takeSnapshots() {
                             seconds_ + frameSeconds_,
                             place_.info().name,
                             knownBias(commands.display().exposure),
-                            commands.target()};
+                            commands.stop()};
         for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
             order.look(view);
     });

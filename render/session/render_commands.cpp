@@ -90,11 +90,11 @@ void RenderCommands::setPaused(bool paused) {
     changed_.notify_one();
 }
 
-void RenderCommands::setTarget(double levels) {
+void RenderCommands::setStop(const StopRule& rule) {
     const std::lock_guard lock(mutex_);
-    if (levels == target_)
+    if (rule == stop_)
         return;
-    target_ = levels;
+    stop_ = rule;
     beyond_ = false;
     displayChanged_ = true;
     changed_.notify_one();
@@ -106,14 +106,14 @@ void RenderCommands::goOn() {
     changed_.notify_one();
 }
 
-double RenderCommands::target() {
+StopRule RenderCommands::stop() {
     const std::lock_guard lock(mutex_);
-    return target_;
+    return stop_;
 }
 
-bool RenderCommands::holdsAt(std::optional<double> displayError) {
+bool RenderCommands::holdsAt(const Progress& progress) {
     const std::lock_guard lock(mutex_);
-    return isReached(displayError);
+    return isReached(progress);
 }
 
 void RenderCommands::clear() {
@@ -155,12 +155,12 @@ bool RenderCommands::asked(const LoopState& state) const {
     return clear_ || scene_ || device_ || displayChanged_ || look;
 }
 
-bool RenderCommands::isReached(std::optional<double> displayError) const {
-    return displayError && *displayError <= target_ && !beyond_;
+bool RenderCommands::isReached(const Progress& progress) const {
+    return progress.displayError && !beyond_ && stop_.isMet(*progress.displayError, progress.seconds, progress.samples);
 }
 
 bool RenderCommands::renders(const LoopState& state) const {
-    const bool holds = paused_ || isReached(state.displayError);
+    const bool holds = paused_ || isReached(state.progress);
     return !holds || state.owed;
 }
 

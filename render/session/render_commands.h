@@ -25,6 +25,13 @@ class RenderCommands {
         SnapshotObserver look;
     };
 
+    /// How far the full picture is that was shown last.
+    struct Progress {
+        std::optional<double> displayError;  ///< of its region where that is more; none: there is no such picture
+        double seconds = 0;
+        std::uint64_t samples = 0;  ///< per pixel
+    };
+
     /// Where the render thread stands.
     struct LoopState {
         bool scene = false;          ///< there is one
@@ -33,11 +40,10 @@ class RenderCommands {
         bool owed = false;           ///< its first full picture is still to come, or an iteration is half made; that
                                      ///< much is made even while paused
         bool lingers = false;        ///< what comes next may be in vain, or in the way: a hand that moves soon moves on
-        std::optional<double> displayError;  ///< of the full picture that was shown last, or of its region where
-                                             ///< that is more; none: there is none
-        bool unshown = false;                ///< the film holds what has not been shown
-        bool canSnapshot = false;            ///< it can be looked at
-        bool unmeasured = false;             ///< what effects cost is to be measured, and can be now
+        Progress progress;
+        bool unshown = false;      ///< the film holds what has not been shown
+        bool canSnapshot = false;  ///< it can be looked at
+        bool unmeasured = false;   ///< what effects cost is to be measured, and can be now
     };
 
     /// What the render thread does next, in the order in which it does it.
@@ -65,15 +71,15 @@ class RenderCommands {
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
     /// What is there is shown again, with whether it is as good as is wanted now.
-    void setTarget(double levels);
-    /// Also beyond the target, until there is another scene or another target.
+    void setStop(const StopRule& rule);
+    /// Also beyond that, until there is another scene or another rule.
     void goOn();
     void clear();
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
     void watchEffects(EffectsWatch watch);
-    double target();
-    /// Whether a picture of that error is as good as was wanted, and left as it is.
-    bool holdsAt(std::optional<double> displayError);
+    StopRule stop();
+    /// Whether a picture that is so far is left as it is.
+    bool holdsAt(const Progress& progress);
     /// Whether one is wanted.
     bool errorMap();
     std::optional<Region> region();
@@ -93,7 +99,7 @@ class RenderCommands {
     static constexpr auto kStill = std::chrono::milliseconds(100);
 
     bool asked(const LoopState& state) const;
-    bool isReached(std::optional<double> displayError) const;
+    bool isReached(const Progress& progress) const;
     bool renders(const LoopState& state) const;
     std::vector<SnapshotRequest> takeUnanswerable(const LoopState& state, const Iteration& step);
     void breakOff();
@@ -110,8 +116,8 @@ class RenderCommands {
     std::optional<Region> region_;
     FrameBudget pace_;
     bool paused_ = false;
-    double target_ = kFinestStep;  ///< display levels
-    bool beyond_ = false;          ///< it does not count for this scene
+    StopRule stop_;
+    bool beyond_ = false;  ///< it does not count for this scene
     bool clear_ = false;
     std::vector<SnapshotRequest> looks_;
     std::stop_source running_, detour_;  ///< see Iteration

@@ -49,8 +49,8 @@ void Session::setPaused(bool paused) {
     loop_->commands.setPaused(paused);
 }
 
-void Session::setTarget(double levels) {
-    loop_->commands.setTarget(levels);
+void Session::setStop(const StopRule& rule) {
+    loop_->commands.setStop(rule);
 }
 
 void Session::goOn() {

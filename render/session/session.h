@@ -11,6 +11,7 @@
 
 #include "render/accuracy/bias.h"
 #include "render/accuracy/forecast.h"
+#include "render/accuracy/stop_rule.h"
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
@@ -49,8 +50,8 @@ struct Frame {
     double efficiency = 0;  ///< lately: the part of the time that went into iterations, (0, 1]; 0 = not known
     std::string device;     ///< its name: "cpu"
     Schedule schedule;
-    double target = kFinestStep;      ///< levels within which 95 % of the tissue is to lie
-    bool reached = false;             ///< it does, and rendering holds until more is asked for
+    StopRule stop;                    ///< when rendering holds
+    bool reached = false;             ///< it does, until more is asked for
     std::string error;                ///< for the user, when rendering failed and holds
     std::string notice;               ///< for the user, when it goes on, but not as was asked: whole sentences
     std::vector<ErrorPoint> history;  ///< see ErrorHistory::points()
@@ -69,7 +70,7 @@ struct FilmView {
     double seconds;             ///< spent
     const std::string& device;  ///< its name: "cpu"
     MeasuredBiases bias;        ///< of ways that only measuring tells it of
-    double target;              ///< as in Frame
+    StopRule stop;              ///< as in Frame
 };
 
 /// Called on the render thread: with the film, or with the reason why there is none.
@@ -120,9 +121,9 @@ class Session {
     void setDevice(DeviceOpener open);
     /// Holds or goes on.
     void setPaused(bool paused);
-    /// The levels within which 95 % of the tissue is to lie, > 0: there it holds by itself. kFinestStep at first.
-    void setTarget(double levels);
-    /// Goes on beyond the target, until there is another scene or another target.
+    /// When it holds by itself: within kFinestStep at first.
+    void setStop(const StopRule& rule);
+    /// Goes on beyond that, until there is another scene or another rule.
     void goOn();
     /// Shows nothing: scene, film and what the device keeps of them are given back soon.
     void clear();

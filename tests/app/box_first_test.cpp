@@ -64,7 +64,7 @@ void TestBoxFirst::aBoxIsDrawnHasItsOwnSentenceAndIsForgotten() {
     QVERIFY(trial.said().contains("waits for the box"));
     QVERIFY(last()->status.mostSamplesPerPixel > last()->status.samplesPerPixel);
     // As good as is wanted of it, all of the picture is spoken of again.
-    trial.desktop.parts().bridge.setTarget(32);
+    trial.desktop.parts().bridge.setStop({.levels = 32});
     QTRY_VERIFY_WITH_TIMEOUT(last()->region->reached, test::kPatience);
     QVERIFY(!trial.said().startsWith("In the box: "));
     QVERIFY(trial.said().contains(QString::fromUtf8("in the box 95 % of the tissue within ±")));

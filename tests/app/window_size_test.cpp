@@ -198,7 +198,7 @@ void TestWindowSize::theKnobStopsRenderingAndGoesOn() {
     trial.desktop.parts().document.setViewSize({12, 8});
     const auto reached = [&](double levels) {
         const Frame& frame = *trial.frames.back();
-        return bridge.reached() && frame.target == levels && frame.status.displayError <= levels;
+        return bridge.reached() && frame.stop.levels == levels && frame.status.displayError <= levels;
     };
     QTest::keyClick(&strip, Qt::Key_Home);
     QTRY_VERIFY_WITH_TIMEOUT(reached(32), test::kPatience);

@@ -98,6 +98,12 @@ def _is_expression(text: str) -> bool:
     return text.strip() != "" and not _is_list(text) and not re.match(r"(if|for|while|switch|return)\b|&& |\|\| ", text)
 
 
+def _begins_statement(text: str, begin: int) -> bool:
+    """Whether a statement can begin there, and not the rest of one."""
+    before = re.sub(r"//[^\n]*", "", text[:begin]).rstrip()
+    return before.endswith((";", "{", "}", ")", ":", "else"))
+
+
 def _planted(was: str, bugs: list[tuple[Bug, Place]]) -> str:
     """What ends in a semicolon is a statement, all else an expression."""
     text = was
@@ -124,6 +130,8 @@ def plant(source: Path, bugs: list[Bug]) -> dict[str, str]:
                 if file not in texts:
                     texts[file] = (source / file).read_text()
                 span = _span(texts[file], place)
+                if place.was.rstrip().endswith(";") and not _begins_statement(texts[file], span[0]):
+                    raise TableError(f"{file}: begins amid a statement: {place.was!r}")
                 pieces.setdefault(file, {}).setdefault(span, []).append((bug, place))
             except (TableError, OSError) as error:
                 complaints.append(f"{bug.name}: {error}")

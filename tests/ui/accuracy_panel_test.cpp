@@ -22,6 +22,8 @@ class TestAccuracyPanel : public QObject {
     void whatWasMeasuredStandsInItsPlace();
     void whatIsForetoldIsHatchedFromNowOn();
     void noiseAndWhatIsNotNoiseAreTwoSentences();
+    void theLimitThatComesFirstIsTold();
+    void aRuleIsTypedInThreeFields();
     void samplesThatWereLeftOutAreCounted();
     void itIsFoldedAwayUntilTheSentenceIsClicked();
     void itHasAKeyAndLeavesThePictureItsPart();
@@ -137,20 +139,51 @@ void TestAccuracyPanel::noiseAndWhatIsNotNoiseAreTwoSentences() {
     QCOMPARE(noiseText({}), QString());
 
     AccuracyPanel panel;
-    panel.setAccuracy(accuracyNow(), 4);
+    panel.setAccuracy(accuracyNow(), {.levels = 4});
     panel.setBias({"smoothed", "stretched"});
     panel.setMaking("64 samples on the CPU");
     QStringList facts;
     for (const QLabel* label : panel.findChildren<QLabel*>())
         if (!label->accessibleName().isEmpty())
             facts << label->accessibleName() + ": " + label->text();
-    QCOMPARE(facts, QStringList({"Noise: ±8 levels for 95 % of the tissue; 8 % of its light",
-                                 "Besides noise: smoothed\nstretched", "Health: No sample was left out",
-                                 "Made by: 64 samples on the CPU"}));
+    QCOMPARE(
+        facts,
+        QStringList({QString::fromUtf8("Which limit comes first: ±4 comes first: in 1.6 min, with 256 samples"),
+                     "Noise: ±8 levels for 95 % of the tissue; 8 % of its light", "Besides noise: smoothed\nstretched",
+                     "Health: No sample was left out", "Made by: 64 samples on the CPU"}));
     panel.clear();
     for (const QLabel* label : panel.findChildren<QLabel*>())
         QVERIFY(label->accessibleName().isEmpty() || label->text().isEmpty());
     QCOMPARE(panel.plot().target(), 4.0);
+}
+
+void TestAccuracyPanel::theLimitThatComesFirstIsTold() {
+    const Accuracy accuracy = accuracyNow();
+    const auto told = [&](const StopRule& rule) { return stopText(rule, accuracy); };
+    QVERIFY2(told({.levels = 2, .seconds = 60}).startsWith("the time comes first: in "),
+             qPrintable(told({.levels = 2, .seconds = 60})));
+    QVERIFY(told({.levels = 2, .samples = 100}).startsWith("the samples come first: 100 in "));
+    QVERIFY(told({.levels = 2, .seconds = 1e6, .samples = 10'000'000}).startsWith(QString::fromUtf8("±2 comes first")));
+    QCOMPARE(stopText({}, {{.samplesPerPixel = 40}}), "which of them comes first is not known yet");
+}
+
+void TestAccuracyPanel::aRuleIsTypedInThreeFields() {
+    StopRow row;
+    QSignalSpy chosen(&row, &StopRow::ruleChosen);
+    row.setRule({.levels = 2.5, .seconds = 90, .samples = 300});
+    QVERIFY(row.rule() == (StopRule{.levels = 2.5, .seconds = 90, .samples = 300}));
+    row.setRule({});
+    QVERIFY(row.rule() == StopRule{} && chosen.isEmpty());
+    const auto fields = row.findChildren<QAbstractSpinBox*>();
+    QCOMPARE(fields.size(), 3);
+    for (QAbstractSpinBox* field : fields) {
+        QVERIFY(!field->accessibleName().isEmpty());
+        field->selectAll();
+        QTest::keyClicks(field, "12");
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    QCOMPARE(chosen.count(), 3);  // not with each digit
+    QVERIFY(row.rule() == (StopRule{.levels = 12, .seconds = 12, .samples = 12}));
 }
 
 void TestAccuracyPanel::samplesThatWereLeftOutAreCounted() {

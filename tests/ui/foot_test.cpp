@@ -29,6 +29,7 @@ class TestFoot : public QObject {
     void theKnobIsDraggedToTheNearestStep();
     void theArrowKeysMoveTheKnob();
     void theTargetIsSetSilently();
+    void theKnobCanStandBetweenTwoSteps();
     void withoutAForecastTheKnobStays();
     void theStripTellsItsValueToThoseWhoCannotSeeIt();
     void theStripIsFilledUpToNow();
@@ -238,8 +239,29 @@ void TestFoot::theTargetIsSetSilently() {
     strip.setTarget(16);
     QCOMPARE(strip.target(), 16.0);
     strip.setTarget(5);  // no step
-    QCOMPARE(strip.target(), 1.0);
+    QCOMPARE(strip.target(), 5.0);
     QCOMPARE(chosen.count(), 0);
+}
+
+/// There it is rounded to what can be read; the keys go on from there to the steps beside it.
+void TestFoot::theKnobCanStandBetweenTwoSteps() {
+    AccuracyStrip strip;
+    strip.resize(800, 40);
+    strip.setAccuracy(accuracyAt(15));
+    QSignalSpy chosen(&strip, &AccuracyStrip::targetChosen);
+    const double middle = (*strip.tickOf(8) + *strip.tickOf(4)) / 2;
+    QTest::mouseClick(&strip, Qt::LeftButton, {}, QPoint(int(middle), 8));
+    QCOMPARE(chosen.takeLast().first().toDouble(), 6.0);  // 8 / sqrt(2)
+    QVERIFY(*strip.tickOf(8) < *strip.tickOf(6) && *strip.tickOf(6) < *strip.tickOf(4));
+    QVERIFY(strip.accessibleDescription().startsWith(QString::fromUtf8("±6 in ")));
+    QTest::keyClick(&strip, Qt::Key_Right);
+    QCOMPARE(chosen.takeLast().first().toDouble(), 4.0);
+    strip.setTarget(6);
+    QTest::keyClick(&strip, Qt::Key_Left);
+    QCOMPARE(chosen.takeLast().first().toDouble(), 8.0);
+    strip.setTarget(6);
+    strip.setAccuracy(accuracyAt(5));
+    QVERIFY(strip.accessibleDescription().contains("since"));
 }
 
 void TestFoot::withoutAForecastTheKnobStays() {

@@ -67,7 +67,7 @@ Result<std::vector<RunCost>> runSession(const RunPlan& plan, Beside beside) {
     session.setDisplay({plan.exposure, beside >= Beside::judgement});
     session.setErrorMap(beside == Beside::errorMap);
     session.setIterationsPerFrame(plan.iterations);
-    session.setTarget(1e-6);  // it goes on until it was looked at
+    session.setStop({.levels = 1e-6});  // it goes on until it was looked at
     if (beside == Beside::ledger)
         session.watchEffects({[&] { return Result(makeCpuDevice(plan.threads)); }, [](const auto&) {}});
     Scene scene = plan.scene;

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "render/accuracy/forecast.h"
+#include "render/accuracy/stop_rule.h"
 
 using namespace pdr;
 
@@ -254,6 +254,54 @@ class ForecastTest : public QObject {
         const double half = samplesToReach(0.1, 0.2, 100);
         QVERIFY(half > 300 && half < 400);  // low-discrepancy points: less than four times as many
         QVERIFY(std::fabs(samplesToReach(0.05, 0.2, 100) / half - half / 100) < 1e-9);
+    }
+    void betweenTwoStepsTimesLieOnALineOfLogarithms() {
+        std::vector<QualityStep> steps;
+        for (const double levels : kQualitySteps)  // four times as long for half the error
+            steps.push_back(
+                {levels, false, {1024 / (levels * levels), 512 / (levels * levels), 2048 / (levels * levels)}});
+        for (const double levels : {100.0, 32.0, 20.0, 8.0, 3.0, 1.0, 0.5}) {
+            const std::optional<Foretold> seconds = secondsAt(steps, levels);
+            QVERIFY(seconds && std::abs(seconds->value * levels * levels - 1024) < 1e-6);
+            QVERIFY(std::abs(seconds->low * levels * levels - 512) < 1e-6);
+            QVERIFY(std::abs(levelsAt(steps, seconds->value) / levels - 1) < 1e-9);
+        }
+        steps.back().seconds.high = std::numeric_limits<double>::infinity();
+        QVERIFY(std::isinf(secondsAt(steps, 1.5)->high) && std::isfinite(secondsAt(steps, 3)->high));
+        QVERIFY(!secondsAt({}, 8));
+    }
+
+    /// All steps at once, as of a picture without noise.
+    void stepsAtOneMomentAreAllReachedThen() {
+        std::vector<QualityStep> steps;
+        for (const double levels : kQualitySteps)
+            steps.push_back({levels, true, {2, 2, 2}});
+        QCOMPARE(secondsAt(steps, 5)->value, 2.0);
+        QVERIFY(std::isfinite(levelsAt(steps, 7)));
+    }
+
+    void whatCanBeAskedForIsWhatCanBeSaid() {
+        for (const auto& [asked, taken] :
+             {std::pair(5.66, 6.0), {3.4, 3.0}, {2.98, 3.0}, {2.94, 2.9}, {1, 1}, {0.01, 0.2}, {1e3, 64}})
+            QCOMPARE(nearestTarget(asked), taken);
+    }
+
+    void theFirstLimitThatIsReachedEndsARendering() {
+        std::vector<QualityStep> steps;
+        for (const double levels : kQualitySteps)
+            steps.push_back({levels, false, {1024 / (levels * levels), 0, 0}});
+        const auto cause = [&](const StopRule& rule) { return foretoldStop(rule, steps, 2, 64)->cause; };
+        using Cause = ForetoldStop::Cause;
+        QVERIFY(cause({.levels = 8}) == Cause::levels);
+        QVERIFY(cause({.levels = 8, .seconds = 17}) == Cause::levels);
+        QVERIFY(cause({.levels = 8, .seconds = 15}) == Cause::seconds);
+        QVERIFY(cause({.levels = 8, .seconds = 15, .samples = 400}) == Cause::samples);
+        const auto stop = foretoldStop({.levels = 1, .samples = 512}, steps, 2, 64);
+        QVERIFY(std::abs(stop->seconds - 16) < 1e-9 && std::abs(stop->levels - 8) < 1e-6 && stop->samples == 512);
+        QVERIFY(!foretoldStop({}, {}, 2, 64));
+        const StopRule rule{.levels = 4, .seconds = 10, .samples = 100};
+        QVERIFY(rule.isMet(4, 1, 1) && rule.isMet(9, 10, 1) && rule.isMet(9, 1, 100) && !rule.isMet(4.1, 9.9, 99));
+        QVERIFY(!StopRule{}.isMet(1.1, 1e9, 1'000'000'000));
     }
 };
 

@@ -20,7 +20,7 @@ struct Held {
 
     Held() {
         session.setIterationsPerFrame(20);
-        session.setTarget(8);
+        session.setStop({.levels = 8});
         Scene scene = test::largeScene(1);
         scene.film = {48, 32};
         session.submit(scene, false);

@@ -27,7 +27,7 @@ struct Watched {
 
     explicit Watched(double target) : session(makeCpuDevice(2), screen.sink()) {
         session.setIterationsPerFrame(4);
-        session.setTarget(target);
+        session.setStop({.levels = target});
     }
     std::shared_ptr<const Frame> reached() {
         return screen.await([](const Frame& frame) { return frame.reached; });
@@ -72,7 +72,7 @@ class RegionTest : public QObject {
         test::Reel reel;
         Session session(makeCpuDevice(2), reel.sink());
         session.setIterationsPerFrame(4);
-        session.setTarget(8);
+        session.setStop({.levels = 8});
         session.setRegion(kMiddle);
         session.submit(smallScene(), false);
         QTRY_VERIFY_WITH_TIMEOUT(!reel.of(1).empty() && reel.of(1).back()->reached, 1'800'000);
@@ -163,7 +163,7 @@ class RegionTest : public QObject {
         mishaps->iterationSeconds = kIteration;
         test::Reel reel;
         Session session(test::failing(mishaps), reel.sink(), {}, test::readingOf(mishaps->clock));
-        session.setTarget(1e-3);
+        session.setStop({.levels = 1e-3});
         Scene scene = smallScene();
         scene.film = {64, 32};
         session.submit(scene, false);

@@ -75,14 +75,14 @@ class TargetTest : public QObject {
     void renderingHoldsAtTheTargetAndGoesOnToAFinerOne() {
         Held held;
         held.session.setIterationsPerFrame(8);
-        held.session.setTarget(8);
+        held.session.setStop({.levels = 8});
         const auto frame = held.reached(1);
-        QVERIFY(frame && frame->target == 8 && frame->status.displayError <= 8 && frame->status.displayError > 2);
-        held.session.setTarget(2);
-        const auto finer = held.screen.await([](const Frame& f) { return f.reached && f.target == 2; });
+        QVERIFY(frame && frame->stop.levels == 8 && frame->status.displayError <= 8 && frame->status.displayError > 2);
+        held.session.setStop({.levels = 2});
+        const auto finer = held.screen.await([](const Frame& f) { return f.reached && f.stop.levels == 2; });
         QVERIFY(finer && finer->status.displayError <= 2);
-        held.session.setTarget(16);
-        const auto still = held.screen.await([](const Frame& f) { return f.target == 16; });
+        held.session.setStop({.levels = 16});
+        const auto still = held.screen.await([](const Frame& f) { return f.stop.levels == 16; });
         QVERIFY(still && still->reached);
         QCOMPARE(still->status.samplesPerPixel, finer->status.samplesPerPixel);
     }
@@ -90,18 +90,18 @@ class TargetTest : public QObject {
     void aNewTargetCountsEvenWhereRenderingWentOnBeyondTheOld() {
         Held held;
         held.session.setIterationsPerFrame(8);
-        held.session.setTarget(8);
+        held.session.setStop({.levels = 8});
         QVERIFY(held.reached(1));
         held.session.goOn();
         QVERIFY(held.screen.await([](const Frame& f) { return f.status.displayError <= 6 && !f.reached; }));
-        held.session.setTarget(2);
-        QVERIFY(held.screen.await([](const Frame& f) { return f.reached && f.target == 2; }));
+        held.session.setStop({.levels = 2});
+        QVERIFY(held.screen.await([](const Frame& f) { return f.reached && f.stop.levels == 2; }));
     }
 
     void framesSayWhenStepsWereAndWillBeReached() {
         Held held;
         held.session.setIterationsPerFrame(8);
-        held.session.setTarget(8);
+        held.session.setStop({.levels = 8});
         const auto frame = held.reached(1);
         QVERIFY(frame && frame->steps.size() == kQualitySteps.size());
         QVERIFY(reachedStep(frame->steps)->levels <= 8);
@@ -117,6 +117,18 @@ class TargetTest : public QObject {
         QVERIFY(held.screen.await([&](const Frame& f) {
             return f.display.exposure == 0.2f && f.status.samplesPerPixel > frame->status.samplesPerPixel;
         }));
+    }
+
+    void whicheverLimitComesFirstHolds() {
+        Held held;
+        held.session.setIterationsPerFrame(4);
+        held.session.setStop({.levels = 1e-3, .samples = 40});
+        const auto frame = held.reached(1);
+        QVERIFY(frame && frame->status.samplesPerPixel >= 40 && frame->status.displayError > 1e-3);
+        held.session.setStop({.levels = 1e-3, .seconds = frame->seconds + 0.05});
+        const auto later = held.screen.await([](const Frame& f) { return f.reached && f.stop.samples == 0; });
+        QVERIFY(later && later->seconds >= later->stop.seconds);
+        QVERIFY(later->status.samplesPerPixel > frame->status.samplesPerPixel);
     }
 
     void aPauseStaysAPause() {

@@ -1,0 +1,77 @@
+#include "ui/stop_row.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <cmath>
+#include <limits>
+
+namespace pdr::ui {
+namespace {
+
+constexpr double kMostSeconds = 24 * 3600;
+constexpr int kMostSamples = 10'000'000;
+
+/// Narrow fields, and one edit when a number is typed in full.
+void prepare(QAbstractSpinBox& field, const QString& name) {
+    field.setAccessibleName(name);
+    field.setToolTip(name);
+    field.setKeyboardTracking(false);
+    field.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    field.setButtonSymbols(QAbstractSpinBox::NoButtons);  // arrow keys and the wheel do as well
+    field.setMinimumWidth(56);
+}
+
+}  // namespace
+
+StopRow::StopRow(QWidget* parent)
+    : QWidget(parent), levels_(new QDoubleSpinBox), seconds_(new QDoubleSpinBox), samples_(new QSpinBox) {
+    levels_->setRange(kFinestTarget, kCoarsestTarget);
+    levels_->setDecimals(1);
+    levels_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    levels_->setPrefix(tr("±"));
+    levels_->setLocale(QLocale::c());
+    prepare(*levels_, tr("Hold when 95 % of the tissue is within so many grey levels"));
+    seconds_->setRange(0, kMostSeconds);
+    seconds_->setDecimals(0);
+    seconds_->setSuffix(tr(" s"));
+    seconds_->setSpecialValueText(tr("any time"));
+    seconds_->setLocale(QLocale::c());
+    prepare(*seconds_, tr("Hold after so many seconds of rendering"));
+    samples_->setRange(0, kMostSamples);
+    samples_->setSuffix(tr(" samples"));
+    samples_->setSpecialValueText(tr("any number"));
+    samples_->setLocale(QLocale::c());
+    prepare(*samples_, tr("Hold when each pixel has so many samples"));
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    for (QAbstractSpinBox* field : {static_cast<QAbstractSpinBox*>(levels_), static_cast<QAbstractSpinBox*>(seconds_),
+                                    static_cast<QAbstractSpinBox*>(samples_)})
+        row->addWidget(field, 1);
+    setFocusProxy(levels_);
+
+    const auto choose = [this] {
+        const StopRule chosen = rule();
+        setRule(chosen);
+        emit ruleChosen(chosen);
+    };
+    connect(levels_, &QDoubleSpinBox::valueChanged, this, choose);
+    connect(seconds_, &QDoubleSpinBox::valueChanged, this, choose);
+    connect(samples_, &QSpinBox::valueChanged, this, choose);
+}
+
+void StopRow::setRule(const StopRule& rule) {
+    const QSignalBlocker levels(levels_), seconds(seconds_), samples(samples_);
+    levels_->setValue(rule.levels);
+    seconds_->setValue(std::isfinite(rule.seconds) ? rule.seconds : 0);
+    samples_->setValue(int(std::min<std::uint64_t>(rule.samples, kMostSamples)));
+}
+
+StopRule StopRow::rule() const {
+    const double seconds = seconds_->value();
+    return {nearestTarget(levels_->value()), seconds > 0 ? seconds : std::numeric_limits<double>::infinity(),
+            std::uint64_t(samples_->value())};
+}
+
+}  // namespace pdr::ui
