@@ -63,6 +63,7 @@ Result<std::shared_ptr<const Film>> filmOf(const Scene& scene, std::uint64_t sam
 Result<std::vector<StatedError>> statedErrors(Scene scene, const std::vector<std::uint64_t>& samples, int seeds,
                                               std::uint32_t truth, float exposure, Device& device) {
     std::vector<StatedError> errors;
+    errors.reserve(samples.size());
     for (const std::uint64_t count : samples)
         errors.push_back({.samples = count});
     scene.seed = 0;
