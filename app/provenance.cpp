@@ -16,13 +16,17 @@ std::string scheduleText(const Schedule& schedule) {
            (schedule.filter ? ", blurred" : "");
 }
 
+BiasFacts biasFactsOf(const Scene& scene, const Rendered& rendered) {
+    BiasFacts facts = biasFacts(scene, rendered.status, rendered.device);
+    facts.measured = rendered.bias;
+    return facts;
+}
+
 namespace {
 
 std::string biasText(const Scene& scene, const Rendered& rendered) {
-    BiasFacts facts = biasFacts(scene, rendered.status, rendered.device);
-    facts.measured = rendered.bias;
     std::string text;
-    for (const Bias& bias : biases(facts))
+    for (const Bias& bias : biases(biasFactsOf(scene, rendered)))
         text += (text.empty() ? "" : "; ") + bias.text;
     return text;
 }

@@ -1,10 +1,9 @@
 #pragma once
 /// How a picture came about, from what is known of it.
 
-#include <optional>
 #include <string>
 
-#include "render/accuracy/bias_estimate.h"
+#include "render/accuracy/bias.h"
 #include "render/film/provenance.h"
 #include "render/scene/schedule.h"
 
@@ -22,9 +21,12 @@ struct Rendered {
     FilmStatus status;  ///< on a display of `exposure`
     float exposure = 1;
     double seconds = 0;
-    std::string device;                ///< its name: "cpu"
-    std::optional<MeasuredBias> bias;  ///< of ways that only measuring tells it of
+    std::string device;   ///< its name: "cpu"
+    MeasuredBiases bias;  ///< of ways that only measuring tells it of
 };
+
+/// Of a picture that is not smoothed.
+BiasFacts biasFactsOf(const Scene& scene, const Rendered& rendered);
 
 Provenance provenanceOf(const Scene& scene, const Rendered& rendered);
 

@@ -73,13 +73,26 @@ constexpr Command kCommands[] = {
      "  --quick       20 s instead of about 5 minutes on two cores; finds larger biases only\n"
      "  --seed N      of the random numbers; default 1\n"},
     {"prediction", prediction, "[SCENE.json ...] [--seeds N] [--threads N] [--width N] [--height N]",
-     "Says whether forecasts come true: samples to two parts of the error, foretold over needed, and how often the 95 "
-     "%\n"
-     "interval holds; without scenes, of a head with easy and hard light. Takes minutes.\n",
+     "Says how much of the tissue lies within the error stated for 95 % of it, and whether forecasts come true: "
+     "samples\n"
+     "to three parts of the error, foretold over needed, and how often the 95 % interval holds; without scenes, of a\n"
+     "head with easy and hard light. Takes minutes.\n",
      "  --seeds N     pictures of each, from 2; default 40\n"
      "  --threads N   of the CPU; default 0: one per core\n"
      "  --width N     pixels of a picture, from 8; default 28\n"
      "  --height N    default 22\n"},
+    {"accuracy-cost", accuracyCost,
+     "[SCENE.json] [--samples N] [--rounds N] [--iterations N] [--threads N]\n"
+     "                            [--width N] [--height N]",
+     "Says what it costs to say how right a picture is: the processor time that a session takes beside the samples of\n"
+     "its picture, in parts of theirs, always and with each part of the window that is opened; without a scene, of a\n"
+     "head of bone. Takes minutes.\n",
+     "  --samples N     the most, from 64; default 256\n"
+     "  --rounds N      of which the median counts, from 1; default 3\n"
+     "  --iterations N  of a displayed frame, from 1; default 1\n"
+     "  --threads N     of the CPU; default 0: one per core\n"
+     "  --width N       pixels of the picture, from 64; default 480\n"
+     "  --height N      default 384\n"},
     {"warps", warps, "SCENE.json [--samples N] [--width N] [--height N]",
      "Says how full a GPU's warps are in the queues that they walk, without a GPU: walks and steps for each sample, "
      "of\n"

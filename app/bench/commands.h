@@ -56,9 +56,14 @@ int parity(const Arguments& arguments);
 /// table. 1: the device deviates, or the test was broken off. WORDS: only cases whose name or family holds them.
 int selftest(const Arguments& arguments);
 
-/// prediction [SCENE.json ...] [--seeds N] [--threads N] [--width N] [--height N]: whether forecasts come true, from 64
-/// and from 256 samples to two parts of the error; without scenes, of five whose light is easy and hard to find.
+/// prediction [SCENE.json ...] [--seeds N] [--threads N] [--width N] [--height N]: whether the tissue lies within what
+/// is stated of it, and whether forecasts come true, from 64 and from 256 samples to three parts of the error; without
+/// scenes, of six whose light is easy and hard to find.
 int prediction(const Arguments& arguments);
+
+/// accuracy-cost [SCENE.json] [--samples N] [--rounds N] [--iterations N] [--threads N] [--width N] [--height N]: what
+/// a session takes beside the samples of its picture to say how right it is, always and with each part that is opened.
+int accuracyCost(const Arguments& arguments);
 
 /// warps SCENE.json [--samples N] [--width N] [--height N]: how full a GPU's warps are in the queues that it walks, by
 /// warps that are played on the CPU: walks and steps for each sample, of lanes and of warps.

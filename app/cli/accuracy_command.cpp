@@ -65,13 +65,6 @@ Result<KeptFilm> reference(const Scene& scene, double seconds, const fs::path& f
     return film;
 }
 
-/// Of the time for all ways: half of it for the first, which is the picture itself; the rest for all others alike.
-double shareOf(std::size_t way, std::size_t ways) {
-    if (ways == 1)
-        return 1;
-    return way == 0 ? 0.5 : 0.5 / double(ways - 1);
-}
-
 /// Renders the reference, then each way in turn, in so many seconds.
 Result<AccuracyPicture> measured(const std::string& name, const std::vector<AccuracyWay>& ways, double seconds,
                                  const fs::path& folder, const Work& work) {
@@ -81,9 +74,10 @@ Result<AccuracyPicture> measured(const std::string& name, const std::vector<Accu
     AccuracyPicture picture{name, truth->film->samplesPerPixel()};
     if (const auto judgement = SmoothingJudgement::of(*truth->film))
         picture.referenceError = judgement->overAll(work.display.exposure);
-    const double left = (1 - kReferenceShare) * seconds;
+    // As long for each: where two curves cross shows only in the time that both had.
+    const double each = (1 - kReferenceShare) * seconds / double(ways.size());
     for (std::size_t i = 0; i < ways.size() && !work.stop.stop_requested(); ++i) {
-        const AccuracyPlan plan{left * shareOf(i, ways.size()), work.display, folder, work.device.info().name};
+        const AccuracyPlan plan{each, work.display, folder, work.device.info().name};
         auto curves = measureAccuracy(ways[i], *truth->film, plan, work.device, work.stop, work.progress);
         if (!curves)
             return curves.error();

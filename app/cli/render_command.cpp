@@ -15,8 +15,7 @@
 #include "render/device/device_list.h"
 #include "render/prepare/flatten.h"
 #include "render/session/batch_render.h"
-#include "render/session/bias_lattice.h"
-#include "render/session/known_bias.h"
+#include "render/session/bias_measurements.h"
 
 namespace pdr::app {
 namespace {
@@ -29,19 +28,9 @@ struct Finished {
 /// Of the time that the picture took, for what its bias is measured by.
 constexpr double kBiasShare = 0.1;
 
-/// Nothing where nothing needs to be measured. `device` holds another scene then.
-Result<std::optional<MeasuredBias>> measureBiasOf(const LoadedScene& work, const BatchResult& result, Device& device,
-                                                  const std::stop_token& stop) {
-    const BiasFacts facts = biasFacts(work.scene, result.film, device.info().name);
-    if (!needsMeasuring(facts) || stop.stop_requested())
-        return std::optional<MeasuredBias>();
-    return measureBias(work.scene, work.display.exposure, device, kBiasShare * result.seconds, stop);
-}
-
 std::vector<Bias> biasesOf(const LoadedScene& work, const Rendered& rendered, const Film& film, bool smoothed,
                            const std::stop_token& stop) {
-    BiasFacts facts = biasFacts(work.scene, rendered.status, rendered.device);
-    facts.measured = rendered.bias;
+    BiasFacts facts = biasFactsOf(work.scene, rendered);
     facts.isSmoothed = smoothed;
     if (const auto judgement = smoothed ? SmoothingJudgement::of(film, stop) : std::nullopt)
         facts.smoothed = judgement->overAll(rendered.exposure);
@@ -87,7 +76,9 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     if (!picture)
         return picture.error();
     const Display display{work->display.exposure, options.smoothed && canBeSmoothed(work->scene)};
-    const auto measured = measureBiasOf(*work, *result, device, stop);
+    // The device holds another scene then.
+    const auto measured =
+        measureBias(work->scene, double(display.exposure), device, kBiasShare * result->seconds, stop);
     Rendered rendered{result->film, display.exposure, result->seconds, device.info().name, {}};
     if (measured)
         rendered.bias = *measured;

@@ -63,18 +63,29 @@ std::string sizeText(ivec2 size) {
     return std::to_string(size.x) + " × " + std::to_string(size.y);
 }
 
+std::string measuredOr(const std::optional<MeasuredBias>& measured) {
+    return measured ? measuredText(*measured) : "how much is not known yet";
+}
+
+Bias quadratureBias(const BiasFacts& facts) {
+    const auto& measured = facts.measured.quadrature;
+    return {.cause = BiasCause::quadrature,
+            .text = "sums along rays: at most ±" + levelsText(facts.toleranceLevels) + " levels" +
+                    (measured ? "; measured: " + measuredText(*measured) : ""),
+            .measured = measured,
+            .levelsAtMost = facts.toleranceLevels};
+}
+
 void addOfComputing(const BiasFacts& facts, std::vector<Bias>& all) {
     if (const std::vector<Shortcut> together = shortcuts(facts); !together.empty())  // they are off together
-        all.push_back({together.front().cause,
-                       shortcutNames(facts) + ": " +
-                           (facts.measured ? measuredText(*facts.measured) : "how much is not known yet"),
-                       facts.measured});
-    if (facts.schedule.kind == Schedule::Kind::kroes && facts.schedule.runningMean)
-        all.push_back({BiasCause::runningMean, "mean kept in single precision: how much is not known"});
-    if (isProjection(facts.model) && facts.model != Model::maximumIntensity)
-        all.push_back({.cause = BiasCause::quadrature,
-                       .text = "sums along rays: at most ±" + levelsText(facts.toleranceLevels) + " levels",
-                       .levelsAtMost = facts.toleranceLevels});
+        all.push_back({together.front().cause, shortcutNames(facts) + ": " + measuredOr(facts.measured.shortcuts),
+                       facts.measured.shortcuts});
+    if (keepsRunningMean(facts))
+        all.push_back({BiasCause::runningMean,
+                       "mean kept in single precision: " + measuredOr(facts.measured.runningMean),
+                       facts.measured.runningMean});
+    if (sumsToATolerance(facts))
+        all.push_back(quadratureBias(facts));
     if (!facts.denseWarning.empty())
         all.push_back({BiasCause::overDense, facts.denseWarning});
     for (int i = 0; i < kFaults; ++i)
@@ -102,6 +113,14 @@ std::string shortcutNames(const BiasFacts& facts) {
     for (const Shortcut& shortcut : shortcuts(facts))
         names += (names.empty() ? "" : ", ") + std::string(shortcut.text);
     return names;
+}
+
+bool keepsRunningMean(const BiasFacts& facts) {
+    return facts.schedule.kind == Schedule::Kind::kroes && facts.schedule.runningMean;
+}
+
+bool sumsToATolerance(const BiasFacts& facts) {
+    return isProjection(facts.model) && facts.model != Model::maximumIntensity;
 }
 
 std::vector<Bias> biases(const BiasFacts& facts) {

@@ -49,6 +49,13 @@ struct Bias {
     std::optional<Fault> fault = {};            ///< that it comes from
 };
 
+/// Against the exact picture; nothing where there is none, or too little is known.
+struct MeasuredBiases {
+    std::optional<MeasuredBias> shortcuts;    ///< march, blur and fast filter together
+    std::optional<MeasuredBias> runningMean;  ///< of as many iterations as the picture has, about
+    std::optional<MeasuredBias> quadrature;
+};
+
 /// What causes are known from.
 struct BiasFacts {
     Model model = Model::singleScattering;
@@ -58,8 +65,8 @@ struct BiasFacts {
     double toleranceLevels = 0;   ///< of projections
     std::string denseWarning;     ///< empty: none
     Health health;
-    std::uint64_t tissuePixels = 0;         ///< 0: of all pixels nothing is known
-    std::optional<MeasuredBias> measured;   ///< of march, blur and fast filter together
+    std::uint64_t tissuePixels = 0;  ///< 0: of all pixels nothing is known
+    MeasuredBiases measured;
     std::optional<SmoothedError> smoothed;  ///< of a picture that is smoothed, if `isSmoothed`
     bool isSmoothed = false;
     ivec2 picture{0}, view{0};  ///< pixels; 0: it is not stretched
@@ -68,8 +75,10 @@ struct BiasFacts {
 
 /// What only measuring tells the bias of: "march of 3 voxels, each iteration blurred". Empty: nothing.
 std::string shortcutNames(const BiasFacts& facts);
+bool keepsRunningMean(const BiasFacts& facts);
+bool sumsToATolerance(const BiasFacts& facts);
 inline bool needsMeasuring(const BiasFacts& facts) {
-    return !shortcutNames(facts).empty();
+    return !shortcutNames(facts).empty() || keepsRunningMean(facts) || sumsToATolerance(facts);
 }
 
 /// In the order of the causes. None of the computing: no bias is known there.

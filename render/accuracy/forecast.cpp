@@ -13,11 +13,16 @@ constexpr double kSigmas = 1.96;  ///< to either side of 95 % of a normal distri
 /// Of most scenes with low-discrepancy points, and how far single scenes lie from that: see tests/support/
 /// coverage_scenes.h and DECISIONS.md.
 constexpr double kExponent = 0.57, kExponentSpread = 0.07;
+/// Where it is known what points have gained over independent samples, that says more: errors fell as n^-a so far, on
+/// the mean, a = 1/2 + ln gain / ln n. Those with a = kUsualFall go on as n^-kUsualExponent, and what differs, differs
+/// more from now on, since the gain of the first samples is in a.
+constexpr double kUsualFall = 0.62, kUsualExponent = 0.59, kGoesOn = 1.35, kExponentOfGainSpread = 0.03;
+constexpr double kLeastExponent = 0.5, kMostExponent = 0.8;  ///< no less than independent samples
 /// How far the exponent of one doubling of the samples lies from that of a scene.
-constexpr double kExponentWander = 0.1;
+constexpr double kExponentWander = 0.07;
 /// Of the error's logarithm: low-discrepancy points dip below the line at powers of two, by a twentieth. So what counts
 /// as the error of now is the mean of what it was since the samples were so many times fewer; of the dip this is left.
-constexpr double kRecent = 1.5, kDip = 0.03;
+constexpr double kRecent = 2, kDip = 0.04;
 /// Of the speed's logarithm, at least: what a machine does besides changes it by so much.
 constexpr double kSpeedSpread = 0.05;
 
@@ -32,22 +37,6 @@ double squared(double value) {
 /// Of the logarithm of a displayError.
 double spreadOf(const FilmStatus& status) {
     return std::hypot(kDip, status.displayError > 0 ? status.displayErrorSpread / status.displayError : 0);
-}
-
-/// y at x on the line through both points, all of them logarithms' exponentials.
-double onLine(double x, double x0, double y0, double x1, double y1) {
-    const double part = x1 == x0 ? 0 : std::log(x / x0) / std::log(x1 / x0);
-    return y0 * std::pow(y1 / y0, part);
-}
-
-/// Of the steps, the first of the two that a value lies between; the outermost ones hold beyond. `isBeyond`: the value
-/// lies beyond that step, towards the finer ones.
-template <class IsBeyond>
-std::size_t intervalOf(const std::vector<QualityStep>& steps, const IsBeyond& isBeyond) {
-    std::size_t i = 0;
-    while (i + 2 < steps.size() && isBeyond(steps[i + 1]))
-        ++i;
-    return i;
 }
 
 }  // namespace
@@ -66,37 +55,6 @@ std::optional<Foretold> samplesRatio(const FilmStatus& a, const FilmStatus& b) {
     return Foretold{std::exp(growth), std::exp(growth - spread), std::exp(growth + spread)};
 }
 
-bool QualityStep::atLeast() const {
-    return std::isinf(seconds.high);
-}
-
-const QualityStep* reachedStep(const std::vector<QualityStep>& steps) {
-    const auto next = std::find_if(steps.begin(), steps.end(), [](const QualityStep& step) { return !step.reached; });
-    return next == steps.begin() ? nullptr : &*(next - 1);
-}
-
-const QualityStep* nextStep(const std::vector<QualityStep>& steps) {
-    const auto next = std::find_if(steps.begin(), steps.end(), [](const QualityStep& step) { return !step.reached; });
-    return next == steps.end() ? nullptr : &*next;
-}
-
-std::optional<Foretold> secondsAt(const std::vector<QualityStep>& steps, double levels) {
-    if (steps.size() < 2)
-        return std::nullopt;
-    const std::size_t i = intervalOf(steps, [&](const QualityStep& step) { return levels < step.levels; });
-    const QualityStep &a = steps[i], &b = steps[i + 1];
-    const auto at = [&](double Foretold::*part) {
-        return onLine(levels, a.levels, a.seconds.*part, b.levels, b.seconds.*part);
-    };
-    return Foretold{at(&Foretold::value), at(&Foretold::low), b.atLeast() ? kUnknown : at(&Foretold::high)};
-}
-
-double levelsAt(const std::vector<QualityStep>& steps, double seconds) {
-    const std::size_t i = intervalOf(steps, [&](const QualityStep& step) { return seconds > step.seconds.value; });
-    const QualityStep &a = steps[i], &b = steps[i + 1];
-    return onLine(seconds, a.seconds.value, a.levels, b.seconds.value, b.levels);
-}
-
 void ErrorHistory::forgetErrors() {
     for (Point& point : points_)
         point.error = kUnknown;
@@ -104,9 +62,13 @@ void ErrorHistory::forgetErrors() {
 }
 
 void ErrorHistory::add(double seconds, const FilmStatus& status) {
-    const Point point{
-        double(status.samplesPerPixel), seconds, status.displayError, spreadOf(status), status.displayErrorSpread,
-        status.fewBrightSamples};
+    const Point point{double(status.samplesPerPixel),
+                      seconds,
+                      status.displayError,
+                      spreadOf(status),
+                      status.displayErrorSpread,
+                      status.gain,
+                      status.fewBrightSamples || status.unlitTissue};
     const std::size_t kept = points_.size();
     if (kept > 1 && points_[kept - 1].samples < kThinning * points_[kept - 2].samples)
         points_.pop_back();
@@ -118,6 +80,21 @@ void ErrorHistory::add(double seconds, const FilmStatus& status) {
             reachedAt_[i] = seconds;
 }
 
+/// What scenes are like whose points have gained as much as these lately.
+ErrorHistory::Guess ErrorHistory::exponentOfOthers() const {
+    double falls = 0, count = 0;
+    for (auto point = points_.rbegin(); point != points_.rend() && kRecent * point->samples >= points_.back().samples;
+         ++point)
+        if (point->gain > 0 && point->samples > 1) {
+            falls += 0.5 + std::log(point->gain) / std::log(point->samples);
+            ++count;
+        }
+    if (count == 0)
+        return {kExponent, squared(kExponentSpread)};
+    const double goesOn = kUsualExponent + kGoesOn * (falls / count - kUsualFall);
+    return {std::clamp(goesOn, kLeastExponent, kMostExponent), squared(kExponentOfGainSpread)};
+}
+
 /// The errors at both ends of what is watched draw a line; both know themselves only so well, and the exponent wanders.
 ErrorHistory::Guess ErrorHistory::exponent() const {
     const Point& now = points_.back();
@@ -125,15 +102,16 @@ ErrorHistory::Guess ErrorHistory::exponent() const {
         return std::isfinite(point.error) && kWatched * point.samples >= now.samples;
     });
     const double doublings = std::log2(now.samples / first->samples);
+    const Guess others = exponentOfOthers();
     if (!(doublings >= 1) || !(now.error > 0))
-        return {kExponent, squared(kExponentSpread)};
+        return others;
     const double length = std::log(now.samples / first->samples);
-    const Recent recent = this->recent(kExponent);
+    const Recent recent = this->recent(others.mean);
     const double own = (std::log(first->error) - recent.logError) / length;
     const double ownVariance =
         (squared(first->spread) + recent.squaredSpread) / squared(length) + squared(kExponentWander) / doublings;
-    const double weight = squared(kExponentSpread) / (squared(kExponentSpread) + ownVariance);
-    return {std::lerp(kExponent, own, weight), weight * ownVariance};
+    const double weight = others.variance / (others.variance + ownVariance);
+    return {std::lerp(others.mean, own, weight), weight * ownVariance};
 }
 
 /// The error that the picture has now, and its spread, by all that both were lately: few pixels tell either.
@@ -150,9 +128,9 @@ ErrorHistory::Recent ErrorHistory::recent(double exponent) const {
 }
 
 /// Now, or so lately that the errors which the forecast begins from may have said too little.
-bool ErrorHistory::restedOnFewBright() const {
+bool ErrorHistory::restedOnBound() const {
     return std::ranges::any_of(points_, [&](const Point& point) {
-        return point.fewBright && kLasting * point.samples > points_.back().samples;
+        return point.isBound && kLasting * point.samples > points_.back().samples;
     });
 }
 
@@ -167,7 +145,7 @@ Foretold ErrorHistory::samples(double levels) const {
     const double wander = squared(kExponentWander) * growth * std::log(2.0);
     const double spread = kSigmas * std::sqrt(chance + squared(growth) * exponent.variance + wander) / exponent.mean;
     const auto after = [&](double more) { return now.samples * std::exp(std::max(more, 0.0)); };
-    if (restedOnFewBright()) {
+    if (restedOnBound()) {
         const double least = after(std::min(growth - spread, fall - kSigmas * std::sqrt(chance)));
         return {least, least, kUnknown};
     }

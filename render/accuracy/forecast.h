@@ -2,8 +2,10 @@
 /// When a picture will be how good, foretold from how it has become better so far.
 ///   error      FilmStatus::displayError, falls as n^-b with the samples n; b is 1/2 for independent samples, more for
 ///              low-discrepancy points, less while rare light is still being found
-///   exponent   what is known of it from other scenes, and what this picture's own errors say, weighed by how sure both
-///   are interval   95 %, from the chance in the error now and then, in the exponent, and in the speed
+///   exponent   what is known of it from other scenes whose points have gained as much (FilmStatus::gain), and what
+///   this
+///              picture's own errors say, weighed by how sure both are
+///   interval   95 %, from the chance in the error now and then, in the exponent, and in the speed
 
 #include <array>
 #include <cstdint>
@@ -68,7 +70,8 @@ class ErrorHistory {
     /// Of the pictures so far whose error is known, a few to each doubling of the samples, and the newest.
     std::vector<ErrorPoint> points() const;
     /// Samples per pixel, in all, until the error is `levels`, which it is not yet. One error must be known. Where few
-    /// bright samples are all that is there: at least so many, `value` is `low` and `high` infinite.
+    /// bright samples are all that is there, or none in some of the tissue: at least so many, `value` is `low` and
+    /// `high` infinite.
     Foretold samples(double levels) const;
     /// Seconds of rendering, in all; errors and a speed must be known.
     Foretold seconds(double levels) const;
@@ -78,15 +81,17 @@ class ErrorHistory {
   private:
     struct Point {
         double samples = 0, seconds = 0;
-        double error = 0;   ///< not finite: not known
-        double spread = 0;  ///< of its logarithm
-        double chance = 0;  ///< standard deviation that chance gives it
-        bool fewBright = false;
+        double error = 0;      ///< not finite: not known
+        double spread = 0;     ///< of its logarithm
+        double chance = 0;     ///< standard deviation that chance gives it
+        double gain = 0;       ///< of points over independent samples; 0: not known
+        bool isBound = false;  ///< the error is one that may still grow, or fall as no other does
     };
     struct Guess {
         double mean, variance;
     };
 
+    Guess exponentOfOthers() const;
     Guess exponent() const;
     struct Recent {
         double logError, squaredSpread;
@@ -95,7 +100,7 @@ class ErrorHistory {
     /// Of the speed's logarithm [samples/s].
     Guess speed() const;
     bool foresees() const;
-    bool restedOnFewBright() const;
+    bool restedOnBound() const;
 
     std::vector<Point> points_;  ///< a few to each doubling of the samples, and the newest
     std::array<std::optional<double>, kQualitySteps.size()> reachedAt_;  ///< [s]; none: the newest error is above

@@ -12,10 +12,11 @@ class ErrorMapView {
     /// Another film, or none is wanted any more.
     void clear() { *this = {}; }
     /// Whether the map is to be made for a film, the part of which that is being sampled has so many samples, on a
-    /// display of that exposure: at each quarter more, which takes a ninth of the errors away, where that is another
+    /// display of that exposure: when they are `growth` times as many, and enough to know errors; where that is another
     /// part, and on another display.
-    bool isDue(std::uint64_t samples, float exposure) const {
-        return !map_ || exposure != exposure_ || 4 * samples >= 5 * samples_ || samples < samples_;
+    bool isDue(std::uint64_t samples, float exposure, double growth) const {
+        const bool better = samples >= kSamplesToEstimate && double(samples) >= growth * double(samples_);
+        return !map_ || exposure != exposure_ || better || samples < samples_;
     }
     /// As isDue() was asked. Nothing changes after a stop request.
     void make(const Film& film, std::uint64_t samples, float exposure, const std::stop_token& stop) {

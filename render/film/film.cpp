@@ -8,6 +8,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -186,6 +187,19 @@ std::pair<StatusSums, ErrorCounts> Film::survey(const Tile& tile, const Look& lo
     };
     // Deterministic: the sums must not depend on how many threads there are.
     return tbb::parallel_deterministic_reduce(Pixels(0, pixelsOf(tile), 16384), Sums{}, add, join);
+}
+
+FilmStatus Film::counts() const {
+    const SampleCounts samples = this->samples();
+    return {.samplesPerPixel = samples.least,
+            .meanSamplesPerPixel = samples.mean,
+            .mostSamplesPerPixel = samples.most,
+            .health = health_,
+            .relativeError = std::numeric_limits<double>::infinity()};
+}
+
+void Film::each(const PixelLook& look) const {
+    eachPixel(moments_.size(), [&](std::size_t pixel) { look(pixel, at(pixel)); });
 }
 
 FilmStatus Film::status() const {

@@ -97,6 +97,11 @@ class Film {
     /// of the whole film.
     FilmStatus status(double exposure, const Tile& tile) const;
 
+    /// Samples and health; no errors are known.
+    FilmStatus counts() const;
+    /// The look alone.
+    void each(const PixelLook& look) const;
+
     FilmContent content() const { return {progress_, moments_, block_, health_}; }
 
   private:

@@ -34,6 +34,12 @@ struct FilmStatus {
     /// More than a quarter of the noise comes from pixels that less than two bright samples made, so brighter ones may
     /// still come: what is foretold from their error is a lower bound.
     bool fewBrightSamples = false;
+    /// More than a twentieth of the tissue has seen no light although it may: displayError is what is stated of it, a
+    /// bound that falls with the number of samples alone, until light is found.
+    bool unlitTissue = false;
+    /// Standard errors over the tissue as if its samples were independent, over those that the halves tell, root mean
+    /// squares: what low-discrepancy points have gained by now, about 1 to 5. 0: not known.
+    double gain = 0;
     /// While relativeError is unknown because all samples were alike: the fraction of samples that may bring other
     /// light than was seen, at most, to 95 %. 0 otherwise.
     double unseenShare = 0;

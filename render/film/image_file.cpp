@@ -164,15 +164,20 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
 
 }  // namespace
 
-Result<void> writePng(const Film& film, const Display& wanted, const Provenance& provenance,
+Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
+                      const std::filesystem::path& path, const Caption& caption) {
+    SmoothedView view;
+    if (display.smoothed)
+        view.judge(film, film.samplesPerPixel(), {});
+    return writePng(film, display, view, provenance, path, caption);
+}
+
+Result<void> writePng(const Film& film, const Display& wanted, SmoothedView& view, const Provenance& provenance,
                       const std::filesystem::path& path, const Caption& caption) {
     Result<ReplacingFile> file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
         return file.error();
 
-    SmoothedView view;
-    if (wanted.smoothed)
-        view.judge(film, film.samplesPerPixel(), {});
     const Display display = view.better(wanted);
     std::vector<std::uint8_t> rgba = toneMap(film, display);
     paint(caption, film.size(), rgba);

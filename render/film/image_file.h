@@ -10,6 +10,7 @@
 #include "render/film/display.h"
 #include "render/film/film.h"
 #include "render/film/provenance.h"
+#include "render/film/smoothed_view.h"
 
 namespace pdr {
 
@@ -22,6 +23,9 @@ struct Caption {
 /// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks. A smoothed one says so there, with its error; where
 /// the film itself is better, that is written instead. `caption` is painted over it.
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
+                      const std::filesystem::path& path, const Caption& caption = {});
+/// The same of a film that `view` has judged already, where a smoothed picture is wanted.
+Result<void> writePng(const Film& film, const Display& display, SmoothedView& view, const Provenance& provenance,
                       const std::filesystem::path& path, const Caption& caption = {});
 
 /// A picture that was read: linear radiance, row by row from the top.

@@ -11,10 +11,10 @@ class SmoothedView {
   public:
     /// Another film.
     void clear() { *this = {}; }
-    /// Whether a film is to be judged, the part of which that is being sampled has so many samples: at each doubling,
-    /// and where that is another part.
-    bool isDue(std::uint64_t samples) const {
-        return samples >= kSamplesToJudge && (samples >= 2 * judgedSamples_ || samples < judgedSamples_);
+    /// Whether a film is to be judged, the part of which that is being sampled has so many samples: when they are
+    /// `growth` times as many, and where that is another part.
+    bool isDue(std::uint64_t samples, std::uint64_t growth = 2) const {
+        return samples >= kSamplesToJudge && (samples >= growth * judgedSamples_ || samples < judgedSamples_);
     }
     /// As isDue() was asked. Nothing changes after a stop request.
     void judge(const Film& film, std::uint64_t samples, const std::stop_token& stop);

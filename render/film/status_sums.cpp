@@ -43,6 +43,9 @@ FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCoun
                       .tissuePixels = sums.tissue};
     status.meanLuminance = sums.luminance / double(pixels);
     status.relativeError = samples.least < 2 ? kUnknown : relativeErrorOf(sums, pixels);
+    if (double(sums.tissue) >= kDrawsToJudge && sums.tissueDraws > 0)
+        status.gain = std::sqrt(sums.tissueErrors / sums.tissueDraws);
+    status.unlitTissue = double(sums.unlit) > (1 - kDisplayFraction) * double(sums.tissue);
     status.fewBrightSamples = sums.rareErrors > kMostRareNoise * sums.tissueErrors;
     if (status.relativeError == 0 && sums.chance > 0) {
         status.relativeError = kUnknown;

@@ -70,17 +70,27 @@ std::uint8_t displayLevel(double radiance, const Display& display) {
 
 namespace {
 
-Picture rawPictureOf(const Film& film, const Display& display) {
-    const double* thresholds = displayThresholds().data();
-    const float* curve = displayCurve();
-    Picture picture{std::vector<std::uint8_t>(std::size_t(film.size().x) * std::size_t(film.size().y) * 4), {}};
-    // In one pass with the status: both wait for the film's memory.
-    picture.status = film.status(display.exposure, [&](std::size_t pixel, const Moments& known) {
-        std::uint8_t* out = &picture.rgba[pixel * 4];
+std::vector<std::uint8_t> emptyBytes(ivec2 size) {
+    return std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4);
+}
+
+/// Sets the bytes of pixels that it looks at.
+PixelLook rawBytes(std::vector<std::uint8_t>& rgba, const Display& display) {
+    return [thresholds = displayThresholds().data(), curve = displayCurve(), exposure = double(display.exposure),
+            bytes = rgba.data()](std::size_t pixel, const Moments& known) {
+        std::uint8_t* out = bytes + pixel * 4;
         for (int channel = 0; channel < 3; ++channel)
-            out[channel] = levelNear(thresholds, curve, known.mean[channel], display.exposure);
+            out[channel] = levelNear(thresholds, curve, known.mean[channel], exposure);
         out[3] = 255;
-    });
+    };
+}
+
+/// In one pass with the status: both wait for the film's memory.
+Picture rawPictureOf(const Film& film, const Display& display) {
+    if (!display.surveyed)
+        return {toneMap(film, display), film.counts(), false, false};
+    Picture picture{emptyBytes(film.size()), {}};
+    picture.status = film.status(display.exposure, rawBytes(picture.rgba, display));
     return picture;
 }
 
@@ -89,7 +99,7 @@ Picture rawPictureOf(const Film& film, const Display& display) {
 Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display) {
     const ivec2 size = smooth[0].size();
     Picture picture{std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4, 255),
-                    film.status(display.exposure), true};
+                    display.surveyed ? film.status(display.exposure) : film.counts(), true, display.surveyed};
     denoise::eachBand(size.y, {}, [&](int begin, int end) {
         std::uint8_t* out = &picture.rgba[std::size_t(begin) * std::size_t(size.x) * 4];
         for (int y = begin; y < end; ++y)
@@ -121,7 +131,11 @@ Picture Development::picture(const Film& film, const Display& display, const std
 }
 
 std::vector<std::uint8_t> toneMap(const Film& film, const Display& display) {
-    return pictureOf(film, display).rgba;
+    if (display.smoothed)
+        return pictureOf(film, display).rgba;
+    std::vector<std::uint8_t> rgba = emptyBytes(film.size());
+    film.each(rawBytes(rgba, display));
+    return rgba;
 }
 
 }  // namespace pdr

@@ -20,6 +20,7 @@ struct Picture {
     std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top
     FilmStatus status;               ///< of the film, as it is without smoothing, when it was shown
     bool smoothed = false;           ///< the pixels are not the film's own
+    bool surveyed = true;            ///< else the status holds the film's counts alone
 };
 
 /// The whole film as it is now. The same bits for any number of threads. After a stop request a smoothed one is

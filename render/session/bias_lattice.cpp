@@ -1,6 +1,7 @@
 #include "render/session/bias_lattice.h"
 
-#include <chrono>
+#include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "render/device/device.h"
@@ -13,6 +14,8 @@ namespace {
 constexpr int kTileEdge = 4;     ///< pixels; no more: neighbours tell little that is new
 constexpr int kTilesAlong = 16;  ///< the picture's edges
 constexpr int kBlurReach = 1;    ///< pixels that a blurred one is made from, to either side
+
+constexpr float kExactTolerance = 0.01f, kLeastTolerance = 1e-3f;  ///< of the tolerance; levels
 
 /// One in each cell of a grid, anywhere in it.
 std::vector<Tile> latticeOf(ivec2 film) {
@@ -46,31 +49,85 @@ Scene exactly(Scene scene) {
     return scene;
 }
 
-BiasLattice::BiasLattice(Scene biased) : biased_(std::move(biased)) {
-    biased_.schedule.runningMean = false;  // it knows no halves, and blurs nothing
-    for (const Tile& tile : latticeOf(biased_.film))
-        tiles_.push_back({tile, std::vector<Pixel>(std::size_t(tile.width * tile.height))});
+TwoWays withoutShortcuts(const Scene& scene) {
+    TwoWays ways{scene, exactly(scene)};
+    ways.biased.schedule.runningMean = false;  // it knows no halves, and blurs nothing
+    return ways;
+}
+
+TwoWays withoutRounding(const Scene& scene) {
+    TwoWays ways{exactly(scene), exactly(scene), TwoWays::Samples::sameButTheFirst};
+    ways.biased.schedule = {Schedule::Kind::kroes, false, false, true};
+    return ways;
+}
+
+TwoWays withoutTolerance(const Scene& scene) {
+    TwoWays ways{scene, exactly(scene), TwoWays::Samples::same, 4};
+    ways.biased.schedule = {};
+    ways.exact.toleranceLevels = std::max(kExactTolerance * scene.toleranceLevels, kLeastTolerance);
+    return ways;
+}
+
+BiasLattice::BiasLattice(TwoWays ways) : ways_(std::move(ways)) {
+    for (const Tile& tile : latticeOf(ways_.biased.film))
+        empty_.push_back({tile, std::vector<Pixel>(std::size_t(tile.width * tile.height))});
+    tiles_ = empty_;
 }
 
 Result<void> BiasLattice::addRound(Device& device, const std::stop_token& stop) {
-    Scene biased = biased_, exact = exactly(biased_);
+    Scene biased = ways_.biased, exact = ways_.exact;
     biased.seed ^= mixBits(2 * rounds_ + 1);
-    exact.seed ^= mixBits(2 * rounds_ + 2);
-    std::vector<Tiled> tiles = tiles_;
+    exact.seed ^= mixBits(2 * rounds_ + (ways_.compared == TwoWays::Samples::independent ? 2 : 1));
+    std::vector<Tiled> tiles = grows() ? empty_ : tiles_;
     if (auto ok = add(biased, &BothWays::biased, device, stop, tiles); !ok)
         return ok;
     if (auto ok = add(exact, &BothWays::exact, device, stop, tiles); !ok || stop.stop_requested())
         return ok;
     tiles_ = std::move(tiles);
+    samples_ = grows() ? nextRound() : samples_ + nextRound();
     ++rounds_;
     return {};
 }
+
+namespace {
+
+/// What is known of a pixel after n samples: of all, or without the first of them, which `first` holds alone. Then the
+/// halves are no longer told apart.
+HalfMeans meansOf(const PixelEstimate& pixel, const PixelEstimate* first, double n) {
+    if (first == nullptr)
+        return pixel.halves;
+    const dvec3 rest = (pixel.mean * n - first->mean) / (n - 1);
+    return {rest, rest};
+}
+
+/// A film of n samples, and one of the first alone where that is to be left out; after a stop request there is none.
+struct Taken {
+    std::shared_ptr<const Film> all, first;
+};
+Result<Taken> taken(Accumulator& film, std::uint32_t n, bool leavesOut, const std::stop_token& stop) {
+    Taken taken;
+    for (const std::uint32_t part : leavesOut ? std::vector<std::uint32_t>{1, n - 1} : std::vector{n}) {
+        if (auto ok = film.accumulate(part, stop); !ok)
+            return ok.error();
+        if (stop.stop_requested())
+            return Taken();
+        auto known = film.film();
+        if (!known)
+            return known.error();
+        taken.first = std::exchange(taken.all, *std::move(known));
+    }
+    return taken;
+}
+
+}  // namespace
 
 Result<void> BiasLattice::add(const Scene& scene, HalfMeans BothWays::*way, Device& device, const std::stop_token& stop,
                               std::vector<Tiled>& tiles) const {
     if (auto ok = device.upload(scene); !ok)
         return ok;
-    const auto areaOf = [&](const Tile& tile) { return scene.schedule.filter ? grown(tile, scene.film) : tile; };
+    const bool blurs = scene.schedule.kind == Schedule::Kind::kroes && scene.schedule.filter;
+    const bool leavesOut = grows() && way == &BothWays::exact;
+    const auto areaOf = [&](const Tile& tile) { return blurs ? grown(tile, scene.film) : tile; };
     auto film = device.film(areaOf(tiles.front().tile), scene.revision, scene.schedule);
     if (!film)
         return film.error();
@@ -78,16 +135,18 @@ Result<void> BiasLattice::add(const Scene& scene, HalfMeans BothWays::*way, Devi
         const Tile area = areaOf(tile);
         if (auto ok = (*film)->restart(area, scene.revision); !ok)
             return ok;
-        if (auto ok = (*film)->accumulate(kRound, stop); !ok || stop.stop_requested())
-            return ok;
-        const auto known = (*film)->film();
+        const auto known = taken(**film, nextRound(), leavesOut, stop);
         if (!known)
             return known.error();
+        if (!known->all)
+            return {};
         for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const PixelEstimate pixel = (*known)->pixel(tile.x - area.x + int(i) % tile.width,  //
-                                                        tile.y - area.y + int(i) / tile.width);
-            (pixels[i].sums.*way).even += pixel.halves.even;
-            (pixels[i].sums.*way).odd += pixel.halves.odd;
+            const int x = tile.x - area.x + int(i) % tile.width, y = tile.y - area.y + int(i) / tile.width;
+            const PixelEstimate pixel = known->all->pixel(x, y);
+            const PixelEstimate first = leavesOut ? known->first->pixel(x, y) : PixelEstimate();
+            const HalfMeans means = meansOf(pixel, leavesOut ? &first : nullptr, nextRound());
+            (pixels[i].sums.*way).even += means.even;
+            (pixels[i].sums.*way).odd += means.odd;
             pixels[i].tissue |= pixel.tissue;
         }
     }
@@ -96,9 +155,8 @@ Result<void> BiasLattice::add(const Scene& scene, HalfMeans BothWays::*way, Devi
 
 std::optional<MeasuredBias> BiasLattice::measured(double exposure) const {
     std::vector<BiasTile> means;
-    const auto mean = [&](const HalfMeans& sum) {
-        return HalfMeans{sum.even / double(rounds_), sum.odd / double(rounds_)};
-    };
+    const double rounds = grows() ? 1 : double(rounds_);
+    const auto mean = [&](const HalfMeans& sum) { return HalfMeans{sum.even / rounds, sum.odd / rounds}; };
     for (const Tiled& tiled : tiles_) {
         BiasTile& tile = means.emplace_back();
         for (const Pixel& pixel : tiled.pixels)
@@ -106,18 +164,6 @@ std::optional<MeasuredBias> BiasLattice::measured(double exposure) const {
                 tile.push_back({mean(pixel.sums.biased), mean(pixel.sums.exact)});
     }
     return measuredBias(means, exposure);
-}
-
-Result<std::optional<MeasuredBias>> measureBias(const Scene& biased, double exposure, Device& device, double seconds,
-                                                const std::stop_token& stop) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto taken = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-    BiasLattice lattice(biased);
-    do
-        if (auto ok = lattice.addRound(device, stop); !ok)
-            return ok.error();
-    while (!stop.stop_requested() && taken() < seconds);
-    return lattice.measured(exposure);
 }
 
 }  // namespace pdr

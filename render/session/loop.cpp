@@ -183,6 +183,8 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     aheadSeconds_ = aheadSamples_ = 0;
     region_.clear();
     shownError_.reset();
+    surveyed_ = {};
+    judgeSeconds_ = mapSeconds_ = 0;
     history_.clear();
     done_ = 0;
     waiting_.clear();
@@ -192,8 +194,8 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     guided_ = nullptr;
     frameSeconds_ = 0;
     smoothedView_.clear();
-    lattice_.reset();
-    latticeSought_ = false;
+    biasMeasurements_.reset();
+    biasExposure_ = 0;
     errorMap_.clear();
     meter_.clear();
     checkpoint_ = std::move(film);

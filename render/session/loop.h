@@ -9,7 +9,7 @@
 
 #include "render/film/error_map_view.h"
 #include "render/film/smoothed_view.h"
-#include "render/session/bias_lattice.h"
+#include "render/session/bias_measurements.h"
 #include "render/session/film_on_device.h"
 #include "render/session/live_ledger.h"
 #include "render/session/render_commands.h"
@@ -59,13 +59,14 @@ class Session::Loop {
     Result<void> mapErrors(const Display& display, const std::stop_token& stop);
     Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
     Result<void> measureBias(const RenderCommands::Iteration& step);
-    bool seeksBias();
-    std::optional<MeasuredBias> knownBias(float exposure);
+    BiasLattice* nextLattice();
+    MeasuredBiases knownBias(float exposure);
     Result<void> keepCheckpoint();
     Result<void> takeSnapshots();
     void send(std::vector<DisplayedPicture> pictures, std::uint32_t n);
     std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
-    void remember(const DisplayedPicture& picture);
+    bool isSurveyDue(const Display& asked) const;
+    void remember(DisplayedPicture& picture);
     void addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds);
 
     // Beginnings.
@@ -138,12 +139,13 @@ class Session::Loop {
     float historyExposure_ = 0;                    ///< of the display that its errors are those of
     double frameSeconds_ = 0;                      ///< of the frame in the making
     double seconds_ = 0;                           ///< of all of them
+    FilmStatus surveyed_;                          ///< what the last picture that was surveyed told
+    double judgeSeconds_ = 0, mapSeconds_ = 0;     ///< of that, spent on smoothedView_ and errorMap_
     SmoothedView smoothedView_;
-    std::optional<BiasLattice> lattice_;  ///< of the same picture; none: its bias need not be measured
-    bool latticeSought_ = false;          ///< whether there is one was asked
-    double biasAt_ = 0;                   ///< when a round of it was last
-    double biasSeconds_ = 0;              ///< what that cost
-    std::optional<MeasuredBias> bias_;    ///< that it tells, on a display of this exposure (0: of none)
+    std::optional<BiasMeasurements> biasMeasurements_;  ///< of the same picture; none: not asked for yet
+    double biasAt_ = 0;                                 ///< when a round of one was last
+    double biasSeconds_ = 0;                            ///< what that cost
+    MeasuredBiases bias_;                               ///< that they tell, on a display of this exposure (0: of none)
     float biasExposure_ = 0;
     ErrorMapView errorMap_;
     RegionView region_;

@@ -7,44 +7,34 @@ namespace pdr {
 
 namespace {
 
-constexpr double kBiasShare = 0.05;           ///< of the time, at most, after the first round
-constexpr double kSureEnough = 1.25;          ///< from the estimate to either end of its interval
-constexpr std::uint64_t kMostSamples = 4096;  ///< of each pixel of the lattice
-
-bool isSure(const Between& levels) {
-    return levels.low > 0 && levels.high <= kSureEnough * levels.value && levels.value <= kSureEnough * levels.low;
-}
+constexpr double kBiasShare = 0.02;  ///< of the time, at most, after the first round
 
 }  // namespace
 
-/// Whether it has to be measured at all is asked once for each film.
-bool Session::Loop::seeksBias() {
-    if (!latticeSought_ && needsMeasuring(biasFacts(scene_, {}, place_.info().name)))
-        lattice_.emplace(scene_);
-    latticeSought_ = true;
-    if (!lattice_ || lattice_->samples() >= kMostSamples)
-        return false;
-    const auto known = knownBias(commands.display().exposure);
-    return !known || !isSure(known->levels);
+/// Whether anything has to be measured at all is asked once for each film. Null: nothing, or all is known.
+BiasLattice* Session::Loop::nextLattice() {
+    if (!biasMeasurements_)
+        biasMeasurements_.emplace(scene_, biasFacts(scene_, {}, place_.info().name));
+    return biasMeasurements_->next(sweep_.samples().least, knownBias(commands.display().exposure));
 }
 
-/// Nothing without a round.
-std::optional<MeasuredBias> Session::Loop::knownBias(float exposure) {
-    if (!lattice_ || lattice_->samples() == 0)
-        return std::nullopt;
-    if (biasExposure_ != exposure) {
+MeasuredBiases Session::Loop::knownBias(float exposure) {
+    if (biasMeasurements_ && biasExposure_ != exposure) {
         biasExposure_ = exposure;
-        bias_ = lattice_->measured(exposure);
+        bias_ = biasMeasurements_->measured(double(exposure));
     }
-    return bias_;
+    return biasMeasurements_ ? bias_ : MeasuredBiases();
 }
 
 /// A round between two frames, at rest; it ends as soon as anything else is wanted.
 Result<void> Session::Loop::measureBias(const RenderCommands::Iteration& step) {
-    if (secondsSince(biasAt_) < biasSeconds_ / kBiasShare || step.detour.stop_requested() || !seeksBias())
+    if (secondsSince(biasAt_) < biasSeconds_ / kBiasShare || step.detour.stop_requested())
+        return {};
+    BiasLattice* lattice = nextLattice();
+    if (lattice == nullptr)
         return {};
     const double start = clock_();
-    Result<void> done = place_.lend([&](Device& device) { return lattice_->addRound(device, step.detour); });
+    Result<void> done = place_.lend([&](Device& device) { return lattice->addRound(device, step.detour); });
     biasAt_ = clock_();
     biasSeconds_ = secondsSince(start);
     biasExposure_ = 0;

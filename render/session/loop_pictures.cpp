@@ -8,40 +8,12 @@
 
 namespace pdr {
 
-/// At rest, where a smoothed picture is wanted. It takes longer than a picture may: brightness does not wait for it.
-Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
-    if (coarse() || moving_ || !smooths(commands.display()) || !smoothedView_.isDue(partSamples()))
-        return {};
-    if (step.detour.stop_requested())
-        return {};
-    const double start = clock_();
-    Result<void> judged =
-        place_.film()->look([&](const Film& film) { smoothedView_.judge(film, partSamples(), step.detour); });
-    seconds_ += secondsSince(start);
-    return judged;
-}
-
-/// Where the picture is still rough, if that is wanted of it.
-Result<void> Session::Loop::mapErrors(const Display& display, const std::stop_token& stop) {
-    if (!commands.errorMap() || coarse()) {
-        errorMap_.clear();
-        return {};
-    }
-    if (!errorMap_.isDue(partSamples(), display.exposure))
-        return {};
-    const double start = clock_();
-    Result<void> made =
-        place_.film()->look([&](const Film& film) { errorMap_.make(film, partSamples(), display.exposure, stop); });
-    seconds_ += secondsSince(start);
-    return made;
-}
-
 /// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing
 /// goes on behind. `adds`: it shows new iterations. None where smoothing was broken off, since something newer is
 /// waiting.
 Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool adds) {
     const Display asked = commands.display();
-    const Display display = smoothedView_.better({asked.exposure, smooths(asked)});
+    const Display display = smoothedView_.better({asked.exposure, smooths(asked), isSurveyDue(asked)});
     const bool within = step.render && !adds;  // a frame that goes on
     const bool atOnce = fresh_ || coarse() || measuring_ || !adds;
     const double start = clock_();
@@ -66,7 +38,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         ladder_.addGuidedDisplay(pixels(), displaySeconds);
     else if (adds && place_.film()->maxInFlight() == 1)
         ladder_.addDisplay(pixels(), displaySeconds);
-    for (const DisplayedPicture& picture : *pictures)
+    for (DisplayedPicture& picture : *pictures)
         remember(picture);
     if (Result<void> mapped = mapErrors(asked, step.stop); !mapped)
         return mapped;
@@ -74,54 +46,6 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         return looked;
     send(*std::move(pictures), wanted(step.pace));
     return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
-}
-
-/// Its error, if it is the film's own.
-void Session::Loop::remember(const DisplayedPicture& picture) {
-    shownError_.reset();
-    if (coarse())
-        return;
-    shownError_ = picture.picture.status.displayError;
-    if (std::exchange(historyExposure_, picture.display.exposure) != picture.display.exposure)
-        history_.forgetErrors();
-    history_.add(seconds_ - secondsAhead(), picture.picture.status);
-}
-
-/// That a part has had of the samples that the whole picture is still to get.
-double Session::Loop::secondsAhead() const {
-    const SampleCounts samples = sweep_.samples();
-    return aheadSamples_ > 0 ? aheadSeconds_ / aheadSamples_ * double(samples.most - samples.least) : 0;
-}
-
-/// How good the region is, if there is one.
-Result<void> Session::Loop::lookAtRegion(const Display& display) {
-    if (coarse() || !region_.region())
-        return {};
-    const Tile tile = *region_.tile(place_.size());
-    if (!region_.isDue(sweep_.samplesOf(tile), display.exposure))
-        return {};
-    const double start = clock_();
-    Result<void> looked =
-        place_.film()->look([&](const Film& film) { region_.look(film, display.exposure, seconds_); });
-    seconds_ += secondsSince(start);
-    return looked;
-}
-
-RenderCommands::Progress Session::Loop::progress() const {
-    const double inRegion = region_.region() ? region_.error() : 0;
-    return {shownError_ ? std::optional(std::max(*shownError_, inRegion)) : std::nullopt, seconds_,
-            sweep_.samples().least};
-}
-
-/// What it takes until the whole picture is as good: what a part has had already counts when the rest gets there.
-std::vector<QualityStep> Session::Loop::steps() const {
-    std::vector<QualityStep> steps = history_.steps();
-    const double ahead = secondsAhead();
-    for (QualityStep& step : steps)
-        if (!step.reached)
-            for (double* seconds : {&step.seconds.value, &step.seconds.low, &step.seconds.high})
-                *seconds += ahead;
-    return steps;
 }
 
 /// Whether there is a guide for the film's pictures: of the device's making, once for all of them. Asked for again only

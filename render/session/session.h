@@ -66,11 +66,11 @@ using FrameSink = std::function<void(std::shared_ptr<const Frame>)>;
 /// All that is known about a picture.
 struct FilmView {
     const Film& film;
-    const Scene& scene;                ///< that it shows
-    double seconds;                    ///< spent
-    const std::string& device;         ///< its name: "cpu"
-    std::optional<MeasuredBias> bias;  ///< of a way that only measuring tells it of
-    StopRule stop;                     ///< as in Frame
+    const Scene& scene;         ///< that it shows
+    double seconds;             ///< spent
+    const std::string& device;  ///< its name: "cpu"
+    MeasuredBiases bias;        ///< of ways that only measuring tells it of
+    StopRule stop;              ///< as in Frame
 };
 
 /// Called on the render thread: with the film, or with the reason why there is none.

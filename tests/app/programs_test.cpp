@@ -102,6 +102,7 @@ class ProgramsTest : public QObject {
         row("frames", "pdrender-bench", {"frames", "-h"}, "--threads N   ");
         row("trackers", "pdrender-bench", {"help", "trackers"}, "--rays N   ");
         row("prediction", "pdrender-bench", {"help", "prediction"}, "--seeds N   ");
+        row("accuracy-cost", "pdrender-bench", {"help", "accuracy-cost"}, "--rounds N   ");
     }
 
     void helpExplainsEveryOptionOnStandardOutput() {

@@ -1,6 +1,7 @@
 #include "app/bench/prediction/coverage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -33,49 +34,74 @@ class Growing {
     std::uint64_t done_ = 0;
 };
 
-/// Goes on until the error is `part` of what it is now.
-Result<void> judge(Growing& picture, const ErrorHistory& history, const FilmStatus& early, double part,
-                   PredictionTally& tally) {
-    const Foretold foretold = history.samples(part * early.displayError);
-    Result<FilmStatus> status = early;
-    while (status && status->displayError > part * early.displayError &&
-           double(status->samplesPerPixel) < 2 * foretold.high)
-        status = picture.next();
-    if (!status)
-        return status.error();
-    const auto needed = double(status->samplesPerPixel);
-    tally.atLeast += early.fewBrightSamples;
-    tally.notBefore += needed >= foretold.low;
-    tally.within += needed >= foretold.low && needed <= foretold.high;
-    tally.ratios.push_back(foretold.value / needed);
-    ++tally.seeds;
+/// A prediction of one picture, until it has come true.
+class Pending {
+  public:
+    Pending(const Prediction& asked, PredictionTally& tally) : asked_(asked), tally_(tally) {}
+
+    bool isOpen() const { return !ended_; }
+    /// What the picture shows by now; `history` holds that, too.
+    void look(const FilmStatus& now, const ErrorHistory& history) {
+        if (ended_ || now.samplesPerPixel < asked_.samples)
+            return;
+        if (target_ <= 0) {
+            target_ = asked_.part * now.displayError;
+            foretold_ = history.samples(target_);
+            tally_.atLeast += std::isinf(foretold_.high);
+        }
+        const auto samples = double(now.samplesPerPixel);
+        ended_ = now.displayError <= target_ || samples >= 2 * foretold_.high;
+        if (ended_)
+            count(samples);
+    }
+
+  private:
+    void count(double needed) {
+        tally_.notBefore += needed >= foretold_.low;
+        tally_.within += needed >= foretold_.low && needed <= foretold_.high;
+        tally_.ratios.push_back(foretold_.value / needed);
+        ++tally_.seeds;
+    }
+
+    Prediction asked_;
+    PredictionTally& tally_;
+    double target_ = 0;  ///< levels; 0: nothing was foretold yet
+    Foretold foretold_;
+    bool ended_ = false;
+};
+
+/// Renders one picture until all has come true.
+Result<void> judge(Growing picture, std::vector<Pending> pending) {
+    ErrorHistory history;
+    while (std::ranges::any_of(pending, &Pending::isOpen)) {
+        const auto status = picture.next();
+        if (!status)
+            return status.error();
+        history.add(double(status->samplesPerPixel), *status);
+        for (Pending& each : pending)
+            each.look(*status, history);
+    }
     return {};
 }
 
 }  // namespace
 
-Result<PredictionTally> tallyOf(Scene scene, const Prediction& asked, int seeds, float exposure, Device& device) {
-    PredictionTally tally;
+Result<std::vector<PredictionTally>> talliesOf(Scene scene, std::span<const Prediction> asked, int seeds,
+                                               float exposure, Device& device) {
+    std::vector<PredictionTally> tallies(asked.size());
     for (int seed = 1; seed <= seeds; ++seed) {
         scene.seed = std::uint64_t(seed);
         ++scene.revision;
         auto film = startFilm(device, scene);
         if (!film)
             return film.error();
-        Growing picture(*std::move(film), exposure);
-        ErrorHistory history;
-        FilmStatus early;
-        while (early.samplesPerPixel < asked.samples) {
-            const auto next = picture.next();
-            if (!next)
-                return next.error();
-            early = *next;
-            history.add(double(early.samplesPerPixel), early);
-        }
-        if (const auto ok = judge(picture, history, early, asked.part, tally); !ok)
+        std::vector<Pending> pending;
+        for (std::size_t i = 0; i < asked.size(); ++i)
+            pending.emplace_back(asked[i], tallies[i]);
+        if (const auto ok = judge({*std::move(film), exposure}, std::move(pending)); !ok)
             return ok.error();
     }
-    return tally;
+    return tallies;
 }
 
 }  // namespace pdr::bench

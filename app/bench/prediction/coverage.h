@@ -2,6 +2,7 @@
 /// Whether forecasts come true: from a young picture, how many samples it takes to a part of its error; over seeds.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/base/result.h"
@@ -24,8 +25,9 @@ struct PredictionTally {
     int atLeast = 0;    ///< that said "at least"
 };
 
-/// Seeds 1, 2, ... `seeds`, each on until its error is reached, at most to twice the end of the interval. `exposure`:
-/// of the display. Errors: the device's.
-Result<PredictionTally> tallyOf(Scene scene, const Prediction& asked, int seeds, float exposure, Device& device);
+/// Of each prediction that is asked for. Seeds 1, 2, ... `seeds`, each on until all errors are reached, at most to
+/// twice the end of an interval. `exposure`: of the display. Errors: the device's.
+Result<std::vector<PredictionTally>> talliesOf(Scene scene, std::span<const Prediction> asked, int seeds,
+                                               float exposure, Device& device);
 
 }  // namespace pdr::bench

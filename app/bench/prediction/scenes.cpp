@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "app/bench/paper/head_scene.h"
+#include "app/bench/trackers/scenes.h"
+
 namespace pdr::bench {
 namespace {
 
@@ -29,14 +32,18 @@ void makeLamp(Scene& scene) {
 
 }  // namespace
 
-std::vector<NamedScene> predictionScenes() {
-    std::vector<NamedScene> scenes;
+Result<std::vector<PredictionScene>> predictionScenes() {
+    const auto bone = paper::headScene();
+    if (!bone)
+        return bone.error();
+    std::vector<PredictionScene> scenes;
     const auto add = [&, head = litHead()](const char* name, auto change) {
         Scene scene = head;
         change(scene);
         scenes.push_back({name, std::move(scene)});
     };
     add("head", [](Scene&) {});
+    scenes.push_back({"bone preset", bone->scene, bone->display.exposure});
     add("lens", [](Scene& scene) { scene.camera.apertureMm = 30; });
     add("forward fog", makeFog);
     add("small bright lamp", makeLamp);

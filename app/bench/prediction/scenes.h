@@ -1,14 +1,22 @@
 #pragma once
 /// Scenes whose light is easy and hard to find: what forecasts are held against.
 
+#include <string>
 #include <vector>
 
-#include "app/bench/trackers/scenes.h"
+#include "render/base/result.h"
+#include "render/scene/scene.h"
 
 namespace pdr::bench {
 
+struct PredictionScene {
+    std::string name;
+    Scene scene;
+    float exposure = 0.5f;  ///< of its display
+};
+
 /// A lit head, skin and bone: as it is, through a wide lens, as forward-scattering fog, under a small bright lamp, and
-/// with many bounces.
-std::vector<NamedScene> predictionScenes();
+/// with many bounces; and the same head with the preset "CT bone".
+Result<std::vector<PredictionScene>> predictionScenes();
 
 }  // namespace pdr::bench

@@ -28,7 +28,8 @@ struct AccuracyStep {
 
 struct AccuracyCurve {
     std::string name;
-    std::string bias;                               ///< what never averages out, a phrase; empty: nothing
+    std::string bias = {};                          ///< what never averages out, a phrase; empty: nothing
+    std::string missing = {};                       ///< what may not be seen in its pictures, likewise
     std::vector<AccuracyStep> steps = {};           ///< at 1, 2, 4, ... samples
     std::optional<MeasuredBias> measuredBias = {};  ///< against the exact picture, on a lattice of pixels
 };

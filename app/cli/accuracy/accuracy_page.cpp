@@ -47,14 +47,14 @@ QString heading(const AccuracyReport& report) {
     return text;
 }
 
-/// Beside which the unbiased way is better from some moment on.
-QString crossingText(const AccuracyCurve& biased, const AccuracyCurve& unbiased) {
-    const auto until = betterUntil(biased, unbiased);
+/// Until when a way is the better one. `plain`: the picture as it is.
+QString crossingText(const AccuracyCurve& way, const AccuracyCurve& plain) {
+    const auto until = betterUntil(way, plain);
     if (!until)
-        return "never better than the unbiased picture in the same time";
+        return "never closer to the truth than the picture as it is, in the same time";
     if (std::isinf(*until))
-        return "still better than the unbiased picture when the time was up";
-    return QString("better than the unbiased picture until %1 s, never after").arg(*until, 0, 'g', 2);
+        return "closer to the truth than the picture as it is, until the time was up";
+    return QString("closer to the truth than the picture as it is until %1 s, never after").arg(*until, 0, 'g', 2);
 }
 
 QString ladder(const AccuracyPicture& picture) {
@@ -71,6 +71,9 @@ QString ladder(const AccuracyPicture& picture) {
         if (!curve.bias.empty() && i > 0)
             row({}, QString("biased (%1): %2")
                         .arg(QString::fromStdString(curve.bias), crossingText(curve, picture.curves[0])));
+        if (!curve.missing.empty())
+            row({}, QString("may lack %1; %2")
+                        .arg(QString::fromStdString(curve.missing), crossingText(curve, picture.curves[0])));
     }
     return text + "</table>";
 }

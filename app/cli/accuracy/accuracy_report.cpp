@@ -50,6 +50,7 @@ QJsonObject curveObject(const AccuracyCurve& curve) {
             QJsonObject{{"brightness", intervalObject(bias->brightness)}, {"levels", intervalObject(bias->levels)}};
     return {{"name", curve.name.c_str()},
             {"bias", curve.bias.c_str()},
+            {"missing", curve.missing.c_str()},
             {"measuredBias", measured},
             {"steps", steps},
             {"secondsTo", secondsTo}};

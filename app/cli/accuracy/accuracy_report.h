@@ -33,8 +33,8 @@ inline constexpr double kLadder[] = {32, 16, 8, 4, 2, 1};
 /// Columns: way, samples, seconds, relative error, levels, stated, at most. A line each step; nothing where unknown.
 std::string csvText(const AccuracyReport& report);
 /// An object: width, height, model, device, seed (as text), reference, ways, others: each with name, reference, ways. A
-/// way has name, bias, measuredBias, steps, and secondsTo, the seconds after which its error is 32, 16, 8, 4, 2 and 1
-/// levels; null where it is not reached.
+/// way has name, bias, missing, measuredBias, steps, and secondsTo, the seconds after which its error is 32, 16, 8, 4,
+/// 2 and 1 levels; null where it is not reached.
 std::string jsonText(const AccuracyReport& report);
 /// "±8 in 1.2 s, ±4 in 5.0 s": those that `curve` reached.
 std::string ladderText(const AccuracyCurve& curve);

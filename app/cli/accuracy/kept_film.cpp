@@ -1,5 +1,6 @@
 #include "app/cli/accuracy/kept_film.h"
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <span>
@@ -15,19 +16,16 @@
 namespace pdr::app {
 namespace {
 
-static_assert(std::is_trivially_copyable_v<Moments> && std::is_trivially_copyable_v<PixelSums> &&
-              std::is_trivially_copyable_v<Health>);
-
-constexpr char kMagic[8] = {'P', 'D', 'R', 'f', 'i', 'l', 'm', '1'};
+constexpr char kMagic[8] = {'P', 'D', 'R', 'f', 'i', 'l', 'm', 0};
+constexpr std::uint32_t kVersion = 2;  ///< of the fields below and their order
 
 struct Head {
     char magic[8];
+    std::uint32_t version;
     std::uint64_t key, samples;
     double seconds;
     std::int32_t width, height;
-    std::uint64_t pixelBytes;  ///< that one takes: another layout is another file
 };
-constexpr std::uint64_t kPixelBytes = sizeof(Moments) + sizeof(PixelSums);
 
 std::uint64_t hashed(std::uint64_t hash, std::span<const std::byte> bytes) {
     for (std::size_t i = 0; i < bytes.size(); i += sizeof(std::uint64_t)) {
@@ -42,19 +40,89 @@ std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
     return hashed(hash, std::as_bytes(std::span(text)));
 }
 
-/// All of a file that comes after its head, in order.
-template <class Look>
-bool parts(FilmContent& content, std::uint64_t& checksum, const Look& look) {
-    return look(content.moments.data(), content.moments.size() * sizeof(Moments)) &&
-           look(content.block.data(), content.block.size() * sizeof(PixelSums)) &&
-           look(&content.health, sizeof content.health) && look(&checksum, sizeof checksum);
+/// Numbers and vectors of them: what nothing lies between in memory.
+template <class Field>
+concept Plain = std::is_arithmetic_v<Field> || std::is_same_v<Field, vec3> || std::is_same_v<Field, dvec3> ||
+    std::is_same_v<Field, char[8]>;
+
+/// visit(field) for each field of a file's part, in the order that they have there.
+template <class Visit>
+void eachField(auto&& head, const Visit& visit) requires std::is_same_v<std::remove_cvref_t<decltype(head)>, Head> {
+    visit(head.magic);
+    visit(head.version);
+    visit(head.key);
+    visit(head.samples);
+    visit(head.seconds);
+    visit(head.width);
+    visit(head.height);
 }
 
-std::uint64_t checksumOf(const FilmContent& content) {
-    std::uint64_t sum = hashed(1, std::as_bytes(std::span(content.moments)));
-    sum = hashed(sum, std::as_bytes(std::span(content.block)));
-    return hashed(sum, std::as_bytes(std::span(&content.health, 1)));
+template <class Visit>
+void eachField(auto&& content,
+               const Visit& visit) requires std::is_same_v<std::remove_cvref_t<decltype(content)>, FilmContent> {
+    for (auto& moments : content.moments) {
+        visit(moments.mean);
+        visit(moments.m2);
+        visit(moments.count);
+        visit(moments.evenMean);
+        visit(moments.evenCount);
+    }
+    for (auto& sums : content.block) {
+        visit(sums.sum);
+        visit(sums.sumOfSquares);
+        visit(sums.evenSum);
+        visit(sums.evenCount);
+        visit(sums.count);
+        visit(sums.seen);
+    }
+    for (auto& fault : content.health.faults) {
+        visit(fault.count);
+        visit(fault.sample);
+        visit(fault.pixel);
+    }
 }
+
+class FieldWriter {
+  public:
+    explicit FieldWriter(ReplacingFile& file) : file_(file) {}
+
+    template <class Part>
+    void write(const Part& part) {
+        eachField(part, [&]<Plain Field>(const Field& field) {
+            file_.write(&field, sizeof field);
+            checksum_ = hashed(checksum_, std::as_bytes(std::span(&field, 1)));
+        });
+    }
+    void writeChecksum() { file_.write(&checksum_, sizeof checksum_); }
+
+  private:
+    ReplacingFile& file_;
+    std::uint64_t checksum_ = 1;
+};
+
+class FieldReader {
+  public:
+    explicit FieldReader(const std::filesystem::path& path) : file_(path, std::ios::binary) {}
+
+    /// Where the file ends before, zeros remain.
+    template <class Part>
+    void read(Part& part) {
+        eachField(part, [&]<Plain Field>(Field& field) {
+            file_.read(reinterpret_cast<char*>(&field), sizeof field);
+            checksum_ = hashed(checksum_, std::as_bytes(std::span(&field, 1)));
+        });
+    }
+    /// Whether all that was read is what was written.
+    bool checksumFits() {
+        std::uint64_t written = 0;
+        file_.read(reinterpret_cast<char*>(&written), sizeof written);
+        return file_ && written == checksum_;
+    }
+
+  private:
+    std::ifstream file_;
+    std::uint64_t checksum_ = 1;
+};
 
 }  // namespace
 
@@ -73,29 +141,25 @@ Result<void> writeFilm(const KeptFilm& kept, std::uint64_t key, const std::files
     auto file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
         return file.error();
-    FilmContent content = kept.film->content();
-    Head head{{},         key, kept.film->samplesPerPixel(), kept.seconds, kept.film->size().x, kept.film->size().y,
-              kPixelBytes};
+    Head head{{}, kVersion, key, kept.film->samplesPerPixel(), kept.seconds, kept.film->size().x, kept.film->size().y};
     std::memcpy(head.magic, kMagic, sizeof kMagic);
-    std::uint64_t checksum = checksumOf(content);
-    file->write(&head, sizeof head);
-    parts(content, checksum, [&](const void* bytes, std::size_t count) { return file->write(bytes, count); });
+    FieldWriter fields(*file);
+    fields.write(head);
+    fields.write(kept.film->content());
+    fields.writeChecksum();
     return file->commit();
 }
 
 std::optional<KeptFilm> readFilm(const Scene& scene, std::uint64_t key, const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
+    FieldReader fields(path);
     Head head{};
-    if (!file.read(reinterpret_cast<char*>(&head), sizeof head) ||
-        std::memcmp(head.magic, kMagic, sizeof kMagic) != 0 || head.key != key || head.pixelBytes != kPixelBytes ||
+    fields.read(head);
+    if (std::memcmp(head.magic, kMagic, sizeof kMagic) != 0 || head.version != kVersion || head.key != key ||
         ivec2(head.width, head.height) != scene.film)
         return std::nullopt;
     FilmContent content = Film(scene.film, scene.revision).content();
-    std::uint64_t checksum = 0;
-    const bool whole = parts(content, checksum, [&](void* bytes, std::size_t count) {
-        return bool(file.read(static_cast<char*>(bytes), std::streamsize(count)));
-    });
-    if (!whole || checksum != checksumOf(content))
+    fields.read(content);
+    if (!fields.checksumFits())
         return std::nullopt;
     content.progress.advance(wholeImage(scene.film), head.samples);
     return KeptFilm{std::make_shared<Film>(scene.revision, std::move(content)), head.seconds};

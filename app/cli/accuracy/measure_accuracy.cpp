@@ -8,8 +8,9 @@
 
 #include "app/provenance.h"
 #include "render/film/image_file.h"
-#include "render/film/smoothing_judgement.h"
+#include "render/film/smoothed_view.h"
 #include "render/session/bias_lattice.h"
+#include "render/session/bias_measurements.h"
 
 namespace pdr::app {
 namespace {
@@ -57,30 +58,19 @@ bool keepsPicture(std::uint64_t samples) {
     return samples == 1 || std::countr_zero(samples) % 2 == 0;  // 1, 4, 16, ...
 }
 
-Result<std::filesystem::path> kept(const Film& film, const Display& display, const AccuracyStep& step,
-                                   const Scene& scene, const AccuracyPlan& plan) {
-    const std::string name =
-        std::string(display.smoothed ? "smoothed_" : "raw_") + std::to_string(step.samples) + ".png";
-    const Provenance facts =
-        provenanceOf(scene, {film.status(display.exposure), display.exposure, step.seconds, plan.device, {}});
-    const auto written = writePng(film, display, facts, plan.folder / name);
-    if (!written)
-        return written.error();
-    return std::filesystem::path(name);
-}
-
-AccuracyStep rawStep(const Film& film, const Film& reference, double seconds, const Display& display) {
-    const FilmStatus status = film.status(display.exposure);
+AccuracyStep rawStep(const Film& film, const FilmStatus& status, const Film& reference, double seconds,
+                     const Display& display) {
     AccuracyStep step{film.samplesPerPixel(), seconds, trueError(film, display, reference)};
     if (std::isfinite(status.displayError))
         step.stated = status.displayError;
     return step;
 }
 
-AccuracyStep smoothedStep(const Film& film, const Film& reference, double seconds, const Display& display) {
+/// `view` has judged the film.
+AccuracyStep smoothedStep(const Film& film, SmoothedView& view, const Film& reference, double seconds,
+                          const Display& display) {
     AccuracyStep step{film.samplesPerPixel(), seconds, trueError(film, display, reference)};
-    const auto judgement = SmoothingJudgement::of(film);
-    if (const auto error = judgement ? judgement->overAll(display.exposure) : std::nullopt)
+    if (const auto error = view.error(double(display.exposure)))
         step.stated = error->levels, step.atMost = error->levelsAtMost;
     return step;
 }
@@ -98,45 +88,57 @@ std::optional<Foretold> foretold(const std::vector<ErrorHistory>& histories, std
 class Measurement {
   public:
     Measurement(const AccuracyWay& way, const Film& reference, const AccuracyPlan& plan)
-        : way_(way), reference_(reference), plan_(plan) {
-        curves_.push_back({way.name, way.bias});
+        : way_(way),
+          reference_(reference),
+          plan_(plan),
+          raw_{plan.display.exposure, false},
+          smooth_{plan.display.exposure, true} {
+        curves_.push_back({.name = way.name, .bias = way.bias});
         if (way.bias.empty() && canBeSmoothed(way.scene))
-            curves_.push_back({way.name + ", smoothed", "fine detail that noise hides"});
+            curves_.push_back({.name = way.name + ", smoothed", .missing = "fine detail that noise hides"});
     }
 
     /// Errors: of files.
     Result<void> add(const Film& film, double seconds) {
-        const Display raw{plan_.display.exposure, false}, smooth{plan_.display.exposure, true};
-        AccuracyStep step = rawStep(film, reference_, seconds, raw);
-        ErrorHistory history = histories_.empty() ? ErrorHistory() : histories_.back();
-        history.add(seconds, film.status(raw.exposure));
-        histories_.push_back(std::move(history));
-        step.foretoldAtQuarter = foretold(histories_, 2, step);
-        step.foretoldAtSixteenth = foretold(histories_, 4, step);
-        curves_[0].steps.push_back(std::move(step));
-        if (curves_.size() > 1)
-            curves_[1].steps.push_back(smoothedStep(film, reference_, seconds, smooth));
-        return keep(film, raw, smooth);
+        const FilmStatus status = film.status(double(raw_.exposure));
+        addRaw(film, status, seconds);
+        SmoothedView view;
+        if (curves_.size() > 1) {
+            view.judge(film, film.samplesPerPixel(), {});
+            curves_[1].steps.push_back(smoothedStep(film, view, reference_, seconds, smooth_));
+        }
+        if (plan_.folder.empty() || curves_.size() < 2 || !keepsPicture(film.samplesPerPixel()))
+            return {};
+        const Provenance facts = provenanceOf(way_.scene, {status, raw_.exposure, seconds, plan_.device, {}});
+        if (auto ok = keep("raw_", film, raw_, facts, view, curves_[0].steps.back()); !ok)
+            return ok;
+        return keep("smoothed_", film, smooth_, facts, view, curves_[1].steps.back());
     }
     std::vector<AccuracyCurve> curves() && { return std::move(curves_); }
 
   private:
-    Result<void> keep(const Film& film, const Display& raw, const Display& smooth) {
-        if (plan_.folder.empty() || curves_.size() < 2 || !keepsPicture(film.samplesPerPixel()))
-            return {};
-        for (std::size_t i = 0; i < curves_.size(); ++i) {
-            AccuracyStep& step = curves_[i].steps.back();
-            const auto file = kept(film, i == 0 ? raw : smooth, step, way_.scene, plan_);
-            if (!file)
-                return file.error();
-            step.picture = *file;
-        }
+    void addRaw(const Film& film, const FilmStatus& status, double seconds) {
+        AccuracyStep step = rawStep(film, status, reference_, seconds, raw_);
+        ErrorHistory history = histories_.empty() ? ErrorHistory() : histories_.back();
+        history.add(seconds, status);
+        histories_.push_back(std::move(history));
+        step.foretoldAtQuarter = foretold(histories_, 2, step);
+        step.foretoldAtSixteenth = foretold(histories_, 4, step);
+        curves_[0].steps.push_back(std::move(step));
+    }
+    Result<void> keep(const char* prefix, const Film& film, const Display& display, const Provenance& facts,
+                      SmoothedView& view, AccuracyStep& step) const {
+        const std::string name = prefix + std::to_string(step.samples) + ".png";
+        if (auto written = writePng(film, display, view, facts, plan_.folder / name); !written)
+            return written;
+        step.picture = name;
         return {};
     }
 
     const AccuracyWay& way_;
     const Film& reference_;
     const AccuracyPlan& plan_;
+    Display raw_, smooth_;
     std::vector<AccuracyCurve> curves_;
     std::vector<ErrorHistory> histories_;  ///< after each step
 };
@@ -168,7 +170,7 @@ Result<std::vector<AccuracyCurve>> measureAccuracy(const AccuracyWay& way, const
         const auto bias = measureBias(way.scene, plan.display.exposure, device, kBiasShare * plan.seconds, stop);
         if (!bias)
             return bias.error();
-        curves[0].measuredBias = *bias;
+        curves[0].measuredBias = bias->shortcuts;
     }
     return curves;
 }

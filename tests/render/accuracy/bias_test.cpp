@@ -138,16 +138,29 @@ class BiasTest : public QObject {
         QVERIFY(!biases(facts)[1].shareAtMost);
     }
 
+    void roundingAndToleranceAreMeasuredToo() {
+        BiasFacts facts{.model = Model::emissionAbsorption, .toleranceLevels = 0.25};
+        QVERIFY(needsMeasuring(facts) && sumsToATolerance(facts) && !keepsRunningMean(facts));
+        facts.measured.quadrature = MeasuredBias{{0, 0, 0}, {0.14, 0.12, 0.17}};
+        QVERIFY(QString::fromStdString(biases(facts)[0].text).endsWith("within ±0.2 levels (0.2 to 0.2)"));
+        QVERIFY(biases(facts)[0].measured && biases(facts)[0].levelsAtMost);
+        facts = {.schedule = {Schedule::Kind::kroes, false, false, true}};
+        QVERIFY(needsMeasuring(facts) && keepsRunningMean(facts) && !sumsToATolerance(facts));
+        QVERIFY(biases(facts)[0].text.ends_with("how much is not known yet"));
+        facts.measured.runningMean = MeasuredBias{{0, 0, 0}, {3e-5, 2e-5, 4e-5}};
+        QVERIFY(biases(facts)[0].measured);
+    }
+
     void whatWasNotMeasuredIsCalledUnknown() {
         BiasFacts facts{.estimator = Estimator::kroesMarch, .texturesFilter = true};
         QVERIFY(needsMeasuring(facts) && !needsMeasuring({}));
         QCOMPARE(QString::fromStdString(biases(facts)[0].text),
                  QString("march of 3 voxels, fast filter: how much is not known yet"));
-        facts.measured = MeasuredBias{{0.097, 0.091, 0.103}, {12, 10, 14}};
+        facts.measured.shortcuts = MeasuredBias{{0.097, 0.091, 0.103}, {12, 10, 14}};
         QCOMPARE(QString::fromStdString(biases(facts)[0].text),
                  QString::fromUtf8("march of 3 voxels, fast filter: +9.7 % bright (+9.1 to +10.3), 95 % of the tissue "
                                    "within ±12 levels (10 to 14)"));
-        facts.measured->levels = {0.2, 0, 0.4};
+        facts.measured.shortcuts->levels = {0.2, 0, 0.4};
         QVERIFY(QString::fromStdString(biases(facts)[0].text)
                     .endsWith(QString::fromUtf8("within ±0.4 levels at most, by now not told from none")));
     }

@@ -98,6 +98,31 @@ class ForecastTest : public QObject {
         QVERIFY(before < 0.15);
     }
 
+    /// Errors of points that have gained 1.73 over independent samples in 64 fall as n^-0.61 from there; without any
+    /// gain as those of independent samples.
+    void pointsThatHaveGainedMuchAreForetoldToGoOnFaster() {
+        const auto foretold = [](double gain) {
+            FilmStatus status = Fall().status(64);
+            status.gain = gain;
+            ErrorHistory history;
+            history.add(6.4, status);
+            return history.samples(status.displayError / 2).value;
+        };
+        QVERIFY(std::fabs(foretold(1.73) / (64 * std::pow(2, 1 / 0.606)) - 1) < 0.01);
+        QVERIFY(std::fabs(foretold(0) / (64 * std::pow(2, 1 / 0.57)) - 1) < 1e-9);
+        QVERIFY(std::fabs(foretold(1) / (64 * std::pow(2, 1 / 0.5)) - 1) < 1e-9);
+        QVERIFY(foretold(4) < foretold(2) && foretold(2) < foretold(1.73));
+    }
+
+    void whatIsStatedOfTissueWithoutLightIsALowerBound() {
+        FilmStatus status = Fall().status(64);
+        status.unlitTissue = true;
+        ErrorHistory history;
+        history.add(6.4, status);
+        const Foretold samples = history.samples(status.displayError / 2);
+        QVERIFY(std::isinf(samples.high) && samples.value == samples.low && samples.low <= 128);
+    }
+
     void whatIsLessSureHasTheWiderInterval() {
         const Fall sure, noisy{.spread = 0.1};
         QVERIFY(width(noisy.until(256).samples(4)) > 1.2 * width(sure.until(256).samples(4)));

@@ -151,6 +151,26 @@ class ErrorTruthTest : public QObject {
         QVERIFY(!shownStatus(film, 1).fewBrightSamples);
     }
 
+    /// What low-discrepancy points gain is what standard errors say too much, where enough pixels tell.
+    void theGainIsThatOverIndependentSamples() {
+        std::vector<Known> pixels(99, {1, 0.02, 0.8});
+        const std::uint32_t n = 64;
+        QCOMPARE(shownStatus(knownFilm(pixels, n), 1).gain, 0.0);
+        pixels.push_back({1, 0.02, 0.8});
+        QVERIFY(std::fabs(shownStatus(knownFilm(pixels, n), 1).gain * 0.02 / 0.8 * std::sqrt(n - 1.0) - 1) < 1e-4);
+    }
+
+    /// A twentieth of the tissue decides what is said of 95 % of it.
+    void tissueWithoutLightDecidesWhatIsSaidWhereThereIsEnoughOfIt() {
+        std::vector<Known> pixels(100, {1, 0.02, 0.8});
+        std::fill_n(pixels.begin(), 5, Known{0, 0, 0});
+        QVERIFY(!shownStatus(knownFilm(pixels, 64), 1).unlitTissue);
+        pixels[5] = {0, 0, 0};
+        QVERIFY(shownStatus(knownFilm(pixels, 64), 1).unlitTissue);
+        std::fill_n(pixels.begin(), 6, Known{0, 0, 0, kSeenTissue});  // chance has no part in it
+        QVERIFY(!shownStatus(knownFilm(pixels, 64), 1).unlitTissue);
+    }
+
     /// Of few pixels the draws say little: there the standard errors hold, which never say too little.
     void ofFewPixelsTheStandardErrorsHold() {
         std::vector<Known> pixels(99, {1, 0.001, 1});

@@ -60,6 +60,26 @@ std::uint64_t pixelsIn(const std::vector<EvenTile>& tiles) {
     return pixels;
 }
 
+/// A tile and how far it is.
+struct MovingTile {
+    Tile tile;
+    std::uint64_t end = 0;
+};
+
+/// The image, cut between cells: into rows, and each row anew into columns.
+std::vector<MovingTile> randomTiles(ivec2 film, std::mt19937& random) {
+    const auto part = [&](int left) { return std::min(left, kFilmCell * int(1 + random() % 3)); };
+    std::vector<MovingTile> tiles;
+    for (int y = 0, height = 0; y < film.y; y += height) {
+        height = part(film.y - y);
+        for (int x = 0, width = 0; x < film.x; x += width) {
+            width = part(film.x - x);
+            tiles.push_back({{x, y, width, height}});
+        }
+    }
+    return tiles;
+}
+
 }  // namespace
 
 /// Parts of a picture may be further than others, and may be made elsewhere: what they become is the same to the bit.
@@ -206,6 +226,29 @@ class FilmOfRegionsTest : public QObject {
             }
         }
         QVERIFY(sameBits(film.content(), test::render(scene, 131).content()));
+    }
+
+    /// However the image is cut into tiles and the samples of each into pieces, and in whatever order they come.
+    void anyOrderAndAnySplitIsTheSameFilm() {
+        const Scene scene = someScene();
+        const std::uint64_t samples = 150;
+        const FilmContent whole = test::render(scene, samples).content();
+        for (std::uint32_t seed = 1; seed <= 2; ++seed) {
+            std::mt19937 random(seed);
+            std::vector<MovingTile> tiles = randomTiles(scene.film, random);
+            Film film(wholeOf(scene), scene.revision);
+            while (!tiles.empty()) {
+                MovingTile& next = tiles[random() % tiles.size()];
+                next.end = std::min(
+                    {samples, (next.end / kSamplesPerBlock + 1) * kSamplesPerBlock, next.end + 1 + random() % 40});
+                QVERIFY(film.merge(resultOf(scene, next.tile, next.end)));
+                if (next.end == samples) {
+                    next = tiles.back();
+                    tiles.pop_back();
+                }
+            }
+            QVERIFY(sameBits(film.content(), whole));
+        }
     }
 
     void whatDoesNotFitIsRefusedAndChangesNothing() {

@@ -7,7 +7,7 @@
 
 #include "render/device/emulated/emulated_gpu.h"
 #include "render/film/tone_curve.h"
-#include "render/session/bias_lattice.h"
+#include "render/session/bias_measurements.h"
 #include "render/session/session.h"
 #include "tests/support/screen.h"
 #include "tests/support/tissue_scene.h"
@@ -73,6 +73,31 @@ struct Films {
     }
 };
 
+/// What a running mean of n iterations is off on all pixels, by other samples: of the same in double, without the
+/// first.
+double roundingOf(Scene scene, std::uint32_t n, Device& device) {
+    scene.seed += 7;
+    Scene exact = exactly(scene);
+    const auto film = [&](const Scene& of, std::uint32_t samples) {
+        const auto growing = startFilm(device, of);
+        (void)(*growing)->accumulate(samples, {});
+        return *(*growing)->film();
+    };
+    const auto rounded = film(scene, n), all = film(exact, n), first = film(exact, 1);
+    const auto level = [](double radiance) { return double(exactLevelOf(displayCurve(), float(radiance))); };
+    dvec3 squares(0);
+    double count = 0;
+    for (int y = 0; y < scene.film.y; ++y)
+        for (int x = 0; x < scene.film.x; ++x)
+            if (const PixelEstimate pixel = all->pixel(x, y); pixel.tissue) {
+                const dvec3 mean = (double(n) * pixel.mean - first->pixel(x, y).mean) / double(n - 1);
+                for (int c = 0; c < 3; ++c)
+                    squares[c] += std::pow(level(rounded->pixel(x, y).mean[c]) - level(mean[c]), 2);
+                ++count;
+            }
+    return 2 * std::sqrt(glm::max(squares.x, glm::max(squares.y, squares.z)) / count);
+}
+
 bool within(double found, double truth, double factor) {
     return found <= factor * truth && found >= truth / factor;
 }
@@ -95,7 +120,7 @@ class BiasLatticeTest : public QObject {
         Scene exact = exactly(scene);
         exact.seed += 7;
         const MeasuredBias truth = Films(scene, exact, 256, *device).bias();
-        BiasLattice lattice(scene);
+        BiasLattice lattice(withoutShortcuts(scene));
         for (int round = 0; round < 4; ++round)
             QVERIFY(bool(lattice.addRound(*device, {})));
         const auto found = lattice.measured(1);
@@ -110,6 +135,43 @@ class BiasLatticeTest : public QObject {
         QVERIFY(off > 1.53 * (low - value) && off < 1.53 * (high - value));
     }
 
+    /// Rays to a tolerance that shows, against the same rays to a hundredth of it, on all pixels.
+    void whatAToleranceDoesIsFoundWithinAFactorOfOneAndAHalf() {
+        Scene scene = picture({140, 100});
+        scene.model = Model::emissionAbsorption;
+        scene.toleranceLevels = 4;
+        const auto device = makeCpuDevice();
+        Scene exact = exactly(scene);
+        exact.toleranceLevels = 0.04f;
+        const MeasuredBias truth = Films(scene, exact, 64, *device).bias();
+        BiasLattice lattice(withoutTolerance(scene));
+        for (int round = 0; round < 4; ++round)
+            QVERIFY(bool(lattice.addRound(*device, {})));
+        const auto found = lattice.measured(1);
+        QVERIFY(found);
+        qInfo("%.4f levels (%.4f to %.4f), truth %.4f", found->levels.value, found->levels.low, found->levels.high,
+              truth.levels.value);
+        QVERIFY(within(found->levels.value, truth.levels.value, 1.5) && truth.levels.value > 0);
+        QVERIFY(found->levels.high <= 4);  // the bound holds
+    }
+
+    /// Rounding is all that is left of it: the sample that it loses is no bias.
+    void whatARunningMeanDoesIsFoundWithinAFactorOfOneAndAHalf() {
+        Scene scene = picture({70, 50});
+        scene.schedule = {Schedule::Kind::kroes, false, false, true};
+        const auto device = makeCpuDevice();
+        BiasLattice lattice(withoutRounding(scene));
+        for (int round = 0; round < 4; ++round)
+            QVERIFY(bool(lattice.addRound(*device, {})));
+        QCOMPARE(lattice.samples(), std::uint64_t(512));
+        const auto found = lattice.measured(1);
+        QVERIFY(found);
+        const double truth = roundingOf(scene, 512, *device);
+        qInfo("%.3g levels (%.3g to %.3g), truth %.3g", found->levels.value, found->levels.low, found->levels.high,
+              truth);
+        QVERIFY(within(found->levels.value, truth, 1.5));
+    }
+
     /// The same random numbers with both filters: nearly all that differs is the filter.
     void whatTextureUnitsDoLiesBelowTheBound() {
         const auto device = makeEmulatedGpu();
@@ -117,20 +179,20 @@ class BiasLatticeTest : public QObject {
         fast.filtering = Filtering::fast;
         const double truth = Films(fast, exactly(fast), 64, *device).differ();
         const auto found = measureBias(fast, 1, *device, 0, {});
-        QVERIFY(bool(found) && *found);
-        QVERIFY2(truth > 0 && truth < (*found)->levels.high,
-                 qPrintable(QString("%1, %2").arg(truth).arg((*found)->levels.high)));
+        QVERIFY(bool(found) && found->shortcuts);
+        QVERIFY2(truth > 0 && truth < found->shortcuts->levels.high,
+                 qPrintable(QString("%1, %2").arg(truth).arg(found->shortcuts->levels.high)));
     }
 
     void aStoppedRoundCountsForNothing() {
         const auto device = makeCpuDevice();
         std::stop_source source;
         source.request_stop();
-        BiasLattice lattice(marched(picture({64, 64})));
+        BiasLattice lattice(withoutShortcuts(marched(picture({64, 64}))));
         QVERIFY(bool(lattice.addRound(*device, source.get_token())));
         QCOMPARE(lattice.samples(), std::uint64_t(0));
         QVERIFY(bool(lattice.addRound(*device, {})));
-        QCOMPARE(lattice.samples(), std::uint64_t(BiasLattice::kRound));
+        QCOMPARE(lattice.samples(), std::uint64_t(64));
     }
 
     /// Between two frames, and the picture never knows.
@@ -144,7 +206,7 @@ class BiasLatticeTest : public QObject {
             Session session(makeCpuDevice(2), screen.sink());
             session.setIterationsPerFrame(32);
             session.submit(scene, false);
-            QVERIFY(screen.await([](const Frame& frame) { return frame.bias.measured.has_value(); }));
+            QVERIFY(screen.await([](const Frame& frame) { return frame.bias.measured.shortcuts.has_value(); }));
             std::promise<void> taken;
             session.requestSnapshot(5, [&](const Result<FilmView>& view) {
                 film = std::make_shared<Film>(view->film.revision(), view->film.content());
@@ -160,7 +222,7 @@ class BiasLatticeTest : public QObject {
         Session session(makeCpuDevice(2), exact.sink());
         session.submit(scene, false);
         const auto frame = exact.await([](const Frame& frame) { return frame.status.samplesPerPixel > 256; });
-        QVERIFY(frame && !frame->bias.measured);
+        QVERIFY(frame && !frame->bias.measured.shortcuts);
     }
 };
 

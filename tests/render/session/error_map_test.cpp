@@ -3,6 +3,8 @@
 #include <QTest>
 #include <future>
 
+#include "render/film/error_map_view.h"
+#include "tests/support/fake_clock.h"
 #include "tests/support/reel.h"
 #include "tests/support/screen.h"
 
@@ -67,10 +69,11 @@ class ErrorMapTest : public QObject {
         QVERIFY(dark->errorMap->bins == held.truth(8).bins);
     }
 
-    /// At each quarter more: some eleven times from 1 to 1000 samples after the first few.
+    /// For the first picture, then at each quarter more from 32 samples on, of which errors are first known. No time
+    /// passes, so maps take none.
     void itIsMadeAnewSeldom() {
         test::Reel reel;
-        Session session(makeCpuDevice(1), reel.sink());
+        Session session(makeCpuDevice(1), reel.sink(), {}, test::readingOf(std::make_shared<test::FakeClock>()));
         session.setIterationsPerFrame(1);
         session.setErrorMap(true);
         Scene scene = test::largeScene(1);
@@ -80,15 +83,26 @@ class ErrorMapTest : public QObject {
         std::shared_ptr<const LevelErrorMap> last;
         double madeAt = 0;
         for (const auto& frame : reel.of(1)) {
-            const double samples = double(frame->status.samplesPerPixel);
+            const double samples = double(frame->status.samplesPerPixel), next = std::max(1.25 * madeAt, 32.0);
             QCOMPARE(frame->errorMap == nullptr, frame->coarse);
             if (frame->errorMap && frame->errorMap != last) {
-                QVERIFY(samples >= 1.25 * madeAt);
+                QVERIFY(madeAt == 0 || samples >= next);
                 madeAt = samples;
             }
-            QVERIFY(frame->coarse || samples < 1.25 * madeAt + 1);
+            QVERIFY(frame->coarse || samples < std::max(1.25 * madeAt, 32.0) + 1);
             last = frame->errorMap;
         }
+    }
+
+    void whereItTakesLongItIsMadeMoreSeldom() {
+        Film film(ivec2(8, 8), 1);
+        ErrorMapView view;
+        QVERIFY(view.isDue(1, 1, 1.25));
+        view.make(film, 40, 1, {});
+        QVERIFY(!view.isDue(49, 1, 1.25) && view.isDue(50, 1, 1.25));
+        QVERIFY(!view.isDue(79, 1, 2) && view.isDue(80, 1, 2));
+        QVERIFY(view.isDue(41, 2, 2));  // another display
+        QVERIFY(view.isDue(39, 1, 2));  // another part
     }
 };
 

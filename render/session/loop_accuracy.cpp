@@ -1,0 +1,121 @@
+/// What the render thread finds out about how right its pictures are, and when.
+
+#include <algorithm>
+#include <utility>
+
+#include "render/session/loop.h"
+
+namespace pdr {
+
+namespace {
+
+/// Of the time, what may go into judging smoothed pictures, and into maps of their error, so that each is made often;
+/// where it takes more, seldom.
+constexpr double kBesideShare = 0.01;
+constexpr std::uint64_t kOftenJudged = 2, kSeldomJudged = 8;  ///< so many times the samples of the last one
+constexpr double kOftenMapped = 1.25, kSeldomMapped = 2;      ///< 1.25: a ninth of the errors is gone
+/// Errors are counted anew when the samples are so many times as many; below kSamplesToEstimate, of which little is
+/// said, at each doubling.
+constexpr double kSurveyed = 1.09;
+
+}  // namespace
+
+/// At rest, where a smoothed picture is wanted. It takes longer than a picture may: brightness does not wait for it.
+Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
+    const std::uint64_t growth = judgeSeconds_ <= kBesideShare * seconds_ ? kOftenJudged : kSeldomJudged;
+    if (coarse() || moving_ || !smooths(commands.display()) || !smoothedView_.isDue(partSamples(), growth))
+        return {};
+    if (step.detour.stop_requested())
+        return {};
+    const double start = clock_();
+    Result<void> judged =
+        place_.film()->look([&](const Film& film) { smoothedView_.judge(film, partSamples(), step.detour); });
+    seconds_ += secondsSince(start);
+    judgeSeconds_ += secondsSince(start);
+    return judged;
+}
+
+/// Where the picture is still rough, if that is wanted of it.
+Result<void> Session::Loop::mapErrors(const Display& display, const std::stop_token& stop) {
+    if (!commands.errorMap() || coarse()) {
+        errorMap_.clear();
+        return {};
+    }
+    const double growth = mapSeconds_ <= kBesideShare * seconds_ ? kOftenMapped : kSeldomMapped;
+    if (!errorMap_.isDue(partSamples(), display.exposure, growth))
+        return {};
+    const double start = clock_();
+    Result<void> made =
+        place_.film()->look([&](const Film& film) { errorMap_.make(film, partSamples(), display.exposure, stop); });
+    seconds_ += secondsSince(start);
+    mapSeconds_ += secondsSince(start);
+    return made;
+}
+
+/// Whether the errors are to be counted anew; in between what was said of them last stands.
+bool Session::Loop::isSurveyDue(const Display& asked) const {
+    const double samples = sweep_.samples().mean, enough = double(kSamplesToEstimate);
+    const double next = surveyed_.meanSamplesPerPixel < enough ? std::min(2 * surveyed_.meanSamplesPerPixel, enough)
+                                                               : kSurveyed * surveyed_.meanSamplesPerPixel;
+    return coarse() || !shownError_ || asked.exposure != historyExposure_ || samples >= next;
+}
+
+/// What is known of it, if it is the film's own.
+void Session::Loop::remember(DisplayedPicture& picture) {
+    FilmStatus& status = picture.picture.status;
+    if (!picture.picture.surveyed) {
+        const FilmStatus counts = std::exchange(status, surveyed_);
+        status.samplesPerPixel = counts.samplesPerPixel;
+        status.meanSamplesPerPixel = counts.meanSamplesPerPixel;
+        status.mostSamplesPerPixel = counts.mostSamplesPerPixel;
+        status.health = counts.health;
+        return;
+    }
+    shownError_.reset();
+    if (coarse())
+        return;
+    surveyed_ = status;
+    shownError_ = status.displayError;
+    if (std::exchange(historyExposure_, picture.display.exposure) != picture.display.exposure)
+        history_.forgetErrors();
+    history_.add(seconds_ - secondsAhead(), status);
+}
+
+/// That a part has had of the samples that the whole picture is still to get.
+double Session::Loop::secondsAhead() const {
+    const SampleCounts samples = sweep_.samples();
+    return aheadSamples_ > 0 ? aheadSeconds_ / aheadSamples_ * double(samples.most - samples.least) : 0;
+}
+
+/// How good the region is, if there is one.
+Result<void> Session::Loop::lookAtRegion(const Display& display) {
+    if (coarse() || !region_.region())
+        return {};
+    const Tile tile = *region_.tile(place_.size());
+    if (!region_.isDue(sweep_.samplesOf(tile), display.exposure))
+        return {};
+    const double start = clock_();
+    Result<void> looked =
+        place_.film()->look([&](const Film& film) { region_.look(film, display.exposure, seconds_); });
+    seconds_ += secondsSince(start);
+    return looked;
+}
+
+RenderCommands::Progress Session::Loop::progress() const {
+    const double inRegion = region_.region() ? region_.error() : 0;
+    return {shownError_ ? std::optional(std::max(*shownError_, inRegion)) : std::nullopt, seconds_,
+            sweep_.samples().least};
+}
+
+/// What it takes until the whole picture is as good: what a part has had already counts when the rest gets there.
+std::vector<QualityStep> Session::Loop::steps() const {
+    std::vector<QualityStep> steps = history_.steps();
+    const double ahead = secondsAhead();
+    for (QualityStep& step : steps)
+        if (!step.reached)
+            for (double* seconds : {&step.seconds.value, &step.seconds.low, &step.seconds.high})
+                *seconds += ahead;
+    return steps;
+}
+
+}  // namespace pdr
