@@ -28,17 +28,26 @@ int Document::preset() const {
     return -1;
 }
 
-void Document::open(std::shared_ptr<const Volume> volume) {
+void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table) {
     forgetSteps();
     volume_ = std::move(volume);
-    setup_.camera = cameraOf(StandardView::anterior);
+    table_ = table;
+    setup_.table = Table::hidden;
+    setup_.camera = cameraOf(firstView(framed()));
     show(false);
     emit displayChanged(display());
+}
+
+void Document::open(std::shared_ptr<const Volume> volume) {
+    segment::HiddenTable nothing;
+    nothing.bodyBox = volume->geometry();
+    open(std::move(volume), nothing);
 }
 
 void Document::close() {
     forgetSteps();
     volume_.reset();
+    table_ = {};
     scene_.volume.reset();
 }
 
@@ -60,6 +69,19 @@ void Document::rest(Gesture gesture) {
 
 void Document::setView(StandardView view) {
     setCamera(hasVolume() ? cameraOf(view) : Camera{}, false);
+}
+
+void Document::resetView() {
+    if (hasVolume())
+        setView(firstView(framed()));
+}
+
+void Document::setTable(Table table) {
+    if (table == setup_.table || !hasTable())
+        return;
+    PictureSetup setup = setup_;
+    setup.table = table;
+    edit(std::move(setup));
 }
 
 void Document::setPreset(int index) {
@@ -192,7 +214,7 @@ void Document::edit(PictureSetup setup, Gesture gesture, bool moving) {
 void Document::comeBackTo(PictureSetup setup) {
     gesture_ = Gesture::none;
     setup_ = std::move(setup);
-    Scene scene = sceneOf(setup_, volume_, film_);
+    Scene scene = sceneOf(setup_, seen(), film_);
     scene.revision = scene_.revision;
     if (scene != scene_)
         show(false);
@@ -204,13 +226,22 @@ void Document::show(bool moving) {
     if (!hasVolume())
         return;
     const std::uint64_t revision = scene_.revision + 1;
-    scene_ = sceneOf(setup_, volume_, film_);
+    scene_ = sceneOf(setup_, seen(), film_);
     scene_.revision = revision;
     emit sceneChanged(scene_, moving);
 }
 
+const std::shared_ptr<const Volume>& Document::seen() const {
+    return setup_.table == Table::hidden && hasTable() ? table_.body : volume_;
+}
+
+/// The part of the grid that a view is filled with.
+const VolumeGeometry& Document::framed() const {
+    return setup_.table == Table::hidden ? table_.bodyBox : volume_->geometry();
+}
+
 Camera Document::cameraOf(StandardView view) const {
-    const VolumeGeometry& geometry = volume_->geometry();
+    const VolumeGeometry& geometry = framed();
     const double aspect = double(film_.x) / film_.y;
     return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, kFilled);
 }

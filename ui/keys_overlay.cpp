@@ -12,7 +12,7 @@ struct KeyHelp {
     const char* effect;
 };
 
-const std::array<KeyHelp, 23> kKeys{{{"Left drag, arrow keys", "turn"},
+const std::array<KeyHelp, 24> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Middle or Shift+left drag", "move"},
                                      {"Wheel, right drag, + and -", "zoom"},
                                      {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
@@ -21,6 +21,7 @@ const std::array<KeyHelp, 23> kKeys{{{"Left drag, arrow keys", "turn"},
                                      {"Space", "pause, go on (also beyond what was reached)"},
                                      {"Left, Right on the strip (Tab)", "hold sooner, more accurate"},
                                      {"S", "smoothed, or raw with its noise"},
+                                     {"T", "the scanner's table and head holder on and off"},
                                      {"Mouse at rest", "how good the picture is there"},
                                      {"E", "where the picture is still rough"},
                                      {"Shift+E, click on the sentence", "accuracy on and off"},

@@ -42,6 +42,8 @@ class MainWindow : public QMainWindow {
     void setUndoAvailable(bool undo, bool redo);
     void setPaused(bool paused);
     void setSmoothed(bool smoothed);
+    /// `there`: there is a table, or what else is hidden with it, to show or hide.
+    void setTable(bool shown, bool there);
     /// Whether pictures that leave the window unfinished say so.
     void setCaptioned(bool captioned);
     /// Whether there is a picture to save.
@@ -56,6 +58,7 @@ class MainWindow : public QMainWindow {
     void resetRequested();
     void pauseChosen(bool paused);
     void smoothingChosen(bool smoothed);
+    void tableChosen(bool shown);
     void captionChosen(bool captioned);
     /// Whether the picture is to show where it is still rough.
     void errorMapChosen(bool shown);
@@ -106,6 +109,7 @@ class MainWindow : public QMainWindow {
     QAction* redo_ = nullptr;
     QAction* pause_ = nullptr;
     QAction* smoothed_ = nullptr;
+    QAction* table_ = nullptr;
     QAction* captioned_ = nullptr;
     QAction* alone_ = nullptr;
     QByteArray stateBeforeAlone_;

@@ -34,6 +34,7 @@ Result<SceneFile> readInput(const SceneInput& input) {
         file = *std::move(read);
     } else {
         file.source.dicomFolder = input.path;
+        file.source.table = Table::hidden;
         file.scene.film = kFolderFilm;
     }
     if (!input.seriesUid.empty() && file.source.dicomFolder.empty())
@@ -41,14 +42,14 @@ Result<SceneFile> readInput(const SceneInput& input) {
                      input.path.string(), "Leave it out."};
     if (!input.seriesUid.empty())
         file.source.seriesUid = input.seriesUid;
+    file.source.table = input.table.value_or(file.source.table);
     file.scene.film = input.size.value_or(file.scene.film);
     file.scene.seed = input.seed.value_or(file.scene.seed);
     return file;
 }
 
-Camera cameraFrom(StandardView view, const Scene& scene) {
-    const VolumeGeometry& geometry = scene.volume->geometry();
-    const double aspect = double(scene.film.x) / double(scene.film.y);
+Camera cameraFrom(StandardView view, const VolumeGeometry& geometry, ivec2 film) {
+    const double aspect = double(film.x) / double(film.y);
     return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, 0.95);
 }
 
@@ -94,12 +95,15 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         return environment.error();
 
     LoadedScene work{std::move(file->scene), {}, {}, {input.path, file->source.raw.path, file->environmentImage}};
-    work.scene.volume = std::move(volume->volume);
+    const WantedVolume& wanted = volume->wanted;
+    work.scene.volume = wanted.volume;
     for (const dicom::Note& note : volume->notes)
         work.notes.push_back(note.text);
+    if (!wanted.remark.empty())
+        work.notes.push_back(wanted.remark);
     work.scene.environment.image = *std::move(environment);
     if (input.view || !isFile(input))
-        work.scene.camera = cameraFrom(input.view.value_or(StandardView::anterior), work.scene);
+        work.scene.camera = cameraFrom(input.view.value_or(firstView(wanted.framed)), wanted.framed, work.scene.film);
     if (*preset) {
         work.display = (*preset)->look.display;
         work.scene = withPreset(std::move(work.scene), **preset);

@@ -17,7 +17,24 @@ std::array<dvec3, 8> cornersMm(const VolumeGeometry& geometry) {
     return corners;
 }
 
+/// Of a slab's other edges: below, what is seen from beside it is a bar.
+constexpr double kThin = 1.0 / 3;
+
 }  // namespace
+
+StandardView firstView(const VolumeGeometry& geometry) {
+    const dvec3 edges = geometry.spacingMm() * dvec3(geometry.size);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (edges[axis] >= kThin * std::min(edges[(axis + 1) % 3], edges[(axis + 2) % 3]))
+            continue;
+        const dvec3 across = glm::abs(dvec3(geometry.patientFromIndex[axis]));
+        if (across.x > across.y && across.x > across.z)
+            return StandardView::left;
+        if (across.z > across.y)
+            return StandardView::inferior;
+    }
+    return StandardView::anterior;
+}
 
 Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double aspect, double fraction) {
     const double slopeUp = std::tan(glm::radians(camera.fovDegrees) / 2) * fraction;

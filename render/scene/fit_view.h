@@ -1,10 +1,14 @@
 #pragma once
-/// How near a camera may come so that a whole volume is still in the picture.
+/// From where a volume is seen first, and how near a camera may come so that all of it is still in the picture.
 
 #include "render/scene/camera.h"
 #include "render/volume/volume.h"
 
 namespace pdr {
+
+/// The side from which a scan is seen first: the front, or where few slices are much less deep than wide, the side from
+/// which these are looked at: left, front or feet.
+StandardView firstView(const VolumeGeometry& geometry);
 
 /// `camera` with its eye on the same line through the target, as near as possible with every corner of the volume's box
 /// inside the middle `fraction` of an image `aspect` = width / height. Orthographic: with its height made so.

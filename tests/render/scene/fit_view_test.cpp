@@ -34,6 +34,7 @@ class TestFitView : public QObject {
     void theBoxReachesTheMarginAndNotBeyond_data();
     void theBoxReachesTheMarginAndNotBeyond();
     void theDirectionStays();
+    void aScanIsSeenFromTheFrontAndFewSlicesFromWhereTheyAreWide();
 };
 
 void TestFitView::theBoxReachesTheMarginAndNotBeyond_data() {
@@ -62,6 +63,25 @@ void TestFitView::theDirectionStays() {
     QVERIFY(glm::length(fitted.forward() - camera.forward()) < 1e-12);
     QVERIFY(fitted.targetMm == camera.targetMm);
     QVERIFY(fitted.up == camera.up);
+}
+
+void TestFitView::aScanIsSeenFromTheFrontAndFewSlicesFromWhereTheyAreWide() {
+    const auto stack = [](dvec3 row, dvec3 column, dvec3 normal, int slices) {
+        VolumeGeometry geometry{{100, 100, slices}, dmat4(1)};
+        geometry.patientFromIndex[0] = dvec4(row * 3.0, 0);
+        geometry.patientFromIndex[1] = dvec4(column * 2.0, 0);
+        geometry.patientFromIndex[2] = dvec4(normal * 2.5, 0);
+        return firstView(geometry);
+    };
+    const dvec3 left(1, 0, 0), back(0, 1, 0), head(0, 0, 1);
+    QVERIFY(stack(left, back, head, 80) == StandardView::anterior);
+    QVERIFY(stack(left, back, head, 30) == StandardView::anterior);
+    QVERIFY(stack(left, back, head, 20) == StandardView::inferior);
+    QVERIFY(stack(left, -back, -head, 2) == StandardView::inferior);
+    QVERIFY(stack(back, -head, -left, 20) == StandardView::left);
+    QVERIFY(stack(left, -head, back, 20) == StandardView::anterior);
+    const dvec3 tilted = glm::normalize(dvec3(0, 0.4, 1));
+    QVERIFY(stack(left, glm::normalize(dvec3(0, 1, -0.4)), tilted, 20) == StandardView::inferior);
 }
 
 }  // namespace pdr
