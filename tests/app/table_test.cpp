@@ -152,7 +152,7 @@ class TestTable : public QObject {
             if (!scene.open(QIODevice::WriteOnly))
                 qFatal("the test cannot write its files");
             scene.write(QString(R"({ "format": "pdrender-scene", "version": 1, "volume": { "dicom": "series"%1 },
-                "transferFunction": { "nodes": [ { "hu": 0, "opacity": 0 }, { "hu": 100, "opacity": 1 } ] },
+                "transferFunction": { "extinctionPerMm": 1, "nodes": [ { "hu": 0, "opacity": 0 }, { "hu": 100, "opacity": 1 } ] },
                 "camera": { "eyeMm": [0, 600, 0], "targetMm": [0, 0, 0] }, "film": { "width": 16, "height": 16 } })")
                             .arg(table)
                             .toUtf8());
