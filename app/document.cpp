@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "render/scene/fit_view.h"
-
 namespace pdr::app {
 namespace {
 
@@ -33,7 +31,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     volume_ = std::move(volume);
     table_ = table;
     setup_.table = Table::hidden;
-    setup_.camera = cameraOf(firstView(framed()));
+    setup_.camera = cameraOf(firstView(framed().box));
     show(false);
     emit displayChanged(display());
 }
@@ -73,7 +71,7 @@ void Document::setView(StandardView view) {
 
 void Document::resetView() {
     if (hasVolume())
-        setView(firstView(framed()));
+        setView(firstView(framed().box));
 }
 
 void Document::setTable(Table table) {
@@ -235,15 +233,15 @@ const std::shared_ptr<const Volume>& Document::seen() const {
     return setup_.table == Table::hidden && hasTable() ? table_.body : volume_;
 }
 
-/// The part of the grid that a view is filled with.
-const VolumeGeometry& Document::framed() const {
-    return setup_.table == Table::hidden ? table_.bodyBox : volume_->geometry();
+/// What a view is filled with.
+Framed Document::framed() const {
+    if (setup_.table == Table::hidden)
+        return {table_.bodyBox, table_.outlineMm};
+    return {volume_->geometry(), nullptr};
 }
 
 Camera Document::cameraOf(StandardView view) const {
-    const VolumeGeometry& geometry = framed();
-    const double aspect = double(film_.x) / film_.y;
-    return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, kFilled);
+    return fittedView(view, framed(), double(film_.x) / film_.y, kFilled);
 }
 
 }  // namespace pdr::app

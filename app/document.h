@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "render/scene/fit_view.h"
 #include "render/scene/picture_setup.h"
 #include "render/scene/preset.h"
 #include "render/segment/hidden_table.h"
@@ -86,7 +87,7 @@ class Document : public QObject {
     void rest(Gesture gesture);
     std::string nameOf(const Look& look) const;
     const std::shared_ptr<const Volume>& seen() const;
-    const VolumeGeometry& framed() const;
+    Framed framed() const;
     Camera cameraOf(StandardView view) const;
 
     std::vector<Preset> presets_;

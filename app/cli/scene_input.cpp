@@ -15,6 +15,7 @@ namespace pdr::app {
 namespace {
 
 constexpr ivec2 kFolderFilm{1024, 1024};
+constexpr double kFilled = 0.95;  ///< fraction of the picture
 
 bool isFile(const SceneInput& input) {
     std::error_code ignored;
@@ -46,11 +47,6 @@ Result<SceneFile> readInput(const SceneInput& input) {
     file.scene.film = input.size.value_or(file.scene.film);
     file.scene.seed = input.seed.value_or(file.scene.seed);
     return file;
-}
-
-Camera cameraFrom(StandardView view, const VolumeGeometry& geometry, ivec2 film) {
-    const double aspect = double(film.x) / double(film.y);
-    return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, 0.95);
 }
 
 /// The preset that was asked for; a folder, which has no look of its own, gets the first one.
@@ -103,7 +99,8 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         work.notes.push_back(wanted.remark);
     work.scene.environment.image = *std::move(environment);
     if (input.view || !isFile(input))
-        work.scene.camera = cameraFrom(input.view.value_or(firstView(wanted.framed)), wanted.framed, work.scene.film);
+        work.scene.camera = fittedView(input.view.value_or(firstView(wanted.framed.box)), wanted.framed,
+                                       double(work.scene.film.x) / double(work.scene.film.y), kFilled);
     if (*preset) {
         work.display = (*preset)->look.display;
         work.scene = withPreset(std::move(work.scene), **preset);

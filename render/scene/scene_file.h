@@ -11,6 +11,7 @@
 
 #include "render/base/progress.h"
 #include "render/base/result.h"
+#include "render/scene/fit_view.h"
 #include "render/scene/scene.h"
 #include "render/scene/table.h"
 #include "render/segment/hidden_table.h"
@@ -53,8 +54,8 @@ std::string cameraText(const Camera& camera);
 /// The voxels that a scene shows.
 struct WantedVolume {
     std::shared_ptr<const Volume> volume;
-    VolumeGeometry framed;  ///< what a view should be filled with: the body where the table is hidden
-    std::string remark;     ///< on what is hidden, or why nothing is, in sentences; empty: nothing was asked for
+    Framed framed;       ///< what a view should be filled with: the body where the table is hidden
+    std::string remark;  ///< on what is hidden, or why nothing is, in sentences; empty: nothing was asked for
 };
 
 /// `volume` as `source` wants it: clamped, without its table, and then reconstructed. Error: cancelled().

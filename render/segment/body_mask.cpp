@@ -99,6 +99,7 @@ Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
     const Cells outline = withHolesFilled(body, grid);
     mask.shown = shownOf(outline, solid, grid);
     mask.box = boxOf(outline, grid);
+    mask.rowEnds = rowEnds(outline, grid);
     mask.parts = bodies.count;
     mask.bodyMl = volumeMl(outline, grid, volume.size());
     mask.cutMl = volumeMl(foreign, grid, volume.size());

@@ -59,6 +59,12 @@ VolumeGeometry boxIn(const Volume& volume, const BodyMask& mask) {
     return volume.geometry().part(first, glm::min(mask.box.end * mask.grid.block, volume.size()) - first);
 }
 
+std::shared_ptr<const std::vector<dvec3>> placesOf(const VolumeGeometry& geometry, std::vector<dvec3> indices) {
+    for (dvec3& place : indices)
+        place = dvec3(geometry.patientFromIndex * dvec4(place, 1.0));
+    return std::make_shared<const std::vector<dvec3>>(std::move(indices));
+}
+
 /// For the pictures: how much, and by which rule.
 std::string factOf(const HiddenTable& table) {
     char rule[80];
@@ -92,6 +98,7 @@ HiddenTable tableOf(const Volume& volume, const BodyMask& mask) {
     const dvec3 spacing = volume.geometry().spacingMm();
     HiddenTable table;
     table.bodyBox = boxIn(volume, mask);
+    table.outlineMm = placesOf(volume.geometry(), mask.rowEnds);
     table.hiddenMl = double(all.hidden.seen) * spacing.x * spacing.y * spacing.z / 1000;
     table.cutMl = mask.cutMl;
     table.bodyMl = mask.bodyMl;

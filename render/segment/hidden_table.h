@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render/base/progress.h"
 #include "render/base/result.h"
@@ -13,11 +14,12 @@ namespace pdr::segment {
 struct HiddenTable {
     std::shared_ptr<const Volume> body;  ///< air outside the body; null where nothing is hidden
     VolumeGeometry bodyBox;              ///< the part of the scan's grid that holds the body; undecided: all of it
-    std::string undecided;               ///< why it is not known what is table, after "because"; empty: it is
-    double hiddenMl = 0;                 ///< of what is denser than -300 HU
-    double cutMl = 0;                    ///< of that, what touched the body
-    double bodyMl = 0;                   ///< with lungs and bowel
-    int parts = 0;                       ///< bodies that do not touch
+    std::shared_ptr<const std::vector<dvec3>> outlineMm;  ///< places whose convex hull holds the body; null: the box
+    std::string undecided;  ///< why it is not known what is table, after "because"; empty: it is
+    double hiddenMl = 0;    ///< of what is denser than -300 HU
+    double cutMl = 0;       ///< of that, what touched the body
+    double bodyMl = 0;      ///< with lungs and bowel
+    int parts = 0;          ///< bodies that do not touch
 };
 
 /// The body in `volume` by the rule of body_mask.h, and a copy of the voxels in which all else is air. A cell of air

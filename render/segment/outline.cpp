@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace pdr::segment {
 namespace {
@@ -98,6 +99,21 @@ CellBox boxOf(const Cells& mask, const CellGrid& grid) {
                     box.end = glm::max(box.end, ivec3(x, y, z) + 1);
                 }
     return box;
+}
+
+std::vector<dvec3> rowEnds(const Cells& mask, const CellGrid& grid) {
+    std::vector<dvec3> ends;
+    for (int z = 0; z < grid.size.z; ++z)
+        for (int y = 0; y < grid.size.y; ++y) {
+            const auto row = mask.begin() + std::ptrdiff_t(grid.index(0, y, z)), end = row + grid.size.x;
+            const auto first = std::find(row, end, 1);
+            if (first == end)
+                continue;
+            const auto last = std::find(std::make_reverse_iterator(end), std::make_reverse_iterator(first), 1);
+            for (const std::ptrdiff_t x : {first - row, last.base() - row})
+                ends.push_back(dvec3(double(x), y + 0.5, z + 0.5) * dvec3(grid.block) - 0.5);
+        }
+    return ends;
 }
 
 }  // namespace pdr::segment

@@ -19,4 +19,8 @@ struct CellBox {
 };
 CellBox boxOf(const Cells& mask, const CellGrid& grid);
 
+/// Where the rows (along i) of a mask begin and end, in index coordinates of voxels: its convex hull is theirs, but for
+/// half a cell.
+std::vector<dvec3> rowEnds(const Cells& mask, const CellGrid& grid);
+
 }  // namespace pdr::segment

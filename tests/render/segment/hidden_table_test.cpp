@@ -92,6 +92,23 @@ class HiddenTableTest : public QObject {
         QVERIFY(glm::length(table.bodyBox.centreMm() - onTable(3).volume->geometry().centreMm()) < 3);
     }
 
+    /// A view that holds the outline holds the body, and hardly more.
+    void theOutlineIsTheBodys() {
+        const Lying patient = onTable(3);
+        const auto outline = hidden(*patient.volume).outlineMm;
+        for (const dvec3 way :
+             {dvec3(1, 0, 0), dvec3(-0.6, 0.8, 0), dvec3(0, -1, 0), dvec3(0.5, 0.5, 0.7), dvec3(0, 0.6, -0.8)}) {
+            double ofBody = -1e9, ofOutline = -1e9;
+            for (std::size_t i = 0; i < patient.truth.size(); ++i)
+                if (patient.truth[i] == Matter::body)
+                    ofBody = std::max(
+                        ofBody, glm::dot(way, (dvec3(i % 128, i / 128 % 96, i / 128 / 96) + 0.5) * kLyingSpacingMm));
+            for (const dvec3& place : *outline)
+                ofOutline = std::max(ofOutline, glm::dot(way, place));
+            QVERIFY2(std::abs(ofOutline - ofBody) < 2.5, qPrintable(QString::number(ofOutline - ofBody)));
+        }
+    }
+
     /// Small and thin things of a patient, and several of them.
     void thePatientStays_data() {
         QTest::addColumn<Anatomy>("anatomy");
