@@ -235,6 +235,8 @@ void showDocument(const DesktopParts& parts) {
     const Document& document = parts.document;
     const auto camera = document.hasVolume() ? std::optional(document.setup().camera) : std::nullopt;
     parts.window.viewport().setCamera(camera);
+    if (document.setup().table == Table::shown)
+        parts.window.message().withdraw();
     parts.window.setTable(document.setup().table == Table::shown, document.hasTable());
     parts.window.look().setPreset(document.preset());
     parts.window.look().setBrightness(document.setup().stops);

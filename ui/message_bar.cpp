@@ -61,6 +61,11 @@ void MessageBar::offer(const QString& action) {
     offer_.show();
 }
 
+void MessageBar::withdraw() {
+    if (!offer_.isHidden())
+        clear();
+}
+
 void MessageBar::clear() {
     text_.clear();
     offer_.hide();

@@ -18,6 +18,8 @@ class MessageBar : public QFrame {
     void showError(const Error& error);
     /// Beside what is shown, a button with something that can be done about it; once.
     void offer(const QString& action);
+    /// What was offered has been done elsewhere: clears the message that offers it, if there is one.
+    void withdraw();
     void clear();
     QString text() const { return text_.text(); }
 

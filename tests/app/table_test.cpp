@@ -65,6 +65,15 @@ class TestTable : public QObject {
         QVERIFY(document.scene().volume == with);
     }
 
+    void whoShowsItByKeyIsNotOfferedItAnyMore() {
+        Trial trial;
+        trial.openAndWait(series_);
+        ui::MessageBar& message = trial.desktop.window().message();
+        QVERIFY(!message.isHidden());
+        QTest::keyClick(&trial.desktop.window(), Qt::Key_T);
+        QVERIFY(message.isHidden());
+    }
+
     /// The tick is all that is remembered, and the picture comes back to the bit.
     void undoBringsBackTheSamePicture() {
         const auto patient = patientOnTable();

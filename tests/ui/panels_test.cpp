@@ -258,6 +258,12 @@ void TestPanels::anOfferIsTakenOnceAndGoesWithItsMessage() {
     QCOMPARE(button->text(), "Show");
     bar.showError({"something else", "", ""});
     QVERIFY(button->isHidden());
+    bar.withdraw();
+    QCOMPARE(bar.text(), "Something else.");
+    bar.offer("Show");
+    bar.withdraw();
+    QVERIFY(bar.isHidden());
+    bar.showError({"the table is hidden", "", ""});
     bar.offer("Show");
     const_cast<QPushButton*>(button)->click();
     QCOMPARE(taken.count(), 1);
