@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "render/scene/fit_view.h"
-
 namespace pdr::app {
 namespace {
 
@@ -28,17 +26,26 @@ int Document::preset() const {
     return -1;
 }
 
-void Document::open(std::shared_ptr<const Volume> volume) {
+void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table) {
     forgetSteps();
     volume_ = std::move(volume);
-    setup_.camera = cameraOf(StandardView::anterior);
+    table_ = table;
+    setup_.table = Table::hidden;
+    setup_.camera = cameraOf(firstView(framed().box));
     show(false);
     emit displayChanged(display());
+}
+
+void Document::open(std::shared_ptr<const Volume> volume) {
+    segment::HiddenTable nothing;
+    nothing.bodyBox = volume->geometry();
+    open(std::move(volume), nothing);
 }
 
 void Document::close() {
     forgetSteps();
     volume_.reset();
+    table_ = {};
     scene_.volume.reset();
 }
 
@@ -60,6 +67,19 @@ void Document::rest(Gesture gesture) {
 
 void Document::setView(StandardView view) {
     setCamera(hasVolume() ? cameraOf(view) : Camera{}, false);
+}
+
+void Document::resetView() {
+    if (hasVolume())
+        setView(firstView(framed().box));
+}
+
+void Document::setTable(Table table) {
+    if (table == setup_.table || !hasTable())
+        return;
+    PictureSetup setup = setup_;
+    setup.table = table;
+    edit(std::move(setup));
 }
 
 void Document::setPreset(int index) {
@@ -192,7 +212,7 @@ void Document::edit(PictureSetup setup, Gesture gesture, bool moving) {
 void Document::comeBackTo(PictureSetup setup) {
     gesture_ = Gesture::none;
     setup_ = std::move(setup);
-    Scene scene = sceneOf(setup_, volume_, film_);
+    Scene scene = sceneOf(setup_, seen(), film_);
     scene.revision = scene_.revision;
     if (scene != scene_)
         show(false);
@@ -204,15 +224,24 @@ void Document::show(bool moving) {
     if (!hasVolume())
         return;
     const std::uint64_t revision = scene_.revision + 1;
-    scene_ = sceneOf(setup_, volume_, film_);
+    scene_ = sceneOf(setup_, seen(), film_);
     scene_.revision = revision;
     emit sceneChanged(scene_, moving);
 }
 
+const std::shared_ptr<const Volume>& Document::seen() const {
+    return setup_.table == Table::hidden && hasTable() ? table_.body : volume_;
+}
+
+/// What a view is filled with.
+Framed Document::framed() const {
+    if (setup_.table == Table::hidden)
+        return {table_.bodyBox, table_.outlineMm};
+    return {volume_->geometry(), nullptr};
+}
+
 Camera Document::cameraOf(StandardView view) const {
-    const VolumeGeometry& geometry = volume_->geometry();
-    const double aspect = double(film_.x) / film_.y;
-    return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, kFilled);
+    return fittedView(view, framed(), double(film_.x) / film_.y, kFilled);
 }
 
 }  // namespace pdr::app

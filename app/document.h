@@ -7,8 +7,10 @@
 #include <memory>
 #include <vector>
 
+#include "render/scene/fit_view.h"
 #include "render/scene/picture_setup.h"
 #include "render/scene/preset.h"
+#include "render/segment/hidden_table.h"
 
 namespace pdr::app {
 
@@ -24,6 +26,8 @@ class Document : public QObject {
     bool hasVolume() const { return volume_ != nullptr; }
     /// What is rendered; of no volume it holds nothing that counts.
     const Scene& scene() const { return scene_; }
+    /// Whether there is a table, or what else is hidden with it, to show or hide.
+    bool hasTable() const { return table_.body != nullptr; }
     /// The preset whose look this is; -1: the user has changed it.
     int preset() const;
     Display display() const;
@@ -33,7 +37,10 @@ class Document : public QObject {
     bool canRedo() const { return !future_.empty(); }
 
   public slots:
-    /// Shows `volume` from the front, with the preset as it is. There is no way back to the volume before.
+    /// Shows `volume` without what is known to be its table, from the side that a scan is seen from first, with the
+    /// preset as it is. There is no way back to the volume before.
+    void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table);
+    /// The same of one that nothing is hidden of.
     void open(std::shared_ptr<const pdr::Volume> volume);
     /// Shows nothing.
     void close();
@@ -41,6 +48,9 @@ class Document : public QObject {
     /// no other scene.
     void setCamera(const pdr::Camera& camera, bool moving);
     void setView(pdr::StandardView view);
+    /// As the volume was seen first.
+    void resetView();
+    void setTable(pdr::Table table);
     void setPreset(int index);
     /// The user's own; one gesture is one step to undo, as well.
     void setLook(const pdr::Look& look, bool moving = false);
@@ -76,14 +86,17 @@ class Document : public QObject {
     void show(bool moving);
     void rest(Gesture gesture);
     std::string nameOf(const Look& look) const;
+    const std::shared_ptr<const Volume>& seen() const;
+    Framed framed() const;
     Camera cameraOf(StandardView view) const;
 
     std::vector<Preset> presets_;
-    std::shared_ptr<const Volume> volume_;
-    PictureSetup setup_;  ///< all that undo brings back
+    std::shared_ptr<const Volume> volume_;  ///< as it was read
+    segment::HiddenTable table_;            ///< of it
+    PictureSetup setup_;                    ///< all that undo brings back
     bool smoothed_ = true;
     ivec2 film_ = Scene{}.film;
-    Scene scene_;  ///< of volume, setup and film
+    Scene scene_;  ///< of the volume, with or without its table, setup and film
     std::deque<PictureSetup> past_;
     std::vector<PictureSetup> future_;
     Gesture gesture_ = Gesture::none;

@@ -50,17 +50,21 @@ void ImportJob::loadSeries(int index) {
         return;
     start([this, index, series = scan_.series[std::size_t(index)],
            before = lastLoaded_](const Progress& progress) -> std::function<void()> {
-        if (!waitUntilFreed(before, progress))
-            return failure(pdr::cancelled());
+        for (const auto& volume : before)
+            if (!waitUntilFreed(volume, progress))
+                return failure(pdr::cancelled());
         std::vector<dicom::Note> notes;
-        auto result = dicom::loadSeries(series, dicom::Padding::maskAsAir, progress, &notes);
+        auto result = dicom::loadSeries(series, dicom::Padding::maskAsAir, partOf(progress, 0, 0.9), &notes);
         if (!result)
             return failure(result.error());
         auto volume = std::make_shared<const Volume>(std::move(*result));
-        return [this, index, volume, notes] {
+        auto table = segment::hideTable(*volume, partOf(progress, 0.9, 1));
+        if (!table)
+            return failure(table.error());
+        return [this, index, volume, notes, table = *std::move(table)] {
             loadNotes_ = notes;
-            lastLoaded_ = volume;
-            emit loaded(volume, index);
+            lastLoaded_ = {volume, table.body};
+            emit loaded(volume, index, table);
         };
     });
 }

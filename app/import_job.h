@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QThread>
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <functional>
@@ -12,6 +13,7 @@
 #include "dicom/series.h"
 #include "render/base/progress.h"
 #include "render/base/result.h"
+#include "render/segment/hidden_table.h"
 
 namespace pdr::app {
 
@@ -31,15 +33,17 @@ class ImportJob : public QObject {
   public slots:
     /// Reads the headers in `folder`; ends with scanned() or failed().
     void scanFolder(const QString& folder);
-    /// Reads the pixels of a loadable series of the last scan; ends with loaded() or failed(). Begins when the volume
-    /// that was loaded last has been let go of by all who held it: memory may not have room for two.
+    /// Reads the pixels of a loadable series of the last scan, and looks for the scanner's table in them; ends with
+    /// loaded() or failed(). Begins when the volume that was loaded last has been let go of by all who held it: memory
+    /// may not have room for two.
     void loadSeries(int index);
     /// Gives up what runs; ends with cancelled(). Nothing happens when nothing runs.
     void cancel();
 
   signals:
     void scanned(const pdr::dicom::ScanResult& scan, const QString& folder);
-    void loaded(std::shared_ptr<const pdr::Volume> volume, int index);
+    /// `table`: what the patient lies on, and the scan without it.
+    void loaded(std::shared_ptr<const pdr::Volume> volume, int index, const pdr::segment::HiddenTable& table);
     void failed(const pdr::Error& error);
     void cancelled();
     /// Of the job that runs: [0, 1], and what is being done.
@@ -63,8 +67,8 @@ class ImportJob : public QObject {
 
     dicom::ScanResult scan_;
     std::vector<dicom::Note> loadNotes_;
-    std::weak_ptr<const Volume> lastLoaded_;
-    std::atomic<std::uint64_t> job_ = 0;  ///< the one that may go on; older ones are cancelled
+    std::array<std::weak_ptr<const Volume>, 2> lastLoaded_;  ///< the scan, and that without a table
+    std::atomic<std::uint64_t> job_ = 0;                     ///< the one that may go on; older ones are cancelled
     bool running_ = false;
     QThread thread_;  ///< begins with the first job
     QObject worker_;  ///< lives on thread_

@@ -57,6 +57,7 @@ Provenance provenanceOf(const Scene& scene, const Rendered& rendered) {
             .estimator = scene.estimator == Estimator::unbiased ? "" : "kroesMarch (biased)",
             .schedule = scheduleText(scene.schedule),
             .warnings = warningNames(warnings(scene)),
+            .hidden = scene.volume ? scene.volume->hidden() : std::string(),
             .remarks = scene.volume ? scene.volume->remarks() : std::string()};
 }
 

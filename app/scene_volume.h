@@ -13,8 +13,8 @@
 namespace pdr::app {
 
 struct FetchedVolume {
-    std::shared_ptr<const Volume> volume;
-    std::vector<dicom::Note> notes;  ///< what a user should know about them
+    WantedVolume wanted;
+    std::vector<dicom::Note> notes;  ///< what a user should know about how they were read
 };
 
 /// Errors: those of the DICOM import and of raw files.

@@ -89,12 +89,15 @@ void showNoPicture(const DesktopParts& parts, const QString& message) {
     parts.window.setPictureAvailable(false);
 }
 
-/// What the import remarked on the series and its voxels, one sentence a line.
-QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofPixels) {
+/// What the import remarked on the series, its voxels and its table, one note a line.
+QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofPixels,
+                const segment::HiddenTable& table) {
     QStringList lines;
     for (const auto* notes : {&series.verdict.notes, &ofPixels})
         for (const dicom::Note& note : *notes)
             lines << ui::sentence(note.text);
+    if (const std::string text = segment::tableText(table); !text.empty())
+        lines << QString::fromStdString(text);
     return lines.join('\n');
 }
 
@@ -167,16 +170,19 @@ void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QS
     parts.window.message().showError(error);
 }
 
-void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index) {
+void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index,
+                const segment::HiddenTable& table) {
     const dicom::Series& series = parts.import.scan().series[std::size_t(index)];
     parts.window.message().clear();
-    if (const QString notes = notesOn(series, parts.import.loadNotes()); !notes.isEmpty())
+    if (const QString notes = notesOn(series, parts.import.loadNotes(), table); !notes.isEmpty())
         showNotice(parts, notes);
+    if (table.body)
+        parts.window.message().offer(ui::MainWindow::tr("Show"));
     parts.window.setSubject(ui::windowSubject(series));
     parts.window.series().setCurrent(index);
     showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::windowSubject(series)));
-    parts.study.setVolume(volume);
-    parts.document.open(std::move(volume));
+    parts.study.setVolume(table.body ? table.body : volume);
+    parts.document.open(std::move(volume), table);
 }
 
 void showProgress(const DesktopParts& parts, double fraction, const QString& step) {
@@ -263,6 +269,9 @@ void showDocument(const DesktopParts& parts) {
     const Document& document = parts.document;
     const auto camera = document.hasVolume() ? std::optional(document.setup().camera) : std::nullopt;
     parts.window.viewport().setCamera(camera);
+    if (document.setup().table == Table::shown)
+        parts.window.message().withdraw();
+    parts.window.setTable(document.setup().table == Table::shown, document.hasTable());
     parts.window.look().setPreset(document.preset());
     parts.window.look().setBrightness(document.setup().stops);
     parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);

@@ -20,9 +20,10 @@ void wireImport(const DesktopParts& parts) {
     QObject::connect(&import, &ImportJob::failed, &window, [parts](const Error& error) { showFailure(parts, error); });
     QObject::connect(&import, &ImportJob::scanned, &window,
                      [parts](const dicom::ScanResult& scan, const QString& folder) { showScan(parts, scan, folder); });
-    QObject::connect(&import, &ImportJob::loaded, &window, [parts](std::shared_ptr<const Volume> volume, int index) {
-        showVolume(parts, std::move(volume), index);
-    });
+    QObject::connect(&import, &ImportJob::loaded, &window,
+                     [parts](std::shared_ptr<const Volume> volume, int index, const segment::HiddenTable& table) {
+                         showVolume(parts, std::move(volume), index, table);
+                     });
 }
 
 /// 2. The hand edits the document.
@@ -34,8 +35,11 @@ void wireEdits(const DesktopParts& parts) {
         document.setViewSize({size.width(), size.height()});
     });
     QObject::connect(&window, &ui::MainWindow::viewChosen, &document, &Document::setView);
-    QObject::connect(&window, &ui::MainWindow::resetRequested, &document,
-                     [&document] { document.setView(StandardView::anterior); });
+    QObject::connect(&window, &ui::MainWindow::resetRequested, &document, &Document::resetView);
+    QObject::connect(&window, &ui::MainWindow::tableChosen, &document,
+                     [&document](bool shown) { document.setTable(shown ? Table::shown : Table::hidden); });
+    QObject::connect(&window.message(), &ui::MessageBar::offerTaken, &document,
+                     [&document] { document.setTable(Table::shown); });
     QObject::connect(&window.look(), &ui::LookPanel::presetChosen, &document, &Document::setPreset);
     QObject::connect(&window.look(), &ui::LookPanel::brightnessChosen, &document, &Document::setBrightness);
     QObject::connect(&window, &ui::MainWindow::smoothingChosen, &document, &Document::setSmoothed);

@@ -132,6 +132,11 @@ void MainWindow::setRegion(const std::optional<QRectF>& box) {
     region_->setBox(box);
 }
 
+void MainWindow::setTable(bool shown, bool there) {
+    table_->setChecked(shown);
+    table_->setEnabled(there);
+}
+
 void MainWindow::setCaptioned(bool captioned) {
     captioned_->setChecked(captioned);
 }
@@ -236,6 +241,9 @@ void MainWindow::fillViewMenu() {
     smoothed_ = menu->addAction(tr("&Smoothed"), QKeySequence(Qt::Key_S));
     smoothed_->setCheckable(true);
     connect(smoothed_, &QAction::triggered, this, &MainWindow::smoothingChosen);
+    table_ = menu->addAction(tr("&Table and holder"), QKeySequence(Qt::Key_T));
+    table_->setCheckable(true);
+    connect(table_, &QAction::triggered, this, &MainWindow::tableChosen);
     captioned_ = menu->addAction(tr("&Caption on previews"));
     captioned_->setCheckable(true);
     captioned_->setToolTip(tr("Saved and full-screen pictures say where they are not yet as good as was wanted"));

@@ -48,6 +48,8 @@ class MainWindow : public QMainWindow {
     void setSmoothed(bool smoothed);
     /// The box on the picture that gets its samples first; none: there is none.
     void setRegion(const std::optional<QRectF>& box);
+    /// `there`: there is a table, or what else is hidden with it, to show or hide.
+    void setTable(bool shown, bool there);
     /// Whether pictures that leave the window unfinished say so.
     void setCaptioned(bool captioned);
     /// Whether there is a picture to save.
@@ -62,6 +64,7 @@ class MainWindow : public QMainWindow {
     void resetRequested();
     void pauseChosen(bool paused);
     void smoothingChosen(bool smoothed);
+    void tableChosen(bool shown);
     void captionChosen(bool captioned);
     /// Whether the picture is to show where it is still rough.
     void errorMapChosen(bool shown);
@@ -121,6 +124,7 @@ class MainWindow : public QMainWindow {
     QAction* redo_ = nullptr;
     QAction* pause_ = nullptr;
     QAction* smoothed_ = nullptr;
+    QAction* table_ = nullptr;
     QAction* captioned_ = nullptr;
     QAction* regionFirst_ = nullptr;
     QAction* alone_ = nullptr;

@@ -22,6 +22,12 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     text_.setWordWrap(true);
     text_.setTextFormat(Qt::PlainText);
     text_.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    offer_.setAccessibleName(tr("What can be done"));
+    offer_.hide();
+    connect(&offer_, &QPushButton::clicked, this, [this] {
+        clear();
+        emit offerTaken();
+    });
     auto* close = new QToolButton;
     close->setAccessibleName(tr("Close the message"));
     close->setText(QChar(0x00D7));
@@ -33,6 +39,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     row->setSpacing(12);
     row->addWidget(symbol);
     row->addWidget(&text_, 1);
+    row->addWidget(&offer_);
     row->addWidget(close, 0, Qt::AlignTop);
     hide();
 }
@@ -44,11 +51,24 @@ void MessageBar::showError(const Error& error) {
     if (!error.where.empty())
         lines += '\n' + QString::fromStdString(error.where);
     text_.setText(lines);
+    offer_.hide();
     show();
+}
+
+void MessageBar::offer(const QString& action) {
+    offer_.setText(action);
+    offer_.setAccessibleName(action);
+    offer_.show();
+}
+
+void MessageBar::withdraw() {
+    if (!offer_.isHidden())
+        clear();
 }
 
 void MessageBar::clear() {
     text_.clear();
+    offer_.hide();
     hide();
 }
 

@@ -3,6 +3,7 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QPushButton>
 
 #include "render/base/result.h"
 
@@ -15,11 +16,19 @@ class MessageBar : public QFrame {
     explicit MessageBar(QWidget* parent = nullptr);
 
     void showError(const Error& error);
+    /// Beside what is shown, a button with something that can be done about it; once.
+    void offer(const QString& action);
+    /// What was offered has been done elsewhere: clears the message that offers it, if there is one.
+    void withdraw();
     void clear();
     QString text() const { return text_.text(); }
 
+  signals:
+    void offerTaken();
+
   private:
     QLabel text_;
+    QPushButton offer_;
 };
 
 }  // namespace pdr::ui

@@ -12,10 +12,10 @@ Result<Scene> loadScene(const std::string& path) {
         return file.error();
     if (!file->source.dicomFolder.empty())
         return Error{"this program reads raw volumes only", path, "Render DICOM folders with pdrender-cli."};
-    Result<std::shared_ptr<const Volume>> volume = fetchRawVolume(file->source);
+    Result<WantedVolume> volume = fetchRawVolume(file->source);
     if (!volume)
         return volume.error();
-    file->scene.volume = *volume;
+    file->scene.volume = volume->volume;
     return file->scene;
 }
 

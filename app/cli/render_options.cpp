@@ -29,8 +29,12 @@ void describeScene(QCommandLineParser& parser) {
          "Look: \"CT bone\" (default), \"CT soft tissue\", \"CT angio\", \"CT lung\", or a preset file (.json).",
          "NAME"},
         {"view",
-         "Look from anterior (default), posterior, left, right, superior or inferior; A, P, L, R, H, F for short.",
+         "Look from anterior (default, but of few slices the side that they face), posterior, left, right, superior or "
+         "inferior; A, P, L, R, H, F for short.",
          "SIDE"},
+        {"table",
+         "hidden or shown: the scanner's table, head holder, clothes. Default: hidden, or what the scene file says.",
+         "WORD"},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
         {"exposure", "Radiance that PNG shows as 63 % of white; default: the preset's, or 1.", "L"},
         {"model",
@@ -138,6 +142,15 @@ std::optional<Estimator> readEstimator(const Reader& reader) {
     usageError("--estimator", "must be unbiased or kroesMarch");
 }
 
+std::optional<Table> readTable(const Reader& reader) {
+    const auto text = reader.text("table");
+    if (!text)
+        return std::nullopt;
+    if (*text != "hidden" && *text != "shown")
+        usageError("--table", "must be hidden or shown");
+    return *text == "hidden" ? Table::hidden : Table::shown;
+}
+
 std::optional<StandardView> readView(const Reader& reader) {
     const auto text = reader.text("view");
     if (!text)
@@ -208,6 +221,7 @@ SceneInput readScene(const QCommandLineParser& parser, const QString& command) {
     scene.seriesUid = reader.text("series").value_or("").toStdString();
     scene.size = readSize(reader);
     scene.view = readView(reader);
+    scene.table = readTable(reader);
     scene.exposure = reader.number("exposure", {0, 1e30, false});
     scene.seed = reader.whole("seed", 0, UINT64_MAX);
     scene.preset = readPreset(reader);

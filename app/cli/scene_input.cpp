@@ -15,6 +15,7 @@ namespace pdr::app {
 namespace {
 
 constexpr ivec2 kFolderFilm{1024, 1024};
+constexpr double kFilled = 0.95;  ///< fraction of the picture
 
 bool isFile(const SceneInput& input) {
     std::error_code ignored;
@@ -34,6 +35,7 @@ Result<SceneFile> readInput(const SceneInput& input) {
         file = *std::move(read);
     } else {
         file.source.dicomFolder = input.path;
+        file.source.table = Table::hidden;
         file.scene.film = kFolderFilm;
     }
     if (!input.seriesUid.empty() && file.source.dicomFolder.empty())
@@ -41,15 +43,10 @@ Result<SceneFile> readInput(const SceneInput& input) {
                      input.path.string(), "Leave it out."};
     if (!input.seriesUid.empty())
         file.source.seriesUid = input.seriesUid;
+    file.source.table = input.table.value_or(file.source.table);
     file.scene.film = input.size.value_or(file.scene.film);
     file.scene.seed = input.seed.value_or(file.scene.seed);
     return file;
-}
-
-Camera cameraFrom(StandardView view, const Scene& scene) {
-    const VolumeGeometry& geometry = scene.volume->geometry();
-    const double aspect = double(scene.film.x) / double(scene.film.y);
-    return fittedView(standardView(view, geometry.centreMm(), geometry.radiusMm(), aspect), geometry, aspect, 0.95);
 }
 
 /// The preset that was asked for; a folder, which has no look of its own, gets the first one.
@@ -94,12 +91,16 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         return environment.error();
 
     LoadedScene work{std::move(file->scene), {}, {}, {input.path, file->source.raw.path, file->environmentImage}};
-    work.scene.volume = std::move(volume->volume);
+    const WantedVolume& wanted = volume->wanted;
+    work.scene.volume = wanted.volume;
     for (const dicom::Note& note : volume->notes)
         work.notes.push_back(note.text);
+    if (!wanted.remark.empty())
+        work.notes.push_back(wanted.remark);
     work.scene.environment.image = *std::move(environment);
     if (input.view || !isFile(input))
-        work.scene.camera = cameraFrom(input.view.value_or(StandardView::anterior), work.scene);
+        work.scene.camera = fittedView(input.view.value_or(firstView(wanted.framed.box)), wanted.framed,
+                                       double(work.scene.film.x) / double(work.scene.film.y), kFilled);
     if (*preset) {
         work.display = (*preset)->look.display;
         work.scene = withPreset(std::move(work.scene), **preset);

@@ -13,6 +13,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/preset.h"
 #include "render/scene/scene.h"
+#include "render/scene/table.h"
 
 namespace pdr::app {
 
@@ -20,8 +21,9 @@ struct SceneInput {
     std::filesystem::path path;        ///< a DICOM folder or a scene file
     std::string seriesUid;             ///< empty: the first that can be loaded
     std::optional<Preset> preset;      ///< absent: CT bone for a folder, the file's own look for a scene
-    std::optional<StandardView> view;  ///< absent: anterior for a folder, the file's own camera for a scene
+    std::optional<StandardView> view;  ///< absent: firstView() for a folder, the file's own camera for a scene
     std::optional<ivec2> size;         ///< absent: 1024 x 1024 for a folder, the file's own film for a scene
+    std::optional<Table> table;        ///< absent: hidden for a folder, as the file says for a scene
     std::optional<double> exposure;
     std::optional<std::uint64_t> seed;
     std::optional<Model> model;
@@ -34,7 +36,7 @@ struct SceneInput {
 struct LoadedScene {
     Scene scene;
     Display display;
-    std::vector<std::string> notes;            ///< on the import of the voxels, a sentence each
+    std::vector<std::string> notes;            ///< on the import of the voxels and what is hidden of them
     std::vector<std::filesystem::path> files;  ///< that it was read from, but those of a DICOM folder
 };
 

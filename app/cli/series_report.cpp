@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "dicom/import.h"
+#include "render/segment/hidden_table.h"
 
 namespace pdr::app {
 
@@ -79,6 +80,17 @@ std::string checksumOf(const Volume& volume) {
     return hash.result().toHex().toStdString();
 }
 
+void addTable(Json& report, const Volume& volume, const Progress& progress) {
+    const auto table = segment::hideTable(volume, progress);
+    if (!table)
+        return;
+    report["table"] = {{"hiddenMl", table->hiddenMl},
+                       {"touchedMl", table->cutMl},
+                       {"bodyMl", table->bodyMl},
+                       {"parts", table->parts},
+                       {"text", segment::tableText(*table)}};
+}
+
 void addPixels(Json& report, const dicom::Series& series, const Progress& progress) {
     std::vector<dicom::Note> notes;
     const Result<Volume> volume = dicom::loadSeries(series, dicom::Padding::keep, progress, &notes);
@@ -95,6 +107,8 @@ void addPixels(Json& report, const dicom::Series& series, const Progress& progre
     report["huWithoutPadding"] = statisticsOf(*volume, [&](std::size_t i) { return !volume->isPadding(i); });
     report["paddingVoxels"] = volume->paddingCount();
     report["sha256"] = checksumOf(*volume);
+    if (series.verdict.loadable())
+        addTable(report, *volume, progress);
 }
 
 std::string joined(const Json& numbers, const char* separator) {
@@ -122,6 +136,15 @@ std::string statisticsLine(const char* label, const Json& statistics) {
     char line[128];
     std::snprintf(line, sizeof line, "  %-16s %d .. %d, mean %.9f\n", label, statistics["lowest"].get<int>(),
                   statistics["highest"].get<int>(), statistics["mean"].get<double>());
+    return line;
+}
+
+std::string tableLine(const Json& table) {
+    if (table["parts"] == 0)
+        return "  table            " + table["text"].get<std::string>() + "\n";
+    char line[160];
+    std::snprintf(line, sizeof line, "  body             %.0f ml; outside %.0f ml, of which %.0f ml touched the skin\n",
+                  table["bodyMl"].get<double>(), table["hiddenMl"].get<double>(), table["touchedMl"].get<double>());
     return line;
 }
 
@@ -176,6 +199,8 @@ std::string textOf(const Json& report) {
         text += "  padding          " + std::to_string(report["paddingVoxels"].get<std::int64_t>()) + " voxels\n";
         text += "  sha256           " + report["sha256"].get<std::string>() + "\n";
     }
+    if (report.contains("table"))
+        text += tableLine(report["table"]);
     if (report.contains("error"))
         text += "  error            " + report["error"].get<std::string>() + "\n";
     return text + "  id               " + report["id"].get<std::string>() + "\n";

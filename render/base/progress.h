@@ -16,4 +16,11 @@ inline bool noProgress(double, std::string_view) {
     return true;
 }
 
+/// That of a step which fills `progress` from `from` to `to`. Lives no longer than `progress`.
+inline Progress partOf(const Progress& progress, double from, double to) {
+    return [&progress, from, to](double fraction, std::string_view step) {
+        return progress(from + (to - from) * fraction, step);
+    };
+}
+
 }  // namespace pdr

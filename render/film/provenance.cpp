@@ -61,6 +61,7 @@ std::vector<Fact> factsOf(const Provenance& from) {
         {"pdrender/estimator", from.estimator},
         {"pdrender/schedule", from.schedule},
         {"pdrender/warnings", from.warnings},
+        {"pdrender/hidden", from.hidden},
         {"pdrender/remarks", from.remarks},
     };
     std::erase_if(facts, [](const Fact& fact) { return fact.value == std::variant<std::string, double>(); });

@@ -1,40 +1,66 @@
 #include "render/scene/fit_view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pdr {
 namespace {
 
 /// The corners of the box of all voxels, voxel extents included [mm].
-std::array<dvec3, 8> cornersMm(const VolumeGeometry& geometry) {
-    std::array<dvec3, 8> corners;
+std::vector<dvec3> cornersMm(const VolumeGeometry& geometry) {
+    std::vector<dvec3> corners;
     for (int i = 0; i < 8; ++i) {
         const dvec3 end(i & 1, (i >> 1) & 1, i >> 2);
-        corners[std::size_t(i)] = dvec3(geometry.patientFromIndex * dvec4(end * dvec3(geometry.size) - 0.5, 1.0));
+        corners.emplace_back(geometry.patientFromIndex * dvec4(end * dvec3(geometry.size) - 0.5, 1.0));
     }
     return corners;
 }
 
-}  // namespace
-
-Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double aspect, double fraction) {
+Camera nearest(const Camera& camera, const std::vector<dvec3>& places, double aspect, double fraction) {
     const double slopeUp = std::tan(glm::radians(camera.fovDegrees) / 2) * fraction;
     const double slopeRight = slopeUp * aspect;
+    const dvec3 right = camera.right(), up = camera.imageUp(), forward = camera.forward();
     double distance = 0, height = 0;
-    for (const dvec3& corner : cornersMm(geometry)) {
-        const dvec3 offset = corner - camera.targetMm;
-        const double x = std::abs(glm::dot(offset, camera.right()));
-        const double y = std::abs(glm::dot(offset, camera.imageUp()));
-        const double depth = glm::dot(offset, camera.forward());
+    for (const dvec3& place : places) {
+        const dvec3 offset = place - camera.targetMm;
+        const double x = std::abs(glm::dot(offset, right));
+        const double y = std::abs(glm::dot(offset, up));
+        const double depth = glm::dot(offset, forward);
         distance = std::max({distance, x / slopeRight - depth, y / slopeUp - depth});
         height = std::max({height, 2 * x / aspect / fraction, 2 * y / fraction});
     }
     Camera result = camera;
     result.heightMm = height;
-    result.eyeMm = camera.targetMm - camera.forward() * distance;
+    result.eyeMm = camera.targetMm - forward * distance;
     return result;
+}
+
+/// Of a slab's other edges: below, what is seen from beside it is a bar.
+constexpr double kThin = 1.0 / 3;
+
+}  // namespace
+
+StandardView firstView(const VolumeGeometry& geometry) {
+    const dvec3 edges = geometry.spacingMm() * dvec3(geometry.size);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (edges[axis] >= kThin * std::min(edges[(axis + 1) % 3], edges[(axis + 2) % 3]))
+            continue;
+        const dvec3 across = glm::abs(dvec3(geometry.patientFromIndex[axis]));
+        if (across.x > across.y && across.x > across.z)
+            return StandardView::left;
+        if (across.z > across.y)
+            return StandardView::inferior;
+    }
+    return StandardView::anterior;
+}
+
+Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double aspect, double fraction) {
+    return nearest(camera, cornersMm(geometry), aspect, fraction);
+}
+
+Camera fittedView(StandardView view, const Framed& framed, double aspect, double fraction) {
+    const Camera camera = standardView(view, framed.box.centreMm(), framed.box.radiusMm(), aspect);
+    return nearest(camera, framed.placesMm ? *framed.placesMm : cornersMm(framed.box), aspect, fraction);
 }
 
 }  // namespace pdr

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "render/scene/look.h"
+#include "render/scene/table.h"
 
 namespace pdr {
 
@@ -17,6 +18,7 @@ struct PictureSetup {
     double stops = 0;      ///< brightness against the look's; one more is twice as bright; [-64, 64]
     Camera camera;
     Clip clip;
+    Table table = Table::hidden;
     Model model = Model::singleScattering;
     Estimator estimator = Estimator::unbiased;
     Schedule schedule;
@@ -26,7 +28,8 @@ struct PictureSetup {
 /// The ranges of all that it holds, with the field's name in `where`.
 Result<void> check(const PictureSetup& setup);
 
-/// The one place that joins a look, a camera and a volume. `volume` is not null; `film`: pixels.
+/// The one place that joins a look, a camera and a volume. `volume` is not null, and the one without a table where that
+/// is hidden; `film`: pixels.
 Scene sceneOf(const PictureSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film);
 
 /// `setup` changed so that its scene is `scene`, which is one of `setup` with some things set otherwise; none where no

@@ -225,10 +225,13 @@ inline constexpr Words<Reconstruction, 2> kReconstructionWords{
     {{"linear", Reconstruction::linear}, {"cubic", Reconstruction::cubic}}};
 
 /// Where the voxels come from, as files write it.
+inline constexpr Words<Table, 2> kTableWords{{{"shown", Table::shown}, {"hidden", Table::hidden}}};
+
 struct VolumeFields {
     std::optional<std::string> dicom, series, raw;
     RawFile file;  ///< its path is `raw`
     std::optional<std::pair<int, int>> clampHu;
+    Table table = Table::shown;
     Reconstruction reconstruction = Reconstruction::linear;
 };
 
@@ -254,6 +257,12 @@ void describe(Visit& visit, VolumeFields& volume) {
     }
     visit({"clampHu", "`[lowest, highest]`: every voxel is clamped to this interval first [HU]", kHounsfield},
           volume.clampHu);
+    visit.word(
+        {"table",
+         "`hidden`: all outside the patient's body is air, as far as it is known what is body: table, head holder, "
+         "clothes. The voxels themselves stay as they are; pictures say how much is hidden. `pdrender-cli render "
+         "--table` goes before it"},
+        volume.table, kTableWords);
     visit.word(
         {"reconstruction",
          "what stands between the slices: `linear` goes evenly from one to the next, `cubic` first puts one more "
@@ -383,6 +392,7 @@ void describe(Visit& visit, PictureSetup& setup) {
     visit({"stops", "brightness against the look's; one more is twice as bright", {-64, 64}}, setup.stops);
     visit.object({"camera", "from where it is seen", {}, kRequired}, setup.camera);
     visit.object({"clip", "what is cut away"}, setup.clip);
+    visit.word({"table", "whether the scanner's table and the head holder are seen"}, setup.table, kTableWords);
     visit.word({"model", "optical model"}, setup.model, kModelWords);
     visit.word({"estimator", "`unbiased`, or `kroesMarch`, as in scene files"}, setup.estimator, kEstimatorWords);
     visit.object({"schedule", "how iterations become displayed frames"}, setup.schedule);

@@ -41,6 +41,7 @@ VolumeSource sourceOf(const VolumeFields& fields, const std::filesystem::path& f
         source.seriesUid = fields.series.value_or("");
     }
     source.clampHu = fields.clampHu;
+    source.table = fields.table;
     source.reconstruction = fields.reconstruction;
     if (source.clampHu && source.clampHu->first > source.clampHu->second)
         fail("volume.clampHu", "must begin with the lower value");
@@ -58,6 +59,7 @@ VolumeFields fieldsOf(const VolumeSource& source) {
             fields.series = source.seriesUid;
     }
     fields.clampHu = source.clampHu;
+    fields.table = source.table;
     fields.reconstruction = source.reconstruction;
     return fields;
 }
@@ -165,18 +167,28 @@ std::string cameraText(const Camera& camera) {
     return FieldWriter::written(written).dump();
 }
 
-Volume asWanted(Volume volume, const VolumeSource& source) {
-    return reconstructed(clamped(std::move(volume), source.clampHu), source.reconstruction);
+Result<WantedVolume> asWanted(Volume volume, const VolumeSource& source, const Progress& progress) {
+    const auto scan = std::make_shared<const Volume>(clamped(std::move(volume), source.clampHu));
+    WantedVolume wanted{scan, {scan->geometry(), nullptr}, ""};
+    if (source.table == Table::hidden) {
+        const auto table = segment::hideTable(*scan, progress);
+        if (!table)
+            return table.error();
+        wanted = {table->body ? table->body : scan, {table->bodyBox, table->outlineMm}, segment::tableText(*table)};
+    }
+    if (source.reconstruction != Reconstruction::linear)
+        wanted.volume = std::make_shared<const Volume>(reconstructed(Volume(*wanted.volume), source.reconstruction));
+    return wanted;
 }
 
-Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source) {
+Result<WantedVolume> fetchRawVolume(const VolumeSource& source, const Progress& progress) {
     Result<Volume> volume = loadRaw(source.raw);
     if (!volume) {
         Error error = volume.error();
         error.where += " (volume.raw)";
         return error;
     }
-    return std::make_shared<const Volume>(asWanted(*std::move(volume), source));
+    return asWanted(*std::move(volume), source, progress);
 }
 
 }  // namespace pdr

@@ -9,8 +9,12 @@
 #include <string_view>
 #include <utility>
 
+#include "render/base/progress.h"
 #include "render/base/result.h"
+#include "render/scene/fit_view.h"
 #include "render/scene/scene.h"
+#include "render/scene/table.h"
+#include "render/segment/hidden_table.h"
 #include "render/volume/raw_file.h"
 #include "render/volume/reconstruction.h"
 
@@ -22,6 +26,7 @@ struct VolumeSource {
     std::string seriesUid;                       ///< empty: the first loadable series
     RawFile raw;                                 ///< its path is empty for a DICOM folder
     std::optional<std::pair<int, int>> clampHu;  ///< voxels are clamped to [first, second]; in [-32768, 32767]
+    Table table = Table::shown;
     Reconstruction reconstruction = Reconstruction::linear;
     bool operator==(const VolumeSource&) const = default;
 };
@@ -46,10 +51,17 @@ std::string sceneText(const SceneFile& file);
 /// A camera as it stands in scene files, on one line.
 std::string cameraText(const Camera& camera);
 
-/// `volume` as `source` wants it: clamped, and then reconstructed.
-Volume asWanted(Volume volume, const VolumeSource& source);
+/// The voxels that a scene shows.
+struct WantedVolume {
+    std::shared_ptr<const Volume> volume;
+    Framed framed;       ///< what a view should be filled with: the body where the table is hidden
+    std::string remark;  ///< on what is hidden, or why nothing is, in sentences; empty: nothing was asked for
+};
+
+/// `volume` as `source` wants it: clamped, without its table, and then reconstructed. Error: cancelled().
+Result<WantedVolume> asWanted(Volume volume, const VolumeSource& source, const Progress& progress);
 
 /// The voxels of a raw file, as `source` wants them. Errors: those of loadRaw(), the field named beside the file.
-Result<std::shared_ptr<const Volume>> fetchRawVolume(const VolumeSource& source);
+Result<WantedVolume> fetchRawVolume(const VolumeSource& source, const Progress& progress = noProgress);
 
 }  // namespace pdr

@@ -52,7 +52,7 @@ Volume reconstructed(Volume volume, Reconstruction reconstruction) {
     }
     std::string remarks = volume.remarks();
     remarks += (remarks.empty() ? "" : ", ") + std::string(kRemark);
-    return Volume(geometry, std::move(voxels), finerPadding(volume), std::move(remarks));
+    return Volume(geometry, std::move(voxels), finerPadding(volume), std::move(remarks), volume.hidden());
 }
 
 bool hasInterpolatedSlices(const Volume& volume) {

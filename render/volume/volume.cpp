@@ -24,6 +24,12 @@ double VolumeGeometry::radiusMm() const {
     return 0.5 * glm::length(dvec3(patientFromIndex * dvec4(dvec3(size), 0.0)));
 }
 
+VolumeGeometry VolumeGeometry::part(ivec3 first, ivec3 partSize) const {
+    VolumeGeometry geometry{partSize, patientFromIndex};
+    geometry.patientFromIndex[3] = patientFromIndex * dvec4(dvec3(first), 1.0);
+    return geometry;
+}
+
 VolumeGeometry VolumeGeometry::aligned(ivec3 size, dvec3 spacingMm, dvec3 originMm) {
     dmat4 map(1.0);
     for (int axis = 0; axis < 3; ++axis)
@@ -43,8 +49,13 @@ Result<void> checkSpacing(dvec3 spacingMm) {
     return {};
 }
 
-Volume::Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding, std::string remarks)
-    : geometry_(geometry), voxels_(std::move(voxels)), padding_(std::move(padding)), remarks_(std::move(remarks)) {
+Volume::Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding, std::string remarks,
+               std::string hidden)
+    : geometry_(geometry),
+      voxels_(std::move(voxels)),
+      padding_(std::move(padding)),
+      remarks_(std::move(remarks)),
+      hidden_(std::move(hidden)) {
     assert(voxels_.size() == geometry_.voxelCount());
     assert(padding_.empty() || padding_.size() == voxels_.size());
     findRanges();
@@ -55,6 +66,10 @@ Volume Volume::clamped(std::int16_t lowest, std::int16_t highest) && {
         hu = std::clamp(hu, lowest, highest);
     findRanges();
     return std::move(*this);
+}
+
+Volume Volume::withVoxels(Voxels voxels, std::string hidden) const {
+    return Volume(geometry_, std::move(voxels), padding_, remarks_, std::move(hidden));
 }
 
 void Volume::findRanges() {

@@ -40,6 +40,9 @@ struct VolumeGeometry {
     /// Half the diagonal of that box [mm].
     double radiusMm() const;
 
+    /// The grid of `size` voxels of this one, from voxel `first` on.
+    VolumeGeometry part(ivec3 first, ivec3 size) const;
+
     /// A grid whose axes are the patient's, for phantoms and raw files. `originMm` is the centre of voxel (0,0,0).
     static VolumeGeometry aligned(ivec3 size, dvec3 spacingMm, dvec3 originMm);
 };
@@ -54,12 +57,15 @@ class Volume {
 
     /// `voxels` holds geometry.voxelCount() values. `padding` is empty or has one flag per voxel: true = the scanner
     /// measured nothing there. Such voxels should hold kAirHu; statistics leave them out.
-    /// `remarks`: see remarks().
-    Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding = {}, std::string remarks = {});
+    /// `remarks`, `hidden`: see remarks(), hidden().
+    Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding = {}, std::string remarks = {},
+           std::string hidden = {});
 
     /// The same volume with every voxel clamped to [lowest, highest] HU, padding included; what is padding stays so. In
     /// the same memory: *this is then empty. Needs lowest <= highest.
     Volume clamped(std::int16_t lowest, std::int16_t highest) &&;
+    /// The same scan with other voxels in the places of these, and what is hidden by that.
+    Volume withVoxels(Voxels voxels, std::string hidden) const;
 
     const VolumeGeometry& geometry() const { return geometry_; }
     ivec3 size() const { return geometry_.size; }
@@ -75,6 +81,9 @@ class Volume {
     /// What was remarked when the voxels were read, in words that pictures made of them carry ("lossy clipped").
     /// Empty: nothing. Never anything of a patient.
     const std::string& remarks() const { return remarks_; }
+    /// What was scanned and is not in these voxels, in words that pictures made of them carry ("884 ml of 17.7 l").
+    /// Empty: nothing.
+    const std::string& hidden() const { return hidden_; }
 
   private:
     void findRanges();
@@ -87,6 +96,7 @@ class Volume {
     std::int16_t highestHu_ = kAirHu;
     HuRange storedRange_{};
     std::string remarks_;
+    std::string hidden_;
 };
 
 }  // namespace pdr

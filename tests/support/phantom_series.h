@@ -10,7 +10,7 @@ namespace pdr {
 
 /// Writes 64 slices of 64 x 57 voxels into `folder`, which must not hold files.
 inline Result<void> writePhantomSeries(const std::filesystem::path& folder, const std::string& description = "Head") {
-    const Volume head = headPhantom({64, 57, 64}, {3.9, 5.6, 3.9});
+    const Volume head = headPhantom({64, 57, 64}, {3.9, 4.9, 3.9});
     const dicom::ExportFacts facts{"Phantom^Head", "PHANTOM", "Test", description, "A head made from formulas."};
     return dicom::writeSeries(head, facts, folder, noProgress);
 }

@@ -59,6 +59,7 @@ class TestPanels : public QObject {
     void aLongStatusDoesNotWidenTheWindow();
     void progressHasACancelButton();
     void anErrorSaysWhatAndWhatNextAndWhere();
+    void anOfferIsTakenOnceAndGoesWithItsMessage();
     void everyControlHasAnAccessibleName();
 };
 
@@ -256,6 +257,29 @@ void TestPanels::anErrorSaysWhatAndWhatNextAndWhere() {
     QCOMPARE(bar.text(), "Slices 3 and 4 are 6 mm apart. Choose another series.\n/data/ct");
     bar.clear();
     QVERIFY(bar.isHidden());
+}
+
+void TestPanels::anOfferIsTakenOnceAndGoesWithItsMessage() {
+    MessageBar bar;
+    QSignalSpy taken(&bar, &MessageBar::offerTaken);
+    const auto* button = bar.findChild<QPushButton*>();
+    bar.showError({"the table is hidden", "", ""});
+    QVERIFY(button->isHidden());
+    bar.offer("Show");
+    QVERIFY(!button->isHidden());
+    QCOMPARE(button->text(), "Show");
+    bar.showError({"something else", "", ""});
+    QVERIFY(button->isHidden());
+    bar.withdraw();
+    QCOMPARE(bar.text(), "Something else.");
+    bar.offer("Show");
+    bar.withdraw();
+    QVERIFY(bar.isHidden());
+    bar.showError({"the table is hidden", "", ""});
+    bar.offer("Show");
+    const_cast<QPushButton*>(button)->click();
+    QCOMPARE(taken.count(), 1);
+    QVERIFY(bar.isHidden() && button->isHidden());
 }
 
 void TestPanels::everyControlHasAnAccessibleName() {

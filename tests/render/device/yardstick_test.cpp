@@ -27,7 +27,7 @@ std::optional<Scene> yardstick(QString& reason) {
         reason = QString::fromStdString(volume.error().text());
         return std::nullopt;
     }
-    file->scene.volume = *volume;
+    file->scene.volume = volume->volume;
     return file->scene;
 }
 
@@ -69,8 +69,8 @@ class YardstickTest : public QObject {
         QVERIFY(off > 0.0215 && off < 0.0285);
     }
 
-    /// The variance falls by n^-1.4 at least, from 16 to 256 samples: by n^-1, as that of independent samples does, as soon
-    /// as numbers that are none of the points decide anything that shows. Between pictures of two seeds.
+    /// The variance falls by n^-1.4 at least, from 16 to 256 samples: by n^-1, as that of independent samples does, as
+    /// soon as numbers that are none of the points decide anything that shows. Between pictures of two seeds.
     void theErrorFallsFasterThanByTheRootOfTheSamples() {
         QString reason;
         std::optional<Scene> scene = yardstick(reason);

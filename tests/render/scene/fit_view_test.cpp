@@ -34,6 +34,8 @@ class TestFitView : public QObject {
     void theBoxReachesTheMarginAndNotBeyond_data();
     void theBoxReachesTheMarginAndNotBeyond();
     void theDirectionStays();
+    void whatIsSeenReachesTheMarginAndNotBeyond();
+    void aScanIsSeenFromTheFrontAndFewSlicesFromWhereTheyAreWide();
 };
 
 void TestFitView::theBoxReachesTheMarginAndNotBeyond_data() {
@@ -62,6 +64,44 @@ void TestFitView::theDirectionStays() {
     QVERIFY(glm::length(fitted.forward() - camera.forward()) < 1e-12);
     QVERIFY(fitted.targetMm == camera.targetMm);
     QVERIFY(fitted.up == camera.up);
+}
+
+void TestFitView::whatIsSeenReachesTheMarginAndNotBeyond() {
+    std::vector<dvec3> ball;  // as large as the slab is thin
+    for (int i = 0; i < 1000; ++i) {
+        const double z = (i + 0.5) / 500 - 1, turn = 2.4 * i;
+        ball.push_back(slab().centreMm() +
+                       25.0 * dvec3(std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z));
+    }
+    const Framed framed{slab(), std::make_shared<const std::vector<dvec3>>(ball)};
+    for (const StandardView view : {StandardView::anterior, StandardView::left, StandardView::inferior}) {
+        const Camera camera = fittedView(view, framed, 1.5, 0.9);
+        QVERIFY(glm::length(camera.targetMm - slab().centreMm()) < 1e-9);
+        const double slope = 0.9 * std::tan(glm::radians(camera.fovDegrees) / 2);
+        const double expected = 25 * std::sqrt(1 + 1 / (slope * slope));  // where the cone touches the ball
+        QVERIFY(std::abs(glm::length(camera.eyeMm - camera.targetMm) / expected - 1) < 0.005);
+        const Camera whole = fittedView(view, {slab(), nullptr}, 1.5, 0.9);
+        QVERIFY(whole == fittedView(standardView(view, slab().centreMm(), slab().radiusMm(), 1.5), slab(), 1.5, 0.9));
+    }
+}
+
+void TestFitView::aScanIsSeenFromTheFrontAndFewSlicesFromWhereTheyAreWide() {
+    const auto stack = [](dvec3 row, dvec3 column, dvec3 normal, int slices) {
+        VolumeGeometry geometry{{100, 100, slices}, dmat4(1)};
+        geometry.patientFromIndex[0] = dvec4(row * 3.0, 0);
+        geometry.patientFromIndex[1] = dvec4(column * 2.0, 0);
+        geometry.patientFromIndex[2] = dvec4(normal * 2.5, 0);
+        return firstView(geometry);
+    };
+    const dvec3 left(1, 0, 0), back(0, 1, 0), head(0, 0, 1);
+    QVERIFY(stack(left, back, head, 80) == StandardView::anterior);
+    QVERIFY(stack(left, back, head, 30) == StandardView::anterior);
+    QVERIFY(stack(left, back, head, 20) == StandardView::inferior);
+    QVERIFY(stack(left, -back, -head, 2) == StandardView::inferior);
+    QVERIFY(stack(back, -head, -left, 20) == StandardView::left);
+    QVERIFY(stack(left, -head, back, 20) == StandardView::anterior);
+    const dvec3 tilted = glm::normalize(dvec3(0, 0.4, 1));
+    QVERIFY(stack(left, glm::normalize(dvec3(0, 1, -0.4)), tilted, 20) == StandardView::inferior);
 }
 
 }  // namespace pdr

@@ -14,7 +14,7 @@ using namespace pdr;
 static const char* kFull = R"({
   "format": "pdrender-scene", "version": 1,
   "volume": { "raw": "volume.raw", "size": [4, 3, 2], "spacingMm": [1, 2, 3], "originMm": [7, 8, 9], "type": "uint8",
-              "clampHu": [10, 20], "reconstruction": "cubic" },
+              "clampHu": [10, 20], "table": "hidden", "reconstruction": "cubic" },
   "transferFunction": { "extinctionPerMm": 2.5, "nodes": [
     { "hu": 0, "opacity": 0 },
     { "hu": 100, "opacity": 0.5, "albedo": [0.1, 0.2, 0.3], "emission": 4, "specular": 0.25, "roughness": 0.75 } ] },
@@ -81,6 +81,7 @@ class SceneFileTest : public QObject {
         QVERIFY(source.raw.size == ivec3(4, 3, 2) && source.raw.spacingMm == dvec3(1, 2, 3));
         QVERIFY(source.raw.originMm == dvec3(7, 8, 9) && source.raw.type == RawFile::Type::uint8);
         QVERIFY(source.clampHu == std::pair(10, 20) && source.reconstruction == Reconstruction::cubic);
+        QVERIFY(source.table == Table::hidden);
 
         const Scene& scene = file->scene;
         QCOMPARE(scene.transferFunction.extinctionPerMm, 2.5f);
@@ -122,6 +123,7 @@ class SceneFileTest : public QObject {
         QCOMPARE(QString::fromStdString(file->source.dicomFolder.string()), folder_.filePath("ct"));
         QVERIFY(file->source.raw.path.empty() && !file->source.clampHu && file->source.seriesUid.empty());
         QVERIFY(file->source.reconstruction == Reconstruction::linear);
+        QVERIFY(file->source.table == Table::shown);
         QVERIFY(file->scene.film == Scene{}.film && file->scene.seed == 1 &&
                 file->scene.estimator == Estimator::unbiased && file->scene.filtering == Filtering::exact &&
                 file->scene.lights.empty());
@@ -154,6 +156,7 @@ class SceneFileTest : public QObject {
         row("volume.clampHu", QJsonArray{20, 10}, "volume.clampHu");
         row("volume.clampHu", QJsonArray{0, 40000}, "volume.clampHu");
         row("volume.reconstruction", "quadratic", "volume.reconstruction");
+        row("volume.table", "gone", "volume.table");
         row("transferFunction", removed, "transferFunction");
         row("transferFunction.extinctionPerMm", -1, "transferFunction.extinctionPerMm");
         row("transferFunction.nodes", QJsonArray{}, "transferFunction.nodes");

@@ -1,0 +1,111 @@
+#include "render/segment/body_mask.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/base/errors.h"
+#include "render/segment/contact.h"
+#include "render/segment/distance.h"
+#include "render/segment/pieces.h"
+#include "render/segment/rule.h"
+
+namespace pdr::segment {
+namespace {
+
+constexpr std::string_view kStep = "looking for the table";
+
+Error undecided(const std::string& why) {
+    return {why, "", "", ErrorKind::refused};
+}
+
+std::size_t countOf(const Cells& cells) {
+    return std::size_t(std::count(cells.begin(), cells.end(), 1));
+}
+
+/// Cells at the end of an axis are not whole: their voxels are counted.
+double volumeMl(const Cells& cells, const CellGrid& grid, ivec3 voxels) {
+    std::int64_t count = 0;
+    std::size_t i = 0;
+    for (int z = 0; z < grid.size.z; ++z)
+        for (int y = 0; y < grid.size.y; ++y)
+            for (int x = 0; x < grid.size.x; ++x, ++i)
+                if (cells[i]) {
+                    const ivec3 edges = glm::min(grid.block, voxels - ivec3(x, y, z) * grid.block);
+                    count += std::int64_t(edges.x) * edges.y * edges.z;
+                }
+    return double(count) * grid.cellMl() / (double(grid.block.x) * grid.block.y * grid.block.z);
+}
+
+/// The share of the cells at the four sides of the slices that are the body's.
+double shareOfBorder(const Cells& body, const CellGrid& grid) {
+    std::size_t all = 0, covered = 0;
+    const auto look = [&](int x, int y, int z) {
+        ++all;
+        covered += body[grid.index(x, y, z)];
+    };
+    for (int z = 0; z < grid.size.z; ++z) {
+        for (int x = 0; x < grid.size.x; ++x)
+            for (const int y : {0, grid.size.y - 1})
+                look(x, y, z);
+        for (int y = 0; y < grid.size.y; ++y)
+            for (const int x : {0, grid.size.x - 1})
+                look(x, y, z);
+    }
+    return double(covered) / double(all);
+}
+
+/// What the body touches; nothing where the field of view cuts through it, since lung vessels reach its border there.
+Cells foreignIn(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid) {
+    if (shareOfBorder(body, grid) > kMostAtBorder)
+        return Cells(body.size());
+    return touching(body, squaredDepths, grid);
+}
+
+/// The body's outline, a cell more, and none of the other solids.
+Cells shownOf(const Cells& outline, const Cells& solid, const CellGrid& grid) {
+    Cells shown = grown(outline, grid);
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        shown[i] = shown[i] && (outline[i] || !solid[i]);
+    return shown;
+}
+
+}  // namespace
+
+Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
+    const dvec3 spacing = volume.geometry().spacingMm();
+    if (glm::max(spacing.x, glm::max(spacing.y, spacing.z)) > kCoarsestMm)
+        return undecided("voxels lie more than 5 mm apart");
+    if (!progress(0, kStep))
+        return cancelled();
+    BodyMask mask;
+    const CellGrid& grid = mask.grid = CellGrid::over(volume.geometry());
+    const Cells solid = cellsAbove(kSolidHu, volume, grid);
+    if (!progress(0.3, kStep))
+        return cancelled();
+    const std::vector<float> squaredDepths = squaredDistances(solid, 0, grid, kBallMm);
+    ThickPieces bodies = thickPieces(solid, squaredDepths, grid, kBallMm);
+    if (bodies.count == 0)
+        return undecided("nothing is as thick as 20 mm");
+    if (double(countOf(bodies.cells)) < kLeastBody * double(countOf(solid)))
+        return undecided("more than half of what is solid is thinner than 20 mm");
+    if (!progress(0.5, kStep))
+        return cancelled();
+    Cells& body = bodies.cells;
+    const Cells foreign = foreignIn(body, squaredDepths, grid);
+    for (std::size_t i = 0; i < body.size(); ++i)
+        body[i] = body[i] && !foreign[i];
+    if (!progress(0.8, kStep))
+        return cancelled();
+    const Cells outline = withHolesFilled(body, grid);
+    mask.shown = shownOf(outline, solid, grid);
+    mask.box = boxOf(outline, grid);
+    mask.rowEnds = rowEnds(outline, grid);
+    mask.parts = bodies.count;
+    mask.bodyMl = volumeMl(outline, grid, volume.size());
+    mask.cutMl = volumeMl(foreign, grid, volume.size());
+    if (!progress(1, kStep))
+        return cancelled();
+    return mask;
+}
+
+}  // namespace pdr::segment

@@ -1,0 +1,138 @@
+#include "render/segment/hidden_table.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "render/base/errors.h"
+#include "render/segment/body_mask.h"
+#include "render/segment/rule.h"
+
+namespace pdr::segment {
+namespace {
+
+constexpr double kLeastMl = 1;
+
+/// "884 ml", from 10 l on "16.8 l".
+std::string volumeText(double ml) {
+    char text[40];
+    std::snprintf(text, sizeof text, ml < 9999.5 ? "%.0f ml" : "%.1f l", ml < 9999.5 ? ml : ml / 1000);
+    return text;
+}
+
+HiddenTable undecided(const Volume& volume, const std::string& why) {
+    HiddenTable table;
+    table.bodyBox = volume.geometry();
+    table.undecided = why;
+    return table;
+}
+
+/// What becomes of one slice of voxels.
+struct HiddenSlice {
+    std::int64_t seen = 0;  ///< voxels denser than kSeenHu that are air now
+    std::int16_t highest = INT16_MIN;
+};
+
+/// Makes air of the voxels of slice `z` that lie in cells which are not shown.
+HiddenSlice hideSlice(const BodyMask& mask, ivec3 size, int z, std::int16_t* slice) {
+    HiddenSlice hidden;
+    for (int y = 0; y < size.y; ++y) {
+        const std::uint8_t* shown = &mask.shown[mask.grid.index(0, y / mask.grid.block.y, z / mask.grid.block.z)];
+        std::int16_t* row = slice + std::size_t(y) * std::size_t(size.x);
+        for (int x = 0; x < size.x; ++x) {
+            if (shown[x / mask.grid.block.x])
+                continue;
+            hidden.seen += row[x] > kSeenHu;
+            hidden.highest = std::max(hidden.highest, row[x]);
+            row[x] = Volume::kAirHu;
+        }
+    }
+    return hidden;
+}
+
+VolumeGeometry boxIn(const Volume& volume, const BodyMask& mask) {
+    const ivec3 first = mask.box.first * mask.grid.block;
+    return volume.geometry().part(first, glm::min(mask.box.end * mask.grid.block, volume.size()) - first);
+}
+
+std::shared_ptr<const std::vector<dvec3>> placesOf(const VolumeGeometry& geometry, std::vector<dvec3> indices) {
+    for (dvec3& place : indices)
+        place = dvec3(geometry.patientFromIndex * dvec4(place, 1.0));
+    return std::make_shared<const std::vector<dvec3>>(std::move(indices));
+}
+
+/// For the pictures: how much, and by which rule.
+std::string factOf(const HiddenTable& table) {
+    char rule[80];
+    std::snprintf(rule, sizeof rule, ", rule %d, %d HU, %g mm, %g mm", kRule, kSolidHu, kOpeningMm, kBallMm);
+    return volumeText(table.hiddenMl) + " of " + volumeText(table.hiddenMl + table.bodyMl) + rule;
+}
+
+/// The scan's voxels with air outside `mask`.
+struct Masked {
+    Voxels voxels;
+    HiddenSlice hidden;  ///< of all slices
+};
+
+Masked masked(const Volume& volume, const BodyMask& mask) {
+    const ivec3 size = volume.size();
+    const std::size_t area = std::size_t(size.x) * std::size_t(size.y);
+    Masked result{Voxels(volume.voxels().begin(), volume.voxels().end()), {}};
+    std::vector<HiddenSlice> slices(std::size_t(size.z));
+    tbb::parallel_for(0, size.z, [&](int z) {
+        slices[std::size_t(z)] = hideSlice(mask, size, z, result.voxels.data() + area * std::size_t(z));
+    });
+    for (const HiddenSlice& slice : slices)
+        result.hidden = {result.hidden.seen + slice.seen, std::max(result.hidden.highest, slice.highest)};
+    return result;
+}
+
+HiddenTable tableOf(const Volume& volume, const BodyMask& mask) {
+    Masked all = masked(volume, mask);
+    if (all.hidden.highest > kMetalHu)
+        return undecided(volume, "there is metal outside the body, which may be a frame");
+    const dvec3 spacing = volume.geometry().spacingMm();
+    HiddenTable table;
+    table.bodyBox = boxIn(volume, mask);
+    table.outlineMm = placesOf(volume.geometry(), mask.rowEnds);
+    table.hiddenMl = double(all.hidden.seen) * spacing.x * spacing.y * spacing.z / 1000;
+    table.cutMl = mask.cutMl;
+    table.bodyMl = mask.bodyMl;
+    table.parts = mask.parts;
+    if (table.hiddenMl >= kLeastMl)
+        table.body = std::make_shared<const Volume>(volume.withVoxels(std::move(all.voxels), factOf(table)));
+    return table;
+}
+
+}  // namespace
+
+Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress) {
+    try {
+        const Result<BodyMask> mask = bodyMask(volume, partOf(progress, 0, 0.7));
+        if (!mask && mask.error().kind == ErrorKind::cancelled)
+            return mask.error();
+        HiddenTable table = mask ? tableOf(volume, *mask) : undecided(volume, mask.error().what);
+        return progress(1, "hiding the table") ? Result<HiddenTable>(std::move(table)) : cancelled();
+    } catch (const std::bad_alloc&) {
+        return undecided(volume, "there is not enough memory to look for it");
+    }
+}
+
+std::string tableText(const HiddenTable& table) {
+    std::string text;
+    if (!table.undecided.empty())
+        text.append("No table was hidden, because ").append(table.undecided).append(".");
+    if (table.body)
+        text.append("Table and holder hidden: ").append(volumeText(table.hiddenMl)).append(" outside the body.");
+    if (table.body && table.cutMl >= kLeastMl)
+        text.append(" ").append(volumeText(table.cutMl)).append(" of it touched the skin: check the edge.");
+    if (table.body && table.parts > 1)
+        text.append(" ").append(std::to_string(table.parts)).append(" separate parts are kept.");
+    return text;
+}
+
+}  // namespace pdr::segment
