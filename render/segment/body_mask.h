@@ -4,9 +4,8 @@
 ///   1. a cell is solid whose mean lies above -250 HU
 ///   2. bodies are the connected solids that hold a ball of 10 mm radius
 ///   3. what touches them and is long, thin and outside is cut off (contact.h)
-///   4. what they enclose in a slice belongs to them; so does a cell around, for the skin's partial volume, except
-///   where
-///      another solid is
+///   4. what they enclose in a slice belongs to them; so does a cell around, for the skin's partial volume, unless
+///      another solid is there
 /// Where it fails it errs to the safe side: something foreign stays (a sheet of 8 mm in full contact, a calibration
 /// phantom on its table), and of the body at most some vessels at the border of a small field of view are lost. What
 /// was measured: tests/render/segment.

@@ -88,4 +88,13 @@ inline Mistakes mistakesOf(const Lying& patient, const segment::HiddenTable& tab
     return mistakes;
 }
 
+/// On a table `gap` mm below the back; below 0 it is pressed in.
+inline Lying onTable(double gap, double noiseHu = 0) {
+    return lying([=](dvec3 p) { return either(trunk(p), table(p, 45 + gap)); }, kLyingSize, kLyingSpacingMm, noiseHu);
+}
+
+inline segment::HiddenTable hidden(const Volume& volume) {
+    return *segment::hideTable(volume, noProgress);
+}
+
 }  // namespace pdr::test
