@@ -27,7 +27,7 @@ constexpr double kRecent = 2, kDip = 0.04;
 constexpr double kSpeedSpread = 0.05;
 
 constexpr double kWatched = 16;     ///< so many times the samples ago errors fell otherwise: a display clips large ones
-constexpr double kLasting = 4;      ///< ... and as long as samples are not so many times as many, few bright ones count
+constexpr double kLasting = 8;      ///< ... and as long as samples are not so many times as many, few bright ones count
 constexpr double kThinning = 1.09;  ///< 2^(1/8): between the samples of two points that are kept
 
 double squared(double value) {

@@ -218,7 +218,9 @@ class ForecastTest : public QObject {
         history.add(25.6, fall.status(256));
         QVERIFY(history.steps()[2].atLeast());
         history.add(51.2, fall.status(512));
-        QVERIFY(!history.steps()[3].atLeast());
+        QVERIFY(history.steps()[3].atLeast());
+        history.add(102.4, fall.status(1024));
+        QVERIFY(!history.steps()[4].atLeast());
     }
 
     void nothingIsForetoldWithoutAnErrorOrWithoutSpeed() {
