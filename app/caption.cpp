@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "ui/accuracy_text.h"
+
 namespace pdr::app {
 namespace {
 
@@ -38,6 +40,10 @@ Caption captionOf(const QString& text, ivec2 size) {
     for (int y = 0; y < image.height(); ++y)
         caption.coverage.insert(caption.coverage.end(), image.constScanLine(y), image.constScanLine(y) + image.width());
     return caption;
+}
+
+QString captionOn(const Frame& frame, bool captioned) {
+    return captioned ? ui::previewText(frame.status, frame.stop.levels, frame.smoothed) : QString();
 }
 
 }  // namespace pdr::app

@@ -1,5 +1,6 @@
 #include "app/window_content.h"
 
+#include "app/caption.h"
 #include "app/ledger_content.h"
 #include "app/series_choice.h"
 #include "render/accuracy/quality.h"
@@ -69,11 +70,6 @@ std::optional<double> lastTime(const DesktopParts& parts, const Frame& frame) {
     const QSize view = parts.window.viewport().sizeInPixels();
     const std::optional<double> perPixel = parts.settings.planningSeconds(kindOf(frame));
     return perPixel ? std::optional(*perPixel * view.width() * view.height()) : std::nullopt;
-}
-
-/// What a picture alone says of itself while it is not as good as was wanted.
-QString captionOn(const DesktopParts& parts, const Frame& frame) {
-    return parts.bridge.captioned() ? ui::previewText(frame.status, frame.stop.levels, frame.smoothed) : QString();
 }
 
 QString invitation() {
@@ -208,9 +204,9 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         showNoPicture(parts, ui::MainWindow::tr("No picture"));
         return showFailure(parts, {frame->error, "", ""});
     }
-    parts.window.viewport().setPicture({pictureOf(frame), frame->camera, QString::fromStdString(frame->lookName),
-                                        smoothedTexts(*frame).join('\n'), lostLinesOf(*frame), captionOn(parts, *frame),
-                                        errorMapOf(frame), frame->smoothed});
+    parts.window.viewport().setPicture(
+        {pictureOf(frame), frame->camera, QString::fromStdString(frame->lookName), smoothedTexts(*frame).join('\n'),
+         lostLinesOf(*frame), captionOn(*frame, parts.bridge.captioned()), errorMapOf(frame), frame->smoothed});
     parts.window.setPictureAvailable(true);
     keepWhatItTook(parts.settings, *frame);
     showStatus(parts);

@@ -1,5 +1,7 @@
 #include "app/wiring.h"
 
+#include "app/copied_picture.h"
+
 namespace pdr::app {
 namespace {
 
@@ -76,6 +78,7 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&window, &ui::MainWindow::unseenChanged, &bridge, &RenderBridge::setUnseen);
     QObject::connect(&window, &ui::MainWindow::effectsShown, &bridge, &RenderBridge::watchEffects);
     QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
+    QObject::connect(&window, &ui::MainWindow::copyRequested, &window, [parts] { copyPicture(parts); });
 }
 
 /// 4. Frames and the document's state go to the screen.

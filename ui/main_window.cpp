@@ -143,6 +143,7 @@ void MainWindow::setCaptioned(bool captioned) {
 
 void MainWindow::setPictureAvailable(bool available) {
     save_->setEnabled(available);
+    copy_->setEnabled(available);
 }
 
 QDockWidget* MainWindow::addPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area,
@@ -214,6 +215,9 @@ void MainWindow::fillEditMenu() {
     redo_ = menu->addAction(tr("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
     connect(undo_, &QAction::triggered, this, &MainWindow::undoRequested);
     connect(redo_, &QAction::triggered, this, &MainWindow::redoRequested);
+    menu->addSeparator();
+    copy_ = menu->addAction(tr("&Copy picture"), QKeySequence::Copy);
+    connect(copy_, &QAction::triggered, this, &MainWindow::copyRequested);
 }
 
 void MainWindow::fillViewMenu() {
@@ -246,7 +250,8 @@ void MainWindow::fillViewMenu() {
     connect(table_, &QAction::triggered, this, &MainWindow::tableChosen);
     captioned_ = menu->addAction(tr("&Caption on previews"));
     captioned_->setCheckable(true);
-    captioned_->setToolTip(tr("Saved and full-screen pictures say where they are not yet as good as was wanted"));
+    captioned_->setToolTip(
+        tr("Saved, copied and full-screen pictures say where they are not yet as good as was wanted"));
     connect(captioned_, &QAction::triggered, this, &MainWindow::captionChosen);
     QAction* errorMap = menu->addAction(tr("Where it is still r&ough"), QKeySequence(Qt::Key_E));
     errorMap->setCheckable(true);

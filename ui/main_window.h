@@ -52,12 +52,14 @@ class MainWindow : public QMainWindow {
     void setTable(bool shown, bool there);
     /// Whether pictures that leave the window unfinished say so.
     void setCaptioned(bool captioned);
-    /// Whether there is a picture to save.
+    /// Whether there is a picture to save or copy.
     void setPictureAvailable(bool available);
 
   signals:
     void folderChosen(const QString& folder);
     void saveRequested(const QString& file);
+    /// The picture is wanted on the clipboard.
+    void copyRequested();
     void undoRequested();
     void redoRequested();
     void viewChosen(pdr::StandardView view);
@@ -120,6 +122,7 @@ class MainWindow : public QMainWindow {
     QDockWidget* accuracyDock_ = nullptr;
     QDockWidget* effectsDock_ = nullptr;
     QAction* save_ = nullptr;
+    QAction* copy_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QAction* pause_ = nullptr;

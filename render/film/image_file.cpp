@@ -40,18 +40,6 @@ std::string smoothedFact(const std::optional<SmoothedError>& error, std::size_t 
     return errorFact(error) + "; " + count + (lostLines == 1 ? " line" : " lines") + " of the film missing";
 }
 
-/// White letters on ground of a third of its light.
-void paint(const Caption& caption, ivec2 size, std::vector<std::uint8_t>& rgba) {
-    const int top = size.y - caption.size.y;
-    for (int y = std::max(0, -top); y < caption.size.y; ++y)
-        for (int x = 0; x < std::min(caption.size.x, size.x); ++x) {
-            const int letter = caption.coverage[std::size_t(y) * std::size_t(caption.size.x) + std::size_t(x)];
-            std::uint8_t* pixel = &rgba[(std::size_t(top + y) * std::size_t(size.x) + std::size_t(x)) * 4];
-            for (int channel = 0; channel < 3; ++channel)
-                pixel[channel] = std::uint8_t((letter * 255 + (255 - letter) * (pixel[channel] / 3)) / 255);
-        }
-}
-
 // ---- PNG
 
 void writeChunk(png_structp png, png_bytep bytes, png_size_t count) {
@@ -163,6 +151,18 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
 }
 
 }  // namespace
+
+/// White letters on ground of a third of its light.
+void paint(const Caption& caption, ivec2 size, std::vector<std::uint8_t>& rgba) {
+    const int top = size.y - caption.size.y;
+    for (int y = std::max(0, -top); y < caption.size.y; ++y)
+        for (int x = 0; x < std::min(caption.size.x, size.x); ++x) {
+            const int letter = caption.coverage[std::size_t(y) * std::size_t(caption.size.x) + std::size_t(x)];
+            std::uint8_t* pixel = &rgba[(std::size_t(top + y) * std::size_t(size.x) + std::size_t(x)) * 4];
+            for (int channel = 0; channel < 3; ++channel)
+                pixel[channel] = std::uint8_t((letter * 255 + (255 - letter) * (pixel[channel] / 3)) / 255);
+        }
+}
 
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
                       const std::filesystem::path& path, const Caption& caption) {

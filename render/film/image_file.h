@@ -20,6 +20,9 @@ struct Caption {
     std::vector<std::uint8_t> coverage;  ///< of each pixel by letters, 0 ... 255, row by row from the top
 };
 
+/// Paints `caption` over a picture of `size` pixels, 4 bytes each, row by row from the top.
+void paint(const Caption& caption, ivec2 size, std::vector<std::uint8_t>& rgba);
+
 /// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks. A smoothed one says so there, with its error; where
 /// the film itself is better, that is written instead. `caption` is painted over it.
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,

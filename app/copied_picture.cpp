@@ -1,0 +1,41 @@
+#include "app/copied_picture.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "app/caption.h"
+
+namespace pdr::app {
+namespace {
+
+/// Pixels of its own, each 4 bytes without a gap between the rows.
+QImage imageOf(const std::vector<std::uint8_t>& rgba, ivec2 size) {
+    return QImage(rgba.data(), size.x, size.y, 4 * qsizetype(size.x), QImage::Format_RGBX8888).copy();
+}
+
+std::vector<std::uint8_t> stretched(const Frame& frame, ivec2 size) {
+    const QImage image = imageOf(frame.rgba, frame.size)
+                             .scaled(size.x, size.y, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                             .convertToFormat(QImage::Format_RGBX8888);
+    return {image.constBits(), image.constBits() + image.sizeInBytes()};
+}
+
+}  // namespace
+
+QImage copyOf(const Frame& frame, ivec2 fullSize, const QString& caption) {
+    const ivec2 size = frame.coarse ? fullSize : frame.size;
+    std::vector<std::uint8_t> rgba = frame.coarse ? stretched(frame, size) : frame.rgba;
+    paint(captionOf(caption, size), size, rgba);
+    return imageOf(rgba, size);
+}
+
+void copyPicture(const DesktopParts& parts) {
+    const auto& frame = parts.bridge.lastFrame();
+    if (!frame)
+        return;
+    const QString caption = captionOn(*frame, parts.bridge.captioned());
+    QGuiApplication::clipboard()->setImage(copyOf(*frame, parts.document.scene().film, caption));
+    parts.window.status().showForAWhile(ui::MainWindow::tr("copied"));
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,16 @@
+#pragma once
+/// The picture on the screen for other programs: its pixels and its caption, and nothing of whom it shows.
+
+#include <QImage>
+
+#include "app/window_content.h"
+
+namespace pdr::app {
+
+/// `frame`, which has a picture, with `caption` in its corner. A coarse one is stretched to `fullSize` [pixels].
+QImage copyOf(const Frame& frame, ivec2 fullSize, const QString& caption);
+
+/// Puts the picture on the clipboard and says so; does nothing where there is none.
+void copyPicture(const DesktopParts& parts);
+
+}  // namespace pdr::app

@@ -1,0 +1,130 @@
+/// What Ctrl+C puts on the clipboard is what is on the screen, and says what it is worth.
+
+#include <QClipboard>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QTest>
+
+#include "app/caption.h"
+#include "app/copied_picture.h"
+#include "tests/support/desktop_trial.h"
+#include "tests/support/patience.h"
+#include "tests/support/phantom_series.h"
+#include "ui/accuracy_text.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+class TestCopiedPicture : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init() { QGuiApplication::clipboard()->clear(); }
+    void theCopyIsThePictureOnTheScreen();
+    void anUnfinishedCopySaysSoUnlessItIsToldNotTo();
+    void aFinishedCopySaysNothing();
+    void aCoarsePictureIsCopiedAtFullSize();
+    void whatSelectsTextCopiesText();
+    void withoutAPictureTheClipboardStays();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+/// The picture on the clipboard after the key.
+static QImage copied(Trial& trial) {
+    QTest::keyClick(&trial.desktop.window(), Qt::Key_C, Qt::ControlModifier);
+    return QGuiApplication::clipboard()->image();
+}
+
+static std::vector<std::uint8_t> bytesOf(const QImage& image) {
+    const QImage plain = image.convertToFormat(QImage::Format_RGBX8888);
+    return {plain.constBits(), plain.constBits() + plain.sizeInBytes()};
+}
+
+/// A picture whose rendering holds, so that it stays the one on the screen.
+static const Frame& heldFrame(Trial& trial) {
+    trial.desktop.parts().bridge.setPaused(true);
+    trial.heldSamples();
+    return *trial.desktop.parts().bridge.lastFrame();
+}
+
+void TestCopiedPicture::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_), "Head of a phantom");
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+void TestCopiedPicture::theCopyIsThePictureOnTheScreen() {
+    Trial trial;
+    trial.openAndWait(series_);
+    emit trial.desktop.window().captionChosen(false);
+    const Frame& frame = heldFrame(trial);
+    const QImage image = copied(trial);
+    QCOMPARE(image.size(), trial.desktop.window().viewport().sizeInPixels());
+    QVERIFY(bytesOf(image) == frame.rgba);
+    QVERIFY(image.textKeys().isEmpty());
+    QVERIFY2(!QGuiApplication::clipboard()->mimeData()->hasText(), "words go with the picture");
+    QVERIFY(trial.said().contains("copied"));
+}
+
+void TestCopiedPicture::anUnfinishedCopySaysSoUnlessItIsToldNotTo() {
+    Trial trial;
+    trial.openAndWait(series_);
+    const Frame& frame = heldFrame(trial);
+    std::vector<std::uint8_t> captioned = frame.rgba;
+    const QString words = ui::previewText(frame.status, frame.stop.levels, frame.smoothed);
+    QVERIFY(words.startsWith("Preview, not converged"));
+    paint(captionOf(words, frame.size), frame.size, captioned);
+    QVERIFY(captioned != frame.rgba);
+    QVERIFY(bytesOf(copied(trial)) == captioned);
+    emit trial.desktop.window().captionChosen(false);
+    QVERIFY(bytesOf(copied(trial)) == frame.rgba);
+}
+
+void TestCopiedPicture::aFinishedCopySaysNothing() {
+    Frame frame;
+    frame.size = {300, 100};
+    frame.rgba.assign(std::size_t(300 * 100 * 4), 200);
+    frame.status.displayError = 3;
+    frame.stop.levels = 4;
+    QVERIFY(bytesOf(copyOf(frame, frame.size, captionOn(frame, true))) == frame.rgba);
+    frame.stop.levels = 2;
+    QVERIFY(bytesOf(copyOf(frame, frame.size, captionOn(frame, true))) != frame.rgba);
+}
+
+/// The left half is dark, the right one bright; so they are in the copy.
+void TestCopiedPicture::aCoarsePictureIsCopiedAtFullSize() {
+    Frame frame;
+    frame.coarse = true;
+    frame.size = {2, 1};
+    frame.rgba = {0, 0, 0, 255, 240, 240, 240, 255};
+    const QImage image = copyOf(frame, {30, 17}, {});
+    QCOMPARE(image.size(), QSize(30, 17));
+    QVERIFY(image.pixelColor(1, 8).red() < 20 && image.pixelColor(28, 8).red() > 220);
+}
+
+void TestCopiedPicture::whatSelectsTextCopiesText() {
+    Trial trial;
+    trial.openAndWait(series_);
+    QLineEdit field("0.25", &trial.desktop.window());
+    field.show();
+    field.selectAll();
+    QTest::keyClick(&field, Qt::Key_C, Qt::ControlModifier);
+    QCOMPARE(QGuiApplication::clipboard()->text(), QString("0.25"));
+}
+
+void TestCopiedPicture::withoutAPictureTheClipboardStays() {
+    Trial trial;
+    QGuiApplication::clipboard()->setText("theirs");
+    copied(trial);
+    copyPicture(trial.desktop.parts());
+    QCOMPARE(QGuiApplication::clipboard()->text(), QString("theirs"));
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestCopiedPicture)
+#include "copied_picture_test.moc"
