@@ -9,12 +9,12 @@ namespace pdr::app {
 namespace {
 
 /// Pixels of its own, each 4 bytes without a gap between the rows.
-QImage imageOf(const std::vector<std::uint8_t>& rgba, ivec2 size) {
+QImage ownImage(const std::vector<std::uint8_t>& rgba, ivec2 size) {
     return QImage(rgba.data(), size.x, size.y, 4 * qsizetype(size.x), QImage::Format_RGBX8888).copy();
 }
 
 std::vector<std::uint8_t> stretched(const Frame& frame, ivec2 size) {
-    const QImage image = imageOf(frame.rgba, frame.size)
+    const QImage image = ownImage(frame.rgba, frame.size)
                              .scaled(size.x, size.y, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
                              .convertToFormat(QImage::Format_RGBX8888);
     return {image.constBits(), image.constBits() + image.sizeInBytes()};
@@ -26,7 +26,7 @@ QImage copyOf(const Frame& frame, ivec2 fullSize, const QString& caption) {
     const ivec2 size = frame.coarse ? fullSize : frame.size;
     std::vector<std::uint8_t> rgba = frame.coarse ? stretched(frame, size) : frame.rgba;
     paint(captionOf(caption, size), size, rgba);
-    return imageOf(rgba, size);
+    return ownImage(rgba, size);
 }
 
 void copyPicture(const DesktopParts& parts) {

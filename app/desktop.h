@@ -18,7 +18,7 @@ class Desktop {
     /// Keeps the window's geometry for the next time.
     ~Desktop();
 
-    DesktopParts parts() { return {import_, document_, bridge_, window_, settings_, study_, tissue_}; }
+    DesktopParts parts() { return {import_, document_, bridge_, window_, settings_, study_, tissue_, picture_}; }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
     void open(const QString& folder) { import_.scanFolder(folder); }
@@ -31,6 +31,7 @@ class Desktop {
     TissueStudy study_;
     RenderBridge bridge_;
     ImportJob import_;
+    PictureJob picture_;
 };
 
 }  // namespace pdr::app

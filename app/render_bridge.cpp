@@ -4,32 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "app/caption.h"
-#include "app/provenance.h"
+#include "app/picture_writing.h"
 #include "render/device/device_list.h"
-#include "render/film/image_file.h"
 #include "render/scene/scene.h"
-#include "ui/accuracy_text.h"
-#include "ui/to_qt.h"
 
 namespace pdr::app {
 namespace {
-
-bool isExr(const QString& file) {
-    return file.endsWith(".exr", Qt::CaseInsensitive);
-}
-
-Result<void> write(const FilmView& view, Display display, bool captioned, const QString& file) {
-    display.smoothed = display.smoothed && canBeSmoothed(view.scene);
-    const Film& film = view.film;
-    const Rendered rendered{film.status(display.exposure), display.exposure, view.seconds, view.device, view.bias};
-    const Provenance provenance = provenanceOf(view.scene, rendered);
-    const std::filesystem::path path = ui::fromQt(file);
-    if (isExr(file))
-        return writeExr(film, provenance, path);
-    const QString text = captioned ? ui::previewText(rendered.status, view.stop.levels, display.smoothed) : QString();
-    return writePng(film, display, provenance, path, captionOf(text, film.size()));
-}
 
 /// A square of 1 mm in the sharp plane around the pixel at `place`.
 LevelErrorsAt errorsAt(const FilmView& view, QPointF place, float exposure) {
@@ -40,11 +20,6 @@ LevelErrorsAt errorsAt(const FilmView& view, QPointF place, float exposure) {
         levelErrorsAt(view.film, glm::clamp(pixel, ivec2(0), size - 1), std::max(side, 1), double(exposure));
     errors.side = side;
     return errors;
-}
-
-Error notSaved(const QString& file, const Error& reason) {
-    return {"not saved, because " + reason.what, file.toStdString(),
-            reason.hint + (reason.hint.ends_with('.') ? "" : ".") + " Then save again."};
 }
 
 }  // namespace
@@ -161,9 +136,8 @@ void RenderBridge::takeLedger(std::shared_ptr<const EffectLedger> ledger) {
 }
 
 void RenderBridge::save(const QString& file) {
-    if (!isExr(file) && !file.endsWith(".png", Qt::CaseInsensitive)) {
-        emit saveFailed({"the name says no format that pictures are saved in", file.toStdString(),
-                         "Choose a name that ends in .png or .exr."});
+    if (auto named = checkPictureName(file); !named) {
+        emit saveFailed(named.error());
         return;
     }
     if (!lastFrame_) {
@@ -172,7 +146,8 @@ void RenderBridge::save(const QString& file) {
     }
     session_.requestSnapshot(
         lastFrame_->revision, [this, file, captioned = captioned_, display = display_](const Result<FilmView>& view) {
-            const Result<void> written = view ? write(*view, display, captioned, file) : notSaved(file, view.error());
+            const Result<void> written =
+                view ? writePicture(*view, display, captioned, file) : notSaved(file, view.error());
             QMetaObject::invokeMethod(this, [this, file, written] {
                 if (written)
                     emit saved(file);
@@ -180,6 +155,14 @@ void RenderBridge::save(const QString& file) {
                     emit saveFailed(written.error());
             });
         });
+}
+
+DeviceOpener RenderBridge::anotherDevice() const {
+    return [name = device_.toStdString(), threads = threads_]() -> Result<std::unique_ptr<Device>> {
+        if (auto same = openDevice(name, threads))
+            return same;
+        return makeCpuDevice(threads);
+    };
 }
 
 /// On the render thread.

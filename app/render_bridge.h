@@ -33,6 +33,8 @@ class RenderBridge : public QObject {
     bool captioned() const { return captioned_; }
     /// The picture on the screen; null when there is none.
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
+    /// Opens another device of the kind in use, or where that cannot be the CPU. Any thread's.
+    DeviceOpener anotherDevice() const;
     /// What effects cost, as far as it is known; null while nobody looks.
     const std::shared_ptr<const EffectLedger>& lastLedger() const { return lastLedger_; }
 

@@ -136,6 +136,7 @@ ui::Accuracy accuracyOf(const DesktopParts& parts, const Frame& frame) {
 }  // namespace
 
 void showNothing(const DesktopParts& parts) {
+    parts.picture.cancel();
     parts.document.close();
     parts.bridge.clear();
     parts.bridge.setRegion(std::nullopt);
@@ -193,6 +194,10 @@ void showReadingEnded(const DesktopParts& parts) {
 
 void showFailure(const DesktopParts& parts, const Error& error) {
     parts.window.message().showError(error);
+}
+
+void showSaved(const DesktopParts& parts, const QString& file) {
+    parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file));
 }
 
 void showNotice(const DesktopParts& parts, const QString& sentences) {
@@ -259,6 +264,22 @@ void leaveOutUnseen(const DesktopParts& parts) {
 void pickTissue(const DesktopParts& parts, QPointF place) {
     if (parts.document.hasVolume())
         parts.study.pick(parts.document.scene(), place);
+}
+
+void makePicture(const DesktopParts& parts, const ui::PictureOrder& order) {
+    if (!parts.document.hasVolume() || !order.size)
+        return;
+    Scene scene = parts.document.scene();
+    scene.film = {order.size->width(), order.size->height()};
+    parts.picture.make({scene, parts.document.display(), parts.bridge.captioned(), order.stop, order.file,
+                        parts.bridge.anotherDevice()});
+}
+
+void cancelWhatRuns(const DesktopParts& parts) {
+    if (parts.import.isRunning())
+        parts.import.cancel();
+    else
+        parts.picture.cancel();
 }
 
 void showDocument(const DesktopParts& parts) {

@@ -5,6 +5,7 @@
 
 #include "app/document.h"
 #include "app/import_job.h"
+#include "app/picture_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
 #include "app/tissue_edits.h"
@@ -22,6 +23,7 @@ struct DesktopParts {
     Settings& settings;
     TissueStudy& study;
     TissueEdits& tissue;
+    PictureJob& picture;
 };
 
 /// An invitation to open a folder, and no picture; nothing of the one before is kept.
@@ -39,6 +41,8 @@ void showProgress(const DesktopParts& parts, double fraction, const QString& ste
 void showReadingEnded(const DesktopParts& parts);
 /// A message. What was shown before stays.
 void showFailure(const DesktopParts& parts, const Error& error);
+/// That the picture is in that file.
+void showSaved(const DesktopParts& parts, const QString& file);
 /// Sentences about something that did not go as it was asked; the rendering goes on.
 void showNotice(const DesktopParts& parts, const QString& sentences);
 /// The picture with what it shows, and how good it is; or why there is none.
@@ -55,6 +59,10 @@ void showEffects(const DesktopParts& parts);
 void leaveOutUnseen(const DesktopParts& parts);
 /// What the click on the picture asks for: what lies there.
 void pickTissue(const DesktopParts& parts, QPointF place);
+/// Makes the picture that was ordered beside the session.
+void makePicture(const DesktopParts& parts, const ui::PictureOrder& order);
+/// Gives up what the progress is shown of: reading, or else a picture that is being made.
+void cancelWhatRuns(const DesktopParts& parts);
 /// Everything that follows the document: the camera that the user turns, preset, brightness, undo.
 void showDocument(const DesktopParts& parts);
 

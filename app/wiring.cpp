@@ -14,6 +14,8 @@ void wireImport(const DesktopParts& parts) {
                      [parts](int index) { showReading(parts, index); });
     QObject::connect(&window, &ui::MainWindow::cancelRequested, &import, &ImportJob::cancel);
 
+    QObject::connect(&window.status(), &ui::StatusLine::cancelRequested, &window, [parts] { cancelWhatRuns(parts); });
+
     QObject::connect(&import, &ImportJob::progressed, &window,
                      [parts](double fraction, const QString& step) { showProgress(parts, fraction, step); });
     QObject::connect(&import, &ImportJob::finished, &window.status(), &ui::StatusLine::endProgress);
@@ -101,16 +103,35 @@ void wireScreen(const DesktopParts& parts) {
     QObject::connect(&parts.study, &TissueStudy::nothingFound, &window, [parts] {
         parts.window.status().showForAWhile(ui::MainWindow::tr("there is too little tissue at that place"));
     });
-    QObject::connect(&parts.bridge, &RenderBridge::saved, &window, [parts](const QString& file) {
-        parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file));
-    });
+    QObject::connect(&parts.bridge, &RenderBridge::saved, &window,
+                     [parts](const QString& file) { showSaved(parts, file); });
     QObject::connect(&parts.bridge, &RenderBridge::saveFailed, &window,
                      [parts](const Error& error) { showFailure(parts, error); });
     QObject::connect(&parts.document, &Document::sceneChanged, &window, [parts] { showDocument(parts); });
     QObject::connect(&parts.document, &Document::displayChanged, &window, [parts] { showDocument(parts); });
 }
 
-/// 5. What was chosen for this machine is kept.
+/// 5. A picture that is made beside all this goes to a file.
+void wirePicture(const DesktopParts& parts) {
+    PictureJob& picture = parts.picture;
+    ui::MainWindow& window = parts.window;
+    ui::StatusLine& status = window.status();
+    QObject::connect(&window, &ui::MainWindow::pictureOrdered, &window,
+                     [parts](const ui::PictureOrder& order) { makePicture(parts, order); });
+    QObject::connect(&picture, &PictureJob::progressed, &status, &ui::StatusLine::setProgress);
+    QObject::connect(&picture, &PictureJob::finished, &status, &ui::StatusLine::endProgress);
+    QObject::connect(&picture, &PictureJob::progressed, &window, [&window] {
+        window.setQuestionOnClosing(ui::MainWindow::tr("A picture is still being made. Quit and lose it?"));
+    });
+    QObject::connect(&picture, &PictureJob::finished, &window, [&window] { window.setQuestionOnClosing({}); });
+    QObject::connect(&picture, &PictureJob::saved, &window, [parts](const QString& file) { showSaved(parts, file); });
+    QObject::connect(&picture, &PictureJob::cancelled, &status,
+                     [&status] { status.showForAWhile(ui::MainWindow::tr("cancelled, no picture was saved")); });
+    QObject::connect(&picture, &PictureJob::failed, &window,
+                     [parts](const Error& error) { showFailure(parts, error); });
+}
+
+/// 6. What was chosen for this machine is kept.
 void wireSettings(const DesktopParts& parts) {
     const ui::RenderPanel& rendering = parts.window.rendering();
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &parts.window,
@@ -132,6 +153,7 @@ void wire(const DesktopParts& parts) {
     wireEdits(parts);
     wireRendering(parts);
     wireScreen(parts);
+    wirePicture(parts);
     wireSettings(parts);
 }
 

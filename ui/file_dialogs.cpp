@@ -3,10 +3,13 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
+#include <QGridLayout>
 #include <QSettings>
 #include <QUrl>
 #include <QVariant>
 #include <array>
+
+#include "ui/picture_size_box.h"
 
 namespace pdr::ui {
 namespace {
@@ -47,6 +50,12 @@ class ForgetfulDialog : KeptPlaces, public QFileDialog {
     }
 };
 
+/// Below the files: the layout of Qt's own dialog is a grid.
+void addBelow(QFileDialog& dialog, QWidget* widget) {
+    if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout()))
+        grid->addWidget(widget, grid->rowCount(), 0, 1, -1);
+}
+
 }  // namespace
 
 QString askForFolder(QWidget* parent, const QString& start) {
@@ -58,7 +67,7 @@ QString askForFolder(QWidget* parent, const QString& start) {
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
-QString askForPictureFile(QWidget* parent, const QAction& save) {
+std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, QSize view, const StopRule& stop) {
     const QString png = translated("PNG picture (*.png)");
     const QString exr = translated("OpenEXR with the error of every pixel (*.exr)");
     ForgetfulDialog dialog(parent, translated("Save the picture"));
@@ -73,7 +82,11 @@ QString askForPictureFile(QWidget* parent, const QAction& save) {
             dialog.reject();
     });
     dialog.selectFile("picture");
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    auto* size = new PictureSizeBox(view, stop);
+    addBelow(dialog, size);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return PictureOrder{dialog.selectedFiles().value(0), size->chosenSize(), size->stop()};
 }
 
 }  // namespace pdr::ui

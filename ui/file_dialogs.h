@@ -5,14 +5,18 @@
 #include <QAction>
 #include <QString>
 #include <QWidget>
+#include <optional>
+
+#include "ui/picture_order.h"
 
 namespace pdr::ui {
 
 /// Asks for a folder, beginning in `start`; empty: the user cancelled.
 QString askForFolder(QWidget* parent, const QString& start);
 
-/// Asks for a file to save the picture in, ".png" or ".exr"; empty: the user cancelled, or `save` was disabled
-/// meanwhile: a name that was thought of for one patient must not go to the next.
-QString askForPictureFile(QWidget* parent, const QAction& save);
+/// Asks for a file to save the picture in, for its size and for how good it is to be, beginning with the `view`'s size
+/// on the screen [pixels] and what is wanted there. None: the user cancelled, or `save` was disabled meanwhile: a name
+/// that was thought of for one patient must not go to the next.
+std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, QSize view, const StopRule& stop);
 
 }  // namespace pdr::ui

@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include <QApplication>
+#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -94,7 +95,6 @@ MainWindow::MainWindow()
     connect(look_, &LookPanel::tissueWanted, tissueDock_->toggleViewAction(), &QAction::trigger);
     connect(accuracyDock_->toggleViewAction(), &QAction::triggered, this, &MainWindow::giveAccuracyItsPart);
     connect(&foot_->status(), &StatusLine::textClicked, accuracyDock_->toggleViewAction(), &QAction::trigger);
-    connect(&foot_->status(), &StatusLine::cancelRequested, this, &MainWindow::cancelRequested);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
 
     setAcceptDrops(true);
@@ -139,6 +139,10 @@ void MainWindow::setTable(bool shown, bool there) {
 
 void MainWindow::setCaptioned(bool captioned) {
     captioned_->setChecked(captioned);
+}
+
+void MainWindow::setQuestionOnClosing(const QString& question) {
+    questionOnClosing_ = question;
 }
 
 void MainWindow::setPictureAvailable(bool available) {
@@ -287,9 +291,13 @@ void MainWindow::chooseFolder() {
 }
 
 void MainWindow::chooseFile() {
-    const QString file = askForPictureFile(this, *save_);
-    if (!file.isEmpty())
-        emit saveRequested(file);
+    const auto order = askForPicture(this, *save_, viewport_->sizeInPixels(), accuracy_->stop().rule());
+    if (!order)
+        return;
+    if (order->size)
+        emit pictureOrdered(*order);
+    else
+        emit saveRequested(order->file);
 }
 
 void MainWindow::showPictureAlone(bool alone) {
@@ -355,6 +363,12 @@ void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange)
         emit unseenChanged(isMinimized());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    const bool closes = questionOnClosing_.isEmpty() ||
+                        QMessageBox::question(this, tr("PD-Render"), questionOnClosing_) == QMessageBox::Yes;
+    event->setAccepted(closes);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -14,6 +14,7 @@
 #include "ui/keys_overlay.h"
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
+#include "ui/picture_order.h"
 #include "ui/region_box.h"
 #include "ui/render_panel.h"
 #include "ui/series_panel.h"
@@ -52,12 +53,17 @@ class MainWindow : public QMainWindow {
     void setTable(bool shown, bool there);
     /// Whether pictures that leave the window unfinished say so.
     void setCaptioned(bool captioned);
+    /// What is asked before the window closes, since something would be lost; empty: nothing would.
+    void setQuestionOnClosing(const QString& question);
     /// Whether there is a picture to save or copy.
     void setPictureAvailable(bool available);
 
   signals:
     void folderChosen(const QString& folder);
+    /// What is on the screen, as it is.
     void saveRequested(const QString& file);
+    /// A picture of a size of its own.
+    void pictureOrdered(const pdr::ui::PictureOrder& order);
     /// The picture is wanted on the clipboard.
     void copyRequested();
     void undoRequested();
@@ -72,6 +78,7 @@ class MainWindow : public QMainWindow {
     void errorMapChosen(bool shown);
     /// Which box of the picture is to get its samples first, in fractions of its width and height; none: all alike.
     void regionChosen(const std::optional<QRectF>& box);
+    /// By Esc: reading is to end.
     void cancelRequested();
     /// Nobody can see the window, minimised or hidden; or it is back.
     void unseenChanged(bool unseen);
@@ -80,6 +87,7 @@ class MainWindow : public QMainWindow {
 
   protected:
     void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -134,6 +142,7 @@ class MainWindow : public QMainWindow {
     QByteArray stateBeforeAlone_;
     QList<QDockWidget*> gaveWay_;  ///< panels that come back when the one of the tissue goes
     QString lastFolder_;
+    QString questionOnClosing_;
 };
 
 }  // namespace pdr::ui

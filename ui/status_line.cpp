@@ -16,7 +16,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
     bar_.setRange(0, 1000);
     bar_.setTextVisible(false);
     bar_.setFixedSize(180, 10);
-    cancel_.setAccessibleName(tr("Cancel reading"));
+    cancel_.setAccessibleName(tr("Cancel what runs"));
     connect(&cancel_, &QPushButton::clicked, this, &StatusLine::cancelRequested);
 
     remarkTimer_.setSingleShot(true);

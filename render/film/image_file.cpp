@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/base/errors.h"
 #include "render/base/replacing_file.h"
 #include "render/film/levels_text.h"
 #include "render/film/local_error.h"
@@ -38,6 +39,11 @@ std::string smoothedFact(const std::optional<SmoothedError>& error, std::size_t 
         return errorFact(error);
     const std::string count = (lostLines >= denoise::kMostLostLines ? "at least " : "") + std::to_string(lostLines);
     return errorFact(error) + "; " + count + (lostLines == 1 ? " line" : " lines") + " of the film missing";
+}
+
+/// A file that is given up leaves nothing behind.
+Result<void> commitUnlessStopped(ReplacingFile& file, const std::stop_token& stop) {
+    return stop.stop_requested() ? cancelled() : file.commit();
 }
 
 // ---- PNG
@@ -165,15 +171,15 @@ void paint(const Caption& caption, ivec2 size, std::vector<std::uint8_t>& rgba) 
 }
 
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
-                      const std::filesystem::path& path, const Caption& caption) {
+                      const std::filesystem::path& path, const Caption& caption, const std::stop_token& stop) {
     SmoothedView view;
     if (display.smoothed)
-        view.judge(film, film.samplesPerPixel(), {});
-    return writePng(film, display, view, provenance, path, caption);
+        view.judge(film, film.samplesPerPixel(), stop);
+    return writePng(film, display, view, provenance, path, caption, stop);
 }
 
 Result<void> writePng(const Film& film, const Display& wanted, SmoothedView& view, const Provenance& provenance,
-                      const std::filesystem::path& path, const Caption& caption) {
+                      const std::filesystem::path& path, const Caption& caption, const std::stop_token& stop) {
     Result<ReplacingFile> file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
         return file.error();
@@ -204,10 +210,11 @@ Result<void> writePng(const Film& film, const Display& wanted, SmoothedView& vie
     }
     if (!encodePng(image, *file))
         return Error{"the picture could not be encoded as PNG", path.string(), "Try OpenEXR (.exr)."};
-    return file->commit();
+    return commitUnlessStopped(*file, stop);
 }
 
-Result<void> writeExr(const Film& film, const Provenance& provenance, const std::filesystem::path& path) {
+Result<void> writeExr(const Film& film, const Provenance& provenance, const std::filesystem::path& path,
+                      const std::stop_token& stop) {
     Result<ReplacingFile> file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
         return file.error();
@@ -219,7 +226,7 @@ Result<void> writeExr(const Film& film, const Provenance& provenance, const std:
         return Error{"the picture could not be encoded as OpenEXR (" + std::string(failure.what()) + ")", path.string(),
                      ""};
     }
-    return file->commit();
+    return commitUnlessStopped(*file, stop);
 }
 
 Result<RadianceImage> readExr(const std::filesystem::path& path) {

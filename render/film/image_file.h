@@ -1,9 +1,10 @@
 #pragma once
 /// Pictures on disk, without name or origin of a patient; but a face is one's own, so a new file is for its owner alone
 /// (0600), and one that is replaced keeps its mode. Written beside and renamed into place: an error leaves the old file
-/// as it was.
+/// as it was, and so does a stop request until then: Error cancelled().
 
 #include <filesystem>
+#include <stop_token>
 #include <vector>
 
 #include "render/base/result.h"
@@ -26,10 +27,10 @@ void paint(const Caption& caption, ivec2 size, std::vector<std::uint8_t>& rgba);
 /// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks. A smoothed one says so there, with its error; where
 /// the film itself is better, that is written instead. `caption` is painted over it.
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
-                      const std::filesystem::path& path, const Caption& caption = {});
+                      const std::filesystem::path& path, const Caption& caption = {}, const std::stop_token& stop = {});
 /// The same of a film that `view` has judged already, where a smoothed picture is wanted.
 Result<void> writePng(const Film& film, const Display& display, SmoothedView& view, const Provenance& provenance,
-                      const std::filesystem::path& path, const Caption& caption = {});
+                      const std::filesystem::path& path, const Caption& caption = {}, const std::stop_token& stop = {});
 
 /// A picture that was read: linear radiance, row by row from the top.
 struct RadianceImage {
@@ -43,6 +44,7 @@ Result<RadianceImage> readExr(const std::filesystem::path& path);
 
 /// Scene-linear OpenEXR: R, G, B and error.R, error.G, error.B (standard error of the mean), float, with the provenance
 /// as attributes.
-Result<void> writeExr(const Film& film, const Provenance& provenance, const std::filesystem::path& path);
+Result<void> writeExr(const Film& film, const Provenance& provenance, const std::filesystem::path& path,
+                      const std::stop_token& stop = {});
 
 }  // namespace pdr

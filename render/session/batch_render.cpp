@@ -34,7 +34,7 @@ Result<BatchResult> BatchRender::run(std::stop_token stop, const Report& report)
             if (auto ok = look(); !ok)
                 return ok.error();
         reason = stop.stop_requested() ? StopReason::interrupted : reached(elapsed);
-        if (reason && done_ > 0)
+        if (reason && isFilmRight(*reason))
             if (auto ok = look(); !ok)
                 return ok.error();
         if (reason || reports) {
@@ -45,17 +45,21 @@ Result<BatchResult> BatchRender::run(std::stop_token stop, const Report& report)
     return BatchResult{*reason, status_, elapsed};
 }
 
+bool BatchRender::isFilmRight(StopReason reason) const {
+    return done_ > 0 && !(reason == StopReason::interrupted && whenStopped_ == WhenStopped::discard);
+}
+
 bool BatchRender::errorIsDue() const {
     return stopsByError() && done_ > 0 && done_ % kErrorEvery == 0;
 }
 
 Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
     const std::uint32_t samples = wantedSamples(elapsed);
-    // A launch that is broken off leaves worthless sums: only the first one has nothing to lose.
-    const bool first = done_ == 0;
-    if (auto ok = film_.accumulate(samples, first ? stop : std::stop_token()); !ok)
+    // A launch that is broken off leaves worthless sums: the first one has nothing to lose.
+    const bool canBreakOff = done_ == 0 || whenStopped_ == WhenStopped::discard;
+    if (auto ok = film_.accumulate(samples, canBreakOff ? stop : std::stop_token()); !ok)
         return ok;
-    if (!(first && stop.stop_requested()))
+    if (!(canBreakOff && stop.stop_requested()))
         done_ += samples;
     return {};
 }

@@ -35,17 +35,23 @@ struct BatchResult {
     double seconds = 0;  ///< of rendering
 };
 
+/// What becomes of the samples that are there when a stop is requested.
+enum class WhenStopped {
+    keep,    ///< the one that is on its way is finished, so that the film stays right; the very first is given up
+    discard  ///< it ends at once, and the film is worthless
+};
+
 class BatchRender {
   public:
     using Report = std::function<void(const BatchState&)>;
 
     /// `film` is empty, of the scene that its device holds, and outlives this. `display`: what levels are those of.
-    BatchRender(Accumulator& film, const Stops& stops, const Display& display)
-        : film_(film), stops_(stops), display_(display) {}
+    BatchRender(Accumulator& film, const Stops& stops, const Display& display,
+                WhenStopped whenStopped = WhenStopped::keep)
+        : film_(film), stops_(stops), display_(display), whenStopped_(whenStopped) {}
 
-    /// Renders until the first stop. After a stop request it ends with the sample that is on its way, so that the film
-    /// stays right; the very first one is given up at once. `report` is called after the first sample and then about
-    /// twice a second. Where an error stops, the number of samples does not depend on the machine's speed.
+    /// Renders until the first stop, or a stop request. `report` is called after the first sample and then about twice
+    /// a second. Where an error stops, the number of samples does not depend on the machine's speed.
     Result<BatchResult> run(std::stop_token stop, const Report& report);
 
   private:
@@ -56,10 +62,12 @@ class BatchRender {
     Result<void> look();
     bool stopsByError() const { return stops_.relativeError || stops_.levels; }
     bool errorIsDue() const;
+    bool isFilmRight(StopReason reason) const;
 
     Accumulator& film_;
     Stops stops_;
     Display display_;
+    WhenStopped whenStopped_;
     std::uint64_t done_ = 0;  ///< samples of every pixel
     FilmStatus status_;       ///< of the film when it was last looked at
 };

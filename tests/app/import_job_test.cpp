@@ -162,7 +162,7 @@ class Throwing : public ImportJob {
   public:
     using ImportJob::thread;
     void run(int what) {
-        start([what](const Progress&) -> std::function<void()> {
+        start([what](const Progress&, const std::stop_token&) -> std::function<void()> {
             if (what == 0)
                 throw std::bad_alloc();
             if (what == 1)

@@ -33,7 +33,8 @@ struct Mishaps {
     std::atomic<double> goneAt = 1e300;        ///< on that clock
 
     std::atomic<bool> gone = false;
-    std::atomic<int> filmsRead = 0;  ///< calls of Accumulator::film()
+    std::atomic<bool> brokenOff = false;  ///< the last accumulate() was asked to stop
+    std::atomic<int> filmsRead = 0;       ///< calls of Accumulator::film()
 
     /// Called first by each verb, with its name: "upload", "film", "guide", "resume", "accumulate", "resolve",
     /// "readback", "read". It may throw. Set before the device is handed over.
@@ -71,6 +72,7 @@ class FailingAccumulator final : public Accumulator {
         Result<void> accumulated = film_->accumulate(region, n, stop);
         const double part = double(region.width) * region.height / (double(area().width) * area().height);
         spend(n * part * mishaps_->iterationSeconds, stop);
+        mishaps_->brokenOff = stop.stop_requested();
         return accumulated;
     }
 

@@ -8,6 +8,7 @@
 #include <QTimer>
 
 #include "ui/main_window.h"
+#include "ui/picture_size_box.h"
 
 namespace pdr::ui {
 
@@ -33,6 +34,7 @@ class TestFileDialogs : public QObject {
     void whereTheHandWasIsNotKept();
     void whatWasKeptByOtherProgramsStays();
     void theDialogForSavingGoesWithItsPicture();
+    void aPictureOfAnotherSizeIsOrderedWithItsTarget();
 
   private:
     /// Opens the dialog with `key`, goes to the patient's folder and takes what is there, or gives up.
@@ -130,6 +132,28 @@ void TestFileDialogs::theDialogForSavingGoesWithItsPicture() {
             action->trigger();  // comes back
     QCOMPARE(seen, 1);
     QCOMPARE(saved, 0);
+}
+
+/// What is wanted on the screen is what the dialog begins with.
+void TestFileDialogs::aPictureOfAnotherSizeIsOrderedWithItsTarget() {
+    MainWindow window;
+    window.setPictureAvailable(true);
+    window.accuracy().stop().setRule({.levels = 4, .samples = 500});
+    window.show();
+    int saved = 0;
+    std::optional<PictureOrder> ordered;
+    connect(&window, &MainWindow::saveRequested, this, [&] { ++saved; });
+    connect(&window, &MainWindow::pictureOrdered, this, [&](const PictureOrder& order) { ordered = order; });
+    QTimer::singleShot(0, &window, [&] {
+        const auto* box = QApplication::activeModalWidget()->findChild<PictureSizeBox*>();
+        QVERIFY(box && box->isVisible());
+        box->findChild<QComboBox*>()->setCurrentIndex(2);
+    });
+    use(window, QKeySequence::Save, true);
+    QVERIFY(ordered && saved == 0);
+    QCOMPARE(ordered->file, patient_ + "/picture.png");
+    QVERIFY(ordered->size == QSize(2000, 2000));
+    QVERIFY((ordered->stop == StopRule{.levels = 4, .samples = 500}));
 }
 
 }  // namespace pdr::ui

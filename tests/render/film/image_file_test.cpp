@@ -270,6 +270,19 @@ class ImageFileTest : public QObject {
         QCOMPARE(names(), QStringList{"a.png"});
     }
 
+    void whatIsStoppedLeavesTheOldPicture() {
+        std::ofstream(at("a.png")) << "old";
+        std::stop_source stop;
+        stop.request_stop();
+        const Film film = exampleFilm({30, 30});
+        const auto png = writePng(film, {1, true}, kFacts, at("a.png"), {}, stop.get_token());
+        const auto exr = writeExr(film, kFacts, at("a.exr"), stop.get_token());
+        QVERIFY(!png && png.error().kind == ErrorKind::cancelled);
+        QVERIFY(!exr && exr.error().kind == ErrorKind::cancelled);
+        QCOMPARE(names(), QStringList{"a.png"});
+        QCOMPARE(contents(at("a.png")), QByteArray("old"));
+    }
+
     /// A limit on the size of files fails the write as a full disk does.
     void afterAFullDiskTheOldPictureIsStillThere() {
         std::ofstream(at("a.png")) << "old";

@@ -1,0 +1,46 @@
+#include "app/picture_writing.h"
+
+#include "app/caption.h"
+#include "app/provenance.h"
+#include "render/film/image_file.h"
+#include "render/scene/scene.h"
+#include "ui/accuracy_text.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+namespace {
+
+bool isExr(const QString& file) {
+    return file.endsWith(".exr", Qt::CaseInsensitive);
+}
+
+}  // namespace
+
+Result<void> checkPictureName(const QString& file) {
+    if (isExr(file) || file.endsWith(".png", Qt::CaseInsensitive))
+        return {};
+    return Error{"the name says no format that pictures are saved in", file.toStdString(),
+                 "Choose a name that ends in .png or .exr."};
+}
+
+Result<void> writePicture(const FilmView& view, Display display, bool captioned, const QString& file,
+                          const std::stop_token& stop) {
+    display.smoothed = display.smoothed && canBeSmoothed(view.scene);
+    const Film& film = view.film;
+    const Rendered rendered{film.status(display.exposure), display.exposure, view.seconds, view.device, view.bias};
+    const Provenance provenance = provenanceOf(view.scene, rendered);
+    const std::filesystem::path path = ui::fromQt(file);
+    if (isExr(file))
+        return writeExr(film, provenance, path, stop);
+    const QString text = captioned ? ui::previewText(rendered.status, view.stop.levels, display.smoothed) : QString();
+    return writePng(film, display, provenance, path, captionOf(text, film.size()), stop);
+}
+
+Error notSaved(const QString& file, const Error& reason) {
+    const std::string place = reason.where.empty() ? "" : reason.where + ": ";
+    const std::string hint = reason.hint.empty() ? "Change that" : reason.hint;
+    return {"not saved, because " + place + reason.what, file.toStdString(),
+            hint + (hint.ends_with('.') ? "" : ".") + " Then save again."};
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,177 @@
+/// A picture of another size, ordered in the window: made while the session goes on, with the same view.
+
+#include <QDir>
+#include <QImage>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+
+#include "app/window_content.h"
+#include "render/device/device_list.h"
+#include "render/film/tone_map.h"
+#include "render/session/batch_render.h"
+#include "tests/support/desktop_trial.h"
+#include "tests/support/patience.h"
+#include "tests/support/phantom_series.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+class TestOrderedPicture : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void itIsTheSceneOfTheWindowAndTheSessionGoesOn();
+    void theButtonCancelsIt();
+    void escapeDoesNot();
+    void anotherSeriesEndsIt();
+    void closingTheWindowAsksWhileItIsMade();
+    void theProgramMayEndWhileItIsMade();
+    void whatGoesWrongIsSaid();
+
+  private:
+    ui::PictureOrder endless(const Trial& trial) const {
+        return {trial.folder.filePath("large.png"), QSize(1500, 1000), {.levels = 0.2}};
+    }
+
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+static QPushButton* cancelButton(Trial& trial) {
+    return trial.desktop.window().status().findChild<QPushButton*>();
+}
+
+static bool isMade(Trial& trial) {
+    return trial.said().contains("making the picture");
+}
+
+static QStringList pictures(const Trial& trial) {
+    return QDir(trial.folder.path()).entryList({"*.png"}, QDir::Files | QDir::Hidden);
+}
+
+void TestOrderedPicture::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_), "Head of a phantom");
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+void TestOrderedPicture::itIsTheSceneOfTheWindowAndTheSessionGoesOn() {
+    Trial trial;
+    trial.openAndWait(series_);
+    emit trial.desktop.window().captionChosen(false);
+    trial.desktop.parts().document.setSmoothed(false);
+    const DesktopParts parts = trial.desktop.parts();
+    const Scene shown = parts.document.scene();
+    QSignalSpy saved(&parts.picture, &PictureJob::saved);
+    const std::uint64_t samples = trial.frames.back()->status.samplesPerPixel;
+    const QString file = trial.folder.filePath("tall.png");
+    emit trial.desktop.window().pictureOrdered({file, QSize(60, 90), {.levels = 0.2, .samples = 4}});
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
+    QVERIFY(trial.said().contains("saved as"));
+    QVERIFY(parts.document.scene() == shown && !parts.document.canUndo());
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel > samples, test::kPatience);
+    QCOMPARE(trial.frames.back()->revision, shown.revision);
+    QVERIFY(trial.frames.back()->size == shown.film);
+
+    Scene scene = shown;
+    scene.film = {60, 90};
+    const auto device = makeCpuDevice(2);
+    QVERIFY(device->upload(scene));
+    const auto film = *device->film(scene.film, scene.revision, scene.schedule);
+    QVERIFY(BatchRender(*film, {.samples = 4}, parts.document.display()).run({}, [](const BatchState&) {}));
+    const QImage picture = QImage(file).convertToFormat(QImage::Format_RGBX8888);
+    const std::vector<std::uint8_t> expected = toneMap(**film->film(), parts.document.display());
+    QVERIFY(
+        std::equal(expected.begin(), expected.end(), picture.constBits(), picture.constBits() + picture.sizeInBytes()));
+}
+
+void TestOrderedPicture::theButtonCancelsIt() {
+    Trial trial;
+    trial.openAndWait(series_);
+    emit trial.desktop.window().pictureOrdered(endless(trial));
+    QTRY_VERIFY_WITH_TIMEOUT(isMade(trial) && cancelButton(trial)->isVisible(), test::kPatience);
+    const std::size_t frames = trial.frames.size();
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
+    cancelButton(trial)->click();
+    QVERIFY(!trial.desktop.parts().picture.isRunning());
+    QVERIFY2(trial.said().contains("no picture was saved"), qPrintable(trial.said()));
+    QVERIFY(!cancelButton(trial)->isVisible());
+    QVERIFY(trial.desktop.parts().document.hasVolume());
+    QCOMPARE(pictures(trial), QStringList());
+}
+
+/// Which closes messages and leaves the picture alone, every now and then.
+void TestOrderedPicture::escapeDoesNot() {
+    Trial trial;
+    trial.openAndWait(series_);
+    emit trial.desktop.window().pictureOrdered(endless(trial));
+    QTest::keyClick(&trial.desktop.window(), Qt::Key_Escape);
+    QVERIFY(trial.desktop.parts().picture.isRunning());
+}
+
+/// Whose volume could not be read as long as the picture holds the first.
+void TestOrderedPicture::anotherSeriesEndsIt() {
+    Trial trial;
+    trial.openAndWait(series_);
+    emit trial.desktop.window().pictureOrdered(endless(trial));
+    QTRY_VERIFY_WITH_TIMEOUT(isMade(trial), test::kPatience);
+    trial.frames.clear();
+    emit trial.desktop.window().series().seriesChosen(0);
+    QVERIFY(!trial.desktop.parts().picture.isRunning());
+    QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.empty(), test::kPatience);
+    QCOMPARE(pictures(trial), QStringList());
+}
+
+void TestOrderedPicture::closingTheWindowAsksWhileItIsMade() {
+    Trial trial;
+    trial.openAndWait(series_);
+    emit trial.desktop.window().pictureOrdered(endless(trial));
+    QTRY_VERIFY_WITH_TIMEOUT(isMade(trial), test::kPatience);
+    int asked = 0;
+    const auto closedWith = [&](QMessageBox::StandardButton answer) {
+        QTimer::singleShot(0, &trial.desktop.window(), [&asked, answer] {
+            auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            QVERIFY(question && question->text().contains("still being made"));
+            ++asked;
+            question->button(answer)->click();
+        });
+        return trial.desktop.window().close();
+    };
+    QVERIFY(!closedWith(QMessageBox::No));
+    QVERIFY(trial.desktop.parts().picture.isRunning());
+    QVERIFY(closedWith(QMessageBox::Yes));
+    QCOMPARE(asked, 2);
+    trial.desktop.window().show();
+    cancelButton(trial)->click();
+    QVERIFY(trial.desktop.window().close());  // without a question
+}
+
+void TestOrderedPicture::theProgramMayEndWhileItIsMade() {
+    const QTemporaryDir place;
+    {
+        Trial trial;
+        trial.openAndWait(series_);
+        emit trial.desktop.window().pictureOrdered({place.filePath("large.png"), QSize(1500, 1000), {.levels = 0.2}});
+        QTRY_VERIFY_WITH_TIMEOUT(isMade(trial), test::kPatience);
+    }
+    QCOMPARE(QDir(place.path()).entryList(QDir::Files | QDir::Hidden), QStringList());
+}
+
+void TestOrderedPicture::whatGoesWrongIsSaid() {
+    Trial trial;
+    trial.openAndWait(series_);
+    const auto said = [&] { return trial.desktop.window().message().text(); };
+    emit trial.desktop.window().pictureOrdered({trial.folder.filePath("head.jpg"), QSize(30, 30), {}});
+    QTRY_VERIFY_WITH_TIMEOUT(said().contains(".png or .exr"), test::kPatience);
+    emit trial.desktop.window().pictureOrdered({trial.folder.filePath("nowhere/head.png"), QSize(30, 30), {}});
+    QTRY_VERIFY_WITH_TIMEOUT(said().contains("nowhere"), test::kPatience);
+    QVERIFY(trial.desktop.parts().document.hasVolume());
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestOrderedPicture)
+#include "ordered_picture_test.moc"

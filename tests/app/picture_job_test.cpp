@@ -1,0 +1,251 @@
+/// A picture that is made beside the session: it is that of a batch render, whole or not there at all, and whatever
+/// goes wrong is said.
+
+#include <QDir>
+#include <QImage>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "app/document.h"
+#include "app/picture_job.h"
+#include "app/presets.h"
+#include "render/device/device_list.h"
+#include "render/film/image_file.h"
+#include "render/film/tone_map.h"
+#include "render/session/batch_render.h"
+#include "render/volume/phantom.h"
+#include "tests/support/failing_device.h"
+#include "tests/support/patience.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+/// Of a head, wider than high.
+static PictureTask task(const QString& file, std::uint64_t samples) {
+    Document document(*bundledPresets());
+    document.open(std::make_shared<const Volume>(headPhantom({32, 32, 32}, dvec3(6))));
+    PictureTask task;
+    task.scene = document.scene();
+    task.scene.film = {52, 30};
+    task.display = document.display();
+    task.display.smoothed = false;
+    task.captioned = false;
+    task.stop = {.levels = 0.2, .samples = samples};
+    task.file = file;
+    task.device = [] { return openDevice("cpu", 1); };
+    return task;
+}
+
+/// One that is never as good as is wanted.
+static PictureTask endless(const QString& file) {
+    PictureTask endless = task(file, 0);
+    endless.scene.film = {400, 300};
+    return endless;
+}
+
+/// What a device of another number of threads makes of it, without a job.
+static Film batch(const PictureTask& task) {
+    const auto device = makeCpuDevice(2);
+    [&] { QVERIFY(device->upload(task.scene)); }();
+    const auto film = *device->film(task.scene.film, task.scene.revision, task.scene.schedule);
+    const Stops stops{.samples = task.stop.samples};
+    [&] { QVERIFY(BatchRender(*film, stops, {task.display.exposure}).run({}, [](const BatchState&) {})); }();
+    return **film->film();
+}
+
+static std::vector<std::uint8_t> bytesOf(const QString& file) {
+    const QImage image = QImage(file).convertToFormat(QImage::Format_RGBX8888);
+    return {image.constBits(), image.constBits() + image.sizeInBytes()};
+}
+
+class TestPictureJob : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init() { place_ = std::make_unique<QTemporaryDir>(); }
+    void itIsThePictureOfABatchRender();
+    void theFilmIsThatOfABatchRender();
+    void unfinishedItSaysSoUnlessItIsToldNotTo();
+    void itTellsHowFarItIs();
+    void cancelledItLeavesNoFile_data();
+    void cancelledItLeavesNoFile();
+    void itMayBeForgottenWhileItWorks();
+    void anotherOneHasToWait();
+    void whatGoesWrongIsSaid_data();
+    void whatGoesWrongIsSaid();
+    void aSceneThatCannotBeRenderedIsRefused();
+
+  private:
+    QString path(const QString& name) const { return place_->filePath(name); }
+    QStringList files() const { return QDir(place_->path()).entryList(QDir::Files | QDir::Hidden); }
+    /// What came of it: the error, or nothing.
+    Error outcome(PictureJob& job, const PictureTask& task);
+
+    std::unique_ptr<QTemporaryDir> place_;
+};
+
+Error TestPictureJob::outcome(PictureJob& job, const PictureTask& task) {
+    QSignalSpy finished(&job, &PictureJob::finished), saved(&job, &PictureJob::saved);
+    Error error;
+    const auto connection = connect(&job, &PictureJob::failed, this, [&](const Error& failure) { error = failure; });
+    job.make(task);
+    [&] { QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, test::kPatience); }();
+    disconnect(connection);
+    [&] { QCOMPARE(saved.count(), error.what.empty() ? 1 : 0); }();
+    return error;
+}
+
+void TestPictureJob::itIsThePictureOfABatchRender() {
+    PictureJob job;
+    const PictureTask wanted = task(path("head.png"), 3);
+    QCOMPARE(outcome(job, wanted).text(), std::string());
+    QVERIFY(bytesOf(wanted.file) == toneMap(batch(wanted), wanted.display));
+    const QImage image(wanted.file);
+    QCOMPARE(image.text("pdrender/samplesPerPixel"), QString("3"));
+    QCOMPARE(image.text("pdrender/device"), QString("cpu"));
+    QVERIFY(image.text("pdrender/camera").contains("perspective"));
+    QCOMPARE(files(), QStringList("head.png"));
+}
+
+void TestPictureJob::theFilmIsThatOfABatchRender() {
+    PictureJob job;
+    const PictureTask wanted = task(path("head.EXR"), 3);
+    QCOMPARE(outcome(job, wanted).text(), std::string());
+    const auto image = readExr(ui::fromQt(wanted.file));
+    QVERIFY(image && image->size == wanted.scene.film);
+    const Film film = batch(wanted);
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 52; ++x)
+            QVERIFY(image->pixels[std::size_t(y * 52 + x)] == vec3(film.pixel(x, y).mean));
+}
+
+void TestPictureJob::unfinishedItSaysSoUnlessItIsToldNotTo() {
+    PictureJob job;
+    PictureTask plain = task(path("plain.png"), 3), captioned = task(path("captioned.png"), 3);
+    plain.scene.film = captioned.scene.film = {300, 100};
+    captioned.captioned = true;
+    QVERIFY(outcome(job, plain).what.empty() && outcome(job, captioned).what.empty());
+    QVERIFY(bytesOf(plain.file) != bytesOf(captioned.file));
+    const QRect aboveTheCaption(0, 0, 300, 70);
+    QVERIFY(QImage(plain.file).copy(aboveTheCaption) == QImage(captioned.file).copy(aboveTheCaption));
+}
+
+void TestPictureJob::itTellsHowFarItIs() {
+    PictureJob job;
+    QList<double> fractions;
+    QString last;
+    connect(&job, &PictureJob::progressed, this, [&](double fraction, const QString& step) {
+        fractions << fraction;
+        last = step;
+    });
+    job.make(endless(path("head.png")));
+    QTRY_VERIFY_WITH_TIMEOUT(last.contains(" left"), test::kPatience);
+    QVERIFY2(last.startsWith("making the picture"), qPrintable(last));
+    QVERIFY(fractions.front() == 0 && fractions.back() > 0 && fractions.back() < 1);
+}
+
+void TestPictureJob::cancelledItLeavesNoFile_data() {
+    QTest::addColumn<bool>("there");
+    QTest::newRow("new") << false;
+    QTest::newRow("an older one stays") << true;
+}
+
+void TestPictureJob::cancelledItLeavesNoFile() {
+    QFETCH(bool, there);
+    const QString file = path("head.png");
+    if (there) {
+        QFile older(file);
+        QVERIFY(older.open(QIODevice::WriteOnly) && older.write("older") == 5);
+    }
+    PictureJob job;
+    QSignalSpy cancelled(&job, &PictureJob::cancelled), saved(&job, &PictureJob::saved);
+    QSignalSpy progressed(&job, &PictureJob::progressed), failed(&job, &PictureJob::failed);
+    job.make(endless(file));
+    QTRY_VERIFY_WITH_TIMEOUT(progressed.count() > 2, test::kPatience);
+    job.cancel();
+    QCOMPARE(cancelled.count(), 1);
+    QVERIFY(!job.isRunning());
+    QVERIFY(outcome(job, task(path("next.png"), 1)).what.empty());  // made when the first has ended
+    QCOMPARE(failed.count(), 0);
+    QCOMPARE(saved.count(), 1);
+    QCOMPARE(files(), there ? QStringList({"head.png", "next.png"}) : QStringList("next.png"));
+    QFile older(file);
+    QVERIFY(!there || (older.open(QIODevice::ReadOnly) && older.readAll() == "older"));
+}
+
+void TestPictureJob::itMayBeForgottenWhileItWorks() {
+    for (int i = 0; i < 5; ++i) {
+        PictureJob job;
+        job.make(endless(path("head.png")));
+        QTest::qWait(20 * i);
+    }
+    QCOMPARE(files(), QStringList());
+}
+
+void TestPictureJob::anotherOneHasToWait() {
+    PictureJob job;
+    QSignalSpy saved(&job, &PictureJob::saved);
+    Error error;
+    connect(&job, &PictureJob::failed, this, [&](const Error& failure) { error = failure; });
+    job.make(task(path("first.png"), 2));
+    job.make(task(path("second.png"), 2));
+    QVERIFY2(error.text().find("another picture is being made") != std::string::npos, error.text().c_str());
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
+    QCOMPARE(files(), QStringList("first.png"));
+}
+
+void TestPictureJob::whatGoesWrongIsSaid_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("device");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("no format") << "head.jpg" << 0 << ".png or .exr";
+    QTest::newRow("no folder") << "no/such/folder/head.png" << 0 << "head.png";
+    QTest::newRow("a folder") << "folder.png" << 0 << "folder.png";
+    QTest::newRow("no device") << "head.png" << 1 << "no such thing";
+    QTest::newRow("a device that is lost") << "head.png" << 2 << "the device is lost";
+    QTest::newRow("a volume that does not fit") << "head.png" << 3 << "the volume needs 9.3 GB";
+    QTest::newRow("no memory") << "head.png" << 4 << "memory";
+}
+
+void TestPictureJob::whatGoesWrongIsSaid() {
+    QFETCH(QString, name);
+    QFETCH(int, device);
+    QFETCH(QString, words);
+    QVERIFY(QDir(place_->path()).mkdir("folder.png"));
+    const auto mishaps = std::make_shared<test::Mishaps>();
+    if (device == 2)
+        mishaps->accumulates = 2;
+    mishaps->tooSmall = device == 3;
+    if (device == 4)
+        mishaps->before = [](const std::string& verb) {
+            if (verb == "film")
+                throw std::bad_alloc();
+        };
+    PictureTask wanted = task(path(name), 40);
+    wanted.device = [&]() -> Result<std::unique_ptr<Device>> {
+        if (device == 1)
+            return Error{"there is no such thing", "", "Take the CPU."};
+        return test::failing(mishaps);
+    };
+    PictureJob job;
+    const Error error = outcome(job, wanted);
+    QVERIFY2(error.text().find(words.toStdString()) != std::string::npos, error.text().c_str());
+    QVERIFY(!error.hint.empty());
+    QCOMPARE(files(), QStringList());
+}
+
+void TestPictureJob::aSceneThatCannotBeRenderedIsRefused() {
+    PictureJob job;
+    PictureTask wanted = task(path("head.png"), 1);
+    wanted.scene.film = {0, 30};
+    const Error error = outcome(job, wanted);
+    QVERIFY2(error.text().find("film.width: is 0") != std::string::npos, error.text().c_str());
+    QCOMPARE(files(), QStringList());
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestPictureJob)
+#include "picture_job_test.moc"
