@@ -12,7 +12,7 @@ namespace {
 /// Of the time, what may go into judging smoothed pictures, and into maps of their error, so that each is made often;
 /// where it takes more, seldom.
 constexpr double kBesideShare = 0.01;
-constexpr std::uint64_t kOftenJudged = 2, kSeldomJudged = 8;  ///< so many times the samples of the last one
+constexpr std::uint64_t kOftenJudged = 2, kSeldomJudged = 4;  ///< so many times the samples of the last one
 constexpr double kOftenMapped = 1.25, kSeldomMapped = 2;      ///< 1.25: a ninth of the errors is gone
 /// Errors are counted anew when the samples are so many times as many; below kSamplesToEstimate, of which little is
 /// said, at each doubling.
