@@ -176,6 +176,10 @@ QString stopText(const StopRule& rule, const Accuracy& accuracy) {
         return translated("which of them comes first is not known yet");
     const QString by = levels(stop->levels), samples = QLocale::c().toString(std::ceil(stop->samples), 'f', 0);
     const QString left = durationText(std::max(stop->seconds - accuracy.seconds, 0.0));
+    if (accuracy.holding == Holding::reached)
+        return translated("held after %1, with %2 samples")
+            .arg(durationText(accuracy.seconds))
+            .arg(accuracy.status.samplesPerPixel);
     switch (stop->cause) {
         case ForetoldStop::Cause::levels:
             return translated("±%1 comes first: in %2, with %3 samples").arg(by, left, samples);

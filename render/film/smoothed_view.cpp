@@ -6,10 +6,12 @@ namespace pdr {
 
 void SmoothedView::judge(const Film& film, std::uint64_t samples, const std::stop_token& stop) {
     std::optional<SmoothingJudgement> judgement = SmoothingJudgement::of(film, stop);
+    if (stop.stop_requested())
+        return;
+    judgedSamples_ = samples;
     if (!judgement)
         return;
     judgement_ = std::move(judgement);
-    judgedSamples_ = samples;
     exposure_ = 0;
     const std::optional<SmoothedError> linear = judgement_->overAll(1);
     pays_ = !linear || smoothingPays(*linear, film.status());

@@ -16,6 +16,8 @@ class SmoothedView {
     bool isDue(std::uint64_t samples, std::uint64_t growth = 2) const {
         return samples >= kSamplesToJudge && (samples >= growth * judgedSamples_ || samples < judgedSamples_);
     }
+    /// Whether it is judged by other samples than these.
+    bool isStale(std::uint64_t samples) const { return samples >= kSamplesToJudge && samples != judgedSamples_; }
     /// As isDue() was asked. Nothing changes after a stop request.
     void judge(const Film& film, std::uint64_t samples, const std::stop_token& stop);
 

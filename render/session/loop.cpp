@@ -66,7 +66,7 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
     measureEffects(step);
 }
 
-RenderCommands::LoopState Session::Loop::state() const {
+RenderCommands::LoopState Session::Loop::state() {
     const bool film = place_.film() != nullptr;
     return {.scene = place_.hasScene(),
             .film = film,
@@ -75,6 +75,7 @@ RenderCommands::LoopState Session::Loop::state() const {
             .lingers = film && (brightens_ || (moving_ && coarse() && !first_)),
             .progress = film ? progress() : RenderCommands::Progress(),
             .unshown = film && sweep_.samples().least > 0 && (done_ > 0 || !waiting_.empty() || fresh_),
+            .unjudged = canSnapshot() && canJudge() && smoothedView_.isStale(partSamples()),
             .canSnapshot = canSnapshot(),
             .unmeasured = canSnapshot() && ledger_.hasWork()};
 }

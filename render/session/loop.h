@@ -35,7 +35,7 @@ class Session::Loop {
 
     void run(std::stop_token stop);
     void take(const RenderCommands::Iteration& step);
-    RenderCommands::LoopState state() const;
+    RenderCommands::LoopState state();
 
     // What a step may ask for. Each leaves either a film that can go on, or none and a frame that says why.
     void clear();
@@ -103,6 +103,8 @@ class Session::Loop {
     bool isEven() const { return sweep_.samples().least == sweep_.samples().most; }
     /// Whether the film is not yet the scene's own.
     bool coarse() const { return divider_ > 1 || passing_; }
+    /// Whether there is a smoothed picture of which something is to be said.
+    bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }
     bool canSnapshot() const {
         return place_.film() != nullptr && !moving_ && !coarse() && !first_ && !sweep_.isHalfMade();
     }

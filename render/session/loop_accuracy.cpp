@@ -20,12 +20,12 @@ constexpr double kSurveyed = 1.09;
 
 }  // namespace
 
-/// At rest, where a smoothed picture is wanted. It takes longer than a picture may: brightness does not wait for it.
+/// At rest, where a smoothed picture is wanted: now and then, and where rendering holds. It takes longer than a picture
+/// may: brightness does not wait for it.
 Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
     const std::uint64_t growth = judgeSeconds_ <= kBesideShare * seconds_ ? kOftenJudged : kSeldomJudged;
-    if (coarse() || moving_ || !smooths(commands.display()) || !smoothedView_.isDue(partSamples(), growth))
-        return {};
-    if (step.detour.stop_requested())
+    const bool isDue = step.render ? smoothedView_.isDue(partSamples(), growth) : smoothedView_.isStale(partSamples());
+    if (!canJudge() || !isDue || step.detour.stop_requested())
         return {};
     const double start = clock_();
     Result<void> judged =

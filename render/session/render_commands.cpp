@@ -168,7 +168,9 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     std::unique_lock lock(mutex_);
     if (state.lingers)
         changed_.wait_for(lock, stop, kStill, [&] { return asked(state); });
-    const auto busy = [&] { return asked(state) || (state.film && (renders(state) || state.unshown)); };
+    const auto busy = [&] {
+        return asked(state) || (state.film && (renders(state) || state.unshown || state.unjudged));
+    };
     changed_.wait(lock, stop, [&] { return busy() || watch_ || state.unmeasured; });
     if (stop.stop_requested())
         return std::nullopt;

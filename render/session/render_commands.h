@@ -42,6 +42,7 @@ class RenderCommands {
         bool lingers = false;        ///< what comes next may be in vain, or in the way: a hand that moves soon moves on
         Progress progress;
         bool unshown = false;      ///< the film holds what has not been shown
+        bool unjudged = false;     ///< what is said of its smoothed picture is of fewer samples
         bool canSnapshot = false;  ///< it can be looked at
         bool unmeasured = false;   ///< what effects cost is to be measured, and can be now
     };

@@ -164,6 +164,9 @@ void TestAccuracyPanel::theLimitThatComesFirstIsTold() {
              qPrintable(told({.levels = 2, .seconds = 60})));
     QVERIFY(told({.levels = 2, .samples = 100}).startsWith("the samples come first: 100 in "));
     QVERIFY(told({.levels = 2, .seconds = 1e6, .samples = 10'000'000}).startsWith(QString::fromUtf8("±2 comes first")));
+    Accuracy held = accuracy;
+    held.holding = Holding::reached;
+    QVERIFY(stopText({.levels = 8}, held).startsWith("held after ") && stopText({}, held).endsWith("with 64 samples"));
     QCOMPARE(stopText({}, {{.samplesPerPixel = 40}}), "which of them comes first is not known yet");
 }
 

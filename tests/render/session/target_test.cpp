@@ -131,6 +131,26 @@ class TargetTest : public QObject {
         QVERIFY(later->status.samplesPerPixel > frame->status.samplesPerPixel);
     }
 
+    /// While it is rendered the smoothed picture is judged at each doubling at most; in the end what is said is of what
+    /// is there.
+    void aHeldPictureIsJudgedAsItIs() {
+        Held held;
+        held.session.setIterationsPerFrame(1);
+        held.session.setDisplay({.smoothed = true});
+        Scene scene = smallScene(1);
+        scene.film = {96, 64};
+        held.session.setStop({.levels = 1e-3, .samples = 8});
+        held.session.submit(scene, false);
+        for (const std::uint64_t samples : {8, 11}) {
+            held.session.setStop({.levels = 1e-3, .samples = samples});
+            QVERIFY(held.screen.await([&](const Frame& f) { return f.reached && f.stop.samples == samples; }));
+            const auto truth = SmoothingJudgement::of(test::render(scene, samples), {})->overAll(1);
+            QVERIFY(truth && truth->levelsAtMost > 0 && held.screen.await([&](const Frame& f) {
+                return f.reached && f.smoothedError && f.smoothedError->levelsAtMost == truth->levelsAtMost;
+            }));
+        }
+    }
+
     void aPauseStaysAPause() {
         Held held;
         QVERIFY(held.reached(1));
