@@ -78,20 +78,23 @@ void TileProgress::advance(const Tile& cells, std::uint64_t next) {
 }
 
 SampleCounts TileProgress::counts(const Tile& part) const {
-    const std::vector<EvenTile> tiles = evenTiles(cellsAround(part));
-    if (tiles.empty())
+    if (part.width <= 0 || part.height <= 0)
         return {};
-    SampleCounts counts{tiles.front().next - first_, tiles.front().next - first_, 0};
+    const Tile cells = cellsOf(part);
+    SampleCounts counts{at(cells.x, cells.y) - first_, 0, 0};
     double pixels = 0;
-    for (const EvenTile& even : tiles) {
-        const std::uint64_t samples = even.next - first_;
-        const double here = double(even.tile.width) * even.tile.height;
-        counts.least = std::min(counts.least, samples);
-        counts.most = std::max(counts.most, samples);
-        counts.mean += double(samples) * here;
-        pixels += here;
+    for (int y = cells.y; y < cells.y + cells.height; ++y) {
+        const int height = std::min(kFilmCell, area_.height - y * kFilmCell);
+        for (int x = cells.x; x < cells.x + cells.width; ++x) {
+            const std::uint64_t samples = at(x, y) - first_;
+            const double here = double(std::min(kFilmCell, area_.width - x * kFilmCell)) * height;
+            counts.least = std::min(counts.least, samples);
+            counts.most = std::max(counts.most, samples);
+            counts.mean += double(samples) * here;
+            pixels += here;
+        }
     }
-    counts.mean /= pixels;
+    counts.mean = counts.least == counts.most ? double(counts.least) : counts.mean / pixels;
     return counts;
 }
 

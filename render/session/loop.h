@@ -100,7 +100,10 @@ class Session::Loop {
     std::uint64_t partSamples() const { return sweep_.samplesOf(sweep_.part()); }
     bool isWhole(const Tile& part) const { return part == wholeImage(place_.size()); }
     /// Whether no part is further than another.
-    bool isEven() const { return sweep_.samples().least == sweep_.samples().most; }
+    bool isEven() const {
+        const SampleCounts samples = sweep_.samples();
+        return samples.least == samples.most;
+    }
     /// Whether the film is not yet the scene's own.
     bool coarse() const { return divider_ > 1 || passing_; }
     /// Whether there is a smoothed picture of which something is to be said.
