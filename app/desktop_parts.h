@@ -3,6 +3,7 @@
 
 #include "app/document.h"
 #include "app/import_job.h"
+#include "app/mask_job.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
@@ -22,6 +23,7 @@ struct DesktopParts {
     TissueStudy& study;
     TissueEdits& tissue;
     PictureJob& picture;
+    MaskJob& masks;
 };
 
 }  // namespace pdr::app

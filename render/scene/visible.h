@@ -1,5 +1,6 @@
 #pragma once
-/// What of a patient a picture shows. The choice is stored; the mask that it makes of a scan is not (segment/shown.h).
+/// What of a patient a picture shows. The choice is stored; the mask that it makes of a scan is not
+/// (scene/visible_mask.h).
 
 namespace pdr {
 
@@ -10,6 +11,11 @@ enum class BodyPart {
     bones,        ///< crudely: what hangs together with dense bone
     withoutBones  ///< all but those
 };
+inline constexpr BodyPart kBodyParts[] = {BodyPart::everything, BodyPart::lungs, BodyPart::bones,
+                                          BodyPart::withoutBones};
+
+/// As files and options write it: "withoutBones".
+const char* bodyPartName(BodyPart part);
 
 struct Visible {
     BodyPart part = BodyPart::everything;

@@ -83,6 +83,7 @@ std::string tableOf(const std::string& name) {
            : is("rectangle")   ? FieldTable::of<RectangleLight>()
            : is("sphere")      ? FieldTable::of<SphereLight>()
            : is("environment") ? FieldTable::of<EnvironmentFields>()
+           : is("visible")     ? FieldTable::of<Visible>()
            : is("clip")        ? FieldTable::of<Clip>()
            : is("box")         ? FieldTable::of<ClipBox>()
            : is("plane")       ? FieldTable::of<ClipPlane>()
@@ -201,7 +202,7 @@ class SceneTextTest : public QObject {
             at = end + closing.size();
         }
         wanted += text.substr(at);
-        QCOMPARE(tables, 19);
+        QCOMPARE(tables, 20);
         if (qEnvironmentVariableIsSet("PDR_WRITE_MANUAL")) {
             QVERIFY(manual.open(QIODevice::WriteOnly));
             manual.write(QByteArray::fromStdString(wanted));
