@@ -354,7 +354,7 @@ void describe(Visit& visit, RigPanel& panel) {
                     panel.from);
     visit({"distance", "of its centre from the volume's [radii of the volume]", {1, 100}}, panel.distance);
     visit({"edge", "of the square [radii of the volume]", {1e-3, 100}}, panel.edge);
-    visit({"radiance", "scale of `colour`", {0, 1e6}, kRequired}, panel.radiance);
+    visit({"radiance", "scale of `colour`", {0, RigPanel::kBrightest}, kRequired}, panel.radiance);
     visit({"colour", "of its light", {0, 1000}}, panel.colour);
 }
 
@@ -367,7 +367,7 @@ struct RigFields {
 /// Files list all panels, or say how bright the standard ones are.
 template <class Visit>
 void describePanels(Visit& visit, LightRig& rig) {
-    constexpr Range kScale{0, 1e6};
+    constexpr Range kScale{0, RigPanel::kBrightest};
     const std::optional<vec3> standard = standardScales(rig);
     std::vector<RigPanel> panels;
     if (!standard)
