@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "render/scene/field_check.h"
+#include "render/scene/fields/rig_fields.h"
 #include "render/scene/orbit.h"
-#include "render/scene/scene_fields.h"
 
 namespace pdr {
 namespace {
