@@ -3,6 +3,7 @@
 
 #include "app/document.h"
 #include "app/import_job.h"
+#include "app/light_edits.h"
 #include "app/mask_job.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
@@ -22,6 +23,7 @@ struct DesktopParts {
     Settings& settings;
     TissueStudy& study;
     TissueEdits& tissue;
+    LightEdits& light;
     PictureJob& picture;
     MaskJob& masks;
 };
