@@ -5,6 +5,7 @@
 #include <QObject>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/scene/fit_view.h"
@@ -33,6 +34,8 @@ class Document : public QObject {
     Display display() const;
     /// Whether the picture is shown without its noise.
     bool smoothed() const { return smoothed_; }
+    /// What there is to cut: the smallest box along the patient's axes around what is framed; nothing without a volume.
+    std::optional<ClipBox> uncut() const;
     bool canUndo() const { return !past_.empty(); }
     bool canRedo() const { return !future_.empty(); }
 
@@ -54,6 +57,10 @@ class Document : public QObject {
     void setPreset(int index);
     /// The user's own; one gesture is one step to undo, as well.
     void setLook(const pdr::Look& look, bool moving = false);
+    /// One gesture is one step to undo, as well.
+    void setClip(const pdr::Clip& clip, bool moving = false);
+    /// As if the gesture in progress had not been.
+    void giveUpGesture();
     /// All of it at once: one step to undo.
     void setSetup(const pdr::PictureSetup& setup);
     void setEstimator(pdr::Estimator estimator);
@@ -75,7 +82,7 @@ class Document : public QObject {
 
   private:
     /// The gesture in progress.
-    enum class Gesture { none, camera, look, brightness };
+    enum class Gesture { none, camera, look, brightness, clip };
     /// Steps that can be undone: more than anyone goes back, and little memory.
     static constexpr std::size_t kSteps = 300;
 

@@ -14,6 +14,7 @@ void showDocument(const DesktopParts& parts) {
     parts.window.look().setPreset(document.preset());
     parts.window.look().setBrightness(document.setup().stops);
     parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
+    parts.window.cut().setCuts(document.setup().clip, document.uncut());
     parts.window.rendering().setEstimator(document.setup().estimator);
     parts.window.rendering().setSchedule(document.setup().schedule);
     parts.window.setSmoothed(document.smoothed());

@@ -66,6 +66,19 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }
 
+/// The hand cuts.
+void wireCuts(const DesktopParts& parts) {
+    Document& document = parts.document;
+    ui::CutTools& cut = parts.window.cut();
+    QObject::connect(&cut.layer(), &ui::CutLayer::clipEdited, &document, &Document::setClip);
+    QObject::connect(&cut.layer(), &ui::CutLayer::gestureGivenUp, &document, &Document::giveUpGesture);
+    QObject::connect(&cut.panel(), &ui::CutPanel::clipChosen, &document,
+                     [&document](const Clip& clip) { document.setClip(clip); });
+    QObject::connect(&cut, &ui::CutTools::planeWanted, &parts.cut, &CutEdits::addPlane);
+    QObject::connect(&cut.pen(), &ui::FreehandPen::drawn, &parts.cut, &CutEdits::addFreehand);
+    QObject::connect(&cut, &ui::CutTools::uncutWanted, &parts.cut, &CutEdits::undoAll);
+}
+
 /// 3. The document's scene goes to the renderer.
 void wireRendering(const DesktopParts& parts) {
     Document& document = parts.document;
@@ -156,6 +169,7 @@ void wireSettings(const DesktopParts& parts) {
 void wire(const DesktopParts& parts) {
     wireImport(parts);
     wireEdits(parts);
+    wireCuts(parts);
     wireRendering(parts);
     wireScreen(parts);
     wirePicture(parts);

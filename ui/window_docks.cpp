@@ -43,19 +43,26 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       tissue_(add(tr("Tissue"), scrolled(panels.tissue), Qt::RightDockWidgetArea, Qt::Key_F5)),
       rendering_(add(tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
       accuracy_(add(tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
-      effects_(add(tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)) {
-    for (QDockWidget* folded : {tissue_, accuracy_, effects_})
+      effects_(add(tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
+      cut_(add(tr("Cut"), scrolled(panels.cut), Qt::RightDockWidgetArea, Qt::Key_F9)) {
+    for (QDockWidget* folded : {tissue_, accuracy_, effects_, cut_})
         folded->hide();
     makeRoomBeside(accuracy_, effects_);
     makeRoomBeside(effects_, accuracy_);
-    connect(toggleTissue(), &QAction::triggered, this, &WindowDocks::giveTissueItsPart);
+    connect(toggleTissue(), &QAction::triggered, this,
+            [this](bool shown) { giveColumnTo(tissue_, panels_.tissue, shown); });
+    connect(cut_->toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
+        giveColumnTo(cut_, panels_.cut, shown);
+        if (shown)
+            emit cutShown();
+    });
     connect(toggleAccuracy(), &QAction::triggered, this, &WindowDocks::giveAccuracyItsPart);
     connect(effects_, &QDockWidget::visibilityChanged, this, &WindowDocks::effectsShown);
 }
 
 QList<QAction*> WindowDocks::toggles() const {
     QList<QAction*> actions;
-    for (const QDockWidget* dock : {series_, look_, tissue_, rendering_, accuracy_, effects_})
+    for (const QDockWidget* dock : {series_, look_, tissue_, rendering_, accuracy_, effects_, cut_})
         actions << dock->toggleViewAction();
     return actions;
 }
@@ -66,7 +73,7 @@ void WindowDocks::setAway(bool away) {
         return;
     }
     stateBefore_ = window_.saveState();
-    for (QDockWidget* dock : {series_, look_, tissue_, rendering_, accuracy_, effects_})
+    for (QDockWidget* dock : {series_, look_, tissue_, rendering_, accuracy_, effects_, cut_})
         dock->hide();
 }
 
@@ -92,7 +99,7 @@ void WindowDocks::makeRoomBeside(QDockWidget* opened, QDockWidget* other) {
 
 /// The right-hand column; what is chosen once gives way where less than this fraction of the window is left for the
 /// picture.
-void WindowDocks::giveTissueItsPart(bool shown) {
+void WindowDocks::giveColumnTo(QDockWidget* opened, const QWidget* panel, bool shown) {
     constexpr int kColumn = 316;
     constexpr double kPicture = 0.6;
     if (!shown) {
@@ -101,18 +108,19 @@ void WindowDocks::giveTissueItsPart(bool shown) {
         return;
     }
     const int left = series_->isVisible() ? series_->width() : 0;
+    (opened == cut_ ? tissue_ : cut_)->hide();
     QList<QDockWidget*> inTheWay{rendering_};
     if (double(window_.width() - left - kColumn) * picture_.height() < kPicture * window_.width() * window_.height())
         inTheWay << series_;
-    if (picture_.height() < panels_.look->minimumSizeHint().height() + panels_.tissue->minimumSizeHint().height())
+    if (picture_.height() < panels_.look->minimumSizeHint().height() + panel->minimumSizeHint().height())
         inTheWay << look_;
     for (QDockWidget* dock : std::as_const(inTheWay))
         if (dock->isVisible()) {
             dock->hide();
             gaveWay_ << dock;
         }
-    window_.resizeDocks({tissue_}, {kColumn}, Qt::Horizontal);
-    window_.resizeDocks({look_, tissue_}, {1, window_.height()}, Qt::Vertical);
+    window_.resizeDocks({opened}, {kColumn}, Qt::Horizontal);
+    window_.resizeDocks({look_, opened}, {1, window_.height()}, Qt::Vertical);
 }
 
 /// Of the window's height: the picture keeps most of it.

@@ -14,10 +14,11 @@ class WindowDocks : public QObject {
   public:
     /// What stands in the docks.
     struct Panels {
-        QWidget *series, *look, *tissue, *rendering, *accuracy, *effects;
+        QWidget *series, *look, *tissue, *rendering, *accuracy, *effects, *cut;
     };
 
-    /// Adds all docks to `window`; tissue, accuracy and effects are folded away. `picture`: what is to keep most of it.
+    /// Adds all docks to `window`; tissue, accuracy, effects and cut are folded away. `picture`: what is to keep most
+    /// of it.
     WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
 
     /// That show each and fold it away, in the menu's order.
@@ -30,11 +31,13 @@ class WindowDocks : public QObject {
   signals:
     /// What the effects cost is looked at, or not any more.
     void effectsShown(bool shown);
+    /// The cuts are looked at.
+    void cutShown();
 
   private:
     QDockWidget* add(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key);
     void makeRoomBeside(QDockWidget* opened, QDockWidget* other);
-    void giveTissueItsPart(bool shown);
+    void giveColumnTo(QDockWidget* opened, const QWidget* panel, bool shown);
     void giveAccuracyItsPart(bool shown);
 
     QMainWindow& window_;
@@ -46,7 +49,8 @@ class WindowDocks : public QObject {
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;
-    QList<QDockWidget*> gaveWay_;  ///< that come back when the one of the tissue goes
+    QDockWidget* cut_;
+    QList<QDockWidget*> gaveWay_;  ///< that come back when tissue or cut goes
     QByteArray stateBefore_;       ///< of the window, as long as all are away
 };
 

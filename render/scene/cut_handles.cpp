@@ -41,11 +41,9 @@ dvec3 carried(const CutGrip& grip, dvec3 place, dvec2 to) {
 }
 
 Clip faceDragged(const CutGrip& grip, dvec2 to) {
-    const int face = grip.handle.number, axis = face / 2;
-    dvec3 outwards(0);
-    outwards[axis] = face % 2 ? 1 : -1;
+    const int face = grip.handle.number;
     const dvec3 middle = faceMiddle(cropBox(grip.before, grip.uncut), face);
-    const double cutOff = cutOffMm(grip.before, grip.uncut, face) - pulled(grip, middle, outwards, to);
+    const double cutOff = cutOffMm(grip.before, grip.uncut, face) - pulled(grip, middle, outwardsOf(face), to);
     return withCutOff(grip.before, grip.uncut, face, cutOff);
 }
 
@@ -103,6 +101,12 @@ Clip withBox(Clip clip, const ClipBox& box, const Uncut& uncut) {
         glm::any(glm::greaterThan(box.lowMm, uncut.lowMm)) || glm::any(glm::lessThan(box.highMm, uncut.highMm));
     clip.box = cuts ? std::optional(box) : std::nullopt;
     return clip;
+}
+
+dvec3 outwardsOf(int face) {
+    dvec3 outwards(0);
+    outwards[face / 2] = face % 2 ? 1 : -1;
+    return outwards;
 }
 
 dvec3 faceMiddle(const ClipBox& box, int face) {

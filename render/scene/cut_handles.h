@@ -29,6 +29,8 @@ ClipBox cropBox(const Clip& clip, const Uncut& uncut);
 /// The same cut with this box; one that cuts nothing of `uncut` off is none.
 Clip withBox(Clip clip, const ClipBox& box, const Uncut& uncut);
 
+/// The way that a face of the box looks.
+dvec3 outwardsOf(int face);
 /// The middle of a box' face.
 dvec3 faceMiddle(const ClipBox& box, int face);
 /// How much a face of the box cuts off [mm].
