@@ -4,6 +4,7 @@
 #include "app/cut_edits.h"
 #include "app/document.h"
 #include "app/import_job.h"
+#include "app/mask_job.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
@@ -24,6 +25,7 @@ struct DesktopParts {
     TissueEdits& tissue;
     CutEdits& cut;
     PictureJob& picture;
+    MaskJob& masks;
 };
 
 }  // namespace pdr::app

@@ -51,6 +51,8 @@ void wireEdits(const DesktopParts& parts) {
                      [&document] { document.setTable(Table::shown); });
     QObject::connect(&window.look(), &ui::LookPanel::presetChosen, &document, &Document::setPreset);
     QObject::connect(&window.look(), &ui::LookPanel::brightnessChosen, &document, &Document::setBrightness);
+    QObject::connect(&window.visible(), &ui::VisibleRow::chosen, &document,
+                     [&document](const Visible& visible) { document.setVisible(visible); });
     QObject::connect(&window, &ui::MainWindow::smoothingChosen, &document, &Document::setSmoothed);
     QObject::connect(&window.rendering(), &ui::RenderPanel::estimatorChosen, &document, &Document::setEstimator);
     QObject::connect(&window.rendering(), &ui::RenderPanel::scheduleChosen, &document, &Document::setSchedule);
@@ -77,6 +79,25 @@ void wireCuts(const DesktopParts& parts) {
     QObject::connect(&cut, &ui::CutTools::planeWanted, &parts.cut, &CutEdits::addPlane);
     QObject::connect(&cut.pen(), &ui::FreehandPen::drawn, &parts.cut, &CutEdits::addFreehand);
     QObject::connect(&cut, &ui::CutTools::uncutWanted, &parts.cut, &CutEdits::undoAll);
+}
+
+/// What the document wants to show is told from the rest of the body beside the window.
+void wireMasks(const DesktopParts& parts) {
+    MaskJob& masks = parts.masks;
+    ui::StatusLine& status = parts.window.status();
+    QObject::connect(&parts.document, &Document::maskWanted, &masks, &MaskJob::make);
+    QObject::connect(&masks, &MaskJob::progressed, &status, &ui::StatusLine::setProgress);
+    QObject::connect(&masks, &MaskJob::finished, &status, &ui::StatusLine::endProgress);
+    QObject::connect(&masks, &MaskJob::made, &parts.document, &Document::setMask);
+    QObject::connect(&masks, &MaskJob::refused, &parts.window, [parts](const Visible& visible, const Error& error) {
+        parts.document.setMask(visible, nullptr);
+        showFailure(parts, error);
+    });
+    QObject::connect(&masks, &MaskJob::failed, &parts.window, [parts](const Error& error) {
+        parts.document.keepVisible();
+        showFailure(parts, error);
+    });
+    QObject::connect(&masks, &MaskJob::cancelled, &parts.document, &Document::keepVisible);
 }
 
 /// 3. The document's scene goes to the renderer.
@@ -170,6 +191,7 @@ void wire(const DesktopParts& parts) {
     wireImport(parts);
     wireEdits(parts);
     wireCuts(parts);
+    wireMasks(parts);
     wireRendering(parts);
     wireScreen(parts);
     wirePicture(parts);

@@ -63,6 +63,7 @@ std::vector<Fact> factsOf(const Provenance& from) {
         {"pdrender/warnings", from.warnings},
         {"pdrender/hidden", from.hidden},
         {"pdrender/cut", from.cut},
+        {"pdrender/notShown", from.notShown},
         {"pdrender/remarks", from.remarks},
     };
     std::erase_if(facts, [](const Fact& fact) { return fact.value == std::variant<std::string, double>(); });

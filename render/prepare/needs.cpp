@@ -256,10 +256,18 @@ Effect depthOfField(const Scene& scene) {
 }
 
 Effect clipping(const Scene& scene) {
-    const bool cuts = !scene.clip.planesThrough(scene.volume->geometry()).empty();
-    return effect("clipping", cuts, "a box or a plane cuts into the volume",
+    const bool cuts = !scene.clip.planesThrough(scene.volume->geometry()).empty() || !scene.clip.freehand.empty();
+    return effect("clipping", cuts, "a box, a plane or a drawn line cuts into the volume",
                   scene.clip.empty() ? "nothing is cut away" : "what is cut away lies outside the volume", 0,
                   [](Scene& s) { s.clip = {}; });
+}
+
+Effect hiding(const Scene& scene) {
+    return effect("hidden parts", scene.mask != nullptr, "a part of the body is not shown", "everything is shown", 0,
+                  [](Scene& s) {
+                      s.mask = nullptr;
+                      s.visible = {};
+                  });
 }
 
 Effect bounces(const Subject& subject) {
@@ -284,7 +292,7 @@ std::vector<Effect> needs(const Scene& scene) {
         shadows(subject),      surfaces(subject),   highlights(subject),   directedScattering(subject),
         placedLights(subject), lightsInView(scene), surroundings(subject), alongScatter(subject),
         background(scene),     emission(subject),   depthOfField(scene),   clipping(scene),
-        bounces(subject),
+        hiding(scene),         bounces(subject),
     };
 }
 

@@ -6,9 +6,11 @@
 
 #include "render/kernel/flat_scene.h"
 #include "render/prepare/environment_tables.h"
+#include "render/prepare/freehand_mask.h"
 #include "render/prepare/light_tables.h"
 #include "render/prepare/majorants.h"
 #include "render/prepare/transfer_tables.h"
+#include "render/volume/mask.h"
 #include "render/volume/ranges.h"
 
 namespace pdr {
@@ -24,6 +26,8 @@ struct PreparedScene {
     std::uint64_t revision = 0;
 
     std::shared_ptr<const Volume> volume;
+    SeenParts seen;
+    std::shared_ptr<const Mask> mask;            ///< of all that is seen; null: everything
     std::shared_ptr<const CellRanges> ranges;    ///< null where it was flattened only
     std::shared_ptr<const Majorants> majorants;  ///< likewise
     TransferTables tables;
@@ -35,7 +39,8 @@ struct PreparedScene {
     std::vector<vec2> viewDepths;  ///< likewise empty
 };
 
-/// Whether both scenes have the same majorants, wherever these are made: of the same voxels under the same opacity.
+/// Whether both scenes have the same majorants, wherever these are made: of the same voxels under the same
+/// opacity, of which the same is seen.
 bool sameMajorants(const PreparedScene& a, const PreparedScene& b);
 
 }  // namespace pdr

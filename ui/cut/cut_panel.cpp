@@ -24,6 +24,7 @@ CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLay
     column->addWidget(new QLabel(tr("Planes")));
     column->addLayout(planeButtons());
     column->addLayout(planeColumn_);
+    column->addWidget(&freehand_);
     column->addWidget(&freehandCount_);
     column->addWidget(&shadows_);
     column->addStretch(1);

@@ -30,7 +30,7 @@ CutTools::CutTools(QWidget* picture)
 }
 
 void CutTools::fillMenu(QMenu& menu) {
-    menu.addActions({handles_, plane_});
+    menu.addActions({handles_, plane_, freehand_});
     menu.addSeparator();
     menu.addAction(uncut_);
 }
