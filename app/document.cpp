@@ -33,6 +33,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     volume_ = std::move(volume);
     table_ = table;
     setup_.table = Table::hidden;
+    setup_.clip = {};  // places in another patient
     setup_.camera = cameraOf(firstView(framed().box));
     show(false);
     emit displayChanged(display());

@@ -40,8 +40,8 @@ class Document : public QObject {
     bool canRedo() const { return !future_.empty(); }
 
   public slots:
-    /// Shows `volume` without what is known to be its table, from the side that a scan is seen from first, with the
-    /// preset as it is. There is no way back to the volume before.
+    /// Shows `volume` without what is known to be its table, from the side that a scan is seen from first, uncut,
+    /// with the preset as it is. There is no way back to the volume before.
     void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table);
     /// The same of one that nothing is hidden of.
     void open(std::shared_ptr<const pdr::Volume> volume);

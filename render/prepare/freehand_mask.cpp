@@ -28,6 +28,10 @@ class Cut {
     bool keepInside_;
 };
 
+bool isSame(const VolumeGeometry& a, const VolumeGeometry& b) {
+    return a.size == b.size && a.patientFromIndex == b.patientFromIndex;
+}
+
 }  // namespace
 
 std::shared_ptr<const Mask> freehandMask(const std::vector<FreehandCut>& cuts, const VolumeGeometry& geometry) {
@@ -46,7 +50,7 @@ std::shared_ptr<const Mask> freehandMask(const std::vector<FreehandCut>& cuts, c
 SeenParts::SeenParts(const std::vector<FreehandCut>& cuts, std::shared_ptr<const Mask> visible,
                      const VolumeGeometry& geometry, const SeenParts* last)
     : cuts_(cuts), geometry_(geometry), visible_(std::move(visible)) {
-    const bool sameLines = last && last->cuts_ == cuts_ && last->geometry_ == geometry_;
+    const bool sameLines = last && last->cuts_ == cuts_ && isSame(last->geometry_, geometry_);
     left_ = sameLines ? last->left_ : freehandMask(cuts_, geometry_);
     mask_ = sameLines && last->visible_ == visible_ ? last->mask_ : combined(visible_, left_);
 }

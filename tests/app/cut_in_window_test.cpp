@@ -102,6 +102,45 @@ class TestCutInWindow : public QObject {
         QCOMPARE(int(document.setup().clip.planes.size()), ui::CutPanel::kMostPlanes);
     }
 
+    /// Places in one patient mean nothing in another.
+    void anotherVolumeIsUncut() {
+        Document document(*bundledPresets());
+        QVERIFY(!document.uncut());
+        document.open(test::bumpyVolume({20, 20, 20}, dvec3(1), 1));
+        document.setClip(withCutOff({}, *document.uncut(), 0, 5));
+        QVERIFY(!document.setup().clip.empty());
+        document.open(test::bumpyVolume({20, 20, 30}, dvec3(1), 2));
+        QVERIFY(document.setup().clip.empty() && document.scene().clip.empty());
+    }
+
+    void aDrawnLineIsOneStepAndEscapeForgetsIt() {
+        Trial trial;
+        trial.openAndWait(series_);
+        Document& document = trial.desktop.parts().document;
+        ui::MainWindow& window = trial.desktop.window();
+        ui::FreehandPen& pen = window.cut().pen();
+        const Film before = rendered(document);
+        QTest::keyClick(&window, Qt::Key_X);
+        QVERIFY(pen.isDrawing());
+        drawAround(pen);
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QVERIFY(!pen.isDrawing() && !document.canUndo());
+        QTest::keyClick(&window, Qt::Key_X);
+        drawAround(pen);
+        for (auto* button : pen.findChildren<QPushButton*>())
+            if (button->text() == "Remove inside")
+                button->click();
+        QCOMPARE(document.setup().clip.freehand.size(), std::size_t(1));
+        QVERIFY(document.setup().clip.freehand[0].camera == document.setup().camera);
+        QVERIFY(!pen.isDrawing());
+        QVERIFY(!test::sameBits(rendered(document), before));
+        trial.waitForNewest();
+        QVERIFY(trial.frames.back()->error.empty());
+        document.undo();
+        QVERIFY(!document.canUndo());
+        QVERIFY(test::sameBits(rendered(document), before));
+    }
+
     /// Files say what is missing in them.
     void savedPicturesSayWhatIsCut() {
         Trial trial;
@@ -119,6 +158,14 @@ class TestCutInWindow : public QObject {
     }
 
   private:
+    /// A triangle in the middle of the picture.
+    static void drawAround(QWidget& pen) {
+        const QPoint middle = pen.rect().center(), corners[] = {{-40, -40}, {50, 0}, {-40, 40}};
+        QTest::mousePress(&pen, Qt::LeftButton, {}, middle + corners[0]);
+        for (const QPoint corner : corners)
+            move(pen, middle + corner);
+        QTest::mouseRelease(&pen, Qt::LeftButton, {}, middle + corners[2]);
+    }
     static QPoint handle(ui::MainWindow& window, CutHandle handle) {
         return window.cut().layer().marks().placeOf(handle).value_or(QPointF(-99, -99)).toPoint();
     }

@@ -1,6 +1,7 @@
 #include "ui/cut/cut_panel.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QSignalBlocker>
 
 #include "ui/cut/cut_text.h"
@@ -10,6 +11,10 @@ namespace pdr::ui {
 CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLayout) {
     freehand_.setText(tr("&Draw a line"));
     freehand_.setToolTip(tr("Draw a closed line on the picture, then cut away what lies behind it, or all else (X)"));
+    removeLine_.setText(QChar(0x2212));
+    removeLine_.setAccessibleName(tr("Remove the last line"));
+    removeLine_.setToolTip(tr("Remove the line that was drawn last"));
+    removeLine_.setFocusPolicy(Qt::TabFocus);
     shadows_.setText(tr("&Shadows of what was cut"));
     shadows_.setToolTip(tr("Whether what box and planes cut away still throws its shadow"));
     undoAll_.setText(tr("&Undo all cuts"));
@@ -25,7 +30,10 @@ CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLay
     column->addLayout(planeButtons());
     column->addLayout(planeColumn_);
     column->addWidget(&freehand_);
-    column->addWidget(&freehandCount_);
+    auto* lines = new QHBoxLayout;
+    lines->addWidget(&lines_, 1);
+    lines->addWidget(&removeLine_);
+    column->addLayout(lines);
     column->addWidget(&shadows_);
     column->addStretch(1);
     column->addWidget(&undoAll_);
@@ -36,6 +44,7 @@ CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLay
         clip.shadows = on;
         choose(clip);
     });
+    connect(&removeLine_, &QToolButton::clicked, this, &CutPanel::removeLine);
     connect(&undoAll_, &QPushButton::clicked, this, [this] { choose({}); });
     setCuts({}, std::nullopt);
 }
@@ -92,8 +101,9 @@ void CutPanel::setCuts(const Clip& clip, const std::optional<Uncut>& uncut) {
     showPlanes();
     for (QPushButton* button : addPlane_)
         button->setEnabled(int(clip.planes.size()) < kMostPlanes);
-    freehandCount_.setText(tr("%n line(s) drawn", "", int(clip.freehand.size())));
-    freehandCount_.setVisible(!clip.freehand.empty());
+    lines_.setText(tr("Lines drawn: %1").arg(clip.freehand.size()));
+    for (QWidget* part : std::initializer_list<QWidget*>{&lines_, &removeLine_})
+        part->setVisible(!clip.freehand.empty());
     shadows_.setChecked(clip.shadows);
     undoAll_.setEnabled(!clip.empty());
 }
@@ -134,6 +144,12 @@ void CutPanel::changePlane(std::size_t number, const ClipPlane& plane) {
 
 void CutPanel::removePlane(std::size_t number) {
     choose(withoutCut(clip_, uncut_, {CutHandle::Kind::offset, int(number)}));
+}
+
+void CutPanel::removeLine() {
+    Clip clip = clip_;
+    clip.freehand.pop_back();
+    choose(clip);
 }
 
 /// What comes of it is shown even where it is what was there: 500 mm typed where 300 are left.

@@ -40,6 +40,7 @@ class CutPanel : public QWidget {
     void typeSide(int face, double mm);
     void changePlane(std::size_t number, const ClipPlane& plane);
     void removePlane(std::size_t number);
+    void removeLine();
     void choose(const Clip& clip);
 
     Clip clip_;
@@ -49,7 +50,8 @@ class CutPanel : public QWidget {
     std::vector<PlaneRow*> planes_;
     std::vector<QPushButton*> addPlane_;
     QPushButton freehand_;
-    QLabel freehandCount_;
+    QLabel lines_;
+    QToolButton removeLine_;
     QCheckBox shadows_;
     QPushButton undoAll_;
 };

@@ -87,6 +87,21 @@ class TestCutPanel : public QObject {
         QVERIFY(!live.button("Coronal")->isEnabled() && !live.button("Facing")->isEnabled());
     }
 
+    void theLastLineIsRemoved() {
+        LivePanel live;
+        QToolButton* remove = nullptr;
+        for (auto* button : live.panel.findChildren<QToolButton*>())
+            if (button->accessibleName() == "Remove the last line")
+                remove = button;
+        QVERIFY(remove->isHidden());
+        live.clip.freehand = {{{}, {{0, 0}, {1, 0}, {0, 1}}, true}, {{}, {{0, 0}, {1, 0}, {0, 1}}, false}};
+        live.panel.setCuts(live.clip, kBody);
+        QVERIFY(!remove->isHidden());
+        remove->click();
+        QCOMPARE(live.clip.freehand.size(), std::size_t(1));
+        QVERIFY(live.clip.freehand[0].keepInside);
+    }
+
     void shadowsAreChosen() {
         LivePanel live;
         live.panel.findChild<QCheckBox*>()->click();
