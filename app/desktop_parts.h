@@ -4,6 +4,7 @@
 #include "app/cut_edits.h"
 #include "app/document.h"
 #include "app/import_job.h"
+#include "app/light_edits.h"
 #include "app/mask_job.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
@@ -24,6 +25,7 @@ struct DesktopParts {
     TissueStudy& study;
     TissueEdits& tissue;
     CutEdits& cut;
+    LightEdits& light;
     PictureJob& picture;
     MaskJob& masks;
 };

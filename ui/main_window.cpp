@@ -38,6 +38,7 @@ MainWindow::MainWindow()
       look_(new LookPanel),
       visible_(new VisibleRow),
       tissue_(new TissuePanel),
+      light_(new LightPanel),
       rendering_(new RenderPanel),
       effects_(new EffectLedger),
       foot_(new Foot),
@@ -46,7 +47,7 @@ MainWindow::MainWindow()
       keys_(new KeysOverlay(this)),
       docks_(new WindowDocks(
           *this, *viewport_,
-          {series_, stacked(look_, visible_), tissue_, rendering_, accuracy_, effects_, &cut_->panel()})),
+          {series_, stacked(look_, visible_), tissue_, light_, rendering_, accuracy_, effects_, &cut_->panel()})),
       actions_(fillMenus(*menuBar(), docks_->toggles(), *cut_)) {
     auto* middle = new QWidget;
     auto* column = new QVBoxLayout(middle);
@@ -76,6 +77,7 @@ MainWindow::MainWindow()
     connect(region_, &RegionBox::notDrawn, actions_.boxFirst, [this] { actions_.boxFirst->setChecked(false); });
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
     connect(look_, &LookPanel::tissueWanted, docks_->toggleTissue(), &QAction::trigger);
+    connect(look_, &LookPanel::lightWanted, docks_->toggleLight(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::textClicked, docks_->toggleAccuracy(), &QAction::trigger);
 
     setAcceptDrops(true);

@@ -14,16 +14,17 @@ class WindowDocks : public QObject {
   public:
     /// What stands in the docks.
     struct Panels {
-        QWidget *series, *look, *tissue, *rendering, *accuracy, *effects, *cut;
+        QWidget *series, *look, *tissue, *light, *rendering, *accuracy, *effects, *cut;
     };
 
-    /// Adds all docks to `window`; tissue, accuracy, effects and cut are folded away. `picture`: what is to keep most
-    /// of it.
+    /// Adds all docks to `window`; tissue, light, cut, accuracy and effects are folded away. `picture`: what is to keep
+    /// most of it.
     WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
 
     /// That show each and fold it away, in the menu's order.
     QList<QAction*> toggles() const;
     QAction* toggleTissue() const { return tissue_->toggleViewAction(); }
+    QAction* toggleLight() const { return light_->toggleViewAction(); }
     QAction* toggleAccuracy() const { return accuracy_->toggleViewAction(); }
     /// Folds all away, or brings back what was there before.
     void setAway(bool away);
@@ -35,9 +36,14 @@ class WindowDocks : public QObject {
     void cutShown();
 
   private:
+    struct Editor {
+        QDockWidget* dock;
+        QWidget* panel;
+    };
+
     QDockWidget* add(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key);
     void makeRoomBeside(QDockWidget* opened, QDockWidget* other);
-    void giveColumnTo(QDockWidget* opened, const QWidget* panel, bool shown);
+    void giveItsPart(const Editor& editor, bool shown);
     void giveAccuracyItsPart(bool shown);
 
     QMainWindow& window_;
@@ -46,11 +52,13 @@ class WindowDocks : public QObject {
     QDockWidget* series_;
     QDockWidget* look_;
     QDockWidget* tissue_;
+    QDockWidget* light_;
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;
     QDockWidget* cut_;
-    QList<QDockWidget*> gaveWay_;  ///< that come back when tissue or cut goes
+    QList<Editor> editors_;        ///< that take the right-hand column, one at a time
+    QList<QDockWidget*> gaveWay_;  ///< that come back when the editor goes
     QByteArray stateBefore_;       ///< of the window, as long as all are away
 };
 
