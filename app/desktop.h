@@ -19,7 +19,7 @@ class Desktop {
     ~Desktop();
 
     DesktopParts parts() {
-        return {import_, document_, bridge_, window_, settings_, study_, tissue_, light_, picture_, masks_};
+        return {import_, document_, bridge_, window_, settings_, study_, tissue_, cut_, light_, picture_, masks_};
     }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
@@ -30,6 +30,7 @@ class Desktop {
     ui::MainWindow window_;
     Document document_;
     TissueEdits tissue_{document_};
+    CutEdits cut_{document_};
     LightEdits light_{document_};
     TissueStudy study_;
     RenderBridge bridge_;

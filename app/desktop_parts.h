@@ -1,6 +1,7 @@
 #pragma once
 /// The desktop's parts, for what brings them together.
 
+#include "app/cut_edits.h"
 #include "app/document.h"
 #include "app/import_job.h"
 #include "app/light_edits.h"
@@ -23,6 +24,7 @@ struct DesktopParts {
     Settings& settings;
     TissueStudy& study;
     TissueEdits& tissue;
+    CutEdits& cut;
     LightEdits& light;
     PictureJob& picture;
     MaskJob& masks;

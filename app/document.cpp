@@ -33,6 +33,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     volume_ = std::move(volume);
     table_ = table;
     setup_.table = Table::hidden;
+    setup_.clip = {};  // places in another patient
     setup_.camera = cameraOf(firstView(framed().box));
     show(false);
     emit displayChanged(display());
@@ -106,6 +107,24 @@ void Document::setLook(const Look& look, bool moving) {
     setup.lookName = nameOf(look);
     edit(std::move(setup), Gesture::look, moving);
     emit displayChanged(display());
+}
+
+void Document::setClip(const Clip& clip, bool moving) {
+    if (!hasVolume())
+        return;
+    if (clip == setup_.clip && !moving)
+        return rest(Gesture::clip);
+    PictureSetup setup = setup_;
+    setup.clip = clip;
+    edit(std::move(setup), Gesture::clip, moving);
+}
+
+void Document::giveUpGesture() {
+    if (std::exchange(gesture_, Gesture::none) == Gesture::none || past_.empty())
+        return;
+    PictureSetup setup = std::move(past_.back());
+    past_.pop_back();
+    comeBackTo(std::move(setup));
 }
 
 void Document::setVisible(const Visible& visible, bool moving) {
@@ -284,6 +303,10 @@ Framed Document::framed() const {
     if (setup_.table == Table::hidden)
         return {table_.bodyBox, table_.outlineMm};
     return {volume_->geometry(), nullptr};
+}
+
+std::optional<ClipBox> Document::uncut() const {
+    return hasVolume() ? std::optional(boxAround(framed().box)) : std::nullopt;
 }
 
 Camera Document::cameraOf(StandardView view) const {

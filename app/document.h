@@ -5,6 +5,7 @@
 #include <QObject>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/scene/fit_view.h"
@@ -33,12 +34,14 @@ class Document : public QObject {
     Display display() const;
     /// Whether the picture is shown without its noise.
     bool smoothed() const { return smoothed_; }
+    /// What there is to cut: the smallest box along the patient's axes around what is framed; nothing without a volume.
+    std::optional<ClipBox> uncut() const;
     bool canUndo() const { return !past_.empty(); }
     bool canRedo() const { return !future_.empty(); }
 
   public slots:
-    /// Shows `volume` without what is known to be its table, from the side that a scan is seen from first, with the
-    /// preset as it is. There is no way back to the volume before.
+    /// Shows `volume` without what is known to be its table, from the side that a scan is seen from first, uncut,
+    /// with the preset as it is. There is no way back to the volume before.
     void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table);
     /// The same of one that nothing is hidden of.
     void open(std::shared_ptr<const pdr::Volume> volume);
@@ -54,6 +57,10 @@ class Document : public QObject {
     void setPreset(int index);
     /// The user's own; one gesture is one step to undo, as well.
     void setLook(const pdr::Look& look, bool moving = false);
+    /// One gesture is one step to undo, as well.
+    void setClip(const pdr::Clip& clip, bool moving = false);
+    /// As if the gesture in progress had not been.
+    void giveUpGesture();
     /// Which part of the patient is seen: a part of the look.
     void setVisible(const pdr::Visible& visible, bool moving = false);
     /// The mask that was wanted of it; null: the scan does not have that part, and all of it is shown.
@@ -91,7 +98,7 @@ class Document : public QObject {
     static constexpr std::size_t kMasks = 4;
 
     /// The gesture in progress.
-    enum class Gesture { none, camera, look, brightness };
+    enum class Gesture { none, camera, look, brightness, clip };
     /// Steps that can be undone: more than anyone goes back, and little memory.
     static constexpr std::size_t kSteps = 300;
 

@@ -125,6 +125,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
     parts.window.viewport().setPicture(
         {pictureOf(frame), frame->camera, QString::fromStdString(frame->lookName), smoothedTexts(*frame).join('\n'),
          lostLinesOf(*frame), captionOn(*frame, parts.bridge.captioned()), errorMapOf(frame), frame->smoothed});
+    parts.window.cut().setPicture(frame->camera, {frame->size.x, frame->size.y});
     parts.window.setPictureAvailable(true);
     keepWhatItTook(parts.settings, *frame);
     showStatus(parts);

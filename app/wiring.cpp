@@ -70,6 +70,19 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }
 
+/// The hand cuts.
+void wireCuts(const DesktopParts& parts) {
+    Document& document = parts.document;
+    ui::CutTools& cut = parts.window.cut();
+    QObject::connect(&cut.layer(), &ui::CutLayer::clipEdited, &document, &Document::setClip);
+    QObject::connect(&cut.layer(), &ui::CutLayer::gestureGivenUp, &document, &Document::giveUpGesture);
+    QObject::connect(&cut.panel(), &ui::CutPanel::clipChosen, &document,
+                     [&document](const Clip& clip) { document.setClip(clip); });
+    QObject::connect(&cut, &ui::CutTools::planeWanted, &parts.cut, &CutEdits::addPlane);
+    QObject::connect(&cut.pen(), &ui::FreehandPen::drawn, &parts.cut, &CutEdits::addFreehand);
+    QObject::connect(&cut, &ui::CutTools::uncutWanted, &parts.cut, &CutEdits::undoAll);
+}
+
 /// What the document wants to show is told from the rest of the body beside the window.
 void wireMasks(const DesktopParts& parts) {
     MaskJob& masks = parts.masks;
@@ -179,6 +192,7 @@ void wireSettings(const DesktopParts& parts) {
 void wire(const DesktopParts& parts) {
     wireImport(parts);
     wireEdits(parts);
+    wireCuts(parts);
     wireMasks(parts);
     wireRendering(parts);
     wireScreen(parts);

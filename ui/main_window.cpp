@@ -33,6 +33,7 @@ QWidget* stacked(QWidget* above, QWidget* below) {
 MainWindow::MainWindow()
     : viewport_(new Viewport),
       region_(new RegionBox(viewport_)),
+      cut_(new CutTools(viewport_)),
       series_(new SeriesPanel),
       look_(new LookPanel),
       visible_(new VisibleRow),
@@ -44,9 +45,10 @@ MainWindow::MainWindow()
       accuracy_(new AccuracyPanel),
       message_(new MessageBar),
       keys_(new KeysOverlay(this)),
-      docks_(new WindowDocks(*this, *viewport_,
-                             {series_, stacked(look_, visible_), tissue_, light_, rendering_, accuracy_, effects_})),
-      actions_(fillMenus(*menuBar(), docks_->toggles())) {
+      docks_(new WindowDocks(
+          *this, *viewport_,
+          {series_, stacked(look_, visible_), tissue_, light_, rendering_, accuracy_, effects_, &cut_->panel()})),
+      actions_(fillMenus(*menuBar(), docks_->toggles(), *cut_)) {
     auto* middle = new QWidget;
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
@@ -66,6 +68,7 @@ MainWindow::MainWindow()
     connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
 
+    connect(docks_, &WindowDocks::cutShown, cut_, &CutTools::showHandles);
     connect(docks_, &WindowDocks::effectsShown, this, &MainWindow::effectsShown);
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
     connect(viewport_, &Viewport::tissuePicked, this, [this] { setPicking(false); });
@@ -204,11 +207,14 @@ void MainWindow::drawOrForgetRegion(bool draw) {
 }
 
 void MainWindow::escape() {
+    if (cut_->giveUp())
+        return;
     if (region_->isDrawing()) {
         region_->stopDrawing();
         return actions_.boxFirst->setChecked(false);
     }
     setPicking(false);
+    cut_->hideHandles();
     actions_.alone->setChecked(false);
     message_->clear();
     emit cancelRequested();

@@ -7,6 +7,7 @@
 
 #include "render/scene/camera.h"
 #include "ui/accuracy_panel.h"
+#include "ui/cut/cut_tools.h"
 #include "ui/effect_ledger.h"
 #include "ui/foot.h"
 #include "ui/keys_overlay.h"
@@ -43,6 +44,7 @@ class MainWindow : public QMainWindow {
     AccuracyPanel& accuracy() { return *accuracy_; }
     StatusLine& status() { return foot_->status(); }
     MessageBar& message() { return *message_; }
+    CutTools& cut() { return *cut_; }
 
     /// What is shown, for the title bar; empty for nothing. Never the patient's name.
     void setSubject(const QString& subject);
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
 
     Viewport* viewport_;
     RegionBox* region_;
+    CutTools* cut_;
     SeriesPanel* series_;
     LookPanel* look_;
     VisibleRow* visible_;

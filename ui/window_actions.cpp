@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QMenu>
 
+#include "ui/cut/cut_tools.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -76,11 +78,12 @@ void fillHelpMenu(QMenuBar& bar, WindowActions& actions) {
 
 }  // namespace
 
-WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels) {
+WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels, CutTools& cut) {
     WindowActions actions{};
     fillFileMenu(bar, actions);
     fillEditMenu(bar, actions);
     fillViewMenu(bar, panels, actions);
+    cut.fillMenu(*bar.addMenu(Texts::tr("&Cut")));
     fillHelpMenu(bar, actions);
     return actions;
 }

@@ -7,6 +7,8 @@
 
 namespace pdr::ui {
 
+class CutTools;
+
 struct WindowActions {
     QAction *open, *save, *quit;
     QAction *undo, *redo, *copy;
@@ -17,6 +19,6 @@ struct WindowActions {
 };
 
 /// Fills the empty bar. `panels`: the actions that show panels and fold them away.
-WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels);
+WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels, CutTools& cut);
 
 }  // namespace pdr::ui

@@ -44,22 +44,27 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       light_(add(tr("Light"), scrolled(panels.light), Qt::RightDockWidgetArea, Qt::Key_F8)),
       rendering_(add(tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
       accuracy_(add(tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
-      effects_(add(tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)) {
-    for (QDockWidget* folded : {tissue_, light_, accuracy_, effects_})
+      effects_(add(tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
+      cut_(add(tr("Cut"), scrolled(panels.cut), Qt::RightDockWidgetArea, Qt::Key_F9)) {
+    for (QDockWidget* folded : {tissue_, light_, cut_, accuracy_, effects_})
         folded->hide();
     makeRoomBeside(accuracy_, effects_);
     makeRoomBeside(effects_, accuracy_);
-    editors_ = {{tissue_, panels.tissue}, {light_, panels.light}};
+    editors_ = {{tissue_, panels.tissue}, {light_, panels.light}, {cut_, panels.cut}};
     for (const Editor& editor : std::as_const(editors_))
         connect(editor.dock->toggleViewAction(), &QAction::triggered, this,
                 [this, editor](bool shown) { giveItsPart(editor, shown); });
+    connect(cut_->toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
+        if (shown)
+            emit cutShown();
+    });
     connect(toggleAccuracy(), &QAction::triggered, this, &WindowDocks::giveAccuracyItsPart);
     connect(effects_, &QDockWidget::visibilityChanged, this, &WindowDocks::effectsShown);
 }
 
 QList<QAction*> WindowDocks::toggles() const {
     QList<QAction*> actions;
-    for (const QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_})
+    for (const QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_, cut_})
         actions << dock->toggleViewAction();
     return actions;
 }
@@ -70,7 +75,7 @@ void WindowDocks::setAway(bool away) {
         return;
     }
     stateBefore_ = window_.saveState();
-    for (QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_})
+    for (QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_, cut_})
         dock->hide();
 }
 

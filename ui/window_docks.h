@@ -14,11 +14,11 @@ class WindowDocks : public QObject {
   public:
     /// What stands in the docks.
     struct Panels {
-        QWidget *series, *look, *tissue, *light, *rendering, *accuracy, *effects;
+        QWidget *series, *look, *tissue, *light, *rendering, *accuracy, *effects, *cut;
     };
 
-    /// Adds all docks to `window`; tissue, light, accuracy and effects are folded away. `picture`: what is to keep most
-    /// of it.
+    /// Adds all docks to `window`; tissue, light, cut, accuracy and effects are folded away. `picture`: what is to keep
+    /// most of it.
     WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
 
     /// That show each and fold it away, in the menu's order.
@@ -32,6 +32,8 @@ class WindowDocks : public QObject {
   signals:
     /// What the effects cost is looked at, or not any more.
     void effectsShown(bool shown);
+    /// The cuts are looked at.
+    void cutShown();
 
   private:
     struct Editor {
@@ -54,6 +56,7 @@ class WindowDocks : public QObject {
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;
+    QDockWidget* cut_;
     QList<Editor> editors_;        ///< that take the right-hand column, one at a time
     QList<QDockWidget*> gaveWay_;  ///< that come back when the editor goes
     QByteArray stateBefore_;       ///< of the window, as long as all are away

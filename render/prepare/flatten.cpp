@@ -117,9 +117,10 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     prepared->tables = TransferTables(scene.transferFunction);
     prepared->flat.transferFunction = prepared->tables.flat();
     flattenVolume(prepared->flat.volume, *scene.volume);
-    prepared->mask = scene.mask;
-    if (scene.mask)
-        flattenMask(prepared->flat.mask, *scene.mask);
+    prepared->seen = {scene.clip.freehand, scene.mask, scene.volume->geometry(), last_ ? &last_->seen : nullptr};
+    prepared->mask = prepared->seen.mask();
+    if (prepared->mask)
+        flattenMask(prepared->flat.mask, *prepared->mask);
     if (scene.environment.image)
         prepared->environment = last_ && last_->environment && last_->environment->image == scene.environment.image
                                     ? last_->environment

@@ -256,8 +256,8 @@ Effect depthOfField(const Scene& scene) {
 }
 
 Effect clipping(const Scene& scene) {
-    const bool cuts = !scene.clip.planesThrough(scene.volume->geometry()).empty();
-    return effect("clipping", cuts, "a box or a plane cuts into the volume",
+    const bool cuts = !scene.clip.planesThrough(scene.volume->geometry()).empty() || !scene.clip.freehand.empty();
+    return effect("clipping", cuts, "a box, a plane or a drawn line cuts into the volume",
                   scene.clip.empty() ? "nothing is cut away" : "what is cut away lies outside the volume", 0,
                   [](Scene& s) { s.clip = {}; });
 }

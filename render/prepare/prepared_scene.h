@@ -6,6 +6,7 @@
 
 #include "render/kernel/flat_scene.h"
 #include "render/prepare/environment_tables.h"
+#include "render/prepare/freehand_mask.h"
 #include "render/prepare/light_tables.h"
 #include "render/prepare/majorants.h"
 #include "render/prepare/transfer_tables.h"
@@ -25,7 +26,8 @@ struct PreparedScene {
     std::uint64_t revision = 0;
 
     std::shared_ptr<const Volume> volume;
-    std::shared_ptr<const Mask> mask;            ///< null: all of it is seen
+    SeenParts seen;
+    std::shared_ptr<const Mask> mask;            ///< of all that is seen; null: everything
     std::shared_ptr<const CellRanges> ranges;    ///< null where it was flattened only
     std::shared_ptr<const Majorants> majorants;  ///< likewise
     TransferTables tables;

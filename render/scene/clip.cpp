@@ -5,6 +5,16 @@
 
 namespace pdr {
 
+ClipBox boxAround(const VolumeGeometry& volume) {
+    ClipBox box{dvec3(1e300), dvec3(-1e300)};
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 end(i & 1, (i >> 1) & 1, i >> 2);
+        const dvec3 corner(volume.patientFromIndex * dvec4(end * dvec3(volume.size) - 0.5, 1.0));
+        box = {glm::min(box.lowMm, corner), glm::max(box.highMm, corner)};
+    }
+    return box;
+}
+
 std::vector<ClipPlane> Clip::allPlanes() const {
     std::vector<ClipPlane> all = planes;
     for (int axis = 0; box && axis < 3; ++axis) {
@@ -36,7 +46,25 @@ Result<void> Clip::check() const {
         return ok;
     if (box && !glm::all(glm::lessThan(box->lowMm, box->highMm)))
         return Error{"must lie above lowMm along every axis", "box.highMm", ""};
+    for (std::size_t i = 0; i < freehand.size(); ++i) {
+        const std::string where = "freehand[" + std::to_string(i) + "]";
+        if (auto ok = freehand[i].camera.check(); !ok)
+            return below(where, ok.error());
+        if (freehand[i].outline.size() < 3)
+            return Error{"must have three points at least", where + ".outline", ""};
+    }
     return {};
+}
+
+std::string cutText(const Clip& clip) {
+    std::string text = clip.box ? "box" : "";
+    const auto add = [&](std::size_t count, const char* one, const char* several) {
+        if (count > 0)
+            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + (count == 1 ? one : several);
+    };
+    add(clip.planes.size(), "plane", "planes");
+    add(clip.freehand.size(), "freehand", "freehand");
+    return text;
 }
 
 }  // namespace pdr

@@ -2,6 +2,7 @@
 /// What the fields of what is cut away are called, which range they have, and what they mean.
 
 #include "render/scene/clip.h"
+#include "render/scene/fields/camera_fields.h"
 #include "render/scene/fields/ranges.h"
 
 namespace pdr {
@@ -19,10 +20,27 @@ void describe(Visit& visit, ClipPlane& plane) {
 }
 
 template <class Visit>
+void describe(Visit& visit, PicturePoint& point) {
+    constexpr Range kHeights{-1000, 1000};
+    visit({"x", "to the right of the picture's middle [picture heights]", kHeights, kRequired}, point.x);
+    visit({"y", "below it [picture heights]", kHeights, kRequired}, point.y);
+}
+
+template <class Visit>
+void describe(Visit& visit, FreehandCut& cut) {
+    visit.object({"camera", "of the picture that it was drawn on; its lens does not count", {}, kRequired}, cut.camera);
+    visit.list({"outline", "the corners of a closed line, three at least", {}, kRequired}, cut.outline);
+    visit({"keepInside", "whether what lies behind the inside of the line stays, and all else is cut away"},
+          cut.keepInside);
+}
+
+template <class Visit>
 void describe(Visit& visit, Clip& clip) {
     visit.object({"box", "only what lies between these corners stays"}, clip.box);
     visit.list({"planes", "a list; all on the side of a plane's normal is cut away"}, clip.planes);
-    visit({"shadows", "whether what is cut away still throws its shadow"}, clip.shadows);
+    visit.list({"freehand", "a list of lines drawn on a picture; all that lies behind the inside of one is cut away"},
+               clip.freehand);
+    visit({"shadows", "whether what box and planes cut away still throws its shadow"}, clip.shadows);
 }
 
 }  // namespace pdr

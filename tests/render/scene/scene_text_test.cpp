@@ -87,6 +87,8 @@ std::string tableOf(const std::string& name) {
            : is("clip")        ? FieldTable::of<Clip>()
            : is("box")         ? FieldTable::of<ClipBox>()
            : is("plane")       ? FieldTable::of<ClipPlane>()
+           : is("freehand")    ? FieldTable::of<FreehandCut>()
+           : is("corner")      ? FieldTable::of<PicturePoint>()
            : is("camera")      ? FieldTable::of<Camera>()
            : is("schedule")    ? FieldTable::of<Schedule>()
            : is("film")        ? FieldTable::of(FilmField{scene.film})
@@ -116,17 +118,18 @@ class SceneTextTest : public QObject {
     }
 
     void anySceneComesBack() {
-        int images = 0, boxes = 0, orthographic = 0, raw = 0;
+        int images = 0, boxes = 0, lines = 0, orthographic = 0, raw = 0;
         for (unsigned seed = 1; seed <= 1000; ++seed) {
             const SceneFile file = anySceneFile(seed);
             std::string why;
             QVERIFY2(comesBack(file, why), (std::to_string(seed) + ": " + why).c_str());
             images += !file.environmentImage.empty();
             boxes += file.scene.clip.box.has_value();
+            lines += !file.scene.clip.freehand.empty();
             orthographic += file.scene.camera.type == Camera::Type::orthographic;
             raw += !file.source.raw.path.empty();
         }
-        QVERIFY(images > 20 && boxes > 100 && orthographic > 300 && raw == 500);
+        QVERIFY(images > 20 && boxes > 100 && lines > 50 && orthographic > 300 && raw == 500);
     }
 
     void numbersOfSinglePrecisionAreWrittenShort() {
@@ -150,7 +153,7 @@ class SceneTextTest : public QObject {
     }
 
     void anySessionComesBack() {
-        int patients = 0, boxes = 0, kroes = 0;
+        int patients = 0, boxes = 0, lines = 0, kroes = 0;
         test::RandomFields random(1);
         for (int i = 0; i < 1000;) {
             PictureSetup setup;
@@ -167,9 +170,10 @@ class SceneTextTest : public QObject {
             QVERIFY2(*read == setup, text.c_str());
             patients += setup.look.rig.follows == LightRig::Follows::patient;
             boxes += setup.clip.box.has_value();
+            lines += !setup.clip.freehand.empty();
             kroes += setup.schedule.kind == Schedule::Kind::kroes;
         }
-        QVERIFY(patients > 300 && boxes > 100 && kroes > 300);
+        QVERIFY(patients > 300 && boxes > 100 && lines > 50 && kroes > 300);
     }
 
     void aWrongSessionNamesItsField() {
@@ -203,7 +207,7 @@ class SceneTextTest : public QObject {
             at = end + closing.size();
         }
         wanted += text.substr(at);
-        QCOMPARE(tables, 21);
+        QCOMPARE(tables, 22);
         if (qEnvironmentVariableIsSet("PDR_WRITE_MANUAL")) {
             QVERIFY(manual.open(QIODevice::WriteOnly));
             manual.write(QByteArray::fromStdString(wanted));

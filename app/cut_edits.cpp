@@ -1,0 +1,27 @@
+#include "app/cut_edits.h"
+
+#include "ui/cut/cut_panel.h"
+
+namespace pdr::app {
+
+void CutEdits::addPlane(int axis) {
+    Clip clip = document_.setup().clip;
+    const std::optional<ClipBox> uncut = document_.uncut();
+    if (!uncut || int(clip.planes.size()) >= ui::CutPanel::kMostPlanes)
+        return;
+    const Camera& camera = document_.setup().camera;
+    clip.planes.push_back(axis < 0 ? facingPlane(camera, *uncut) : planeAcross(axis, camera, *uncut));
+    document_.setClip(clip);
+}
+
+void CutEdits::addFreehand(const FreehandCut& cut) {
+    Clip clip = document_.setup().clip;
+    clip.freehand.push_back(cut);
+    document_.setClip(clip);
+}
+
+void CutEdits::undoAll() {
+    document_.setClip({});
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,180 @@
+/// Cuts in the whole window: handles appear with a key, a drag is one step to undo, Esc gives up, and undo brings back
+/// the same bits.
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/support/desktop_trial.h"
+#include "tests/support/phantom_series.h"
+#include "tests/support/pictures.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+using Kind = CutHandle::Kind;
+
+static void move(QWidget& widget, QPoint to) {
+    QMouseEvent event(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+/// What the renderer makes of the document's scene, small.
+static Film rendered(const Document& document) {
+    Scene scene = document.scene();
+    scene.film = {48, 40};
+    return test::sampled(Flattener().prepare(scene), 4);
+}
+
+class TestCutInWindow : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() {
+        series_ = folder_.filePath("series");
+        QVERIFY(writePhantomSeries(ui::fromQt(series_)));
+    }
+
+    void aDraggedHandleIsOneStep() {
+        Trial trial;
+        trial.openAndWait(series_);
+        Document& document = trial.desktop.parts().document;
+        ui::MainWindow& window = trial.desktop.window();
+        const Film before = rendered(document);
+        QVERIFY(!window.cut().layer().handlesShown());
+        QTest::keyClick(&window, Qt::Key_C);
+        QVERIFY(window.cut().layer().handlesShown());
+        QVERIFY(!document.canUndo());  // to look is no step
+        const QPoint head = handle(window, {Kind::face, 5});
+        QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, head);
+        move(window.viewport(), head + QPoint(0, 20));
+        move(window.viewport(), head + QPoint(0, 60));
+        QVERIFY(document.setup().clip.box);
+        QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, head + QPoint(0, 60));
+        const ClipBox uncut = *document.uncut(), box = *document.setup().clip.box;
+        QVERIFY(box.highMm.z < uncut.highMm.z - 1);
+        QCOMPARE(box.lowMm, uncut.lowMm);
+        QVERIFY(!test::sameBits(rendered(document), before));
+        trial.waitForNewest();
+        QVERIFY(trial.frames.back()->error.empty());
+        document.undo();
+        QVERIFY(!document.canUndo() && document.setup().clip.empty());
+        QVERIFY(test::sameBits(rendered(document), before));
+        QCOMPARE(handle(window, {Kind::face, 5}), head);
+    }
+
+    void escapeGivesAGestureUp() {
+        Trial trial;
+        trial.openAndWait(series_);
+        Document& document = trial.desktop.parts().document;
+        ui::MainWindow& window = trial.desktop.window();
+        const PictureSetup before = document.setup();
+        QTest::keyClick(&window, Qt::Key_C);
+        const QPoint head = handle(window, {Kind::face, 5});
+        QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, head);
+        move(window.viewport(), head + QPoint(0, 40));
+        QVERIFY(document.setup().clip.box);
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QVERIFY(document.setup() == before);
+        QVERIFY(!document.canUndo());
+        QVERIFY(window.cut().layer().handlesShown());
+        QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, head);
+        QVERIFY(document.setup() == before);
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QVERIFY(!window.cut().layer().handlesShown());
+    }
+
+    void planesComeFromTheViewAndGoWithUndoAll() {
+        Trial trial;
+        trial.openAndWait(series_);
+        Document& document = trial.desktop.parts().document;
+        ui::MainWindow& window = trial.desktop.window();
+        QTest::keyClick(&window, Qt::Key_P);
+        QCOMPARE(document.setup().clip.planes.size(), std::size_t(1));
+        QVERIFY(window.cut().layer().handlesShown());
+        QVERIFY(glm::dot(document.setup().clip.planes[0].normal, document.setup().camera.forward()) < -0.999);
+        for (int i = 0; i < 12; ++i)
+            emit window.cut().panel().planeWanted(i % 3);
+        QCOMPARE(int(document.setup().clip.planes.size()), ui::CutPanel::kMostPlanes);
+        QVERIFY(document.setup().clip.check());
+        emit window.cut().uncutWanted();
+        QVERIFY(document.setup().clip.empty());
+        document.undo();
+        QCOMPARE(int(document.setup().clip.planes.size()), ui::CutPanel::kMostPlanes);
+    }
+
+    /// Places in one patient mean nothing in another.
+    void anotherVolumeIsUncut() {
+        Document document(*bundledPresets());
+        QVERIFY(!document.uncut());
+        document.open(test::bumpyVolume({20, 20, 20}, dvec3(1), 1));
+        document.setClip(withCutOff({}, *document.uncut(), 0, 5));
+        QVERIFY(!document.setup().clip.empty());
+        document.open(test::bumpyVolume({20, 20, 30}, dvec3(1), 2));
+        QVERIFY(document.setup().clip.empty() && document.scene().clip.empty());
+    }
+
+    void aDrawnLineIsOneStepAndEscapeForgetsIt() {
+        Trial trial;
+        trial.openAndWait(series_);
+        Document& document = trial.desktop.parts().document;
+        ui::MainWindow& window = trial.desktop.window();
+        ui::FreehandPen& pen = window.cut().pen();
+        const Film before = rendered(document);
+        QTest::keyClick(&window, Qt::Key_X);
+        QVERIFY(pen.isDrawing());
+        drawAround(pen);
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QVERIFY(!pen.isDrawing() && !document.canUndo());
+        QTest::keyClick(&window, Qt::Key_X);
+        drawAround(pen);
+        for (auto* button : pen.findChildren<QPushButton*>())
+            if (button->text() == "Remove inside")
+                button->click();
+        QCOMPARE(document.setup().clip.freehand.size(), std::size_t(1));
+        QVERIFY(document.setup().clip.freehand[0].camera == document.setup().camera);
+        QVERIFY(!pen.isDrawing());
+        QVERIFY(!test::sameBits(rendered(document), before));
+        trial.waitForNewest();
+        QVERIFY(trial.frames.back()->error.empty());
+        document.undo();
+        QVERIFY(!document.canUndo());
+        QVERIFY(test::sameBits(rendered(document), before));
+    }
+
+    /// Files say what is missing in them.
+    void savedPicturesSayWhatIsCut() {
+        Trial trial;
+        trial.openAndWait(series_);
+        Document& document = trial.desktop.parts().document;
+        Clip clip = withCutOff({}, *document.uncut(), 2, 5);
+        clip.planes = {facingPlane(document.setup().camera, *document.uncut())};
+        document.setClip(clip);
+        trial.waitForNewest();
+        const QString file = trial.folder.filePath("cut.png");
+        QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+        trial.desktop.parts().bridge.save(file);
+        QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, test::kPatience);
+        QCOMPARE(QImage(file).text("pdrender/cut"), QString("box, 1 plane"));
+    }
+
+  private:
+    /// A triangle in the middle of the picture.
+    static void drawAround(QWidget& pen) {
+        const QPoint middle = pen.rect().center(), corners[] = {{-40, -40}, {50, 0}, {-40, 40}};
+        QTest::mousePress(&pen, Qt::LeftButton, {}, middle + corners[0]);
+        for (const QPoint corner : corners)
+            move(pen, middle + corner);
+        QTest::mouseRelease(&pen, Qt::LeftButton, {}, middle + corners[2]);
+    }
+    static QPoint handle(ui::MainWindow& window, CutHandle handle) {
+        return window.cut().layer().marks().placeOf(handle).value_or(QPointF(-99, -99)).toPoint();
+    }
+
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestCutInWindow)
+#include "cut_in_window_test.moc"

@@ -1,0 +1,50 @@
+#pragma once
+/// What of a cut is drawn over the picture, and what of that lies under the mouse.
+
+#include <QPainter>
+#include <QPolygonF>
+#include <optional>
+#include <vector>
+
+#include "render/scene/cut_handles.h"
+
+namespace pdr::ui {
+
+class CutMarks {
+  public:
+    CutMarks() = default;
+    /// `area`: the part of the widget that the picture takes [px].
+    CutMarks(const Clip& clip, const Uncut& uncut, const ViewGeometry& view, const QRectF& area);
+
+    /// What the mouse takes hold of there: the nearest handle, and rather one in front; else a ring, else an edge of a
+    /// box that cuts.
+    std::optional<CutHandle> at(QPointF place) const;
+    /// Where it is held [px]; nothing where it is not seen.
+    std::optional<QPointF> placeOf(CutHandle handle) const;
+    void paint(QPainter& painter, const std::optional<CutHandle>& lit) const;
+
+  private:
+    struct Dot {
+        CutHandle handle;
+        QPointF place;
+        bool behind;  ///< on a face that is turned away from the viewer
+    };
+    struct Line {
+        CutHandle handle;
+        QPolygonF points;
+        bool holds;  ///< it can be taken hold of
+    };
+
+    void addBox(const Clip& clip, const Uncut& uncut);
+    void addPlane(const ClipPlane& plane, int number, const Uncut& uncut);
+    void addDot(CutHandle handle, dvec3 placeMm, dvec3 outwards = dvec3(0));
+    void addLine(CutHandle handle, const std::vector<dvec3>& placesMm, bool holds);
+    QPointF inPixels(dvec2 point) const;
+
+    std::optional<ViewGeometry> view_;
+    QRectF area_;
+    std::vector<Dot> dots_;
+    std::vector<Line> lines_;
+};
+
+}  // namespace pdr::ui

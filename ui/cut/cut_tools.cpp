@@ -1,0 +1,80 @@
+#include "ui/cut/cut_tools.h"
+
+namespace pdr::ui {
+
+CutTools::CutTools(QWidget* picture)
+    : QObject(picture),
+      layer_(new CutLayer(picture)),
+      pen_(new FreehandPen(picture)),
+      panel_(new CutPanel),
+      handles_(new QAction(tr("&Handles of box and planes"), this)),
+      plane_(new QAction(tr("Add a &plane that faces you"), this)),
+      freehand_(new QAction(tr("&Draw a line"), this)),
+      uncut_(new QAction(tr("&Undo all cuts"), this)) {
+    handles_->setShortcut(Qt::Key_C);
+    handles_->setToolTip(tr("Drag a side of the box to cut off what lies outside"));
+    plane_->setShortcut(Qt::Key_P);
+    freehand_->setShortcut(Qt::Key_X);
+    freehand_->setToolTip(tr("Draw a closed line on the picture, then cut away what lies behind it, or all else"));
+    for (QAction* action : {handles_, freehand_})
+        action->setCheckable(true);
+
+    connect(handles_, &QAction::toggled, layer_, &CutLayer::setHandlesShown);
+    connect(plane_, &QAction::triggered, this, [this] { addPlane(-1); });
+    connect(panel_, &CutPanel::planeWanted, this, &CutTools::addPlane);
+    connect(freehand_, &QAction::toggled, this, &CutTools::draw);
+    connect(panel_, &CutPanel::freehandWanted, freehand_, &QAction::toggle);
+    connect(pen_, &FreehandPen::ended, freehand_, [this] { freehand_->setChecked(false); });
+    connect(uncut_, &QAction::triggered, this, &CutTools::uncutWanted);
+    setCuts({}, std::nullopt);
+}
+
+void CutTools::fillMenu(QMenu& menu) {
+    menu.addActions({handles_, plane_, freehand_});
+    menu.addSeparator();
+    menu.addAction(uncut_);
+}
+
+void CutTools::setCuts(const Clip& clip, const std::optional<Uncut>& uncut) {
+    layer_->setCuts(clip, uncut);
+    panel_->setCuts(clip, uncut);
+    for (QAction* action : {handles_, plane_, freehand_})
+        action->setEnabled(uncut.has_value());
+    uncut_->setEnabled(!clip.empty());
+}
+
+void CutTools::setPicture(const Camera& camera, QSize size) {
+    layer_->setPicture(camera, size);
+    pen_->setPicture(camera, size);
+}
+
+void CutTools::showHandles() {
+    handles_->setChecked(true);
+}
+
+void CutTools::hideHandles() {
+    handles_->setChecked(false);
+}
+
+bool CutTools::giveUp() {
+    if (layer_->giveUp())
+        return true;
+    const bool drawing = pen_->isDrawing();
+    freehand_->setChecked(false);
+    return drawing;
+}
+
+/// It comes with its handles.
+void CutTools::addPlane(int axis) {
+    showHandles();
+    emit planeWanted(axis);
+}
+
+void CutTools::draw(bool drawing) {
+    if (drawing)
+        pen_->startDrawing();
+    else
+        pen_->stopDrawing();
+}
+
+}  // namespace pdr::ui

@@ -1,0 +1,145 @@
+#include "ui/cut/freehand_pen.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <utility>
+
+#include "render/scene/drawn_outline.h"
+#include "ui/shown_picture.h"
+
+namespace pdr::ui {
+namespace {
+
+constexpr QRgb kLine = qRgb(255, 205, 110);
+constexpr double kLeastSide = 8;      ///< of what a line goes around [px]: less is a click
+constexpr double kStep = 2;           ///< from corner to corner [px]
+constexpr double kTolerancePx = 0.7;  ///< by which a corner that is left out may be off
+
+}  // namespace
+
+FreehandPen::FreehandPen(QWidget* picture)
+    : QWidget(picture), answers_(this), remove_(tr("Remove inside")), keep_(tr("Keep inside")) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+    remove_.setToolTip(tr("Cut away what lies behind the inside of the line (Del)"));
+    keep_.setToolTip(tr("Cut away all but what lies behind the inside of the line (K)"));
+    remove_.setShortcut(Qt::Key_Delete);
+    keep_.setShortcut(Qt::Key_K);
+    auto* row = new QHBoxLayout(&answers_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(&remove_);
+    row->addWidget(&keep_);
+    for (QPushButton* button : {&remove_, &keep_})
+        button->setCursor(Qt::ArrowCursor);
+    answers_.hide();
+    connect(&remove_, &QPushButton::clicked, this, [this] { answer(false); });
+    connect(&keep_, &QPushButton::clicked, this, [this] { answer(true); });
+    resize(picture->size());
+    picture->installEventFilter(this);
+}
+
+void FreehandPen::setPicture(const Camera& camera, QSize size) {
+    if (camera != camera_) {
+        line_.clear();
+        answers_.hide();
+        update();
+    }
+    camera_ = camera;
+    size_ = size;
+}
+
+void FreehandPen::startDrawing() {
+    drawing_ = true;
+    setAttribute(Qt::WA_TransparentForMouseEvents, false);
+    setCursor(Qt::CrossCursor);
+    raise();
+}
+
+void FreehandPen::stopDrawing() {
+    drawing_ = pressed_ = false;
+    line_.clear();
+    answers_.hide();
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    unsetCursor();
+    update();
+}
+
+bool FreehandPen::eventFilter(QObject* picture, QEvent* event) {
+    if (event->type() == QEvent::Resize)
+        resize(parentWidget()->size());
+    return QWidget::eventFilter(picture, event);
+}
+
+/// A second line takes the place of the first.
+void FreehandPen::mousePressEvent(QMouseEvent* event) {
+    if (!camera_ || event->button() != Qt::LeftButton)
+        return;
+    answers_.hide();
+    pressed_ = true;
+    line_ = {event->position()};
+}
+
+void FreehandPen::mouseMoveEvent(QMouseEvent* event) {
+    if (!pressed_ || line_.isEmpty() || (event->position() - line_.last()).manhattanLength() < kStep)
+        return;
+    line_ << event->position();
+    update();
+}
+
+void FreehandPen::mouseReleaseEvent(QMouseEvent* event) {
+    if (!std::exchange(pressed_, false))
+        return;
+    const QRectF around = line_.boundingRect();
+    if (std::min(around.width(), around.height()) >= kLeastSide && !outline().empty())
+        return ask(event->position().toPoint());
+    stopDrawing();
+    emit ended();
+}
+
+void FreehandPen::ask(QPoint place) {
+    answers_.adjustSize();
+    const QSize size = answers_.size();
+    answers_.move(std::clamp(place.x() + 8, 0, std::max(width() - size.width(), 0)),
+                  std::clamp(place.y() + 8, 0, std::max(height() - size.height(), 0)));
+    answers_.show();
+    remove_.setFocus();
+    update();
+}
+
+void FreehandPen::answer(bool keepInside) {
+    const FreehandCut cut{*camera_, outline(), keepInside};
+    stopDrawing();
+    parentWidget()->setFocus();
+    emit ended();
+    emit drawn(cut);
+}
+
+/// From pixels to fractions of the picture's height from its middle.
+std::vector<PicturePoint> FreehandPen::outline() const {
+    const QRectF area = pictureArea(size_, {size(), devicePixelRatioF()});
+    std::vector<PicturePoint> points;
+    for (const QPointF& place : line_) {
+        const QPointF away = (place - area.center()) / area.height();
+        points.push_back({away.x(), away.y()});
+    }
+    return simplified(points, kTolerancePx / area.height());
+}
+
+void FreehandPen::paintEvent(QPaintEvent*) {
+    if (line_.size() < 2)
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(QColor(255, 205, 110, 30));
+    painter.setPen(QPen(QColor(0, 0, 0, 170), 3));
+    painter.drawPolygon(line_);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(kLine), 1.5));
+    painter.drawPolygon(line_);
+}
+
+}  // namespace pdr::ui
