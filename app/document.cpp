@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/scene/camera_edits.h"
+
 namespace pdr::app {
 namespace {
 
@@ -31,7 +33,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     volume_ = std::move(volume);
     table_ = table;
     setup_.table = Table::hidden;
-    setup_.camera = cameraOf(firstView(framed().box));
+    setup_.camera = cameraOf(firstView(framed().box), {});
     show(false);
     emit displayChanged(display());
 }
@@ -66,12 +68,16 @@ void Document::rest(Gesture gesture) {
 }
 
 void Document::setView(StandardView view) {
-    setCamera(hasVolume() ? cameraOf(view) : Camera{}, false);
+    setCamera(hasVolume() ? cameraOf(view, setup_.camera) : Camera{}, false);
+}
+
+void Document::setFocus(double depthMm) {
+    setCamera(focusedAt(setup_.camera, depthMm), false);
 }
 
 void Document::resetView() {
     if (hasVolume())
-        setView(firstView(framed().box));
+        setCamera(cameraOf(firstView(framed().box), {}), false);
 }
 
 void Document::setTable(Table table) {
@@ -240,8 +246,8 @@ Framed Document::framed() const {
     return {volume_->geometry(), nullptr};
 }
 
-Camera Document::cameraOf(StandardView view) const {
-    return fittedView(view, framed(), double(film_.x) / film_.y, kFilled);
+Camera Document::cameraOf(StandardView view, const Camera& lens) const {
+    return fittedView(view, framed(), double(film_.x) / film_.y, kFilled, lens);
 }
 
 }  // namespace pdr::app

@@ -47,8 +47,11 @@ class Document : public QObject {
     /// One gesture of the user (moving, ..., moving, at rest) is one step to undo. One that ends where it began makes
     /// no other scene.
     void setCamera(const pdr::Camera& camera, bool moving);
+    /// Through the lens as it is.
     void setView(pdr::StandardView view);
-    /// As the volume was seen first.
+    /// Makes what lies `depthMm` in front of the eye, along the view, sharp; > 0.
+    void setFocus(double depthMm);
+    /// As the volume was seen first, through the lens it was seen with first.
     void resetView();
     void setTable(pdr::Table table);
     void setPreset(int index);
@@ -88,7 +91,7 @@ class Document : public QObject {
     std::string nameOf(const Look& look) const;
     const std::shared_ptr<const Volume>& seen() const;
     Framed framed() const;
-    Camera cameraOf(StandardView view) const;
+    Camera cameraOf(StandardView view, const Camera& lens) const;
 
     std::vector<Preset> presets_;
     std::shared_ptr<const Volume> volume_;  ///< as it was read

@@ -9,6 +9,11 @@ void pickTissue(const DesktopParts& parts, QPointF place) {
         parts.study.pick(parts.document.scene(), place);
 }
 
+void pickFocus(const DesktopParts& parts, QPointF place) {
+    if (parts.document.hasVolume())
+        parts.study.measureDepth(parts.document.scene(), place);
+}
+
 void makePicture(const DesktopParts& parts, const ui::PictureOrder& order) {
     if (!parts.document.hasVolume() || !order.size)
         return;

@@ -7,6 +7,8 @@ namespace pdr::app {
 
 /// What the click on the picture asks for: what lies there.
 void pickTissue(const DesktopParts& parts, QPointF place);
+/// What the click on the picture asks for: how far away that is.
+void pickFocus(const DesktopParts& parts, QPointF place);
 /// Makes the picture that was ordered beside the session.
 void makePicture(const DesktopParts& parts, const ui::PictureOrder& order);
 /// Gives up what the progress is shown of: reading, or else a picture that is being made.

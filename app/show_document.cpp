@@ -15,6 +15,8 @@ void showDocument(const DesktopParts& parts) {
     parts.window.look().setBrightness(document.setup().stops);
     parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
     parts.window.light().setLighting(parts.light.lighting(), document.setup().camera);
+    parts.window.camera().setEnabled(document.hasVolume());
+    parts.window.camera().setCamera(document.setup().camera);
     parts.window.rendering().setEstimator(document.setup().estimator);
     parts.window.rendering().setSchedule(document.setup().schedule);
     parts.window.setSmoothed(document.smoothed());

@@ -64,6 +64,12 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&parts.study, &TissueStudy::tissueFound, &parts.tissue, &TissueEdits::addBell);
     QObject::connect(&window.light(), &ui::LightPanel::lightingEdited, &parts.light, &LightEdits::setLighting);
     QObject::connect(&window.viewport(), &ui::Viewport::lightDragged, &parts.light, &LightEdits::turn);
+    QObject::connect(&window.camera(), &ui::CameraPanel::cameraEdited, &document,
+                     [&document](const Camera& camera) { document.setCamera(camera, false); });
+    QObject::connect(&window.viewport(), &ui::Viewport::focusPicked, &window,
+                     [parts](QPointF place) { pickFocus(parts, place); });
+    QObject::connect(&parts.study, &TissueStudy::depthFound, &document,
+                     [&document](double depthMm) { document.setFocus(depthMm); });
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }

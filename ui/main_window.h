@@ -7,6 +7,7 @@
 
 #include "render/scene/camera.h"
 #include "ui/accuracy_panel.h"
+#include "ui/camera/camera_panel.h"
 #include "ui/effect_ledger.h"
 #include "ui/foot.h"
 #include "ui/keys_overlay.h"
@@ -35,6 +36,7 @@ class MainWindow : public QMainWindow {
     LookPanel& look() { return *look_; }
     TissuePanel& tissue() { return *tissue_; }
     LightPanel& light() { return *light_; }
+    CameraPanel& camera() { return *camera_; }
     RenderPanel& rendering() { return *rendering_; }
     EffectLedger& effects() { return *effects_; }
     Foot& foot() { return *foot_; }
@@ -100,7 +102,7 @@ class MainWindow : public QMainWindow {
     void connectFileActions();
     void connectEditActions();
     void connectViewActions();
-    void setPicking(bool picking);
+    void setPicking(Viewport::Picking picking);
     void chooseFolder();
     void chooseFile();
     void showPictureAlone(bool alone);
@@ -115,6 +117,7 @@ class MainWindow : public QMainWindow {
     LookPanel* look_;
     TissuePanel* tissue_;
     LightPanel* light_;
+    CameraPanel* camera_;
     RenderPanel* rendering_;
     EffectLedger* effects_;
     Foot* foot_;
