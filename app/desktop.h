@@ -19,7 +19,7 @@ class Desktop {
     ~Desktop();
 
     DesktopParts parts() {
-        return {import_, document_, bridge_, window_, settings_, study_, tissue_, light_, picture_};
+        return {import_, document_, bridge_, window_, settings_, study_, tissue_, light_, modelTrial_, picture_};
     }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
@@ -34,6 +34,7 @@ class Desktop {
     TissueStudy study_;
     RenderBridge bridge_;
     ImportJob import_;
+    ModelTrial modelTrial_;
     PictureJob picture_;
 };
 

@@ -4,6 +4,7 @@
 #include "app/document.h"
 #include "app/import_job.h"
 #include "app/light_edits.h"
+#include "app/model_trial.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
@@ -23,6 +24,7 @@ struct DesktopParts {
     TissueStudy& study;
     TissueEdits& tissue;
     LightEdits& light;
+    ModelTrial& modelTrial;
     PictureJob& picture;
 };
 

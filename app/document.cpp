@@ -80,6 +80,26 @@ void Document::resetView() {
         setCamera(cameraOf(firstView(framed().box), {}), false);
 }
 
+void Document::setBackground(const std::optional<vec3>& radiance) {
+    PictureSetup setup = setup_;
+    setup.background = radiance;
+    if (!radiance)
+        setup.look.environment.visible = true;
+    if (setup != setup_)
+        edit(std::move(setup));
+}
+
+/// Exposure Render's ways know one event on a path only.
+void Document::setModel(Model model) {
+    if (model == setup_.model)
+        return;
+    PictureSetup setup = setup_;
+    setup.model = model;
+    if (model != Model::singleScattering)
+        setup.estimator = Estimator::unbiased;
+    edit(std::move(setup));
+}
+
 void Document::setTable(Table table) {
     if (table == setup_.table || !hasTable())
         return;

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/scene/fit_view.h"
@@ -53,7 +54,10 @@ class Document : public QObject {
     void setFocus(double depthMm);
     /// As the volume was seen first, through the lens it was seen with first.
     void resetView();
+    /// What stands behind the volume; none: what lights it from all around.
+    void setBackground(const std::optional<pdr::vec3>& radiance);
     void setTable(pdr::Table table);
+    void setModel(pdr::Model model);
     void setPreset(int index);
     /// The user's own; one gesture is one step to undo, as well.
     void setLook(const pdr::Look& look, bool moving = false);

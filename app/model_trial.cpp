@@ -35,7 +35,7 @@ void ModelTrial::measure(const Scene& scene, Model before, const Display& displa
         if (!trial || !(trial->share.middle < 1))
             return [] {};
         const double factor = 1 / (1 - trial->share.middle), levels = trial->change.ninetyFifth.high;
-        return [this, before, factor, levels] { emit measured(before, factor, levels); };
+        return [this, model = scene.model, before, factor, levels] { emit measured(model, before, factor, levels); };
     });
 }
 

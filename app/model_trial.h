@@ -18,9 +18,9 @@ class ModelTrial : public BackgroundJob {
     void measure(const pdr::Scene& scene, pdr::Model before, const pdr::Display& display);
 
   signals:
-    /// `timeFactor`: so many times as long does a sample take; `levels`: 95 % of the picture changes by no more, of
-    /// 255.
-    void measured(pdr::Model before, double timeFactor, double levels);
+    /// `model`: the scene's. `timeFactor`: so many times as long does a sample take; `levels`: 95 % of the picture
+    /// changes by no more, of 255.
+    void measured(pdr::Model model, pdr::Model before, double timeFactor, double levels);
 };
 
 }  // namespace pdr::app

@@ -117,6 +117,7 @@ void LightPanel::layOut() {
     column->addWidget(&sphere_);
     column->addWidget(&place_);
     column->addLayout(rows);
+    column->addWidget(&model_);
     column->addWidget(&expert_);
     column->addWidget(&table_);
     column->addStretch(1);
