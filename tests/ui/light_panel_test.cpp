@@ -78,6 +78,7 @@ class TestLightPanel : public QObject {
     void whatComesFromOutsideEndsTheDrag();
     void keysMoveChooseAndTurn();
     void aRigIsChosenByItsButton();
+    void aRigIsMeantForTheView();
     void slidersChangeTheChosenLamp();
     void aLampThatIsOffComesBack();
     void tyingMovesNothing();
@@ -211,6 +212,20 @@ void TestLightPanel::aRigIsChosenByItsButton() {
     LightSphere& sphere = lit.panel.sphere();
     QTest::keyClick(&sphere, Qt::Key_Left);
     QVERIFY(!lit.button("Rim").isChecked());
+}
+
+/// Also where the lamps then stay with the patient.
+void TestLightPanel::aRigIsMeantForTheView() {
+    Lit lit;
+    lit.button("Headlight").click();
+    const dvec3 inView = lit.seen(0);
+    QComboBox& follows = lit.named<QComboBox>("What the lamps turn with");
+    emit follows.activated(1);
+    lit.button("Rim").click();
+    lit.button("Headlight").click();
+    QVERIFY(lit.last.rig.follows == LightRig::Follows::patient);
+    QVERIFY(glm::length(lit.seen(0) - inView) < 1e-9);
+    QVERIFY(lit.button("Headlight").isChecked());
 }
 
 void TestLightPanel::slidersChangeTheChosenLamp() {
