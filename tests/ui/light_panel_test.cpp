@@ -8,6 +8,7 @@
 
 #include "render/scene/orbit.h"
 #include "tests/support/contrast.h"
+#include "tests/support/named_widget.h"
 #include "ui/dark_theme.h"
 #include "ui/light/light_panel.h"
 
@@ -32,11 +33,8 @@ struct Lit {
     }
 
     template <class Widget>
-    Widget& named(const QString& name) {
-        for (Widget* widget : panel.findChildren<Widget*>())
-            if (widget->accessibleName() == name)
-                return *widget;
-        qFatal("no widget is called %s", qPrintable(name));
+    Widget& named(const QString& name) const {
+        return test::named<Widget>(panel, name);
     }
     QPushButton& button(const QString& text) {
         for (QPushButton* each : panel.findChildren<QPushButton*>())

@@ -11,6 +11,8 @@ namespace {
 constexpr std::array kOffered{Model::singleScattering, Model::multipleScattering, Model::absorption,
                               Model::maximumIntensity};
 
+constexpr double kSmall = 0.9;  ///< of the usual letters
+
 }  // namespace
 
 ModelChoice::ModelChoice(QWidget* parent) : QWidget(parent) {
@@ -22,7 +24,9 @@ ModelChoice::ModelChoice(QWidget* parent) : QWidget(parent) {
     for (int i = 0; i < int(kOffered.size()); ++i)
         models_.setItemData(i, modelText(kOffered[std::size_t(i)]), Qt::ToolTipRole);
     text_.setWordWrap(true);
-    text_.setForegroundRole(QPalette::PlaceholderText);
+    QFont small = text_.font();
+    small.setPointSizeF(kSmall * small.pointSizeF());
+    text_.setFont(small);
     text_.setAccessibleName(tr("What it shows and costs"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

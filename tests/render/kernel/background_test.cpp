@@ -46,20 +46,22 @@ class BackgroundTest : public QObject {
   private slots:
     void itIsSeenBesideAndNotOnWhatIsSolid_data() {
         QTest::addColumn<int>("model");
-        QTest::newRow("single scattering") << int(Model::singleScattering);
-        QTest::newRow("multiple scattering") << int(Model::multipleScattering);
-        QTest::newRow("emission and absorption") << int(Model::emissionAbsorption);
+        QTest::addColumn<float>("tolerance");  // of a ray that is not followed to its end
+        QTest::newRow("single scattering") << int(Model::singleScattering) << 1e-30f;
+        QTest::newRow("multiple scattering") << int(Model::multipleScattering) << 1e-30f;
+        QTest::newRow("emission and absorption") << int(Model::emissionAbsorption) << 1e-2f;
     }
 
     void itIsSeenBesideAndNotOnWhatIsSolid() {
         QFETCH(int, model);
+        QFETCH(float, tolerance);
         const Scene scene = blockInAir(Model(model));
         const Film without = test::render(scene, 64), film = test::render(with(scene, kBehind), 64);
         QVERIFY(at(film, 0, 0) == kBehind && at(without, 0, 0) == vec3(0));
         QVERIFY(at(film, 16, 1) == kBehind);  // through the volume's air
         for (int y = 14; y < 18; ++y)
             for (int x = 14; x < 18; ++x)
-                QVERIFY(at(film, x, y) == at(without, x, y) && at(film, x, y) != vec3(0));
+                QVERIFY(glm::length(at(film, x, y) - at(without, x, y)) < tolerance && at(film, x, y) != vec3(0));
     }
 
     void theEnvironmentGivesWayToItAndGoesOnToLight() {
