@@ -19,7 +19,8 @@ class Desktop {
     ~Desktop();
 
     DesktopParts parts() {
-        return {import_, document_, bridge_, window_, settings_, study_, tissue_, cut_, light_, picture_, masks_};
+        return {import_, document_, bridge_, window_,     settings_, study_,
+                tissue_, cut_,      light_,  modelTrial_, picture_,  masks_};
     }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
@@ -35,6 +36,7 @@ class Desktop {
     TissueStudy study_;
     RenderBridge bridge_;
     ImportJob import_;
+    ModelTrial modelTrial_;
     PictureJob picture_;
     MaskJob masks_;
 };

@@ -6,6 +6,7 @@
 #include "app/import_job.h"
 #include "app/light_edits.h"
 #include "app/mask_job.h"
+#include "app/model_trial.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
@@ -26,6 +27,7 @@ struct DesktopParts {
     TissueEdits& tissue;
     CutEdits& cut;
     LightEdits& light;
+    ModelTrial& modelTrial;
     PictureJob& picture;
     MaskJob& masks;
 };

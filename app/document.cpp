@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/scene/camera_edits.h"
+
 namespace pdr::app {
 namespace {
 
@@ -34,7 +36,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     table_ = table;
     setup_.table = Table::hidden;
     setup_.clip = {};  // places in another patient
-    setup_.camera = cameraOf(firstView(framed().box));
+    setup_.camera = cameraOf(firstView(framed().box), {});
     show(false);
     emit displayChanged(display());
 }
@@ -72,12 +74,36 @@ void Document::rest(Gesture gesture) {
 }
 
 void Document::setView(StandardView view) {
-    setCamera(hasVolume() ? cameraOf(view) : Camera{}, false);
+    setCamera(hasVolume() ? cameraOf(view, setup_.camera) : Camera{}, false);
+}
+
+void Document::setFocus(double depthMm) {
+    setCamera(focusedAt(setup_.camera, depthMm), false);
 }
 
 void Document::resetView() {
     if (hasVolume())
-        setView(firstView(framed().box));
+        setCamera(cameraOf(firstView(framed().box), {}), false);
+}
+
+void Document::setBackground(const std::optional<vec3>& radiance) {
+    PictureSetup setup = setup_;
+    setup.background = radiance;
+    if (!radiance)
+        setup.look.environment.visible = true;
+    if (setup != setup_)
+        edit(std::move(setup));
+}
+
+/// Exposure Render's ways know one event on a path only.
+void Document::setModel(Model model) {
+    if (model == setup_.model)
+        return;
+    PictureSetup setup = setup_;
+    setup.model = model;
+    if (model != Model::singleScattering)
+        setup.estimator = Estimator::unbiased;
+    edit(std::move(setup));
 }
 
 void Document::setTable(Table table) {
@@ -309,8 +335,8 @@ std::optional<ClipBox> Document::uncut() const {
     return hasVolume() ? std::optional(boxAround(framed().box)) : std::nullopt;
 }
 
-Camera Document::cameraOf(StandardView view) const {
-    return fittedView(view, framed(), double(film_.x) / film_.y, kFilled);
+Camera Document::cameraOf(StandardView view, const Camera& lens) const {
+    return fittedView(view, framed(), double(film_.x) / film_.y, kFilled, lens);
 }
 
 }  // namespace pdr::app

@@ -50,10 +50,16 @@ class Document : public QObject {
     /// One gesture of the user (moving, ..., moving, at rest) is one step to undo. One that ends where it began makes
     /// no other scene.
     void setCamera(const pdr::Camera& camera, bool moving);
+    /// Through the lens as it is.
     void setView(pdr::StandardView view);
-    /// As the volume was seen first.
+    /// Makes what lies `depthMm` in front of the eye, along the view, sharp; > 0.
+    void setFocus(double depthMm);
+    /// As the volume was seen first, through the lens it was seen with first.
     void resetView();
+    /// What stands behind the volume; none: what lights it from all around.
+    void setBackground(const std::optional<pdr::vec3>& radiance);
     void setTable(pdr::Table table);
+    void setModel(pdr::Model model);
     void setPreset(int index);
     /// The user's own; one gesture is one step to undo, as well.
     void setLook(const pdr::Look& look, bool moving = false);
@@ -113,7 +119,7 @@ class Document : public QObject {
     void show(Scene scene, bool moving);
     const std::shared_ptr<const Volume>& seen() const;
     Framed framed() const;
-    Camera cameraOf(StandardView view) const;
+    Camera cameraOf(StandardView view, const Camera& lens) const;
 
     std::vector<Preset> presets_;
     std::shared_ptr<const Volume> volume_;  ///< as it was read

@@ -1,5 +1,6 @@
 #include "app/requests.h"
 
+#include "app/background_colour.h"
 #include "app/ledger_content.h"
 
 namespace pdr::app {
@@ -7,6 +8,23 @@ namespace pdr::app {
 void pickTissue(const DesktopParts& parts, QPointF place) {
     if (parts.document.hasVolume())
         parts.study.pick(parts.document.scene(), place);
+}
+
+void pickFocus(const DesktopParts& parts, QPointF place) {
+    if (parts.document.hasVolume())
+        parts.study.measureDepth(parts.document.scene(), place);
+}
+
+void setBackground(const DesktopParts& parts, const std::optional<QColor>& colour) {
+    const Display display = parts.document.display();
+    parts.document.setBackground(colour ? std::optional(radianceShownAs(*colour, display)) : std::nullopt);
+}
+
+void chooseModel(const DesktopParts& parts, Model model) {
+    const Model before = parts.document.setup().model;
+    parts.document.setModel(model);
+    if (parts.document.hasVolume() && model != before)
+        parts.modelTrial.measure(parts.document.scene(), before, parts.document.display());
 }
 
 void makePicture(const DesktopParts& parts, const ui::PictureOrder& order) {

@@ -1,12 +1,20 @@
 #pragma once
 /// What the user asks of several parts at once.
 
+#include <QColor>
+
 #include "app/desktop_parts.h"
 
 namespace pdr::app {
 
 /// What the click on the picture asks for: what lies there.
 void pickTissue(const DesktopParts& parts, QPointF place);
+/// What the click on the picture asks for: how far away that is.
+void pickFocus(const DesktopParts& parts, QPointF place);
+/// Puts that colour behind the volume, as the screen shows it; none: what lights it from all around.
+void setBackground(const DesktopParts& parts, const std::optional<QColor>& colour);
+/// Another model, and how it compares with the one before, as soon as it is known.
+void chooseModel(const DesktopParts& parts, Model model);
 /// Makes the picture that was ordered beside the session.
 void makePicture(const DesktopParts& parts, const ui::PictureOrder& order);
 /// Gives up what the progress is shown of: reading, looking for a part of the body, or else a

@@ -1,8 +1,20 @@
 #include "app/show_document.h"
 
+#include "app/background_colour.h"
 #include "app/ledger_content.h"
 
 namespace pdr::app {
+namespace {
+
+/// As the screen shows it; none: what lights the volume from all around.
+std::optional<QColor> backgroundOf(const Document& document) {
+    const PictureSetup& setup = document.setup();
+    if (!setup.background && setup.look.environment.visible)
+        return std::nullopt;
+    return shownColour(setup.background.value_or(vec3(0)), document.display());
+}
+
+}  // namespace
 
 void showDocument(const DesktopParts& parts) {
     const Document& document = parts.document;
@@ -19,6 +31,10 @@ void showDocument(const DesktopParts& parts) {
     parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
     parts.window.cut().setCuts(document.setup().clip, document.uncut());
     parts.window.light().setLighting(parts.light.lighting(), document.setup().camera);
+    parts.window.camera().setEnabled(document.hasVolume());
+    parts.window.camera().setCamera(document.setup().camera);
+    parts.window.camera().setBackground(backgroundOf(document));
+    parts.window.light().model().setModel(document.setup().model);
     parts.window.rendering().setEstimator(document.setup().estimator);
     parts.window.rendering().setSchedule(document.setup().schedule);
     parts.window.setSmoothed(document.smoothed());

@@ -47,16 +47,26 @@ void TissueStudy::setVolume(const std::shared_ptr<const Volume>& volume) {
     });
 }
 
-void TissueStudy::pick(const Scene& scene, QPointF place) {
-    start([this, scene, place]() -> std::function<void()> {
+/// `find` gets the scene, prepared, and a pixel of it; `tell` what it has found.
+template <class Find, class Tell>
+void TissueStudy::look(const Scene& scene, QPointF place, Find find, Tell tell) {
+    start([this, scene, place, find, tell]() -> std::function<void()> {
         if (!scene.check())
             return [] {};
         const ivec2 pixel(int(place.x() * scene.film.x), int(place.y() * scene.film.y));
-        const std::optional<TissueUnder> tissue = tissueUnder(*Flattener().prepare(scene), pixel);
-        if (!tissue)
+        const auto found = find(*Flattener().prepare(scene), pixel);
+        if (!found)
             return [this] { emit nothingFound(); };
-        return [this, found = *tissue] { emit tissueFound(found); };
+        return [tell, found = *found] { tell(found); };
     });
+}
+
+void TissueStudy::pick(const Scene& scene, QPointF place) {
+    look(scene, place, tissueUnder, [this](const TissueUnder& tissue) { emit tissueFound(tissue); });
+}
+
+void TissueStudy::measureDepth(const Scene& scene, QPointF place) {
+    look(scene, place, depthUnder, [this](double depthMm) { emit depthFound(depthMm); });
 }
 
 }  // namespace pdr::app

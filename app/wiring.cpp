@@ -66,6 +66,21 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&parts.study, &TissueStudy::tissueFound, &parts.tissue, &TissueEdits::addBell);
     QObject::connect(&window.light(), &ui::LightPanel::lightingEdited, &parts.light, &LightEdits::setLighting);
     QObject::connect(&window.viewport(), &ui::Viewport::lightDragged, &parts.light, &LightEdits::turn);
+    QObject::connect(&window.camera(), &ui::CameraPanel::cameraEdited, &document,
+                     [&document](const Camera& camera) { document.setCamera(camera, false); });
+    QObject::connect(&window.camera(), &ui::CameraPanel::backgroundChosen, &window,
+                     [parts](const std::optional<QColor>& colour) { setBackground(parts, colour); });
+    QObject::connect(&window.light().model(), &ui::ModelChoice::modelChosen, &window,
+                     [parts](Model model) { chooseModel(parts, model); });
+    QObject::connect(&parts.modelTrial, &ModelTrial::measured, &window,
+                     [parts](Model model, Model before, double timeFactor, double levels) {
+                         if (model == parts.document.setup().model)
+                             parts.window.light().model().setCost(ui::ModelCost{before, timeFactor, levels});
+                     });
+    QObject::connect(&window.viewport(), &ui::Viewport::focusPicked, &window,
+                     [parts](QPointF place) { pickFocus(parts, place); });
+    QObject::connect(&parts.study, &TissueStudy::depthFound, &document,
+                     [&document](double depthMm) { document.setFocus(depthMm); });
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }

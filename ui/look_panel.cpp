@@ -41,11 +41,16 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
     light_.setToolTip(tr("Where the light comes from (F8)"));
     connect(&light_, &QPushButton::clicked, this, &LookPanel::lightWanted);
 
+    camera_.setText(tr("&Camera..."));
+    camera_.setAccessibleName(tr("Edit the camera"));
+    camera_.setToolTip(tr("Projection, focus and background (F7)"));
+    connect(&camera_, &QPushButton::clicked, this, &LookPanel::cameraWanted);
+
     auto* brightnessLabel = new QLabel(tr("&Brightness"));
     brightnessLabel->setBuddy(&brightness_);
 
     // A click leaves the keyboard with the picture, so that Space goes on to mean pause; Tab still reaches everything.
-    for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &light_, &brightness_, &pause_})
+    for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &light_, &camera_, &brightness_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
     auto* column = new QVBoxLayout(this);
@@ -53,7 +58,10 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
     column->setSpacing(8);
     column->addLayout(presetColumn_);
     column->addWidget(&tissue_);
-    column->addWidget(&light_);
+    auto* around = new QHBoxLayout;
+    around->addWidget(&light_);
+    around->addWidget(&camera_);
+    column->addLayout(around);
     column->addSpacing(14);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);

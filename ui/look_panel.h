@@ -33,6 +33,8 @@ class LookPanel : public QWidget {
     void tissueWanted();
     /// The same of the lights.
     void lightWanted();
+    /// The same of the camera.
+    void cameraWanted();
 
   private:
     QVBoxLayout* presetColumn_;
@@ -40,6 +42,7 @@ class LookPanel : public QWidget {
     QSlider brightness_;
     QPushButton tissue_;
     QPushButton light_;
+    QPushButton camera_;
     QPushButton pause_;
 };
 

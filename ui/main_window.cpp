@@ -39,15 +39,16 @@ MainWindow::MainWindow()
       visible_(new VisibleRow),
       tissue_(new TissuePanel),
       light_(new LightPanel),
+      camera_(new CameraPanel),
       rendering_(new RenderPanel),
       effects_(new EffectLedger),
       foot_(new Foot),
       accuracy_(new AccuracyPanel),
       message_(new MessageBar),
       keys_(new KeysOverlay(this)),
-      docks_(new WindowDocks(
-          *this, *viewport_,
-          {series_, stacked(look_, visible_), tissue_, light_, rendering_, accuracy_, effects_, &cut_->panel()})),
+      docks_(new WindowDocks(*this, *viewport_,
+                             {series_, stacked(look_, visible_), tissue_, light_, camera_, rendering_, accuracy_,
+                              effects_, &cut_->panel()})),
       actions_(fillMenus(*menuBar(), docks_->toggles(), *cut_)) {
     auto* middle = new QWidget;
     auto* column = new QVBoxLayout(middle);
@@ -71,13 +72,19 @@ MainWindow::MainWindow()
     connect(docks_, &WindowDocks::cutShown, cut_, &CutTools::showHandles);
     connect(docks_, &WindowDocks::effectsShown, this, &MainWindow::effectsShown);
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
-    connect(viewport_, &Viewport::tissuePicked, this, [this] { setPicking(false); });
-    connect(tissue_, &TissuePanel::pickingChosen, this, &MainWindow::setPicking);
+    connect(viewport_, &Viewport::tissuePicked, this, [this] { setPicking(Viewport::Picking::nothing); });
+    connect(viewport_, &Viewport::focusPicked, this, [this] { setPicking(Viewport::Picking::nothing); });
+    connect(tissue_, &TissuePanel::pickingChosen, this,
+            [this](bool picking) { setPicking(picking ? Viewport::Picking::tissue : Viewport::Picking::nothing); });
+    connect(camera_, &CameraPanel::pickingChosen, this,
+            [this](bool picking) { setPicking(picking ? Viewport::Picking::focus : Viewport::Picking::nothing); });
+    connect(camera_, &CameraPanel::viewChosen, this, &MainWindow::viewChosen);
     connect(region_, &RegionBox::drawn, this, &MainWindow::chooseRegion);
     connect(region_, &RegionBox::notDrawn, actions_.boxFirst, [this] { actions_.boxFirst->setChecked(false); });
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
     connect(look_, &LookPanel::tissueWanted, docks_->toggleTissue(), &QAction::trigger);
     connect(look_, &LookPanel::lightWanted, docks_->toggleLight(), &QAction::trigger);
+    connect(look_, &LookPanel::cameraWanted, docks_->toggleCamera(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::textClicked, docks_->toggleAccuracy(), &QAction::trigger);
 
     setAcceptDrops(true);
@@ -159,10 +166,11 @@ void MainWindow::setPictureAvailable(bool available) {
     actions_.copy->setEnabled(available);
 }
 
-/// Whether the next click on the picture picks a tissue.
-void MainWindow::setPicking(bool picking) {
+/// What the next click on the picture picks.
+void MainWindow::setPicking(Viewport::Picking picking) {
     viewport_->setPicking(picking);
-    tissue_->setPicking(picking);
+    tissue_->setPicking(picking == Viewport::Picking::tissue);
+    camera_->setPicking(picking == Viewport::Picking::focus);
 }
 
 void MainWindow::chooseFolder() {
@@ -213,7 +221,7 @@ void MainWindow::escape() {
         region_->stopDrawing();
         return actions_.boxFirst->setChecked(false);
     }
-    setPicking(false);
+    setPicking(Viewport::Picking::nothing);
     cut_->hideHandles();
     actions_.alone->setChecked(false);
     message_->clear();

@@ -7,6 +7,7 @@
 
 #include "render/scene/camera.h"
 #include "ui/accuracy_panel.h"
+#include "ui/camera/camera_panel.h"
 #include "ui/cut/cut_tools.h"
 #include "ui/effect_ledger.h"
 #include "ui/foot.h"
@@ -38,6 +39,7 @@ class MainWindow : public QMainWindow {
     VisibleRow& visible() { return *visible_; }
     TissuePanel& tissue() { return *tissue_; }
     LightPanel& light() { return *light_; }
+    CameraPanel& camera() { return *camera_; }
     RenderPanel& rendering() { return *rendering_; }
     EffectLedger& effects() { return *effects_; }
     Foot& foot() { return *foot_; }
@@ -104,7 +106,7 @@ class MainWindow : public QMainWindow {
     void connectFileActions();
     void connectEditActions();
     void connectViewActions();
-    void setPicking(bool picking);
+    void setPicking(Viewport::Picking picking);
     void chooseFolder();
     void chooseFile();
     void showPictureAlone(bool alone);
@@ -121,6 +123,7 @@ class MainWindow : public QMainWindow {
     VisibleRow* visible_;
     TissuePanel* tissue_;
     LightPanel* light_;
+    CameraPanel* camera_;
     RenderPanel* rendering_;
     EffectLedger* effects_;
     Foot* foot_;

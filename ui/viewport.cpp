@@ -85,24 +85,28 @@ QPointF Viewport::placeOf(QPointF point) const {
     return {place.x() / area.width(), place.y() / area.height()};
 }
 
-void Viewport::setPicking(bool picking) {
+void Viewport::setPicking(Picking picking) {
     picking_ = picking;
-    setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
+    setCursor(picking != Picking::nothing ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 void Viewport::dragTissue(QPointF point) {
     constexpr double kTremble = 3;  // [px]
     tissueMoved_ = tissueMoved_ || QLineF(pressed_, point).length() > kTremble;
     const dvec2 drag = inHeights(point - pressed_);
-    if (tissueMoved_ && !picking_)
+    if (tissueMoved_ && picking_ == Picking::nothing)
         emit tissueDragged({drag.x, drag.y}, true);
 }
 
 void Viewport::endTissue(QPointF point) {
     const dvec2 drag = inHeights(point - pressed_);
-    if (std::exchange(tissueMoved_, false) && !picking_)
+    if (std::exchange(tissueMoved_, false) && picking_ == Picking::nothing)
         return emit tissueDragged({drag.x, drag.y}, false);
-    if (picture_)
+    if (!picture_)
+        return;
+    if (picking_ == Picking::focus)
+        emit focusPicked(placeOf(point));
+    else
         emit tissuePicked(placeOf(point));
 }
 
@@ -159,7 +163,7 @@ Viewport::Gesture Viewport::gestureOf(const QMouseEvent& event) {
 void Viewport::mousePressEvent(QMouseEvent* event) {
     if (gesture_ != Gesture::none)
         return;
-    gesture_ = picking_ && event->button() == Qt::LeftButton ? Gesture::tissue : gestureOf(*event);
+    gesture_ = picking_ != Picking::nothing && event->button() == Qt::LeftButton ? Gesture::tissue : gestureOf(*event);
     last_ = pressed_ = event->position();
 }
 

@@ -29,8 +29,9 @@ class Viewport : public QWidget {
     /// The camera that the next edit starts from, which may be ahead of the picture's. None: edits are ignored.
     void setCamera(const std::optional<Camera>& camera);
     void setCaptionShown(bool shown);
-    /// Whether the next click picks what lies under it, and turns nothing.
-    void setPicking(bool picking);
+    /// What the next click picks; it turns nothing then.
+    enum class Picking { nothing, tissue, focus };
+    void setPicking(Picking picking);
     /// What stands in the middle as long as there is no picture.
     void setMessage(const QString& message);
     /// What stands there now; nothing with a picture.
@@ -51,6 +52,8 @@ class Viewport : public QWidget {
     void lightDragged(QPointF drag, bool moving);
     /// A click with Ctrl, or the one that was asked for: at `place`, in fractions of the picture's width and height.
     void tissuePicked(QPointF place);
+    /// The click that was asked for, likewise.
+    void focusPicked(QPointF place);
     /// The mouse rests on the picture: at `place`, in fractions of its width and height.
     void rested(QPointF place);
     /// A double click.
@@ -95,7 +98,7 @@ class Viewport : public QWidget {
     QPointF last_;
     QPointF pressed_;
     bool tissueMoved_ = false;  ///< further than a hand that clicks trembles
-    bool picking_ = false;
+    Picking picking_ = Picking::nothing;
     std::optional<QPointF> resting_;  ///< place that was told last; none: the mouse has moved on
     QPoint restingAt_;                ///< on the screen
     QTimer settleTimer_;              ///< the size has settled when this runs out

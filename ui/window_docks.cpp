@@ -42,15 +42,16 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       look_(add(tr("Look"), panels.look, Qt::RightDockWidgetArea, Qt::Key_F3)),
       tissue_(add(tr("Tissue"), scrolled(panels.tissue), Qt::RightDockWidgetArea, Qt::Key_F5)),
       light_(add(tr("Light"), scrolled(panels.light), Qt::RightDockWidgetArea, Qt::Key_F8)),
+      camera_(add(tr("Camera"), scrolled(panels.camera), Qt::RightDockWidgetArea, Qt::Key_F7)),
       rendering_(add(tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
       accuracy_(add(tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
       effects_(add(tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
       cut_(add(tr("Cut"), scrolled(panels.cut), Qt::RightDockWidgetArea, Qt::Key_F9)) {
-    for (QDockWidget* folded : {tissue_, light_, cut_, accuracy_, effects_})
+    for (QDockWidget* folded : {tissue_, light_, camera_, cut_, accuracy_, effects_})
         folded->hide();
     makeRoomBeside(accuracy_, effects_);
     makeRoomBeside(effects_, accuracy_);
-    editors_ = {{tissue_, panels.tissue}, {light_, panels.light}, {cut_, panels.cut}};
+    editors_ = {{tissue_, panels.tissue}, {light_, panels.light}, {camera_, panels.camera}, {cut_, panels.cut}};
     for (const Editor& editor : std::as_const(editors_))
         connect(editor.dock->toggleViewAction(), &QAction::triggered, this,
                 [this, editor](bool shown) { giveItsPart(editor, shown); });
@@ -64,7 +65,7 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
 
 QList<QAction*> WindowDocks::toggles() const {
     QList<QAction*> actions;
-    for (const QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_, cut_})
+    for (const QDockWidget* dock : {series_, look_, tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_})
         actions << dock->toggleViewAction();
     return actions;
 }
@@ -75,7 +76,7 @@ void WindowDocks::setAway(bool away) {
         return;
     }
     stateBefore_ = window_.saveState();
-    for (QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_, cut_})
+    for (QDockWidget* dock : {series_, look_, tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_})
         dock->hide();
 }
 

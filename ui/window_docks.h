@@ -14,17 +14,18 @@ class WindowDocks : public QObject {
   public:
     /// What stands in the docks.
     struct Panels {
-        QWidget *series, *look, *tissue, *light, *rendering, *accuracy, *effects, *cut;
+        QWidget *series, *look, *tissue, *light, *camera, *rendering, *accuracy, *effects, *cut;
     };
 
-    /// Adds all docks to `window`; tissue, light, cut, accuracy and effects are folded away. `picture`: what is to keep
-    /// most of it.
+    /// Adds all docks to `window`; tissue, light, camera, cut, accuracy and effects are folded away. `picture`: what is
+    /// to keep most of it.
     WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
 
     /// That show each and fold it away, in the menu's order.
     QList<QAction*> toggles() const;
     QAction* toggleTissue() const { return tissue_->toggleViewAction(); }
     QAction* toggleLight() const { return light_->toggleViewAction(); }
+    QAction* toggleCamera() const { return camera_->toggleViewAction(); }
     QAction* toggleAccuracy() const { return accuracy_->toggleViewAction(); }
     /// Folds all away, or brings back what was there before.
     void setAway(bool away);
@@ -53,6 +54,7 @@ class WindowDocks : public QObject {
     QDockWidget* look_;
     QDockWidget* tissue_;
     QDockWidget* light_;
+    QDockWidget* camera_;
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;

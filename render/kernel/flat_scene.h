@@ -114,7 +114,8 @@ static_assert(sizeof(FlatLightNode) == sizeof(vec3) + sizeof(float) + 2 * sizeof
 /// Light from all around; see kernel/environment.h. Without a picture `texels` is null.
 struct FlatEnvironment {
     vec3 zenith, nadir;       ///< radiance from straight above (+z) and below; a picture is multiplied by zenith
-    bool visible;             ///< whether the camera sees it
+    bool visible;             ///< whether the camera sees it, ...
+    vec3 behind;              ///< ... or else sees this
     float turn;               ///< whole turns: the picture is turned by this from +y towards +x
     ivec2 size;               ///< texels
     const vec3* texels;       ///< radiance, rows from the zenith

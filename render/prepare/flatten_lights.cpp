@@ -40,7 +40,6 @@ FlatEnvironment flatEnvironment(const Environment& environment, const Environmen
     FlatEnvironment flat{};
     flat.zenith = environment.radiance;
     flat.nadir = environment.nadir.value_or(environment.radiance);
-    flat.visible = environment.visible;
     if (tables == nullptr)
         return flat;
     flat.turn = float(std::remainder(environment.rotationDegrees, 360.0) / 360);
@@ -68,6 +67,8 @@ void flattenLights(PreparedScene& prepared, const Scene& scene) {
     flat.lightNodeCount = int(tables.nodes.size());
     flat.lightsInView = !isProjection(scene.model) && std::ranges::any_of(prepared.lights, &FlatLight::visible);
     flat.environment = flatEnvironment(scene.environment, prepared.environment.get());
+    flat.environment.visible = showsEnvironment(scene);
+    flat.environment.behind = scene.background.value_or(vec3(0));
     const bool even = flat.environment.texels == nullptr && flat.environment.zenith == flat.environment.nadir;
     flat.plainBackground = !flat.lightsInView && (even || !flat.environment.visible);
 }

@@ -239,14 +239,14 @@ Effect background(const Scene& scene) {
     if (scene.model == Model::maximumIntensity)
         return off("visible background", "the model shows HU, not light");
     const auto hideIt = [](Scene& s) { s.environment.visible = false; };
-    if (scene.model == Model::absorption && scene.environment.visible && !scene.environment.isBlack())
+    if (scene.model == Model::absorption && showsEnvironment(scene) && !scene.environment.isBlack())
         return effect("visible background", true, "tissue is seen against the environment, else against white", "", 0,
                       hideIt);
     if (scene.model == Model::absorption)
         return effect("visible background", true, "tissue is seen against white: without it there is no picture", "");
     if (scene.environment.isBlack())
         return effect("visible background", false, "", "the environment is black");
-    return effect("visible background", scene.environment.visible, "the camera sees the environment",
+    return effect("visible background", showsEnvironment(scene), "the camera sees the environment",
                   "the environment is hidden from the camera", 0, hideIt);
 }
 

@@ -58,8 +58,11 @@ Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double a
     return nearest(camera, cornersMm(geometry), aspect, fraction);
 }
 
-Camera fittedView(StandardView view, const Framed& framed, double aspect, double fraction) {
-    const Camera camera = standardView(view, framed.box.centreMm(), framed.box.radiusMm(), aspect);
+Camera fittedView(StandardView view, const Framed& framed, double aspect, double fraction, const Camera& lens) {
+    Camera camera = standardView(view, framed.box.centreMm(), framed.box.radiusMm(), aspect);
+    camera.type = lens.type;
+    camera.fovDegrees = lens.fovDegrees;
+    camera.apertureMm = lens.apertureMm;
     return nearest(camera, framed.placesMm ? *framed.placesMm : cornersMm(framed.box), aspect, fraction);
 }
 

@@ -24,7 +24,8 @@ StandardView firstView(const VolumeGeometry& geometry);
 /// `aspect` > 0; `fraction` in (0, 1]; 0.9 leaves a margin.
 Camera fittedView(const Camera& camera, const VolumeGeometry& geometry, double aspect, double fraction);
 
-/// The standard view about the middle of `framed`'s box, as near as fittedView() would come to what fills it.
-Camera fittedView(StandardView view, const Framed& framed, double aspect, double fraction);
+/// The standard view about the middle of `framed`'s box, as near as fittedView() would come to what fills it, in the
+/// projection, with the field of view and the aperture of `lens`, and sharp in the middle.
+Camera fittedView(StandardView view, const Framed& framed, double aspect, double fraction, const Camera& lens = {});
 
 }  // namespace pdr

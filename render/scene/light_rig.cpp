@@ -76,9 +76,12 @@ LightRig turned(LightRig rig, dvec2 drag, const Camera& camera) {
     return rig;
 }
 
+double luminanceOf(vec3 colour) {
+    return double(glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)));
+}
+
 double irradianceOf(const RigPanel& panel) {
-    const double radiance = double(panel.radiance * glm::dot(panel.colour, vec3(0.2126f, 0.7152f, 0.0722f)));
-    return radiance * panel.edge * panel.edge / (panel.distance * panel.distance);
+    return luminanceOf(panel.radiance * panel.colour) * panel.edge * panel.edge / (panel.distance * panel.distance);
 }
 
 }  // namespace pdr

@@ -58,6 +58,9 @@ LightRig tiedTo(LightRig rig, LightRig::Follows follows, const Camera& camera);
 /// right, y down; one height = 180 degrees.
 LightRig turned(LightRig rig, dvec2 drag, const Camera& camera);
 
+/// Of a colour in linear Rec. 709.
+double luminanceOf(vec3 colour);
+
 /// Irradiance that the panel brings to a plane that faces it at the volume's centre, as of a small one; luminance.
 double irradianceOf(const RigPanel& panel);
 

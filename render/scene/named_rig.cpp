@@ -66,14 +66,10 @@ Unit unitOf(NamedRig name) {
     return {};
 }
 
-double luminance(vec3 colour) {
-    return double(glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)));
-}
-
 /// Light from all around comes to what a panel leaves in shadow, too, so it counts as if from twice the half sphere.
 double strengthOf(const Environment& environment) {
     const vec3 mean = (environment.radiance + environment.nadir.value_or(environment.radiance)) / 2.0f;
-    return environment.image ? 0 : 2 * M_PI * luminance(mean);
+    return environment.image ? 0 : 2 * M_PI * luminanceOf(mean);
 }
 
 /// However strong; turned there and back.
@@ -111,6 +107,20 @@ Lighting litBy(Lighting lighting, NamedRig name) {
         panel.radiance *= factor;
     lighting.environment = around(lighting.environment, unit, factor);
     return lighting;
+}
+
+Environment withRadiance(Environment environment, double radiance) {
+    const double before = luminanceOf(environment.radiance);
+    if (before > 0 && radiance > 0) {
+        const auto factor = float(radiance / before);
+        environment.radiance *= factor;
+        if (environment.nadir)
+            *environment.nadir *= factor;
+        return environment;
+    }
+    environment.radiance = vec3(float(radiance));
+    environment.nadir.reset();
+    return environment;
 }
 
 std::optional<NamedRig> nameOf(const LightRig& rig) {

@@ -30,6 +30,9 @@ struct Lighting {
 /// follows and what is seen behind the volume stays.
 Lighting litBy(Lighting lighting, NamedRig name);
 
+/// `environment` with that radiance straight above (luminance, >= 0) and of its colour; white where it was black.
+Environment withRadiance(Environment environment, double radiance);
+
 /// The rig whose panels these are, however strong; none where one has been moved, or another stands there.
 std::optional<NamedRig> nameOf(const LightRig& rig);
 

@@ -61,6 +61,8 @@ Camera zoomed(const Camera& camera, double factor) {
     const double distance = glm::length(camera.targetMm - camera.eyeMm);
     const double wanted = std::clamp(distance / factor, kNearestMm, std::max(kFarthestMm, distance));
     result.eyeMm = camera.targetMm - camera.forward() * wanted;
+    if (camera.focusMm > 0)  // what is sharp stays so
+        result.focusMm = std::max(camera.focusMm + wanted - distance, kNearestMm);
     return result;
 }
 

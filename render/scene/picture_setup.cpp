@@ -32,6 +32,7 @@ Scene sceneOf(const PictureSetup& setup, std::shared_ptr<const Volume> volume, i
     Scene scene;
     scene.volume = std::move(volume);
     scene.camera = setup.camera;
+    scene.background = setup.background;
     scene.clip = setup.clip;
     scene.model = setup.model;
     scene.estimator = setup.estimator;
@@ -51,6 +52,7 @@ std::optional<PictureSetup> setupOf(const Scene& scene, PictureSetup setup) {
         for (RigPanel& panel : setup.look.rig.panels)
             panel.radiance = 0;
     setup.camera = scene.camera;
+    setup.background = scene.background;
     setup.clip = scene.clip;
     setup.model = scene.model;
     Scene made = sceneOf(setup, scene.volume, scene.film);

@@ -17,6 +17,7 @@ struct PictureSetup {
     std::string lookName;  ///< what the user calls it: the preset's name
     double stops = 0;      ///< brightness against the look's; one more is twice as bright; [-64, 64]
     Camera camera;
+    std::optional<vec3> background;  ///< as in Scene
     Clip clip;
     Table table = Table::hidden;
     Model model = Model::singleScattering;

@@ -72,6 +72,10 @@ bool isProjection(Model model) {
     return model != Model::singleScattering && model != Model::multipleScattering;
 }
 
+bool showsEnvironment(const Scene& scene) {
+    return scene.environment.visible && !scene.background;
+}
+
 bool canBeSmoothed(const Scene& scene) {
     return !isProjection(scene.model) && scene.schedule.kind == Schedule::Kind::pd;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,8 @@ struct Scene {
     bool unshadowed = false;        ///< light reaches every event unhindered: only to learn what shadows do (needs.h)
     std::vector<Light> lights;
     Environment environment;
+    std::optional<vec3> background;  ///< radiance that the camera sees behind the volume instead of the environment;
+                                     ///< it lights nothing; [0, 1e30]
     Camera camera;
     Clip clip;
     Visible visible;         ///< what the mask was made for; no picture depends on it
@@ -59,6 +62,9 @@ struct Scene {
     Result<void> check() const;
     bool operator==(const Scene&) const = default;
 };
+
+/// Whether the camera sees the environment behind the volume.
+bool showsEnvironment(const Scene& scene);
 
 /// Whether smoothing can do its pictures any good: projections have no noise, and Exposure Render's schedule is there
 /// to be compared with.

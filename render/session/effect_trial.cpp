@@ -114,8 +114,11 @@ bool isUnseen(const PictureChange& change) {
 }
 
 EffectTrying::EffectTrying(const Effect& effect, const Scene& scene, const DevicePair& devices, double budgetSeconds)
-    : with_(scene, devices.with, TrialPicture::Use::alone),
-      without_(leanScene(effect, scene), devices.without, TrialPicture::Use::alone),
+    : EffectTrying(scene, leanScene(effect, scene), devices, budgetSeconds) {}
+
+EffectTrying::EffectTrying(const Scene& with, const Scene& without, const DevicePair& devices, double budgetSeconds)
+    : with_(with, devices.with, TrialPicture::Use::alone),
+      without_(without, devices.without, TrialPicture::Use::alone),
       costs_({[this](std::uint32_t n, const std::stop_token& stop) { return with_.accumulate(n, stop); },
               [this](std::uint32_t n, const std::stop_token& stop) { return without_.accumulate(n, stop); }},
              budgetSeconds, kFewestIterations) {}

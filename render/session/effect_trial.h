@@ -107,6 +107,8 @@ class EffectTrying {
   public:
     /// `devices` must outlive it, and are its own meanwhile.
     EffectTrying(const Effect& effect, const Scene& scene, const DevicePair& devices, double budgetSeconds);
+    /// The same of whatever parts two scenes of one film.
+    EffectTrying(const Scene& with, const Scene& without, const DevicePair& devices, double budgetSeconds);
 
     bool isDone() const { return costs_.isDone(); }
     /// One launch of one of the two pictures; not when it is done, nor after one that was stopped.

@@ -17,6 +17,8 @@ class TestDocumentLook : public QObject {
     void anEditedLookSurvivesTheNextOrbit();
     void aChangedLookIsNotCalledAsThePreset();
     void aDragOfTheLookIsOneStep();
+    void anotherModelLeavesTheWaysThatDoNotKnowIt();
+    void aBackgroundIsPartOfThePicture();
 };
 
 void TestDocumentLook::undoOfAPresetBringsItsLookBack() {
@@ -97,6 +99,34 @@ void TestDocumentLook::aDragOfTheLookIsOneStep() {
     told.document.undo();
     QVERIFY(told.document.setup().look == twoPresets()[0].look);
     QVERIFY(!told.document.canUndo());
+}
+
+void TestDocumentLook::anotherModelLeavesTheWaysThatDoNotKnowIt() {
+    Told told;
+    told.document.setEstimator(Estimator::kroesMarch);
+    told.document.setModel(Model::multipleScattering);
+    QVERIFY(told.scenes.back().model == Model::multipleScattering && told.scenes.back().check());
+    const std::size_t scenes = told.scenes.size();
+    told.document.setModel(Model::multipleScattering);
+    QCOMPARE(told.scenes.size(), scenes);
+    told.document.undo();
+    QVERIFY(told.scenes.back().estimator == Estimator::kroesMarch);
+}
+
+/// And neither of the look nor of its light.
+void TestDocumentLook::aBackgroundIsPartOfThePicture() {
+    Told told;
+    told.document.setBackground(vec3(0.5f));
+    QVERIFY(told.scenes.back().background == vec3(0.5f) && !showsEnvironment(told.scenes.back()));
+    QCOMPARE(told.document.preset(), 0);
+    told.document.setPreset(1);
+    QVERIFY(told.scenes.back().background == vec3(0.5f));
+    told.document.setBackground(std::nullopt);
+    QVERIFY(showsEnvironment(told.scenes.back()));
+    told.document.undo();
+    told.document.undo();
+    told.document.undo();
+    QVERIFY(!told.document.canUndo() && !told.scenes.back().background);
 }
 
 }  // namespace pdr::app

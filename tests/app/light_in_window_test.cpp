@@ -4,28 +4,11 @@
 #include <QTest>
 
 #include "tests/support/desktop_trial.h"
+#include "tests/support/hand_on_window.h"
 #include "tests/support/phantom_series.h"
-#include "tests/support/pictures.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
-
-/// Presses there, moves on in two steps, and lets go.
-static void drag(QWidget& widget, Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
-    QTest::mousePress(&widget, button, keys, from);
-    for (const QPoint place : {(from + to) / 2, to}) {
-        QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, button, keys);
-        QCoreApplication::sendEvent(&widget, &move);
-    }
-    QTest::mouseRelease(&widget, button, keys, to);
-}
-
-/// What the renderer makes of the document's scene, small.
-static Film rendered(const Document& document) {
-    Scene scene = document.scene();
-    scene.film = {48, 40};
-    return test::sampled(Flattener().prepare(scene), 4);
-}
 
 /// A window with the phantom in it.
 struct LightTrial : Trial {
@@ -57,7 +40,7 @@ void TestLightInWindow::aDragOnTheBallIsOneStepAndUndoBringsTheSameBits() {
     ui::LightSphere& sphere = trial.panel.sphere();
     sphere.resize(180, 180);
     const QPoint handle = sphere.handleOf(sphere.lamp().from).toPoint();
-    drag(sphere, Qt::LeftButton, handle, handle + QPoint(60, 30));
+    drag(sphere, handle, handle + QPoint(60, 30));
     QVERIFY(trial.document.setup().look.rig != before.rig);
     QVERIFY(!test::sameBits(rendered(trial.document), picture));
     trial.waitForNewest();
@@ -74,7 +57,7 @@ void TestLightInWindow::aDragOnThePictureTurnsAllLights() {
     const PictureSetup before = trial.document.setup();
     ui::Viewport& viewport = trial.desktop.window().viewport();
     const QPoint middle = viewport.rect().center();
-    drag(viewport, Qt::RightButton, middle, middle + QPoint(viewport.height() / 4, 0), Qt::ShiftModifier);
+    drag(viewport, middle, middle + QPoint(viewport.height() / 4, 0), Qt::ShiftModifier, Qt::RightButton);
     QVERIFY(trial.document.setup().camera == before.camera);
     const LightRig turned = pdr::turned(before.look.rig, {0.25, 0}, before.camera);
     for (std::size_t i = 0; i < turned.panels.size(); ++i)

@@ -7,29 +7,12 @@
 #include "app/show_scan.h"
 #include "render/scene/tissue_channels.h"
 #include "tests/support/desktop_trial.h"
+#include "tests/support/hand_on_window.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
-#include "tests/support/pictures.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
-
-/// Presses there, moves on in two steps, and lets go.
-static void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers keys) {
-    QTest::mousePress(&widget, Qt::LeftButton, keys, from);
-    for (const QPoint place : {(from + to) / 2, to}) {
-        QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, Qt::LeftButton, keys);
-        QCoreApplication::sendEvent(&widget, &move);
-    }
-    QTest::mouseRelease(&widget, Qt::LeftButton, keys, to);
-}
-
-/// What the renderer makes of the document's scene, small.
-static Film rendered(const Document& document) {
-    Scene scene = document.scene();
-    scene.film = {48, 40};
-    return test::sampled(Flattener().prepare(scene), 4);
-}
 
 class TestTissueInWindow : public QObject {
     Q_OBJECT

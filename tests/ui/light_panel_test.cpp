@@ -8,6 +8,7 @@
 
 #include "render/scene/orbit.h"
 #include "tests/support/contrast.h"
+#include "tests/support/named_widget.h"
 #include "ui/dark_theme.h"
 #include "ui/light/light_panel.h"
 
@@ -32,11 +33,8 @@ struct Lit {
     }
 
     template <class Widget>
-    Widget& named(const QString& name) {
-        for (Widget* widget : panel.findChildren<Widget*>())
-            if (widget->accessibleName() == name)
-                return *widget;
-        qFatal("no widget is called %s", qPrintable(name));
+    Widget& named(const QString& name) const {
+        return test::named<Widget>(panel, name);
     }
     QPushButton& button(const QString& text) {
         for (QPushButton* each : panel.findChildren<QPushButton*>())
@@ -78,6 +76,7 @@ class TestLightPanel : public QObject {
     void whatComesFromOutsideEndsTheDrag();
     void keysMoveChooseAndTurn();
     void aRigIsChosenByItsButton();
+    void aRigIsMeantForTheView();
     void slidersChangeTheChosenLamp();
     void aLampThatIsOffComesBack();
     void tyingMovesNothing();
@@ -211,6 +210,20 @@ void TestLightPanel::aRigIsChosenByItsButton() {
     LightSphere& sphere = lit.panel.sphere();
     QTest::keyClick(&sphere, Qt::Key_Left);
     QVERIFY(!lit.button("Rim").isChecked());
+}
+
+/// Also where the lamps then stay with the patient.
+void TestLightPanel::aRigIsMeantForTheView() {
+    Lit lit;
+    lit.button("Headlight").click();
+    const dvec3 inView = lit.seen(0);
+    QComboBox& follows = lit.named<QComboBox>("What the lamps turn with");
+    emit follows.activated(1);
+    lit.button("Rim").click();
+    lit.button("Headlight").click();
+    QVERIFY(lit.last.rig.follows == LightRig::Follows::patient);
+    QVERIFY(glm::length(lit.seen(0) - inView) < 1e-9);
+    QVERIFY(lit.button("Headlight").isChecked());
 }
 
 void TestLightPanel::slidersChangeTheChosenLamp() {

@@ -24,8 +24,9 @@ class TestMainWindow : public QObject {
     void undoAndRedoHaveKeysAndNeedSomethingToUndo();
     void keysWorkWhenThePictureIsAlone();
     void oneOfThePanelsBelowMakesRoomForTheOther();
-    void theTissueLeavesThePictureMostOfTheWindow_data();
-    void theTissueLeavesThePictureMostOfTheWindow();
+    void anEditorLeavesThePictureMostOfTheWindow_data();
+    void anEditorLeavesThePictureMostOfTheWindow();
+    void editorsGiveWayToEachOther();
     void theKeysAreShownAndGoAwayAgain();
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
@@ -137,14 +138,21 @@ void TestMainWindow::oneOfThePanelsBelowMakesRoomForTheOther() {
     QCOMPARE(shown(), std::pair(true, true));
 }
 
-void TestMainWindow::theTissueLeavesThePictureMostOfTheWindow_data() {
+void TestMainWindow::anEditorLeavesThePictureMostOfTheWindow_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("key");
     QTest::addColumn<QSize>("size");
-    for (const QSize size : {QSize(1100, 700), QSize(1400, 900), QSize(2000, 1000), QSize(3000, 2000)})
-        QTest::addRow("%d x %d", size.width(), size.height()) << size;
+    const auto editors = {std::pair("Tissue", Qt::Key_F5), std::pair("Light", Qt::Key_F8),
+                          std::pair("Camera", Qt::Key_F7)};
+    for (const auto& [name, key] : editors)
+        for (const QSize size : {QSize(1100, 700), QSize(1400, 900), QSize(2000, 1000), QSize(3000, 2000)})
+            QTest::addRow("%s, %d x %d", name, size.width(), size.height()) << QString(name) << int(key) << size;
 }
 
 /// 60 %; what gave way comes back with whichever way the panel is closed.
-void TestMainWindow::theTissueLeavesThePictureMostOfTheWindow() {
+void TestMainWindow::anEditorLeavesThePictureMostOfTheWindow() {
+    QFETCH(QString, name);
+    QFETCH(int, key);
     QFETCH(QSize, size);
     MainWindow window;
     activate(window);
@@ -154,16 +162,37 @@ void TestMainWindow::theTissueLeavesThePictureMostOfTheWindow() {
     const auto shown = [&] { return std::pair(window.series().isVisible(), window.rendering().isVisible()); };
     const auto before = shown();
     const auto picture = [&] { return double(window.viewport().width()) * window.viewport().height(); };
-    QTest::keyClick(&window, Qt::Key_F5);
-    QTRY_VERIFY(window.tissue().isVisible());
+    const auto editor = [&] { return window.findChild<QDockWidget*>(name)->isVisible(); };
+    QTest::keyClick(&window, Qt::Key(key));
+    QTRY_VERIFY(editor());
     QTRY_VERIFY2(picture() >= 0.6 * size.width() * size.height(),
                  qPrintable(QString::number(picture() / (size.width() * size.height()))));
     QVERIFY(window.look().isVisible());
     for (QToolButton* fold : window.findChildren<QToolButton*>())
-        if (fold->accessibleName() == "Fold Tissue away")
+        if (fold->accessibleName() == QString("Fold %1 away").arg(name))
             fold->click();
-    QVERIFY(!window.tissue().isVisible());
+    QVERIFY(!editor());
     QCOMPARE(shown(), before);
+}
+
+/// The right-hand column has one editor at a time.
+void TestMainWindow::editorsGiveWayToEachOther() {
+    MainWindow window;
+    activate(window);
+    const auto shown = [&] {
+        QString names;
+        for (const char* name : {"Tissue", "Light", "Camera"})
+            if (window.findChild<QDockWidget*>(name)->isVisible())
+                names += name;
+        return names;
+    };
+    QCOMPARE(shown(), QString());
+    for (const auto& [key, name] : {std::pair(Qt::Key_F5, "Tissue"), std::pair(Qt::Key_F7, "Camera"),
+                                    std::pair(Qt::Key_F8, "Light"), std::pair(Qt::Key_F8, "")}) {
+        QTest::keyClick(&window, key);
+        QTRY_COMPARE(shown(), QString(name));
+    }
+    QVERIFY(window.rendering().isVisible());  // what gave way to the first
 }
 
 void TestMainWindow::theKeysAreShownAndGoAwayAgain() {

@@ -14,6 +14,8 @@
 namespace pdr::ui {
 namespace {
 
+constexpr double kSmall = 0.9;  ///< of the usual letters
+
 enum Behind { kBlack, kGrey, kWhite, kColour, kSurroundings };
 const std::array<QColor, 3> kPlain{QColor(0, 0, 0), QColor(110, 110, 110), QColor(250, 250, 250)};
 
@@ -56,7 +58,9 @@ void CameraPanel::describeControls() {
     noFocus_.setToolTip(tr("A pinhole, which focuses nowhere"));
     sharp_.setWordWrap(true);
     sharp_.setAccessibleName(tr("What is sharp"));
-    sharp_.setForegroundRole(QPalette::PlaceholderText);
+    QFont small = sharp_.font();
+    small.setPointSizeF(kSmall * small.pointSizeF());
+    sharp_.setFont(small);
     behind_.addItems({tr("Black"), tr("Grey"), tr("White"), tr("Colour..."), tr("What lights it")});
     behind_.setAccessibleName(tr("Background"));
     behind_.setToolTip(tr("What stands behind the volume. A plain colour lights nothing"));
@@ -121,7 +125,7 @@ void CameraPanel::connectParts() {
         camera.apertureMm = aperture;
         apply(camera);
     });
-    connect(&noFocus_, &QToolButton::clicked, this, [this] {
+    connect(&noFocus_, &QPushButton::clicked, this, [this] {
         Camera camera = camera_;
         camera.apertureMm = camera.focusMm = 0;
         apply(camera);

@@ -5,7 +5,6 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QToolButton>
 #include <QWidget>
 #include <optional>
 
@@ -50,7 +49,7 @@ class CameraPanel : public QWidget {
     QDoubleSpinBox height_;
     QDoubleSpinBox aperture_;
     QPushButton focus_;
-    QToolButton noFocus_;
+    QPushButton noFocus_;
     QLabel sharp_;
     QComboBox behind_;
 };

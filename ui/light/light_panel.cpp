@@ -27,25 +27,6 @@ double valueAt(const QSlider& slider, bool fromNone) {
     return none ? 0 : std::exp2(double(slider.value()) / kStepsPerStop);
 }
 
-double luminance(vec3 colour) {
-    return double(glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)));
-}
-
-/// As bright, from white where there was none.
-Environment dimmed(Environment environment, double radiance) {
-    const double before = luminance(environment.radiance);
-    if (before > 0 && radiance > 0) {
-        const auto factor = float(radiance / before);
-        environment.radiance *= factor;
-        if (environment.nadir)
-            *environment.nadir *= factor;
-        return environment;
-    }
-    environment.radiance = vec3(float(radiance));
-    environment.nadir.reset();
-    return environment;
-}
-
 }  // namespace
 
 LightPanel::LightPanel(QWidget* parent) : QWidget(parent) {
@@ -117,6 +98,7 @@ void LightPanel::layOut() {
     column->addWidget(&sphere_);
     column->addWidget(&place_);
     column->addLayout(rows);
+    column->addWidget(&model_);
     column->addWidget(&expert_);
     column->addWidget(&table_);
     column->addStretch(1);
@@ -167,7 +149,7 @@ void LightPanel::showLighting() {
         shown.push_back({QString::fromStdString(lamp.name), inView * lamp.from, lamp.irradiance, lamp.colour});
     sphere_.setLamps(shown);
     const QSignalBlocker silent(&ambient_);
-    ambient_.setValue(stepOf(luminance(lighting_.environment.radiance)));
+    ambient_.setValue(stepOf(luminanceOf(lighting_.environment.radiance)));
     follows_.setCurrentIndex(int(lighting_.rig.follows));
     table_.setPanels(lighting_.rig.panels);
     showLamp();
@@ -226,7 +208,7 @@ void LightPanel::slideSize() {
 }
 
 void LightPanel::slideAmbient() {
-    apply({lighting_.rig, dimmed(lighting_.environment, valueAt(ambient_, true))}, ambient_.isSliderDown());
+    apply({lighting_.rig, withRadiance(lighting_.environment, valueAt(ambient_, true))}, ambient_.isSliderDown());
 }
 
 void LightPanel::tie(int index) {

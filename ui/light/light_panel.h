@@ -1,6 +1,7 @@
 #pragma once
 /// What lights the volume, to see and to edit: a rig by its name, its lamps on a ball, the chosen lamp's strength and
-/// size, light from all around, and what the lamps move with; folded away, all numbers. Setters are silent.
+/// size, light from all around, what the lamps move with, and which picture is made of it; folded away, all numbers.
+/// Setters are silent.
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -14,6 +15,7 @@
 #include "render/scene/lamp.h"
 #include "render/scene/named_rig.h"
 #include "ui/light/light_sphere.h"
+#include "ui/light/model_choice.h"
 #include "ui/light/panel_table.h"
 
 namespace pdr::ui {
@@ -30,6 +32,7 @@ class LightPanel : public QWidget {
     const Lighting& lighting() const { return lighting_; }
     LightSphere& sphere() { return sphere_; }
     PanelTable& table() { return table_; }
+    ModelChoice& model() { return model_; }
 
     QSize sizeHint() const override { return {316, QWidget::sizeHint().height()}; }
 
@@ -64,6 +67,7 @@ class LightPanel : public QWidget {
     QSlider size_{Qt::Horizontal};
     QSlider ambient_{Qt::Horizontal};
     QComboBox follows_;
+    ModelChoice model_;
     QToolButton expert_;
     PanelTable table_;
 };

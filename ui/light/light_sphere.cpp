@@ -12,16 +12,10 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kBall = 0.68;     ///< of the ring's radius
-constexpr double kHandle = 6.5;    ///< radius [px]
-constexpr double kReach = 11;      ///< how far beside a handle it is still taken [px]
-constexpr double kKeyStep = 5;     ///< [degrees]
-constexpr double kAmbient = 0.05;  ///< of the brightest, so that the ball is seen in the dark
-
-QColor onScreen(vec3 radiance) {
-    return screenColour(glm::clamp(vec3(1) - vec3(std::exp(-radiance.x), std::exp(-radiance.y), std::exp(-radiance.z)),
-                                   vec3(0), vec3(1)));
-}
+constexpr double kBall = 0.68;   ///< of the ring's radius
+constexpr double kHandle = 6.5;  ///< radius [px]
+constexpr double kReach = 11;    ///< how far beside a handle it is still taken [px]
+constexpr double kKeyStep = 5;   ///< [degrees]
 
 }  // namespace
 
@@ -182,33 +176,12 @@ void LightSphere::resizeEvent(QResizeEvent*) {
     ball_ = {};
 }
 
-/// A dull ball of `pixels` across, exposed for the strongest lamp.
-QImage LightSphere::ball(double pixels) const {
-    double strongest = 0;
-    for (const SphereLamp& lamp : lamps_)
-        strongest = std::max(strongest, lamp.irradiance);
-    const int side = std::max(int(std::ceil(pixels)), 1);
-    QImage image(side, side, QImage::Format_RGB32);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
-            const dvec2 across = (dvec2(x, side - 1 - y) + 0.5) / (pixels / 2) - 1.0;
-            const dvec3 normal(across, std::sqrt(std::max(1 - glm::dot(across, across), 0.0)));
-            vec3 sum(kAmbient);
-            for (const SphereLamp& lamp : lamps_)
-                if (strongest > 0)
-                    sum +=
-                        lamp.colour * float(std::max(glm::dot(normal, lamp.from), 0.0) * lamp.irradiance / strongest);
-            image.setPixelColor(x, y, onScreen(sum));
-        }
-    return image;
-}
-
 void LightSphere::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double ratio = devicePixelRatioF();
     if (ball_.isNull())
-        ball_ = ball(2 * ballRadius() * ratio);
+        ball_ = litBall(lamps_, std::max(int(std::ceil(2 * ballRadius() * ratio)), 1));
     painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 1));
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawEllipse(middle(), ringRadius(), ringRadius());

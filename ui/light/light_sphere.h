@@ -7,17 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "render/base/portable.h"
+#include "ui/light/lit_ball.h"
 
 namespace pdr::ui {
-
-/// A lamp as the viewer sees it.
-struct SphereLamp {
-    QString name;
-    dvec3 from;         ///< where it stands, unit: to the right, up, towards the viewer
-    double irradiance;  ///< of the ball's middle
-    vec3 colour;        ///< linear Rec. 709
-};
 
 class LightSphere : public QWidget {
     Q_OBJECT
@@ -64,7 +56,6 @@ class LightSphere : public QWidget {
     int lampAt(QPointF place) const;
     void choose(int index);
     void moveBy(dvec2 degrees);
-    QImage ball(double pixels) const;
     void paintHandle(QPainter& painter, int index) const;
 
     std::vector<SphereLamp> lamps_;

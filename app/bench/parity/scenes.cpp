@@ -77,6 +77,7 @@ std::vector<ParityScene> parityScenes() {
         scene.clip.planes = {{centre, dvec3(1, 0.2, 0.1)}};
         scene.clip.shadows = true;
     });
+    add("plain background", [](Scene& scene) { scene.background = vec3(0.3f, 0.5f, 0.7f); });
     add("orthographic", [](Scene& scene) { scene.camera.type = Camera::Type::orthographic; });
     add("very dense", [](Scene& scene) { scene.transferFunction.extinctionPerMm = 2000; });
     add("the eye inside, thin", [&](Scene& scene) {

@@ -82,7 +82,8 @@ PDR_HD inline float shadowTransmittance(float distance, float passed) {
 PDR_HD inline vec3 background(const FlatScene& scene, const PathSegment& segment) {
     if (segment.light >= 0)
         return scene.lights[segment.light].radiance;
-    return scene.environment.visible ? environmentRadiance(scene.environment, segment.direction) : vec3(0);
+    return scene.environment.visible ? environmentRadiance(scene.environment, segment.direction)
+                                     : scene.environment.behind;
 }
 
 /// What a segment that meets no event brings: the background, or no number where its ray came to no end (kMostSteps).
@@ -92,7 +93,7 @@ PDR_HD inline vec3 missed(const FlatScene& scene, const PathSegment& segment, fl
 
 /// The same without looking, where it looks the same everywhere.
 PDR_HD inline vec3 plainBackground(const FlatScene& scene) {
-    return scene.environment.visible ? scene.environment.zenith : vec3(0);
+    return scene.environment.visible ? scene.environment.zenith : scene.environment.behind;
 }
 
 /// Exact Russian roulette: little throughput goes on rarely and then counts for more, so that its mean stays.

@@ -35,6 +35,8 @@ void describe(Visit& visit, PictureSetup& setup) {
     visit({"lookName", "what the user calls it"}, setup.lookName);
     visit({"stops", "brightness against the look's; one more is twice as bright", {-64, 64}}, setup.stops);
     visit.object({"camera", "from where it is seen", {}, kRequired}, setup.camera);
+    visit({"background", "colour: radiance behind the volume instead of the environment; it lights nothing", kRadiance},
+          setup.background);
     visit.object({"clip", "what is cut away"}, setup.clip);
     visit.word({"table", "whether the scanner's table and the head holder are seen"}, setup.table, kTableWords);
     visit.word({"model", "optical model"}, setup.model, kModelWords);

@@ -64,6 +64,10 @@ void describe(Visit& visit, Scene& scene) {
           scene.toleranceLevels);
     visit.object({"phase", "how tissue scatters"}, phase);
     visit.object({"surface", "how readily an edge reflects like a surface"}, surface);
+    visit({"background",
+           "colour: radiance that the camera sees behind the volume instead of the environment; it lights nothing",
+           kRadiance},
+          scene.background);
     visit.object({"camera", "from where it is seen", {}, kRequired}, scene.camera);
     visit.object({"clip", "what is cut away"}, scene.clip);
     visit.object({"visible", "which part of the patient is shown"}, scene.visible);
