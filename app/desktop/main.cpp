@@ -17,7 +17,7 @@
 #include "app/program/program.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
-#include "ui/dark_theme.h"
+#include "ui/theme.h"
 
 namespace pdr::app {
 namespace {
@@ -113,7 +113,7 @@ int runWithWindow(int argc, char** argv) {
     const DesktopOptions options = desktopOptions(QApplication::arguments());
     if (options.answered)
         return *options.answered;
-    ui::applyDarkTheme(application);
+    ui::applyTheme(application, ui::ThemeChoice::dark);
     return run(options);
 }
 

@@ -22,7 +22,7 @@
 
 #include "app/desktop.h"
 #include "app/presets.h"
-#include "ui/dark_theme.h"
+#include "ui/theme.h"
 
 namespace pdr::app {
 namespace {
@@ -196,7 +196,7 @@ int run(const QString& folder, double seconds, int threads) {
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
-    pdr::ui::applyDarkTheme(application);
+    pdr::ui::applyTheme(application, pdr::ui::ThemeChoice::dark);
     QCommandLineParser parser;
     parser.addPositionalArgument("FOLDER", "a folder with a CT");
     parser.addOption({"seconds", "of each gesture", "S", "10"});
