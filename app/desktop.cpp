@@ -44,7 +44,8 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     bridge_.setPace(window_.rendering().pace());
     window_.setCaptioned(settings_.captioned());
     bridge_.setCaptioned(settings_.captioned());
-    window_.resize(QSize(1360, 860).boundedTo(window_.screen()->availableSize() * 0.95));
+    window_.setTheme(settings_.theme());
+    window_.resize(QSize(1480, 920).boundedTo(window_.screen()->availableSize() * 0.95));
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());
     wire(parts());
@@ -53,7 +54,7 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
 }
 
 Desktop::~Desktop() {
-    settings_.keepWindow(window_.saveGeometry(), window_.saveState());
+    settings_.keepWindow(window_.saveGeometry(), window_.wantedState());
 }
 
 }  // namespace pdr::app

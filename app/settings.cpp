@@ -1,6 +1,7 @@
 #include "app/settings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pdr::app {
@@ -14,6 +15,8 @@ constexpr auto kIterations = "rendering/iterationsPerPicture";
 constexpr auto kFrames = "rendering/picturesPerSecond";
 constexpr auto kTarget = "rendering/targetLevels";
 constexpr auto kCaptioned = "caption";
+constexpr auto kTheme = "theme";
+constexpr std::array kThemes{"dark", "light", "system"};  ///< in the order of ThemeChoice
 constexpr auto kPlanning = "secondsPerPixelToPlanning/";
 
 QString ownFile() {
@@ -52,6 +55,11 @@ bool Settings::captioned() const {
     return store_.value(kCaptioned, true).toBool();
 }
 
+ui::ThemeChoice Settings::theme() const {
+    const auto kept = std::ranges::find(kThemes, store_.value(kTheme).toString());
+    return kept == kThemes.end() ? ui::ThemeChoice::dark : ui::ThemeChoice(kept - kThemes.begin());
+}
+
 std::optional<double> Settings::planningSeconds(const QString& kind) const {
     bool known = false;
     const double seconds = store_.value(kPlanning + kind).toDouble(&known);
@@ -74,6 +82,10 @@ void Settings::keepTarget(double levels) {
 
 void Settings::keepCaptioned(bool captioned) {
     store_.setValue(kCaptioned, captioned);
+}
+
+void Settings::keepTheme(ui::ThemeChoice theme) {
+    store_.setValue(kTheme, kThemes[std::size_t(theme)]);
 }
 
 /// Each frame foretells it a little differently; the file is not written for that.

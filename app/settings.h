@@ -10,6 +10,7 @@
 
 #include "render/accuracy/stop_rule.h"
 #include "ui/render_panel.h"
+#include "ui/theme.h"
 
 namespace pdr::app {
 
@@ -24,12 +25,14 @@ class Settings {
     FrameBudget pace() const;
     double target() const;   ///< display levels, [kFinestTarget, kCoarsestTarget]
     bool captioned() const;  ///< unfinished pictures say so
+    ui::ThemeChoice theme() const;
     /// What the last picture of `kind` took per pixel until it was good for planning [s]; none: there was none.
     std::optional<double> planningSeconds(const QString& kind) const;
     void keepDevice(const QString& name);
     void keepPace(const FrameBudget& pace);
     void keepTarget(double levels);
     void keepCaptioned(bool captioned);
+    void keepTheme(ui::ThemeChoice theme);
     void keepPlanningSeconds(const QString& kind, double secondsPerPixel);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);
 

@@ -11,7 +11,7 @@ void showSaved(const DesktopParts& parts, const QString& file) {
 }
 
 void showNotice(const DesktopParts& parts, const QString& sentences) {
-    parts.window.message().showError({sentences.toStdString(), "", ""});
+    parts.window.message().showNotice(sentences);
 }
 
 }  // namespace pdr::app

@@ -138,6 +138,10 @@ void wirePicture(const DesktopParts& parts) {
 
 /// 6. What was chosen for this machine is kept.
 void wireSettings(const DesktopParts& parts) {
+    QObject::connect(&parts.window, &ui::MainWindow::themeChosen, &parts.window, [parts](ui::ThemeChoice choice) {
+        parts.settings.keepTheme(choice);
+        ui::applyTheme(*qApp, choice);
+    });
     const ui::RenderPanel& rendering = parts.window.rendering();
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &parts.window,
                      [parts](const QString& name) { parts.settings.keepDevice(name); });

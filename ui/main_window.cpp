@@ -15,6 +15,7 @@
 #include "ui/file_dialogs.h"
 
 namespace pdr::ui {
+
 MainWindow::MainWindow()
     : viewport_(new Viewport),
       region_(new RegionBox(viewport_)),
@@ -89,6 +90,8 @@ void MainWindow::connectViewActions() {
     connect(actions_.errorMap, &QAction::triggered, this, &MainWindow::errorMapChosen);
     connect(actions_.boxFirst, &QAction::triggered, this, &MainWindow::drawOrForgetRegion);
     connect(actions_.alone, &QAction::toggled, this, &MainWindow::showPictureAlone);
+    for (std::size_t i = 0; i < actions_.themes.size(); ++i)
+        connect(actions_.themes[i], &QAction::triggered, this, [this, i] { emit themeChosen(ThemeChoice(i)); });
 }
 
 void MainWindow::setSubject(const QString& subject) {
@@ -103,6 +106,15 @@ void MainWindow::setLastFolder(const QString& folder) {
 void MainWindow::setUndoAvailable(bool undo, bool redo) {
     actions_.undo->setEnabled(undo);
     actions_.redo->setEnabled(redo);
+}
+
+void MainWindow::setUndoTexts(const QString& undo, const QString& redo) {
+    actions_.undo->setText('&' + undo);
+    actions_.redo->setText('&' + redo);
+}
+
+void MainWindow::setTheme(ThemeChoice choice) {
+    actions_.themes[std::size_t(choice)]->setChecked(true);
 }
 
 void MainWindow::setPaused(bool paused) {
@@ -241,6 +253,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     keys_->setGeometry(rect());
+    docks_->makeRoom();
 }
 
 }  // namespace pdr::ui

@@ -16,6 +16,7 @@
 #include "ui/region_box.h"
 #include "ui/render_panel.h"
 #include "ui/series_panel.h"
+#include "ui/theme.h"
 #include "ui/tissue/tissue_panel.h"
 #include "ui/viewport.h"
 #include "ui/window_actions.h"
@@ -45,6 +46,9 @@ class MainWindow : public QMainWindow {
     /// Where the dialogs for opening and saving begin.
     void setLastFolder(const QString& folder);
     void setUndoAvailable(bool undo, bool redo);
+    /// What the next steps back and forth are called: "Undo turning the view".
+    void setUndoTexts(const QString& undo, const QString& redo);
+    void setTheme(pdr::ui::ThemeChoice choice);
     void setPaused(bool paused);
     void setSmoothed(bool smoothed);
     /// The box on the picture that gets its samples first; none: there is none.
@@ -55,6 +59,8 @@ class MainWindow : public QMainWindow {
     void setCaptioned(bool captioned);
     /// What is asked before the window closes, since something would be lost; empty: nothing would.
     void setQuestionOnClosing(const QString& question);
+    /// For another time: panels that fold because the window is small are there.
+    QByteArray wantedState() { return docks_->wantedState(); }
     /// Whether there is a picture to save or copy.
     void setPictureAvailable(bool available);
 
@@ -66,6 +72,7 @@ class MainWindow : public QMainWindow {
     void pictureOrdered(const pdr::ui::PictureOrder& order);
     /// The picture is wanted on the clipboard.
     void copyRequested();
+    void themeChosen(pdr::ui::ThemeChoice choice);
     void undoRequested();
     void redoRequested();
     void viewChosen(pdr::StandardView view);

@@ -27,7 +27,7 @@ class SeriesPanel : public QWidget {
     QString detail() const { return detail_.text(); }
     const QListView& list() const { return list_; }
 
-    QSize sizeHint() const override { return {330, 400}; }
+    QSize sizeHint() const override { return {240, 400}; }
 
   signals:
     /// A loadable series was clicked or reached by the keyboard.

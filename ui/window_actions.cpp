@@ -1,5 +1,6 @@
 #include "ui/window_actions.h"
 
+#include <QActionGroup>
 #include <QCoreApplication>
 #include <QMenu>
 
@@ -57,6 +58,14 @@ void addPicture(QMenu& menu, WindowActions& actions) {
                   Texts::tr("Draw a box on the picture: it gets all samples until it is as good as wanted"));
 }
 
+void addThemes(QMenu& view, WindowActions& actions) {
+    QMenu* menu = view.addMenu(Texts::tr("&Colours of the window"));
+    auto* one = new QActionGroup(menu);
+    const std::array<QString, 3> names{Texts::tr("&Dark"), Texts::tr("&Light"), Texts::tr("As the &system")};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        actions.themes[i] = one->addAction(checkable(menu->addAction(names[i])));
+}
+
 void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& actions) {
     QMenu* menu = bar.addMenu(Texts::tr("&View"));
     addViews(*menu, actions);
@@ -64,6 +73,7 @@ void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& a
     addPicture(*menu, actions);
     menu->addSeparator();
     menu->addActions(panels);
+    addThemes(*menu, actions);
     actions.alone = checkable(menu->addAction(Texts::tr("Picture &alone"), QKeySequence(Qt::Key_F11)));
 }
 

@@ -13,6 +13,7 @@ struct WindowActions {
     std::array<QAction*, 6> views;  ///< in the order of StandardView
     QAction* firstView;
     QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *alone;
+    std::array<QAction*, 3> themes;  ///< in the order of ThemeChoice; one is checked
     QAction *keys, *about;
 };
 

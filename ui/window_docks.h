@@ -17,13 +17,18 @@ class WindowDocks : public QObject {
         QWidget *series, *look, *tissue, *rendering, *accuracy, *effects;
     };
 
-    /// Adds all docks to `window`; tissue, accuracy and effects are folded away. `picture`: what is to keep most of it.
+    /// Adds all docks to `window`; tissue, rendering, accuracy and effects are folded away. `picture`: what is to keep
+    /// most of it.
     WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
 
     /// That show each and fold it away, in the menu's order.
     QList<QAction*> toggles() const;
     QAction* toggleTissue() const { return tissue_->toggleViewAction(); }
     QAction* toggleAccuracy() const { return accuracy_->toggleViewAction(); }
+    /// The window's state with the panels that only gave way, to be kept for another time.
+    QByteArray wantedState();
+    /// Folds panels away where the window has become too small for them, and brings them back in a larger one.
+    void makeRoom();
     /// Folds all away, or brings back what was there before.
     void setAway(bool away);
 
@@ -32,9 +37,14 @@ class WindowDocks : public QObject {
     void effectsShown(bool shown);
 
   private:
-    QDockWidget* add(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key);
+    QDockWidget* add(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
+                     const QKeySequence& key);
+    void opened(QDockWidget* dock, bool shown);
+    QList<QDockWidget*> inTheWayOf(QList<QDockWidget*> wanted) const;
+    int middleHeight() const;
+    int widthOf(const QDockWidget& dock) const;
+    double pictureShare(const QList<QDockWidget*>& panels) const;
     void makeRoomBeside(QDockWidget* opened, QDockWidget* other);
-    void giveTissueItsPart(bool shown);
     void giveAccuracyItsPart(bool shown);
 
     QMainWindow& window_;
@@ -46,8 +56,10 @@ class WindowDocks : public QObject {
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;
-    QList<QDockWidget*> gaveWay_;  ///< that come back when the one of the tissue goes
-    QByteArray stateBefore_;       ///< of the window, as long as all are away
+    QList<QDockWidget*> gaveWay_;      ///< that come back when there is room
+    QDockWidget* insisted_ = nullptr;  ///< opened last, which does not give way
+    int column_ = 0;          ///< width of the looks beside an open panel of the tissue, without it; 0: as it is [px]
+    QByteArray stateBefore_;  ///< of the window, as long as all are away
 };
 
 }  // namespace pdr::ui

@@ -113,7 +113,7 @@ int runWithWindow(int argc, char** argv) {
     const DesktopOptions options = desktopOptions(QApplication::arguments());
     if (options.answered)
         return *options.answered;
-    ui::applyTheme(application, ui::ThemeChoice::dark);
+    ui::applyTheme(application, Settings().theme());
     return run(options);
 }
 

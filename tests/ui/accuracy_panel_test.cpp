@@ -4,9 +4,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "ui/theme.h"
 #include "ui/main_window.h"
 #include "ui/status_text.h"
+#include "ui/theme.h"
 
 namespace pdr::ui {
 

@@ -6,9 +6,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "ui/theme.h"
 #include "ui/foot.h"
 #include "ui/main_window.h"
+#include "ui/theme.h"
 
 namespace pdr::ui {
 

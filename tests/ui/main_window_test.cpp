@@ -26,6 +26,12 @@ class TestMainWindow : public QObject {
     void oneOfThePanelsBelowMakesRoomForTheOther();
     void theTissueLeavesThePictureMostOfTheWindow_data();
     void theTissueLeavesThePictureMostOfTheWindow();
+    void thePictureIsTheLargestThing_data();
+    void thePictureIsTheLargestThing();
+    void whatGaveWayComesBackWithTheRoom();
+    void whatIsOpenedByHandStays();
+    void stepsToUndoAreNamed();
+    void coloursAreChosenInTheMenu();
     void theKeysAreShownAndGoAwayAgain();
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
@@ -164,6 +170,103 @@ void TestMainWindow::theTissueLeavesThePictureMostOfTheWindow() {
             fold->click();
     QVERIFY(!window.tissue().isVisible());
     QCOMPARE(shown(), before);
+}
+
+void TestMainWindow::thePictureIsTheLargestThing_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<double>("share");
+    QTest::newRow("800 x 600") << QSize(800, 600) << 0.5;
+    QTest::newRow("1100 x 700") << QSize(1100, 700) << 0.6;
+    QTest::newRow("1400 x 900") << QSize(1400, 900) << 0.6;
+}
+
+/// With whichever panel is open on the right.
+void TestMainWindow::thePictureIsTheLargestThing() {
+    QFETCH(QSize, size);
+    QFETCH(double, share);
+    MainWindow window;
+    activate(window);
+    window.foot().setRemarks({"a remark"});
+    for (const int key : {0, int(Qt::Key_F5), int(Qt::Key_F4)}) {
+        window.resize(size);
+        if (key != 0)
+            QTest::keyClick(&window, Qt::Key(key));
+        QCoreApplication::processEvents();
+        QCOMPARE(window.size(), size);
+        const double has = double(window.viewport().width()) * window.viewport().height();
+        const double least = key == 0 ? share : std::min(share, 0.45);
+        QVERIFY2(has >= (size.width() >= 1100 ? share : least) * size.width() * size.height(),
+                 qPrintable(QString("key %1: %2").arg(key).arg(has / (size.width() * size.height()))));
+        for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+            QVERIFY(!dock->isVisible() || double(dock->width()) * dock->height() < has);
+        if (key != 0)
+            QTest::keyClick(&window, Qt::Key(key));
+    }
+}
+
+void TestMainWindow::whatGaveWayComesBackWithTheRoom() {
+    MainWindow window;
+    activate(window);
+    const auto shown = [&](QSize size) {
+        window.resize(size);
+        QCoreApplication::processEvents();
+        return window.series().isVisible();
+    };
+    QVERIFY(shown({1600, 1000}));
+    QVERIFY(!shown({800, 600}));
+    const QByteArray kept = window.wantedState();
+    QVERIFY(!window.series().isVisible());
+    QVERIFY(shown({1600, 1000}));
+    MainWindow other;
+    activate(other);
+    other.resize(1600, 1000);
+    other.restoreState(kept);
+    QVERIFY(other.series().isVisible());
+}
+
+/// Also while the window changes; folded by hand it stays folded.
+void TestMainWindow::whatIsOpenedByHandStays() {
+    MainWindow window;
+    activate(window);
+    window.resize(800, 600);
+    QCoreApplication::processEvents();
+    QVERIFY(!window.series().isVisible());
+    QTest::keyClick(&window, Qt::Key_F2);
+    QVERIFY(window.series().isVisible());
+    window.resize(820, 600);
+    QCoreApplication::processEvents();
+    QVERIFY(window.series().isVisible());
+    QTest::keyClick(&window, Qt::Key_F2);
+    window.resize(1600, 1000);
+    QCoreApplication::processEvents();
+    QVERIFY(!window.series().isVisible());
+}
+
+static QAction* actionCalled(MainWindow& window, const QString& text) {
+    for (QAction* action : window.findChildren<QAction*>())
+        if (action->text().remove('&') == text)
+            return action;
+    return nullptr;
+}
+
+void TestMainWindow::stepsToUndoAreNamed() {
+    MainWindow window;
+    window.setUndoAvailable(true, true);
+    window.setUndoTexts("Undo turning the view", "Redo choosing a look");
+    const QAction* undo = actionCalled(window, "Undo turning the view");
+    QVERIFY(undo && actionCalled(window, "Redo choosing a look"));
+    QCOMPARE(undo->toolTip(), QString("Undo turning the view"));
+    QCOMPARE(undo->shortcut(), QKeySequence(QKeySequence::Undo));
+}
+
+void TestMainWindow::coloursAreChosenInTheMenu() {
+    MainWindow window;
+    QSignalSpy chosen(&window, &MainWindow::themeChosen);
+    window.setTheme(ThemeChoice::system);
+    QVERIFY(actionCalled(window, "As the system")->isChecked() && chosen.isEmpty());
+    actionCalled(window, "Light")->trigger();
+    QCOMPARE(chosen.value(0).value(0).value<ThemeChoice>(), ThemeChoice::light);
+    QVERIFY(!actionCalled(window, "As the system")->isChecked());
 }
 
 void TestMainWindow::theKeysAreShownAndGoAwayAgain() {
