@@ -1,5 +1,7 @@
 #include "app/desktop.h"
 
+#include <QCoreApplication>
+#include <QDir>
 #include <QScreen>
 #include <algorithm>
 #include <utility>
@@ -31,6 +33,15 @@ void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
     panel.setDevice(QString::fromStdString(inUse.name));
 }
 
+/// Where `bootstrap run` writes it, beside the programs that it builds; empty: it is not there.
+QString exampleFolder() {
+    const QDir programs(QCoreApplication::applicationDirPath());
+    for (const char* name : {"cranium", "phantom"})
+        if (const QString folder = QDir::cleanPath(programs.filePath(QString("../../example/") + name)); QDir(folder).exists())
+            return folder;
+    return {};
+}
+
 }  // namespace
 
 Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
@@ -51,6 +62,8 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     wire(parts());
     bridge_.setTarget(settings_.target());
     showNothing(parts());
+    showRecentFolders(parts());
+    window_.setExample(exampleFolder());
 }
 
 Desktop::~Desktop() {

@@ -17,6 +17,9 @@ constexpr auto kTarget = "rendering/targetLevels";
 constexpr auto kCaptioned = "caption";
 constexpr auto kTheme = "theme";
 constexpr std::array kThemes{"dark", "light", "system"};  ///< in the order of ThemeChoice
+constexpr auto kRemembers = "recent/remember";
+constexpr auto kFolders = "recent/folders";
+constexpr qsizetype kMostFolders = 8;
 constexpr auto kPlanning = "secondsPerPixelToPlanning/";
 
 QString ownFile() {
@@ -60,6 +63,14 @@ ui::ThemeChoice Settings::theme() const {
     return kept == kThemes.end() ? ui::ThemeChoice::dark : ui::ThemeChoice(kept - kThemes.begin());
 }
 
+bool Settings::remembersFolders() const {
+    return store_.value(kRemembers, false).toBool();
+}
+
+QStringList Settings::recentFolders() const {
+    return store_.value(kFolders).toStringList().mid(0, kMostFolders);
+}
+
 std::optional<double> Settings::planningSeconds(const QString& kind) const {
     bool known = false;
     const double seconds = store_.value(kPlanning + kind).toDouble(&known);
@@ -82,6 +93,25 @@ void Settings::keepTarget(double levels) {
 
 void Settings::keepCaptioned(bool captioned) {
     store_.setValue(kCaptioned, captioned);
+}
+
+void Settings::keepRemembersFolders(bool remembers) {
+    store_.setValue(kRemembers, remembers);
+    if (!remembers)
+        forgetFolders();
+}
+
+void Settings::keepFolder(const QString& folder) {
+    if (!remembersFolders())
+        return;
+    QStringList folders = recentFolders();
+    folders.removeAll(folder);
+    folders.prepend(folder);
+    store_.setValue(kFolders, folders.mid(0, kMostFolders));
+}
+
+void Settings::forgetFolders() {
+    store_.remove(kFolders);
 }
 
 void Settings::keepTheme(ui::ThemeChoice theme) {

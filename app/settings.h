@@ -1,7 +1,7 @@
 #pragma once
 /// What the desktop keeps between two runs: the window's geometry, the device, the pace and the target that were
-/// chosen, and how long pictures took. Nothing of a patient, so not the folder opened last either: its name may be a
-/// patient's.
+/// chosen, and how long pictures took. Nothing of a patient, so folders, whose names may be patients', only where that
+/// was chosen.
 
 #include <QByteArray>
 #include <QSettings>
@@ -26,12 +26,19 @@ class Settings {
     double target() const;   ///< display levels, [kFinestTarget, kCoarsestTarget]
     bool captioned() const;  ///< unfinished pictures say so
     ui::ThemeChoice theme() const;
+    bool remembersFolders() const;      ///< not unless that was chosen: folders are called after patients
+    QStringList recentFolders() const;  ///< the newest first, 8 at most
     /// What the last picture of `kind` took per pixel until it was good for planning [s]; none: there was none.
     std::optional<double> planningSeconds(const QString& kind) const;
     void keepDevice(const QString& name);
     void keepPace(const FrameBudget& pace);
     void keepTarget(double levels);
     void keepCaptioned(bool captioned);
+    /// What was remembered is forgotten with the choice not to.
+    void keepRemembersFolders(bool remembers);
+    /// As the newest, where folders are remembered.
+    void keepFolder(const QString& folder);
+    void forgetFolders();
     void keepTheme(ui::ThemeChoice theme);
     void keepPlanningSeconds(const QString& kind, double secondsPerPixel);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);

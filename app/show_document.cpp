@@ -18,6 +18,7 @@ void showDocument(const DesktopParts& parts) {
     parts.window.rendering().setSchedule(document.setup().schedule);
     parts.window.setSmoothed(document.smoothed());
     parts.window.setUndoAvailable(document.canUndo(), document.canRedo());
+    parts.window.setVolumeAvailable(document.hasVolume());
     parts.window.setUndoTexts(undoText(document.undoable()), redoText(document.redoable()));
 }
 

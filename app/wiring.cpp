@@ -138,6 +138,14 @@ void wirePicture(const DesktopParts& parts) {
 
 /// 6. What was chosen for this machine is kept.
 void wireSettings(const DesktopParts& parts) {
+    QObject::connect(&parts.window, &ui::MainWindow::rememberFoldersChosen, &parts.window, [parts](bool remembered) {
+        parts.settings.keepRemembersFolders(remembered);
+        showRecentFolders(parts);
+    });
+    QObject::connect(&parts.window, &ui::MainWindow::forgetFoldersRequested, &parts.window, [parts] {
+        parts.settings.forgetFolders();
+        showRecentFolders(parts);
+    });
     QObject::connect(&parts.window, &ui::MainWindow::themeChosen, &parts.window, [parts](ui::ThemeChoice choice) {
         parts.settings.keepTheme(choice);
         ui::applyTheme(*qApp, choice);

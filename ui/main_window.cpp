@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -27,6 +28,7 @@ MainWindow::MainWindow()
       foot_(new Foot),
       accuracy_(new AccuracyPanel),
       message_(new MessageBar),
+      start_(new StartPanel),
       keys_(new KeysOverlay(this)),
       docks_(new WindowDocks(*this, *viewport_, {series_, look_, tissue_, rendering_, accuracy_, effects_})),
       actions_(fillMenus(*menuBar(), docks_->toggles())) {
@@ -36,6 +38,10 @@ MainWindow::MainWindow()
     column->setSpacing(0);
     column->addWidget(message_);
     column->addWidget(viewport_, 1);
+    auto* inPlaceOfThePicture = new QGridLayout(viewport_);
+    inPlaceOfThePicture->addWidget(start_, 0, 0, Qt::AlignCenter);
+    start_->hide();
+    viewport_->setOverlay([this] { return whatIsSeen(); });
     setCentralWidget(middle);
     statusBar()->addWidget(foot_, 1);
     statusBar()->setSizeGripEnabled(false);
@@ -68,6 +74,11 @@ MainWindow::MainWindow()
 
 void MainWindow::connectFileActions() {
     connect(actions_.open, &QAction::triggered, this, &MainWindow::chooseFolder);
+    connect(start_, &StartPanel::openRequested, actions_.open, &QAction::trigger);
+    connect(start_, &StartPanel::folderChosen, this, &MainWindow::folderChosen);
+    connect(actions_.recent, &RecentMenu::folderChosen, this, &MainWindow::folderChosen);
+    connect(actions_.recent, &RecentMenu::rememberChosen, this, &MainWindow::rememberFoldersChosen);
+    connect(actions_.recent, &RecentMenu::forgetRequested, this, &MainWindow::forgetFoldersRequested);
     connect(actions_.save, &QAction::triggered, this, &MainWindow::chooseFile);
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
 }
@@ -90,6 +101,7 @@ void MainWindow::connectViewActions() {
     connect(actions_.errorMap, &QAction::triggered, this, &MainWindow::errorMapChosen);
     connect(actions_.boxFirst, &QAction::triggered, this, &MainWindow::drawOrForgetRegion);
     connect(actions_.alone, &QAction::toggled, this, &MainWindow::showPictureAlone);
+    connect(actions_.hideName, &QAction::toggled, this, &MainWindow::hideName);
     for (std::size_t i = 0; i < actions_.themes.size(); ++i)
         connect(actions_.themes[i], &QAction::triggered, this, [this, i] { emit themeChosen(ThemeChoice(i)); });
 }
@@ -111,6 +123,27 @@ void MainWindow::setUndoAvailable(bool undo, bool redo) {
 void MainWindow::setUndoTexts(const QString& undo, const QString& redo) {
     actions_.undo->setText('&' + undo);
     actions_.redo->setText('&' + redo);
+}
+
+void MainWindow::setRecentFolders(const QStringList& folders, bool remembered) {
+    actions_.recent->setFolders(folders, remembered);
+    start_->setRecent(folders);
+}
+
+void MainWindow::setStartShown(bool shown) {
+    start_->setVisible(shown);
+}
+
+void MainWindow::setExample(const QString& folder) {
+    start_->setExample(folder);
+}
+
+void MainWindow::setVolumeAvailable(bool available) {
+    for (QAction* view : actions_.views)
+        view->setEnabled(available);
+    for (QAction* action : {actions_.firstView, actions_.pause, actions_.smoothed, actions_.errorMap, actions_.boxFirst})
+        action->setEnabled(available);
+    look_->setEnabled(available);
 }
 
 void MainWindow::setTheme(ThemeChoice choice) {
@@ -194,6 +227,20 @@ void MainWindow::drawOrForgetRegion(bool draw) {
         region_->startDrawing();
     else
         chooseRegion(std::nullopt);
+}
+
+void MainWindow::hideName(bool hidden) {
+    series_->setNamesHidden(hidden);
+    actions_.recent->menuAction()->setVisible(!hidden);
+    start_->setVisible(start_->isVisible() && !hidden);
+    viewport_->update();
+}
+
+/// Whom the picture shows and how good it is, where nothing beside it says so.
+QStringList MainWindow::whatIsSeen() const {
+    if (!actions_.alone->isChecked())
+        return {};
+    return {series_->patient(), foot_->status().text()};
 }
 
 void MainWindow::escape() {

@@ -16,6 +16,7 @@
 #include "ui/region_box.h"
 #include "ui/render_panel.h"
 #include "ui/series_panel.h"
+#include "ui/start_panel.h"
 #include "ui/theme.h"
 #include "ui/tissue/tissue_panel.h"
 #include "ui/viewport.h"
@@ -48,6 +49,14 @@ class MainWindow : public QMainWindow {
     void setUndoAvailable(bool undo, bool redo);
     /// What the next steps back and forth are called: "Undo turning the view".
     void setUndoTexts(const QString& undo, const QString& redo);
+    /// The newest first; none where they are not remembered.
+    void setRecentFolders(const QStringList& folders, bool remembered);
+    /// Ways to open something, in the place of the picture.
+    void setStartShown(bool shown);
+    /// A folder to try with; empty: there is none.
+    void setExample(const QString& folder);
+    /// Whether there is something that views, looks and the like act on.
+    void setVolumeAvailable(bool available);
     void setTheme(pdr::ui::ThemeChoice choice);
     void setPaused(bool paused);
     void setSmoothed(bool smoothed);
@@ -72,6 +81,8 @@ class MainWindow : public QMainWindow {
     void pictureOrdered(const pdr::ui::PictureOrder& order);
     /// The picture is wanted on the clipboard.
     void copyRequested();
+    void rememberFoldersChosen(bool remembered);
+    void forgetFoldersRequested();
     void themeChosen(pdr::ui::ThemeChoice choice);
     void undoRequested();
     void redoRequested();
@@ -111,6 +122,8 @@ class MainWindow : public QMainWindow {
     void showPictureAlone(bool alone);
     void chooseRegion(const std::optional<QRectF>& box);
     void drawOrForgetRegion(bool draw);
+    void hideName(bool hidden);
+    QStringList whatIsSeen() const;
     void escape();
     void about();
 
@@ -124,6 +137,7 @@ class MainWindow : public QMainWindow {
     Foot* foot_;
     AccuracyPanel* accuracy_;
     MessageBar* message_;
+    StartPanel* start_;
     KeysOverlay* keys_;
     WindowDocks* docks_;
     WindowActions actions_;

@@ -15,6 +15,7 @@ QPushButton:focus { border: 2px solid @focus; padding: 5px 11px; }
 QToolTip { background: @base; color: @text; border: 1px solid @border; }
 QMainWindow::separator { width: 1px; height: 1px; background: @faint; }
 QStatusBar::item { border: none; }
+#start { background: @window; border: 1px solid @border; border-radius: 8px; }
 #message { background: @notice; }
 #message QLabel, #message QToolButton { color: @onNotice; }
 #message[warning="true"] { background: @warning; }

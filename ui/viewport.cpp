@@ -264,7 +264,7 @@ void Viewport::paintEvent(QPaintEvent*) {
 }
 
 PictureView Viewport::view() const {
-    return {size(), devicePixelRatioF(), captionShown_};
+    return {size(), devicePixelRatioF(), captionShown_, overlay_()};
 }
 
 void Viewport::paintMessage(QPainter& painter) const {

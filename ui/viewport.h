@@ -4,6 +4,7 @@
 #include <QPoint>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "render/scene/camera.h"
@@ -28,6 +29,8 @@ class Viewport : public QWidget {
     void showTip(QPointF place, const QString& text);
     /// The camera that the next edit starts from, which may be ahead of the picture's. None: edits are ignored.
     void setCamera(const std::optional<Camera>& camera);
+    /// Lines in the upper left corner of a picture, asked for at each painting.
+    void setOverlay(std::function<QStringList()> lines) { overlay_ = std::move(lines); }
     void setCaptionShown(bool shown);
     /// Whether the next click picks what lies under it, and turns nothing.
     void setPicking(bool picking);
@@ -86,6 +89,7 @@ class Viewport : public QWidget {
 
     std::optional<ShownPicture> picture_;
     QString message_;
+    std::function<QStringList()> overlay_ = [] { return QStringList(); };
     bool captionShown_ = false;
     std::optional<Camera> camera_;
     Gesture gesture_ = Gesture::none;

@@ -21,6 +21,8 @@ QAction* checkable(QAction* action, const QString& toolTip = {}) {
 void fillFileMenu(QMenuBar& bar, WindowActions& actions) {
     QMenu* menu = bar.addMenu(Texts::tr("&File"));
     actions.open = menu->addAction(Texts::tr("&Open folder..."), QKeySequence::Open);
+    actions.recent = new RecentMenu(&bar);
+    menu->addMenu(actions.recent);
     actions.save = menu->addAction(Texts::tr("&Save picture..."), QKeySequence::Save);
     menu->addSeparator();
     actions.quit = menu->addAction(Texts::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
@@ -74,6 +76,8 @@ void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& a
     menu->addSeparator();
     menu->addActions(panels);
     addThemes(*menu, actions);
+    actions.hideName = checkable(menu->addAction(Texts::tr("Hide the patient's &name"), QKeySequence(Qt::Key_N)),
+                                 Texts::tr("For screenshots: no patient is named anywhere in the window"));
     actions.alone = checkable(menu->addAction(Texts::tr("Picture &alone"), QKeySequence(Qt::Key_F11)));
 }
 

@@ -5,14 +5,17 @@
 #include <QMenuBar>
 #include <array>
 
+#include "ui/recent_menu.h"
+
 namespace pdr::ui {
 
 struct WindowActions {
     QAction *open, *save, *quit;
+    RecentMenu* recent;
     QAction *undo, *redo, *copy;
     std::array<QAction*, 6> views;  ///< in the order of StandardView
     QAction* firstView;
-    QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *alone;
+    QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *hideName, *alone;
     std::array<QAction*, 3> themes;  ///< in the order of ThemeChoice; one is checked
     QAction *keys, *about;
 };

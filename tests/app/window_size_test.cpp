@@ -104,12 +104,12 @@ void TestWindowSize::aSizeThatComesBackKeepsTheSamples() {
     const QSize before = window.viewport().sizeInPixels();
     const auto comesBack = [&] {
         if (panel)
-            window.findChild<QDockWidget*>("Series")->hide();
+            window.findChild<QDockWidget*>("Look")->hide();
         else
             window.resize(700, 600);
         QTest::qWait(20);
         const bool went = window.viewport().sizeInPixels() != before;
-        window.findChild<QDockWidget*>("Series")->show();
+        window.findChild<QDockWidget*>("Look")->show();
         window.resize(900, 500);
         QTest::qWait(500);
         return went && window.viewport().sizeInPixels() == before;
