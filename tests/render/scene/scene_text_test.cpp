@@ -90,6 +90,7 @@ std::string tableOf(const std::string& name) {
            : is("schedule")    ? FieldTable::of<Schedule>()
            : is("film")        ? FieldTable::of(FilmField{scene.film})
            : is("preset")      ? FieldTable::of(preset)
+           : is("panel")       ? FieldTable::of<RigPanel>()
            : is("rig")         ? FieldTable::of(RigFields{preset.look.rig, preset.look.environment})
                                : "there is no table of this name\n";
 }
@@ -174,9 +175,9 @@ class SceneTextTest : public QObject {
         PictureSetup setup;
         setup.look.transferFunction.nodes = {{0, 0}};
         QVERIFY(check(setup));
-        setup.look.rig.key = -1;
+        setup.look.rig.panels[0].radiance = -1;
         QCOMPARE(setupFromJson(setupText(setup), "s").error().where, std::string("s, look.lights.key"));
-        setup.look.rig.key = 1;
+        setup.look.rig.panels[0].radiance = 1;
         setup.look.window = {5, 5};
         QCOMPARE(setupFromJson(setupText(setup), "s").error().where, std::string("s, look.window.highHu"));
         setup.look.window = {};
@@ -201,7 +202,7 @@ class SceneTextTest : public QObject {
             at = end + closing.size();
         }
         wanted += text.substr(at);
-        QCOMPARE(tables, 19);
+        QCOMPARE(tables, 20);
         if (qEnvironmentVariableIsSet("PDR_WRITE_MANUAL")) {
             QVERIFY(manual.open(QIODevice::WriteOnly));
             manual.write(QByteArray::fromStdString(wanted));
