@@ -37,7 +37,8 @@ void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
 QString exampleFolder() {
     const QDir programs(QCoreApplication::applicationDirPath());
     for (const char* name : {"cranium", "phantom"})
-        if (const QString folder = QDir::cleanPath(programs.filePath(QString("../../example/") + name)); QDir(folder).exists())
+        if (const QString folder = QDir::cleanPath(programs.filePath(QString("../../example/") + name));
+            QDir(folder).exists())
             return folder;
     return {};
 }
@@ -56,6 +57,7 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     window_.setCaptioned(settings_.captioned());
     bridge_.setCaptioned(settings_.captioned());
     window_.setTheme(settings_.theme());
+    window_.setKeys(settings_.keys());
     window_.resize(QSize(1480, 920).boundedTo(window_.screen()->availableSize() * 0.95));
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());

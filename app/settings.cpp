@@ -20,6 +20,7 @@ constexpr std::array kThemes{"dark", "light", "system"};  ///< in the order of T
 constexpr auto kRemembers = "recent/remember";
 constexpr auto kFolders = "recent/folders";
 constexpr qsizetype kMostFolders = 8;
+constexpr auto kKeys = "keys";
 constexpr auto kPlanning = "secondsPerPixelToPlanning/";
 
 QString ownFile() {
@@ -112,6 +113,21 @@ void Settings::keepFolder(const QString& folder) {
 
 void Settings::forgetFolders() {
     store_.remove(kFolders);
+}
+
+QMap<QString, QString> Settings::keys() const {
+    QMap<QString, QString> keys;
+    store_.beginGroup(kKeys);
+    for (const QString& name : store_.childKeys())
+        keys[name] = store_.value(name).toString();
+    store_.endGroup();
+    return keys;
+}
+
+void Settings::keepKeys(const QMap<QString, QString>& keys) {
+    store_.remove(kKeys);
+    for (auto key = keys.begin(); key != keys.end(); ++key)
+        store_.setValue(QString(kKeys) + '/' + key.key(), key.value());
 }
 
 void Settings::keepTheme(ui::ThemeChoice theme) {

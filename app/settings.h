@@ -4,6 +4,7 @@
 /// was chosen.
 
 #include <QByteArray>
+#include <QMap>
 #include <QSettings>
 #include <QString>
 #include <optional>
@@ -39,6 +40,8 @@ class Settings {
     /// As the newest, where folders are remembered.
     void keepFolder(const QString& folder);
     void forgetFolders();
+    QMap<QString, QString> keys() const;  ///< as ui::KeyBindings::choices() has them
+    void keepKeys(const QMap<QString, QString>& keys);
     void keepTheme(ui::ThemeChoice theme);
     void keepPlanningSeconds(const QString& kind, double secondsPerPixel);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);

@@ -146,6 +146,8 @@ void wireSettings(const DesktopParts& parts) {
         parts.settings.forgetFolders();
         showRecentFolders(parts);
     });
+    QObject::connect(&parts.window, &ui::MainWindow::keysChosen, &parts.window,
+                     [parts](const QMap<QString, QString>& keys) { parts.settings.keepKeys(keys); });
     QObject::connect(&parts.window, &ui::MainWindow::themeChosen, &parts.window, [parts](ui::ThemeChoice choice) {
         parts.settings.keepTheme(choice);
         ui::applyTheme(*qApp, choice);

@@ -14,8 +14,21 @@
 
 #include "render/base/version.h"
 #include "ui/file_dialogs.h"
+#include "ui/keys_dialog.h"
 
 namespace pdr::ui {
+namespace {
+
+QList<QAction*> namedActions(const QMenuBar& bar) {
+    QList<QAction*> named;
+    for (const QAction* menu : bar.actions())
+        for (QAction* action : menu->menu()->actions())
+            if (!action->objectName().isEmpty())
+                named << action;
+    return named;
+}
+
+}  // namespace
 
 MainWindow::MainWindow()
     : viewport_(new Viewport),
@@ -31,7 +44,8 @@ MainWindow::MainWindow()
       start_(new StartPanel),
       keys_(new KeysOverlay(this)),
       docks_(new WindowDocks(*this, *viewport_, {series_, look_, tissue_, rendering_, accuracy_, effects_})),
-      actions_(fillMenus(*menuBar(), docks_->toggles())) {
+      actions_(fillMenus(*menuBar(), docks_->toggles())),
+      bindings_(namedActions(*menuBar())) {
     auto* middle = new QWidget;
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
@@ -51,7 +65,8 @@ MainWindow::MainWindow()
     connectFileActions();
     connectEditActions();
     connectViewActions();
-    connect(actions_.keys, &QAction::triggered, keys_, &KeysOverlay::toggle);
+    connect(actions_.keys, &QAction::triggered, keys_, [this] { keys_->toggle(bindings_.actions()); });
+    connect(actions_.editKeys, &QAction::triggered, this, &MainWindow::editKeys);
     connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
 
@@ -141,9 +156,20 @@ void MainWindow::setExample(const QString& folder) {
 void MainWindow::setVolumeAvailable(bool available) {
     for (QAction* view : actions_.views)
         view->setEnabled(available);
-    for (QAction* action : {actions_.firstView, actions_.pause, actions_.smoothed, actions_.errorMap, actions_.boxFirst})
+    for (QAction* action :
+         {actions_.firstView, actions_.pause, actions_.smoothed, actions_.errorMap, actions_.boxFirst})
         action->setEnabled(available);
     look_->setEnabled(available);
+}
+
+void MainWindow::setKeys(const QMap<QString, QString>& choices) {
+    bindings_.restore(choices);
+}
+
+void MainWindow::editKeys() {
+    KeysDialog dialog(bindings_, this);
+    connect(&dialog, &KeysDialog::keysChanged, this, [this] { emit keysChosen(bindings_.choices()); });
+    dialog.exec();
 }
 
 void MainWindow::setTheme(ThemeChoice choice) {

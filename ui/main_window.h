@@ -9,6 +9,7 @@
 #include "ui/accuracy_panel.h"
 #include "ui/effect_ledger.h"
 #include "ui/foot.h"
+#include "ui/key_bindings.h"
 #include "ui/keys_overlay.h"
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
@@ -57,6 +58,8 @@ class MainWindow : public QMainWindow {
     void setExample(const QString& folder);
     /// Whether there is something that views, looks and the like act on.
     void setVolumeAvailable(bool available);
+    /// Which actions have other keys than their own: KeyBindings::choices().
+    void setKeys(const QMap<QString, QString>& choices);
     void setTheme(pdr::ui::ThemeChoice choice);
     void setPaused(bool paused);
     void setSmoothed(bool smoothed);
@@ -81,6 +84,7 @@ class MainWindow : public QMainWindow {
     void pictureOrdered(const pdr::ui::PictureOrder& order);
     /// The picture is wanted on the clipboard.
     void copyRequested();
+    void keysChosen(const QMap<QString, QString>& choices);
     void rememberFoldersChosen(bool remembered);
     void forgetFoldersRequested();
     void themeChosen(pdr::ui::ThemeChoice choice);
@@ -124,6 +128,7 @@ class MainWindow : public QMainWindow {
     void drawOrForgetRegion(bool draw);
     void hideName(bool hidden);
     QStringList whatIsSeen() const;
+    void editKeys();
     void escape();
     void about();
 
@@ -141,6 +146,7 @@ class MainWindow : public QMainWindow {
     KeysOverlay* keys_;
     WindowDocks* docks_;
     WindowActions actions_;
+    KeyBindings bindings_;
     QString lastFolder_;
     QString questionOnClosing_;
 };

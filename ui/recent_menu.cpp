@@ -18,7 +18,8 @@ void RecentMenu::setFolders(const QStringList& folders, bool remembered) {
     QAction* remember = addAction(tr("&Remember folders"));
     remember->setCheckable(true);
     remember->setChecked(remembered);
-    remember->setToolTip(tr("Folders are often called after patients: anyone who uses this account can read the list."));
+    remember->setToolTip(
+        tr("Folders are often called after patients: anyone who uses this account can read the list."));
     connect(remember, &QAction::triggered, this, &RecentMenu::rememberChosen);
     QAction* forget = addAction(tr("&Forget these folders"));
     forget->setEnabled(!folders.isEmpty());

@@ -17,10 +17,11 @@ struct WindowActions {
     QAction* firstView;
     QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *hideName, *alone;
     std::array<QAction*, 3> themes;  ///< in the order of ThemeChoice; one is checked
-    QAction *keys, *about;
+    QAction *keys, *editKeys, *about;
 };
 
-/// Fills the empty bar. `panels`: the actions that show panels and fold them away.
+/// Fills the empty bar. Each action that may have a key has an object name, by which that is kept, and a sentence as
+/// its tool tip. `panels`: the actions that show panels and fold them away.
 WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels);
 
 }  // namespace pdr::ui

@@ -14,7 +14,7 @@
 namespace pdr::ui {
 namespace {
 
-constexpr int kTissueColumn = 316;  ///< [px]
+constexpr int kEditorColumn = 316;  ///< [px]
 
 /// A quiet heading with a way to fold the panel.
 QWidget* panelTitle(const QString& title, QDockWidget* dock) {
@@ -51,7 +51,8 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       effects_(add("Effects", tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)) {
     for (QDockWidget* folded : {tissue_, rendering_, accuracy_, effects_})
         folded->hide();
-    for (QDockWidget* dock : {series_, look_, tissue_, rendering_})
+    editors_ = {{tissue_, panels.tissue}};
+    for (QDockWidget* dock : QList<QDockWidget*>{series_, look_, rendering_} + editors_.keys())
         connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) { opened(dock, shown); });
     makeRoomBeside(accuracy_, effects_);
     makeRoomBeside(effects_, accuracy_);
@@ -83,6 +84,8 @@ QDockWidget* WindowDocks::add(const QString& name, const QString& title, QWidget
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
     dock->setWidget(panel);
     dock->toggleViewAction()->setShortcut(key);
+    dock->toggleViewAction()->setObjectName(name + "Panel");  // by which its key is kept
+    dock->toggleViewAction()->setToolTip(tr("Shows this panel, or folds it away."));
     dock->setTitleBarWidget(panelTitle(title, dock));
     window_.addDockWidget(area, dock);
     return dock;
@@ -97,18 +100,26 @@ void WindowDocks::makeRoomBeside(QDockWidget* opened, QDockWidget* other) {
     });
 }
 
-/// What is opened stays, whatever it takes. The right-hand column is wider as long as the tissue stands in it.
+/// What is opened stays, whatever it takes. The right-hand column is wider as long as an editor stands in it.
 void WindowDocks::opened(QDockWidget* dock, bool shown) {
     gaveWay_.removeAll(dock);
     insisted_ = shown ? dock : nullptr;
-    if (dock == tissue_ && shown)
+    if (editors_.contains(dock))
+        return openedEditor(dock, shown);
+    makeRoom();
+}
+
+/// One at a time.
+void WindowDocks::openedEditor(QDockWidget* dock, bool shown) {
+    for (QDockWidget* other : editors_.keys())
+        if (other != dock)
+            other->hide();
+    if (shown)
         column_ = look_->isVisible() ? look_->width() : 0;
     makeRoom();
-    if (dock != tissue_)
-        return;
-    window_.resizeDocks({shown ? tissue_ : look_}, {shown ? kTissueColumn : column_}, Qt::Horizontal);
+    window_.resizeDocks({shown ? dock : look_}, {shown ? kEditorColumn : column_}, Qt::Horizontal);
     if (shown)
-        window_.resizeDocks({look_, tissue_}, {1, window_.height()}, Qt::Vertical);
+        window_.resizeDocks({look_, dock}, {1, window_.height()}, Qt::Vertical);
     else
         column_ = 0;
 }
@@ -117,7 +128,7 @@ void WindowDocks::makeRoom() {
     if (!stateBefore_.isEmpty())
         return;
     QList<QDockWidget*> wanted = gaveWay_;
-    for (QDockWidget* dock : {series_, look_, tissue_, rendering_})
+    for (QDockWidget* dock : QList<QDockWidget*>{series_, look_, rendering_} + editors_.keys())
         if (!dock->isHidden() && !wanted.contains(dock))
             wanted << dock;
     gaveWay_ = inTheWayOf(wanted);
@@ -125,7 +136,7 @@ void WindowDocks::makeRoom() {
         dock->setVisible(!gaveWay_.contains(dock));
 }
 
-/// The rendering's numbers first, then the series, of which one has been chosen; beside the tissue the looks, where
+/// The rendering's numbers first, then the series, of which one has been chosen; beside an editor the looks, where
 /// both have no room above each other.
 QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
     constexpr int kNarrow = 1100;
@@ -135,13 +146,14 @@ QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
         if (dock != insisted_ && wanted.removeOne(dock))
             away << dock;
     };
-    const bool tissue = wanted.contains(tissue_), narrow = window_.width() < kNarrow;
-    if (narrow || tissue)
+    const auto editor = std::ranges::find_if(wanted, [&](QDockWidget* dock) { return editors_.contains(dock); });
+    QWidget* panel = editor == wanted.end() ? nullptr : editors_[*editor];
+    const bool narrow = window_.width() < kNarrow;
+    if (narrow || panel)
         give(rendering_);
     if (narrow || pictureShare(wanted) < kPicture)
         give(series_);
-    if (tissue &&
-        middleHeight() < panels_.look->minimumSizeHint().height() + panels_.tissue->minimumSizeHint().height())
+    if (panel && middleHeight() < panels_.look->minimumSizeHint().height() + panel->minimumSizeHint().height())
         give(look_);
     return away;
 }
@@ -152,8 +164,8 @@ int WindowDocks::middleHeight() const {
 }
 
 int WindowDocks::widthOf(const QDockWidget& dock) const {
-    if (&dock == tissue_)
-        return kTissueColumn;
+    if (editors_.contains(const_cast<QDockWidget*>(&dock)))
+        return kEditorColumn;
     if (&dock == look_ && column_ > 0)
         return column_;
     return dock.isVisible() ? dock.width() : dock.sizeHint().width();

@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QList>
 #include <QMainWindow>
+#include <QMap>
 
 namespace pdr::ui {
 
@@ -40,6 +41,7 @@ class WindowDocks : public QObject {
     QDockWidget* add(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
                      const QKeySequence& key);
     void opened(QDockWidget* dock, bool shown);
+    void openedEditor(QDockWidget* dock, bool shown);
     QList<QDockWidget*> inTheWayOf(QList<QDockWidget*> wanted) const;
     int middleHeight() const;
     int widthOf(const QDockWidget& dock) const;
@@ -56,10 +58,11 @@ class WindowDocks : public QObject {
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;
-    QList<QDockWidget*> gaveWay_;      ///< that come back when there is room
-    QDockWidget* insisted_ = nullptr;  ///< opened last, which does not give way
-    int column_ = 0;          ///< width of the looks beside an open panel of the tissue, without it; 0: as it is [px]
-    QByteArray stateBefore_;  ///< of the window, as long as all are away
+    QMap<QDockWidget*, QWidget*> editors_;  ///< wide ones on the right, one at a time, with their panels
+    QList<QDockWidget*> gaveWay_;           ///< that come back when there is room
+    QDockWidget* insisted_ = nullptr;       ///< opened last, which does not give way
+    int column_ = 0;                        ///< width of the looks beside an open editor, without it; 0: as it is [px]
+    QByteArray stateBefore_;                ///< of the window, as long as all are away
 };
 
 }  // namespace pdr::ui

@@ -32,6 +32,10 @@ class TestMainWindow : public QObject {
     void whatIsOpenedByHandStays();
     void stepsToUndoAreNamed();
     void coloursAreChosenInTheMenu();
+    void theStartOffersWaysToOpen();
+    void recentFoldersAreOffered();
+    void withoutAVolumeNothingActsOnIt();
+    void fullScreenStillSaysWhoAndHowGood();
     void theKeysAreShownAndGoAwayAgain();
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
@@ -267,6 +271,94 @@ void TestMainWindow::coloursAreChosenInTheMenu() {
     actionCalled(window, "Light")->trigger();
     QCOMPARE(chosen.value(0).value(0).value<ThemeChoice>(), ThemeChoice::light);
     QVERIFY(!actionCalled(window, "As the system")->isChecked());
+}
+
+static QAbstractButton* buttonCalled(MainWindow& window, const QString& name) {
+    for (auto* button : window.findChildren<QAbstractButton*>())
+        if (button->accessibleName() == name)
+            return button;
+    return nullptr;
+}
+
+void TestMainWindow::theStartOffersWaysToOpen() {
+    MainWindow window;
+    activate(window);
+    window.resize(800, 600);
+    QVERIFY(!buttonCalled(window, "Open a folder")->isVisible());
+    window.setStartShown(true);
+    QCoreApplication::processEvents();
+    QVERIFY(buttonCalled(window, "Open a folder")->isVisible());
+    QVERIFY(!buttonCalled(window, "Open the example")->isVisible());
+    window.setExample("/example");
+    QSignalSpy chosen(&window, &MainWindow::folderChosen);
+    buttonCalled(window, "Open the example")->click();
+    QCOMPARE(chosen.value(0).value(0).toString(), QString("/example"));
+}
+
+void TestMainWindow::recentFoldersAreOffered() {
+    MainWindow window;
+    window.setStartShown(true);
+    QSignalSpy chosen(&window, &MainWindow::folderChosen), forget(&window, &MainWindow::forgetFoldersRequested);
+    QSignalSpy remember(&window, &MainWindow::rememberFoldersChosen);
+    QVERIFY(!actionCalled(window, "Remember folders")->isChecked());
+    QVERIFY(!actionCalled(window, "Forget these folders")->isEnabled());
+    window.setRecentFolders({"/a/newest", "/a/older"}, true);
+    QVERIFY(actionCalled(window, "Remember folders")->isChecked());
+    buttonCalled(window, "Open /a/older")->click();
+    actionCalled(window, "/a/newest")->trigger();
+    QCOMPARE(chosen.count(), 2);
+    QCOMPARE(chosen[0][0].toString(), QString("/a/older"));
+    QCOMPARE(chosen[1][0].toString(), QString("/a/newest"));
+    actionCalled(window, "Forget these folders")->trigger();
+    actionCalled(window, "Remember folders")->trigger();
+    QCOMPARE(forget.count(), 1);
+    QCOMPARE(remember.value(0).value(0).toBool(), false);
+}
+
+void TestMainWindow::withoutAVolumeNothingActsOnIt() {
+    MainWindow window;
+    activate(window);
+    window.setVolumeAvailable(false);
+    QSignalSpy view(&window, &MainWindow::viewChosen), pause(&window, &MainWindow::pauseChosen);
+    QTest::keyClick(&window.viewport(), Qt::Key_1);
+    QTest::keyClick(&window.viewport(), Qt::Key_Space);
+    QVERIFY(view.isEmpty() && pause.isEmpty() && !window.look().isEnabled());
+    window.setVolumeAvailable(true);
+    QTest::keyClick(&window.viewport(), Qt::Key_1);
+    QVERIFY(view.count() == 1 && window.look().isEnabled());
+}
+
+/// In the upper left corner, where nothing else is written.
+void TestMainWindow::fullScreenStillSaysWhoAndHowGood() {
+    MainWindow window;
+    activate(window);
+    dicom::ScanResult scan;
+    scan.series.resize(1);
+    scan.series[0].patient.name = "Family^Given";
+    window.series().setScan(scan);
+    window.series().setCurrent(0);
+    window.status().setText("Good for planning");
+    QImage black(640, 480, QImage::Format_RGB32);
+    black.fill(Qt::black);
+    window.viewport().setPicture({black, Camera{}});
+    const auto corner = [&] {
+        const QImage all = window.viewport().grab().toImage();
+        const QImage part = all.copy(0, 0, all.width() / 3, all.height() / 5);
+        int lit = 0;
+        for (int y = 0; y < part.height(); ++y)
+            for (int x = 0; x < part.width(); ++x)
+                lit += qGray(part.pixel(x, y)) > 100;
+        return lit;
+    };
+    QCOMPARE(corner(), 0);
+    QTest::keyClick(&window, Qt::Key_F11);
+    const int named = corner();
+    QVERIFY(named > 50);
+    QTest::keyClick(&window, Qt::Key_N);
+    QVERIFY(window.series().patient().contains("hidden") && !window.series().patient().contains("Family"));
+    QVERIFY(corner() != named);
+    QTest::keyClick(&window, Qt::Key_N);
+    QCOMPARE(window.series().patient(), QString("Family, Given"));
 }
 
 void TestMainWindow::theKeysAreShownAndGoAwayAgain() {
