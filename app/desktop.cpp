@@ -56,6 +56,7 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     bridge_.setPace(window_.rendering().pace());
     window_.setCaptioned(settings_.captioned());
     bridge_.setCaptioned(settings_.captioned());
+    window_.setLanguage(settings_.language());
     window_.setTheme(settings_.theme());
     window_.setKeys(settings_.keys());
     window_.resize(QSize(1480, 920).boundedTo(window_.screen()->availableSize() * 0.95));

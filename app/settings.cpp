@@ -20,6 +20,7 @@ constexpr std::array kThemes{"dark", "light", "system"};  ///< in the order of T
 constexpr auto kRemembers = "recent/remember";
 constexpr auto kFolders = "recent/folders";
 constexpr qsizetype kMostFolders = 8;
+constexpr auto kLanguage = "language";
 constexpr auto kKeys = "keys";
 constexpr auto kPlanning = "secondsPerPixelToPlanning/";
 
@@ -113,6 +114,14 @@ void Settings::keepFolder(const QString& folder) {
 
 void Settings::forgetFolders() {
     store_.remove(kFolders);
+}
+
+QString Settings::language() const {
+    return store_.value(kLanguage).toString();
+}
+
+void Settings::keepLanguage(const QString& code) {
+    store_.setValue(kLanguage, code);
 }
 
 QMap<QString, QString> Settings::keys() const {

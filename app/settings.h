@@ -40,6 +40,8 @@ class Settings {
     /// As the newest, where folders are remembered.
     void keepFolder(const QString& folder);
     void forgetFolders();
+    QString language() const;  ///< empty: the system's
+    void keepLanguage(const QString& code);
     QMap<QString, QString> keys() const;  ///< as ui::KeyBindings::choices() has them
     void keepKeys(const QMap<QString, QString>& keys);
     void keepTheme(ui::ThemeChoice theme);

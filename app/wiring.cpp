@@ -148,6 +148,10 @@ void wireSettings(const DesktopParts& parts) {
     });
     QObject::connect(&parts.window, &ui::MainWindow::keysChosen, &parts.window,
                      [parts](const QMap<QString, QString>& keys) { parts.settings.keepKeys(keys); });
+    QObject::connect(&parts.window, &ui::MainWindow::languageChosen, &parts.window, [parts](const QString& code) {
+        parts.settings.keepLanguage(code);
+        parts.window.status().showForAWhile(ui::MainWindow::tr("This language is spoken from the next start on"));
+    });
     QObject::connect(&parts.window, &ui::MainWindow::themeChosen, &parts.window, [parts](ui::ThemeChoice choice) {
         parts.settings.keepTheme(choice);
         ui::applyTheme(*qApp, choice);

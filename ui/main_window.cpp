@@ -117,6 +117,8 @@ void MainWindow::connectViewActions() {
     connect(actions_.boxFirst, &QAction::triggered, this, &MainWindow::drawOrForgetRegion);
     connect(actions_.alone, &QAction::toggled, this, &MainWindow::showPictureAlone);
     connect(actions_.hideName, &QAction::toggled, this, &MainWindow::hideName);
+    connect(actions_.languages, &QActionGroup::triggered, this,
+            [this](const QAction* language) { emit languageChosen(language->data().toString()); });
     for (std::size_t i = 0; i < actions_.themes.size(); ++i)
         connect(actions_.themes[i], &QAction::triggered, this, [this, i] { emit themeChosen(ThemeChoice(i)); });
 }
@@ -170,6 +172,11 @@ void MainWindow::editKeys() {
     KeysDialog dialog(bindings_, this);
     connect(&dialog, &KeysDialog::keysChanged, this, [this] { emit keysChosen(bindings_.choices()); });
     dialog.exec();
+}
+
+void MainWindow::setLanguage(const QString& code) {
+    for (QAction* language : actions_.languages->actions())
+        language->setChecked(language->data().toString() == code);
 }
 
 void MainWindow::setTheme(ThemeChoice choice) {

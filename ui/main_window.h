@@ -60,6 +60,8 @@ class MainWindow : public QMainWindow {
     void setVolumeAvailable(bool available);
     /// Which actions have other keys than their own: KeyBindings::choices().
     void setKeys(const QMap<QString, QString>& choices);
+    /// Of languages(), or empty for the system's.
+    void setLanguage(const QString& code);
     void setTheme(pdr::ui::ThemeChoice choice);
     void setPaused(bool paused);
     void setSmoothed(bool smoothed);
@@ -87,6 +89,7 @@ class MainWindow : public QMainWindow {
     void keysChosen(const QMap<QString, QString>& choices);
     void rememberFoldersChosen(bool remembered);
     void forgetFoldersRequested();
+    void languageChosen(const QString& code);
     void themeChosen(pdr::ui::ThemeChoice choice);
     void undoRequested();
     void redoRequested();

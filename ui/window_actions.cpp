@@ -1,8 +1,9 @@
 #include "ui/window_actions.h"
 
-#include <QActionGroup>
 #include <QCoreApplication>
 #include <QMenu>
+
+#include "ui/language.h"
 
 namespace pdr::ui {
 namespace {
@@ -68,6 +69,17 @@ void addThemes(QMenu& view, WindowActions& actions) {
         actions.themes[i] = one->addAction(checkable(menu->addAction(names[i])));
 }
 
+void addLanguages(QMenu& view, WindowActions& actions) {
+    QMenu* menu = view.addMenu(Texts::tr("Lan&guage"));
+    actions.languages = new QActionGroup(menu);
+    const auto add = [&](const QString& name, const QString& code) {
+        actions.languages->addAction(checkable(menu->addAction(name)))->setData(code);
+    };
+    add(Texts::tr("As the &system"), {});
+    for (const QString& code : languages())
+        add(languageName(code), code);
+}
+
 void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& actions) {
     QMenu* menu = bar.addMenu(Texts::tr("&View"));
     addViews(*menu, actions);
@@ -76,6 +88,7 @@ void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& a
     menu->addSeparator();
     menu->addActions(panels);
     addThemes(*menu, actions);
+    addLanguages(*menu, actions);
     actions.hideName = checkable(menu->addAction(Texts::tr("Hide the patient's &name"), QKeySequence(Qt::Key_N)),
                                  Texts::tr("For screenshots: no patient is named anywhere in the window."));
     actions.alone = checkable(menu->addAction(Texts::tr("&Full screen"), QKeySequence(Qt::Key_F11)));

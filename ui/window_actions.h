@@ -2,6 +2,7 @@
 /// What the window's menus offer, with its texts and keys. What each action does is connected by the window.
 
 #include <QAction>
+#include <QActionGroup>
 #include <QMenuBar>
 #include <array>
 
@@ -17,6 +18,7 @@ struct WindowActions {
     QAction* firstView;
     QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *hideName, *alone;
     std::array<QAction*, 3> themes;  ///< in the order of ThemeChoice; one is checked
+    QActionGroup* languages;         ///< each with its code as data, empty for the system's; one is checked
     QAction *keys, *editKeys, *about;
 };
 

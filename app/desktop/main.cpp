@@ -17,6 +17,7 @@
 #include "app/program/program.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
+#include "ui/language.h"
 #include "ui/theme.h"
 
 namespace pdr::app {
@@ -113,6 +114,7 @@ int runWithWindow(int argc, char** argv) {
     const DesktopOptions options = desktopOptions(QApplication::arguments());
     if (options.answered)
         return *options.answered;
+    ui::speak(application, ui::languageFor(Settings().language()));
     ui::applyTheme(application, Settings().theme());
     return run(options);
 }

@@ -162,7 +162,7 @@ void paintAxes(QPainter& painter, const PlotView& view, double unit, const QPale
     const QRectF& area = view.area();
     const QFontMetrics metrics = painter.fontMetrics();
     const int line = metrics.height();
-    const QLocale locale = QLocale::c();
+    const QLocale locale;
     painter.setPen(palette.color(QPalette::WindowText));
     const int widest = metrics.horizontalAdvance("-10000") + 2 * kGap;
     for (const double hu : roundMarks(view.lowHu(), view.highHu(), std::max(int(area.width()) / widest, 2))) {
