@@ -18,7 +18,9 @@ class Desktop {
     /// Keeps the window's geometry for the next time.
     ~Desktop();
 
-    DesktopParts parts() { return {import_, document_, bridge_, window_, settings_, study_, tissue_, picture_}; }
+    DesktopParts parts() {
+        return {import_, document_, bridge_, window_, settings_, study_, tissue_, light_, picture_};
+    }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
     void open(const QString& folder) { import_.scanFolder(folder); }
@@ -28,6 +30,7 @@ class Desktop {
     ui::MainWindow window_;
     Document document_;
     TissueEdits tissue_{document_};
+    LightEdits light_{document_};
     TissueStudy study_;
     RenderBridge bridge_;
     ImportJob import_;

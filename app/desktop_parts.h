@@ -3,6 +3,7 @@
 
 #include "app/document.h"
 #include "app/import_job.h"
+#include "app/light_edits.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
@@ -21,6 +22,7 @@ struct DesktopParts {
     Settings& settings;
     TissueStudy& study;
     TissueEdits& tissue;
+    LightEdits& light;
     PictureJob& picture;
 };
 

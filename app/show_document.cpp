@@ -14,6 +14,7 @@ void showDocument(const DesktopParts& parts) {
     parts.window.look().setPreset(document.preset());
     parts.window.look().setBrightness(document.setup().stops);
     parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
+    parts.window.light().setLighting(parts.light.lighting(), document.setup().camera);
     parts.window.rendering().setEstimator(document.setup().estimator);
     parts.window.rendering().setSchedule(document.setup().schedule);
     parts.window.setSmoothed(document.smoothed());

@@ -24,6 +24,8 @@ const auto kGestures = std::to_array<Gesture>({
      QT_TRANSLATE_NOOP("KeysOverlay", "Shift the tissue's curve, widen it")},
     {QT_TRANSLATE_NOOP("KeysOverlay", "Ctrl+click on the picture"),
      QT_TRANSLATE_NOOP("KeysOverlay", "Show the tissue that is there")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Shift+right drag on the picture"),
+     QT_TRANSLATE_NOOP("KeysOverlay", "Turn the lights")},
     {QT_TRANSLATE_NOOP("KeysOverlay", "Left, Right on the strip"),
      QT_TRANSLATE_NOOP("KeysOverlay", "Hold sooner, more accurate")},
     {QT_TRANSLATE_NOOP("KeysOverlay", "Mouse at rest"),

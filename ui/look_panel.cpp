@@ -36,11 +36,16 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
     tissue_.setToolTip(tr("Curves and colours over Hounsfield units (F5)"));
     connect(&tissue_, &QPushButton::clicked, this, &LookPanel::tissueWanted);
 
+    light_.setText(tr("&Light..."));
+    light_.setAccessibleName(tr("Edit the light"));
+    light_.setToolTip(tr("Where the light comes from (F8)"));
+    connect(&light_, &QPushButton::clicked, this, &LookPanel::lightWanted);
+
     auto* brightnessLabel = new QLabel(tr("&Brightness"));
     brightnessLabel->setBuddy(&brightness_);
 
     // A click leaves the keyboard with the picture, so that Space goes on to mean pause; Tab still reaches everything.
-    for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &brightness_, &pause_})
+    for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &light_, &brightness_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
     auto* column = new QVBoxLayout(this);
@@ -48,6 +53,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
     column->setSpacing(8);
     column->addLayout(presetColumn_);
     column->addWidget(&tissue_);
+    column->addWidget(&light_);
     column->addSpacing(14);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);

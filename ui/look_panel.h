@@ -31,12 +31,15 @@ class LookPanel : public QWidget {
     void pauseChosen(bool paused);
     /// The curves and colours behind the presets are to be edited, or not any more.
     void tissueWanted();
+    /// The same of the lights.
+    void lightWanted();
 
   private:
     QVBoxLayout* presetColumn_;
     QButtonGroup presets_;
     QSlider brightness_;
     QPushButton tissue_;
+    QPushButton light_;
     QPushButton pause_;
 };
 

@@ -36,6 +36,7 @@ MainWindow::MainWindow()
       series_(new SeriesPanel),
       look_(new LookPanel),
       tissue_(new TissuePanel),
+      light_(new LightPanel),
       rendering_(new RenderPanel),
       effects_(new EffectLedger),
       foot_(new Foot),
@@ -43,7 +44,7 @@ MainWindow::MainWindow()
       message_(new MessageBar),
       start_(new StartPanel),
       keys_(new KeysOverlay(this)),
-      docks_(new WindowDocks(*this, *viewport_, {series_, look_, tissue_, rendering_, accuracy_, effects_})),
+      docks_(new WindowDocks(*this, *viewport_, {series_, look_, tissue_, light_, rendering_, accuracy_, effects_})),
       actions_(fillMenus(*menuBar(), docks_->toggles())),
       bindings_(namedActions(*menuBar())) {
     auto* middle = new QWidget;
@@ -78,6 +79,7 @@ MainWindow::MainWindow()
     connect(region_, &RegionBox::notDrawn, actions_.boxFirst, [this] { actions_.boxFirst->setChecked(false); });
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
     connect(look_, &LookPanel::tissueWanted, docks_->toggleTissue(), &QAction::trigger);
+    connect(look_, &LookPanel::lightWanted, docks_->toggleLight(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::textClicked, docks_->toggleAccuracy(), &QAction::trigger);
 
     setAcceptDrops(true);

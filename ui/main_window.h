@@ -11,6 +11,7 @@
 #include "ui/foot.h"
 #include "ui/key_bindings.h"
 #include "ui/keys_overlay.h"
+#include "ui/light/light_panel.h"
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
 #include "ui/picture_order.h"
@@ -36,6 +37,7 @@ class MainWindow : public QMainWindow {
     SeriesPanel& series() { return *series_; }
     LookPanel& look() { return *look_; }
     TissuePanel& tissue() { return *tissue_; }
+    LightPanel& light() { return *light_; }
     RenderPanel& rendering() { return *rendering_; }
     EffectLedger& effects() { return *effects_; }
     Foot& foot() { return *foot_; }
@@ -140,6 +142,7 @@ class MainWindow : public QMainWindow {
     SeriesPanel* series_;
     LookPanel* look_;
     TissuePanel* tissue_;
+    LightPanel* light_;
     RenderPanel* rendering_;
     EffectLedger* effects_;
     Foot* foot_;

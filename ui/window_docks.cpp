@@ -46,12 +46,13 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       series_(add("Series", tr("Series"), panels.series, Qt::LeftDockWidgetArea, Qt::Key_F2)),
       look_(add("Look", tr("Appearance"), panels.look, Qt::RightDockWidgetArea, Qt::Key_F3)),
       tissue_(add("Tissue", tr("Tissue"), scrolled(panels.tissue), Qt::RightDockWidgetArea, Qt::Key_F5)),
+      light_(add("Light", tr("Light"), scrolled(panels.light), Qt::RightDockWidgetArea, Qt::Key_F8)),
       rendering_(add("Rendering", tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
       accuracy_(add("Accuracy", tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
       effects_(add("Effects", tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)) {
-    for (QDockWidget* folded : {tissue_, rendering_, accuracy_, effects_})
+    for (QDockWidget* folded : {tissue_, light_, rendering_, accuracy_, effects_})
         folded->hide();
-    editors_ = {{tissue_, panels.tissue}};
+    editors_ = {{tissue_, panels.tissue}, {light_, panels.light}};
     for (QDockWidget* dock : QList<QDockWidget*>{series_, look_, rendering_} + editors_.keys())
         connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) { opened(dock, shown); });
     makeRoomBeside(accuracy_, effects_);
@@ -62,7 +63,7 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
 
 QList<QAction*> WindowDocks::toggles() const {
     QList<QAction*> actions;
-    for (const QDockWidget* dock : {series_, look_, tissue_, rendering_, accuracy_, effects_})
+    for (const QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_})
         actions << dock->toggleViewAction();
     return actions;
 }
@@ -73,7 +74,7 @@ void WindowDocks::setAway(bool away) {
         return makeRoom();
     }
     stateBefore_ = window_.saveState();
-    for (QDockWidget* dock : {series_, look_, tissue_, rendering_, accuracy_, effects_})
+    for (QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_})
         dock->hide();
 }
 

@@ -15,16 +15,17 @@ class WindowDocks : public QObject {
   public:
     /// What stands in the docks.
     struct Panels {
-        QWidget *series, *look, *tissue, *rendering, *accuracy, *effects;
+        QWidget *series, *look, *tissue, *light, *rendering, *accuracy, *effects;
     };
 
-    /// Adds all docks to `window`; tissue, rendering, accuracy and effects are folded away. `picture`: what is to keep
+    /// Adds all docks to `window`; tissue, light, rendering, accuracy and effects are folded away. `picture`: what is to keep
     /// most of it.
     WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
 
     /// That show each and fold it away, in the menu's order.
     QList<QAction*> toggles() const;
     QAction* toggleTissue() const { return tissue_->toggleViewAction(); }
+    QAction* toggleLight() const { return light_->toggleViewAction(); }
     QAction* toggleAccuracy() const { return accuracy_->toggleViewAction(); }
     /// The window's state with the panels that only gave way, to be kept for another time.
     QByteArray wantedState();
@@ -55,6 +56,7 @@ class WindowDocks : public QObject {
     QDockWidget* series_;
     QDockWidget* look_;
     QDockWidget* tissue_;
+    QDockWidget* light_;
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;
