@@ -65,6 +65,8 @@ class Viewport : public QWidget {
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -88,10 +90,12 @@ class Viewport : public QWidget {
     void endTissue(QPointF point);
     void tellPlace(const QHelpEvent& event);
     void paintMessage(QPainter& painter) const;
+    void paintRing(QPainter& painter) const;
 
     std::optional<ShownPicture> picture_;
     QString message_;
     std::function<QStringList()> overlay_ = [] { return QStringList(); };
+    bool reachedByKey_ = false;  ///< the keyboard came here by Tab
     bool captionShown_ = false;
     std::optional<Camera> camera_;
     Gesture gesture_ = Gesture::none;

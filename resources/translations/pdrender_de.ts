@@ -16,6 +16,10 @@
         <translation> HU</translation>
     </message>
     <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
         <source> per second</source>
         <translation> je Sekunde</translation>
     </message>
@@ -92,6 +96,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 of the curve</source>
@@ -194,6 +202,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Alle Vorgaben</translation>
     </message>
     <message>
+        <source>&amp;Aperture</source>
+        <translation>B&amp;lende</translation>
+    </message>
+    <message>
         <source>&amp;Box first</source>
         <translation>Rahmen &amp;zuerst</translation>
     </message>
@@ -238,6 +250,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Datei</translation>
     </message>
     <message>
+        <source>&amp;Focus on...</source>
+        <translation>&amp;Scharf auf...</translation>
+    </message>
+    <message>
         <source>&amp;Forget these folders</source>
         <translation>Diese Ordner &amp;vergessen</translation>
     </message>
@@ -264,6 +280,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Light</source>
         <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Light...</source>
+        <translation>&amp;Licht...</translation>
     </message>
     <message>
         <source>&amp;No key</source>
@@ -374,6 +394,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ein Bild entsteht noch. Beenden und es verlieren?</translation>
     </message>
     <message>
+        <source>A pinhole, which focuses nowhere</source>
+        <translation>Eine Lochkamera, die nirgends scharf stellt</translation>
+    </message>
+    <message>
+        <source>A small lamp beside the eye: few shadows, and light in every recess</source>
+        <translation>Eine kleine Lampe neben dem Auge: wenig Schatten und Licht in jeder Vertiefung</translation>
+    </message>
+    <message>
+        <source>A small lamp from the side that shows form, a weak one against it, and one behind</source>
+        <translation>Eine kleine Lampe von der Seite, die Form zeigt, eine schwache dagegen und eine dahinter</translation>
+    </message>
+    <message>
         <source>About PD-Render</source>
         <translation>Über PD-Render</translation>
     </message>
@@ -394,8 +426,40 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Befehle und ihre Tasten</translation>
     </message>
     <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds a panel like the chosen one, as a lamp of its own</source>
+        <translation>Fügt eine Fläche wie die gewählte hinzu, als eigene Lampe</translation>
+    </message>
+    <message>
+        <source>All aroun&amp;d</source>
+        <translation>&amp;Rundum</translation>
+    </message>
+    <message>
+        <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
+        <translation>Alles ist scharf. Eine Linse zeichnet weich, was vor und hinter ihrer Schärfeebene liegt.</translation>
+    </message>
+    <message>
+        <source>All panels in numbers</source>
+        <translation>Alle Leuchtflächen in Zahlen</translation>
+    </message>
+    <message>
+        <source>All sharp</source>
+        <translation>Alles scharf</translation>
+    </message>
+    <message>
+        <source>Aperture</source>
+        <translation>Blende</translation>
+    </message>
+    <message>
         <source>Appearance</source>
         <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
+        <translation>Pfeiltasten bewegen die gewählte Lampe, Bild auf und Bild ab wählen eine andere, Umschalt und Pfeiltasten drehen alle.</translation>
     </message>
     <message>
         <source>As it is on the screen, %1</source>
@@ -414,12 +478,32 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Automatisch</translation>
     </message>
     <message>
+        <source>Away</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Bac&amp;kground</source>
+        <translation>Hinter&amp;grund</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
         <source>Bell</source>
         <translation>Glocke</translation>
     </message>
     <message>
         <source>Besides noise</source>
         <translation>Neben dem Rauschen</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
     </message>
     <message>
         <source>Blur each iteration</source>
@@ -474,8 +558,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Farbe bei %1 HU</translation>
     </message>
     <message>
+        <source>Colour of its light: double click it</source>
+        <translation>Farbe ihres Lichts: Doppelklick ändert sie</translation>
+    </message>
+    <message>
+        <source>Colour of the light</source>
+        <translation>Farbe des Lichts</translation>
+    </message>
+    <message>
         <source>Colour of the selected stop</source>
         <translation>Farbe der gewählten Marke</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Farbe...</translation>
     </message>
     <message>
         <source>Colours each pixel by how far it may be off, in grey levels of 255.</source>
@@ -518,8 +614,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Gerät</translation>
     </message>
     <message>
+        <source>Diameter of the lens. At 0 all is sharp; the larger, the less is sharp before and behind the focus</source>
+        <translation>Durchmesser der Linse. Bei 0 ist alles scharf; je größer, desto weniger ist vor und hinter der Schärfeebene scharf</translation>
+    </message>
+    <message>
         <source>Double click</source>
         <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the picture, Shift and the right button do the same.</source>
+        <translation>Ziehen Sie eine Lampe dorthin, woher das Licht kommen soll: Über der Kugel steht sie auf Ihrer Seite, im Ring darum hinter dem Patienten. Neben den Lampen dreht ein Zug sie alle. Im Bild tun Umschalt und die rechte Taste dasselbe.</translation>
     </message>
     <message>
         <source>Drag points; click the line to add one; wheel zooms, with Shift the values; double click fits</source>
@@ -530,8 +634,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Zeichnen Sie einen Rahmen ins Bild: Er erhält alle Abtastungen, bis er so gut ist wie gewünscht.</translation>
     </message>
     <message>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
         <source>Edit keys</source>
         <translation>Tasten ändern</translation>
+    </message>
+    <message>
+        <source>Edit the light</source>
+        <translation>Licht bearbeiten</translation>
     </message>
     <message>
         <source>Edit the tissue</source>
@@ -586,12 +698,28 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Extinktion am höchsten Punkt der Opazitätskurve: größer heißt überall dichteres Gewebe</translation>
     </message>
     <message>
+        <source>Feet</source>
+        <translation>Kaudal</translation>
+    </message>
+    <message>
+        <source>Field of vie&amp;w</source>
+        <translation>&amp;Blickwinkel</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Blickwinkel</translation>
+    </message>
+    <message>
         <source>Files that were left out</source>
         <translation>Ausgelassene Dateien</translation>
     </message>
     <message>
         <source>Fills the screen with the picture, the patient's name and its accuracy.</source>
         <translation>Füllt den Bildschirm mit dem Bild, dem Namen des Patienten und der Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>Focus on what is clicked</source>
+        <translation>Scharf auf die angeklickte Stelle</translation>
     </message>
     <message>
         <source>Fold %1 away</source>
@@ -650,6 +778,26 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Von &amp;kaudal (F)</translation>
     </message>
     <message>
+        <source>From the top to the bottom of the picture</source>
+        <translation>Von der Oberkante bis zur Unterkante des Bildes</translation>
+    </message>
+    <message>
+        <source>From the top to the bottom of the picture. What is in focus keeps its size; the wider, the nearer the eye comes</source>
+        <translation>Von der Oberkante bis zur Unterkante des Bildes. Was scharf ist, behält seine Größe; je weiter, desto näher kommt das Auge</translation>
+    </message>
+    <message>
+        <source>From the viewer to the right; beyond 90 degrees it stands behind [degrees]. Of the view from the front where the lamps turn with the patient</source>
+        <translation>Vom Betrachter nach rechts; über 90 Grad hinaus steht sie dahinter [Grad]. Bezogen auf die Ansicht von vorne, wo sich die Lampen mit dem Patienten drehen</translation>
+    </message>
+    <message>
+        <source>From the volume's middle [radii of the volume]</source>
+        <translation>Von der Mitte des Volumens [Radien des Volumens]</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorne</translation>
+    </message>
+    <message>
         <source>Gives actions other keys.</source>
         <translation>Gibt Befehlen andere Tasten.</translation>
     </message>
@@ -670,16 +818,36 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Gut zur Planung</translation>
     </message>
     <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
         <source>HU</source>
         <translation>HU</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kranial</translation>
+    </message>
+    <message>
+        <source>Headlight</source>
+        <translation>Stirnlampe</translation>
     </message>
     <message>
         <source>Health</source>
         <translation>Zustand</translation>
     </message>
     <message>
+        <source>Hei&amp;ght</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
         <source>Height of the picture [pixels]</source>
         <translation>Höhe des Bildes [Pixel]</translation>
+    </message>
+    <message>
+        <source>Height of what is seen</source>
+        <translation>Höhe des Sichtbaren</translation>
     </message>
     <message>
         <source>Hide the patient's &amp;name</source>
@@ -746,6 +914,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wie viele Bilder je Sekunde mindestens gezeigt werden, soweit das Gerät es kann.</translation>
     </message>
     <message>
+        <source>How much light the chosen lamp brings; at the left end it is off</source>
+        <translation>Wie viel Licht die gewählte Lampe bringt; ganz links ist sie aus</translation>
+    </message>
+    <message>
         <source>In the box: %1</source>
         <translation>Im Rahmen: %1</translation>
     </message>
@@ -766,6 +938,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Tasten</translation>
     </message>
     <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Lamp %1</source>
+        <translation>Lampe %1</translation>
+    </message>
+    <message>
         <source>Lan&amp;guage</source>
         <translation>S&amp;prache</translation>
     </message>
@@ -782,12 +962,36 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Lässt weg, was niemand sehen würde, und sagt vorher, was das ist</translation>
     </message>
     <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
         <source>Left drag, arrow keys</source>
         <translation>Ziehen mit links, Pfeiltasten</translation>
     </message>
     <message>
         <source>Left, Right on the strip</source>
         <translation>Links, Rechts auf dem Streifen</translation>
+    </message>
+    <message>
+        <source>Length of its edge [radii of the volume]</source>
+        <translation>Länge ihrer Kante [Radien des Volumens]</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Light from all around</source>
+        <translation>Licht von allen Seiten</translation>
+    </message>
+    <message>
+        <source>Light from all around, most from the head's side, and a sun</source>
+        <translation>Licht von allen Seiten, am meisten von kranial, und eine Sonne</translation>
+    </message>
+    <message>
+        <source>Lightens what lies in shadow; at the left end there is none</source>
+        <translation>Hellt auf, was im Schatten liegt; ganz links gibt es keines</translation>
     </message>
     <message>
         <source>Lists the CT series of a folder and shows the first that can be shown.</source>
@@ -890,6 +1094,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Aus, und nichts geht verloren: %1</translation>
     </message>
     <message>
+        <source>One large panel: soft shadows</source>
+        <translation>Eine große Fläche: weiche Schatten</translation>
+    </message>
+    <message>
         <source>Only what this scene calls for</source>
         <translation>Nur, was diese Szene braucht</translation>
     </message>
@@ -940,6 +1148,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
+        <source>Operating lamp</source>
+        <translation>Operationsleuchte</translation>
+    </message>
+    <message>
         <source>Or drop a folder with DICOM files here, or one of its files: all CT series in it are listed, and the first that can be shown is.</source>
         <translation>Oder legen Sie einen Ordner mit DICOM-Dateien hier ab, oder eine seiner Dateien: Alle CT-Serien darin werden aufgelistet, und die erste darstellbare wird gezeigt.</translation>
     </message>
@@ -960,6 +1172,18 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>PNG-Bild (*.png)</translation>
     </message>
     <message>
+        <source>Panels of light</source>
+        <translation>Leuchtflächen</translation>
+    </message>
+    <message>
+        <source>Panels of one name are one lamp: they are moved and dimmed together</source>
+        <translation>Flächen eines Namens sind eine Lampe: Sie werden zusammen bewegt und gedimmt</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
         <source>Patient</source>
         <translation>Patient</translation>
     </message>
@@ -976,12 +1200,26 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Perzentile</translation>
     </message>
     <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Perspective: what is near is larger, as for the eye
+Parallel: the same size at every depth, as for measuring</source>
+        <translation>Perspektive: Was nah ist, ist größer, wie für das Auge
+Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
+    </message>
+    <message>
         <source>Picture</source>
         <translation>Bild</translation>
     </message>
     <message>
         <source>Place of the selected point</source>
         <translation>Ort des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>Places of the lamps</source>
+        <translation>Orte der Lampen</translation>
     </message>
     <message>
         <source>Preparing the volume of %1...</source>
@@ -1004,12 +1242,28 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Vorschau, nicht fertig · wie groß der Fehler ist, ist noch nicht bekannt</translation>
     </message>
     <message>
+        <source>Pro&amp;jection</source>
+        <translation>Pro&amp;jektion</translation>
+    </message>
+    <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
     <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
         <source>R&amp;eset view</source>
         <translation>Ansicht &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Radiance</source>
+        <translation>Strahldichte</translation>
+    </message>
+    <message>
+        <source>Radiance, in the units of the exposure</source>
+        <translation>Strahldichte, in den Einheiten der Belichtung</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -1080,6 +1334,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Reflexion</translation>
     </message>
     <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
         <source>Remove the selected points</source>
         <translation>Gewählte Punkte entfernen</translation>
     </message>
@@ -1098,6 +1356,18 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Reset the view</source>
         <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Right°</source>
+        <translation>Rechts°</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Gegenlicht</translation>
     </message>
     <message>
         <source>Rough</source>
@@ -1132,12 +1402,28 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Serie %1</translation>
     </message>
     <message>
+        <source>Seven small lamps in a ring above: their shadows overlap softly</source>
+        <translation>Sieben kleine Lampen im Ring darüber: Ihre Schatten überlappen sich weich</translation>
+    </message>
+    <message>
         <source>Shape of the curve</source>
         <translation>Form der Kurve</translation>
     </message>
     <message>
+        <source>Sharp from %1 before the focus on; it is %2 away.</source>
+        <translation>Scharf ab %1 vor der Schärfeebene; sie ist %2 entfernt.</translation>
+    </message>
+    <message>
+        <source>Sharp from %1 before the focus to %2 behind it; it is %3 away.</source>
+        <translation>Scharf von %1 vor der Schärfeebene bis %2 dahinter; sie ist %3 entfernt.</translation>
+    </message>
+    <message>
         <source>Shift the tissue's curve, widen it</source>
         <translation>Gewebekurve verschieben, verbreitern</translation>
+    </message>
+    <message>
+        <source>Shift+right drag on the picture</source>
+        <translation>Umschalt+Ziehen mit rechts im Bild</translation>
     </message>
     <message>
         <source>Show</source>
@@ -1176,12 +1462,40 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Zeigt diesen Bereich oder klappt ihn ein.</translation>
     </message>
     <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Size of the chosen lamp</source>
+        <translation>Größe der gewählten Lampe</translation>
+    </message>
+    <message>
         <source>Size of the picture</source>
         <translation>Größe des Bildes</translation>
     </message>
     <message>
         <source>Size:</source>
         <translation>Größe:</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
+        <translation>Kleine Lampen werfen harte Schatten, große weiche; das Licht bleibt gleich stark</translation>
+    </message>
+    <message>
+        <source>Soft box</source>
+        <translation>Flächenlicht</translation>
+    </message>
+    <message>
+        <source>Str&amp;ength</source>
+        <translation>&amp;Stärke</translation>
+    </message>
+    <message>
+        <source>Strength of the chosen lamp</source>
+        <translation>Stärke der gewählten Lampe</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -1196,8 +1510,16 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Nennt die Version, die Lizenz und wofür dieses Programm nicht gedacht ist.</translation>
     </message>
     <message>
+        <source>The chosen lamp</source>
+        <translation>Die gewählte Lampe</translation>
+    </message>
+    <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
         <translation>Die Höhe des Histogramms wächst mit dem Logarithmus der Voxel</translation>
+    </message>
+    <message>
+        <source>The patient's side that one looks at (%1)</source>
+        <translation>Die Seite des Patienten, die man ansieht (%1)</translation>
     </message>
     <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
@@ -1206,6 +1528,16 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>The scan's grid is %1 × %2 × %3 mm</source>
         <translation>Das Raster der Aufnahme ist %1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>The view: each side is lit alike
+The patient: the lamps stay where they are when the patient is turned</source>
+        <translation>Die Ansicht: Jede Seite ist gleich beleuchtet
+Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</translation>
+    </message>
+    <message>
+        <source>Then click the anatomy that is to be sharp</source>
+        <translation>Dann auf die Anatomie klicken, die scharf sein soll</translation>
     </message>
     <message>
         <source>Then click the anatomy: a bell at its Hounsfield units is added (Ctrl and click does the same)</source>
@@ -1220,6 +1552,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Dieses Bild zeigt Haut. Ein Gesicht verrät eine Person wie ein Name: Geben Sie es nur weiter wie ein Foto des Patienten.</translation>
     </message>
     <message>
+        <source>Three points</source>
+        <translation>Dreipunktlicht</translation>
+    </message>
+    <message>
         <source>Threshold</source>
         <translation>Schwellwert</translation>
     </message>
@@ -1228,8 +1564,20 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Gewebe</translation>
     </message>
     <message>
+        <source>Turn the lights</source>
+        <translation>Lampen drehen</translation>
+    </message>
+    <message>
         <source>Turn the view</source>
         <translation>Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Turns wit&amp;h</source>
+        <translation>Dreht &amp;mit</translation>
+    </message>
+    <message>
+        <source>Two lamps behind: bright outlines</source>
+        <translation>Zwei Lampen dahinter: helle Umrisse</translation>
     </message>
     <message>
         <source>Unbiased</source>
@@ -1300,8 +1648,20 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Bis:</translation>
     </message>
     <message>
+        <source>Up [degrees]</source>
+        <translation>Nach oben [Grad]</translation>
+    </message>
+    <message>
+        <source>Up°</source>
+        <translation>Oben°</translation>
+    </message>
+    <message>
         <source>Value of the selected point</source>
         <translation>Wert des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>View from: %1</source>
+        <translation>Ansicht von: %1</translation>
     </message>
     <message>
         <source>What can be done</source>
@@ -1318,6 +1678,22 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>What is known of the error</source>
         <translation>Was vom Fehler bekannt ist</translation>
+    </message>
+    <message>
+        <source>What is sharp</source>
+        <translation>Was scharf ist</translation>
+    </message>
+    <message>
+        <source>What lights it</source>
+        <translation>Was es beleuchtet</translation>
+    </message>
+    <message>
+        <source>What stands behind the volume. A plain colour lights nothing</source>
+        <translation>Was hinter dem Volumen steht. Eine einfache Farbe beleuchtet nichts</translation>
+    </message>
+    <message>
+        <source>What the lamps turn with</source>
+        <translation>Womit sich die Lampen drehen</translation>
     </message>
     <message>
         <source>What the scan itself resolves</source>
@@ -1348,8 +1724,16 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Wo der erste gewählte Punkt liegt; die anderen bewegen sich mit</translation>
     </message>
     <message>
+        <source>Where the light comes from (F8)</source>
+        <translation>Woher das Licht kommt (F8)</translation>
+    </message>
+    <message>
         <source>Which limit comes first</source>
         <translation>Welche Grenze zuerst kommt</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
     </message>
     <message>
         <source>Why this key cannot be used</source>
@@ -1390,6 +1774,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>any time</source>
         <translation>beliebig lange</translation>
+    </message>
+    <message>
+        <source>beside the eye</source>
+        <translation>neben dem Auge</translation>
     </message>
     <message>
         <source>biased</source>
@@ -1442,6 +1830,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>fine detail is not shown yet</source>
         <translation>feine Einzelheiten werden noch nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>from behind</source>
+        <translation>von hinten</translation>
     </message>
     <message>
         <source>held after %1, with %2 samples</source>
@@ -1564,6 +1956,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>der CPU</translation>
     </message>
     <message>
+        <source>the patient</source>
+        <translation>dem Patienten</translation>
+    </message>
+    <message>
         <source>the rest of the picture waits for the box</source>
         <translation>der Rest des Bildes wartet auf den Rahmen</translation>
     </message>
@@ -1574,6 +1970,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
         <translation>die Zeit kommt zuerst: in %2, innerhalb ±%1 und mit %3 Abtastungen</translation>
+    </message>
+    <message>
+        <source>the view</source>
+        <translation>der Ansicht</translation>
     </message>
     <message>
         <source>the whole picture, which waits for the box: 95 % of the tissue within ±%1</source>
@@ -1606,6 +2006,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>writing the picture</source>
         <translation>Das Bild wird geschrieben</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
     </message>
     <message>
         <source>±</source>

@@ -16,6 +16,10 @@
         <translation> UH</translation>
     </message>
     <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
         <source> per second</source>
         <translation> por segundo</translation>
     </message>
@@ -92,6 +96,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 of the curve</source>
@@ -194,6 +202,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Todas las predeterminadas</translation>
     </message>
     <message>
+        <source>&amp;Aperture</source>
+        <translation>&amp;Apertura</translation>
+    </message>
+    <message>
         <source>&amp;Box first</source>
         <translation>Re&amp;cuadro primero</translation>
     </message>
@@ -238,6 +250,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Archivo</translation>
     </message>
     <message>
+        <source>&amp;Focus on...</source>
+        <translation>&amp;Enfocar...</translation>
+    </message>
+    <message>
         <source>&amp;Forget these folders</source>
         <translation>&amp;Olvidar estas carpetas</translation>
     </message>
@@ -264,6 +280,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Light</source>
         <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>&amp;Light...</source>
+        <translation>&amp;Luz...</translation>
     </message>
     <message>
         <source>&amp;No key</source>
@@ -374,6 +394,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Todavía se está creando una imagen. ¿Salir y perderla?</translation>
     </message>
     <message>
+        <source>A pinhole, which focuses nowhere</source>
+        <translation>Una cámara estenopeica, que no enfoca ningún punto</translation>
+    </message>
+    <message>
+        <source>A small lamp beside the eye: few shadows, and light in every recess</source>
+        <translation>Una lámpara pequeña junto al ojo: pocas sombras y luz en cada hueco</translation>
+    </message>
+    <message>
+        <source>A small lamp from the side that shows form, a weak one against it, and one behind</source>
+        <translation>Una lámpara pequeña desde el lado que muestra la forma, una débil enfrente y otra detrás</translation>
+    </message>
+    <message>
         <source>About PD-Render</source>
         <translation>Acerca de PD-Render</translation>
     </message>
@@ -394,8 +426,40 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Acciones y sus teclas</translation>
     </message>
     <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Adds a panel like the chosen one, as a lamp of its own</source>
+        <translation>Añade un panel como el elegido, como lámpara propia</translation>
+    </message>
+    <message>
+        <source>All aroun&amp;d</source>
+        <translation>Alrede&amp;dor</translation>
+    </message>
+    <message>
+        <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
+        <translation>Todo está nítido. Una lente desenfoca lo que hay delante y detrás de su foco.</translation>
+    </message>
+    <message>
+        <source>All panels in numbers</source>
+        <translation>Todos los paneles en números</translation>
+    </message>
+    <message>
+        <source>All sharp</source>
+        <translation>Todo nítido</translation>
+    </message>
+    <message>
+        <source>Aperture</source>
+        <translation>Apertura</translation>
+    </message>
+    <message>
         <source>Appearance</source>
         <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
+        <translation>Las flechas mueven la lámpara elegida, Re Pág y Av Pág eligen otra, Mayús y flechas giran todas.</translation>
     </message>
     <message>
         <source>As it is on the screen, %1</source>
@@ -414,12 +478,32 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Automático</translation>
     </message>
     <message>
+        <source>Away</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Bac&amp;kground</source>
+        <translation>&amp;Fondo</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Detrás</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
         <source>Bell</source>
         <translation>Campana</translation>
     </message>
     <message>
         <source>Besides noise</source>
         <translation>Además del ruido</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Negro</translation>
     </message>
     <message>
         <source>Blur each iteration</source>
@@ -474,8 +558,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Color en %1 UH</translation>
     </message>
     <message>
+        <source>Colour of its light: double click it</source>
+        <translation>Color de su luz: doble clic para cambiarlo</translation>
+    </message>
+    <message>
+        <source>Colour of the light</source>
+        <translation>Color de la luz</translation>
+    </message>
+    <message>
         <source>Colour of the selected stop</source>
         <translation>Color de la marca elegida</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
     </message>
     <message>
         <source>Colours each pixel by how far it may be off, in grey levels of 255.</source>
@@ -518,8 +614,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Dispositivo</translation>
     </message>
     <message>
+        <source>Diameter of the lens. At 0 all is sharp; the larger, the less is sharp before and behind the focus</source>
+        <translation>Diámetro de la lente. Con 0 todo está nítido; cuanto mayor, menos nítido es lo que hay delante y detrás del foco</translation>
+    </message>
+    <message>
         <source>Double click</source>
         <translation>Doble clic</translation>
+    </message>
+    <message>
+        <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the picture, Shift and the right button do the same.</source>
+        <translation>Arrastre una lámpara hasta donde deba venir la luz: sobre la esfera está de su lado, en el anillo que la rodea detrás del paciente. Junto a las lámparas, arrastrar las gira todas. En la imagen, Mayús y el botón derecho hacen lo mismo.</translation>
     </message>
     <message>
         <source>Drag points; click the line to add one; wheel zooms, with Shift the values; double click fits</source>
@@ -530,8 +634,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Dibuje un recuadro en la imagen: recibe todas las muestras hasta que sea tan bueno como se desea.</translation>
     </message>
     <message>
+        <source>Edge</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
         <source>Edit keys</source>
         <translation>Editar teclas</translation>
+    </message>
+    <message>
+        <source>Edit the light</source>
+        <translation>Editar la luz</translation>
     </message>
     <message>
         <source>Edit the tissue</source>
@@ -586,12 +698,28 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Extinción en lo más alto de la curva de opacidad: mayor es tejido más denso en todas partes</translation>
     </message>
     <message>
+        <source>Feet</source>
+        <translation>Pies</translation>
+    </message>
+    <message>
+        <source>Field of vie&amp;w</source>
+        <translation>Ca&amp;mpo de visión</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Campo de visión</translation>
+    </message>
+    <message>
         <source>Files that were left out</source>
         <translation>Archivos omitidos</translation>
     </message>
     <message>
         <source>Fills the screen with the picture, the patient's name and its accuracy.</source>
         <translation>Llena la pantalla con la imagen, el nombre del paciente y su exactitud.</translation>
+    </message>
+    <message>
+        <source>Focus on what is clicked</source>
+        <translation>Enfocar donde se haga clic</translation>
     </message>
     <message>
         <source>Fold %1 away</source>
@@ -650,6 +778,26 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Desde los &amp;pies (F)</translation>
     </message>
     <message>
+        <source>From the top to the bottom of the picture</source>
+        <translation>Desde el borde superior al inferior de la imagen</translation>
+    </message>
+    <message>
+        <source>From the top to the bottom of the picture. What is in focus keeps its size; the wider, the nearer the eye comes</source>
+        <translation>Desde el borde superior al inferior de la imagen. Lo enfocado conserva su tamaño; cuanto más ancho, más se acerca el ojo</translation>
+    </message>
+    <message>
+        <source>From the viewer to the right; beyond 90 degrees it stands behind [degrees]. Of the view from the front where the lamps turn with the patient</source>
+        <translation>Del observador hacia la derecha; más allá de 90 grados está detrás [grados]. Respecto a la vista frontal cuando las lámparas giran con el paciente</translation>
+    </message>
+    <message>
+        <source>From the volume's middle [radii of the volume]</source>
+        <translation>Desde el centro del volumen [radios del volumen]</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Delante</translation>
+    </message>
+    <message>
         <source>Gives actions other keys.</source>
         <translation>Asigna otras teclas a las acciones.</translation>
     </message>
@@ -670,16 +818,36 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Buena para planificar</translation>
     </message>
     <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
         <source>HU</source>
         <translation>UH</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Cabeza</translation>
+    </message>
+    <message>
+        <source>Headlight</source>
+        <translation>Lámpara frontal</translation>
     </message>
     <message>
         <source>Health</source>
         <translation>Estado</translation>
     </message>
     <message>
+        <source>Hei&amp;ght</source>
+        <translation>Al&amp;tura</translation>
+    </message>
+    <message>
         <source>Height of the picture [pixels]</source>
         <translation>Alto de la imagen [píxeles]</translation>
+    </message>
+    <message>
+        <source>Height of what is seen</source>
+        <translation>Altura de lo visible</translation>
     </message>
     <message>
         <source>Hide the patient's &amp;name</source>
@@ -746,6 +914,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cuántas imágenes por segundo se muestran como mínimo, si el dispositivo puede.</translation>
     </message>
     <message>
+        <source>How much light the chosen lamp brings; at the left end it is off</source>
+        <translation>Cuánta luz aporta la lámpara elegida; en el extremo izquierdo está apagada</translation>
+    </message>
+    <message>
         <source>In the box: %1</source>
         <translation>En el recuadro: %1</translation>
     </message>
@@ -766,6 +938,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Teclas</translation>
     </message>
     <message>
+        <source>Lamp</source>
+        <translation>Lámpara</translation>
+    </message>
+    <message>
+        <source>Lamp %1</source>
+        <translation>Lámpara %1</translation>
+    </message>
+    <message>
         <source>Lan&amp;guage</source>
         <translation>I&amp;dioma</translation>
     </message>
@@ -782,12 +962,36 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Omite lo que nadie vería, y antes dice qué es</translation>
     </message>
     <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
         <source>Left drag, arrow keys</source>
         <translation>Arrastrar con el botón izquierdo, flechas</translation>
     </message>
     <message>
         <source>Left, Right on the strip</source>
         <translation>Izquierda, Derecha en la barra</translation>
+    </message>
+    <message>
+        <source>Length of its edge [radii of the volume]</source>
+        <translation>Longitud de su lado [radios del volumen]</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Luz</translation>
+    </message>
+    <message>
+        <source>Light from all around</source>
+        <translation>Luz de todas partes</translation>
+    </message>
+    <message>
+        <source>Light from all around, most from the head's side, and a sun</source>
+        <translation>Luz de todas partes, sobre todo desde la cabeza, y un sol</translation>
+    </message>
+    <message>
+        <source>Lightens what lies in shadow; at the left end there is none</source>
+        <translation>Aclara lo que está en sombra; en el extremo izquierdo no hay ninguna</translation>
     </message>
     <message>
         <source>Lists the CT series of a folder and shows the first that can be shown.</source>
@@ -890,6 +1094,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Desactivado, y no se pierde nada: %1</translation>
     </message>
     <message>
+        <source>One large panel: soft shadows</source>
+        <translation>Un panel grande: sombras suaves</translation>
+    </message>
+    <message>
         <source>Only what this scene calls for</source>
         <translation>Solo lo que esta escena requiere</translation>
     </message>
@@ -940,6 +1148,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abiertas últimamente</translation>
     </message>
     <message>
+        <source>Operating lamp</source>
+        <translation>Lámpara de quirófano</translation>
+    </message>
+    <message>
         <source>Or drop a folder with DICOM files here, or one of its files: all CT series in it are listed, and the first that can be shown is.</source>
         <translation>O suelte aquí una carpeta con archivos DICOM, o uno de sus archivos: se listan todas las series de TC que contiene y se muestra la primera que se pueda mostrar.</translation>
     </message>
@@ -960,6 +1172,18 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Imagen PNG (*.png)</translation>
     </message>
     <message>
+        <source>Panels of light</source>
+        <translation>Paneles de luz</translation>
+    </message>
+    <message>
+        <source>Panels of one name are one lamp: they are moved and dimmed together</source>
+        <translation>Los paneles de un mismo nombre son una lámpara: se mueven y atenúan juntos</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Paralela</translation>
+    </message>
+    <message>
         <source>Patient</source>
         <translation>Paciente</translation>
     </message>
@@ -976,12 +1200,26 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Percentiles</translation>
     </message>
     <message>
+        <source>Perspective</source>
+        <translation>Perspectiva</translation>
+    </message>
+    <message>
+        <source>Perspective: what is near is larger, as for the eye
+Parallel: the same size at every depth, as for measuring</source>
+        <translation>Perspectiva: lo cercano es mayor, como para el ojo
+Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation>
+    </message>
+    <message>
         <source>Picture</source>
         <translation>Imagen</translation>
     </message>
     <message>
         <source>Place of the selected point</source>
         <translation>Posición del punto elegido</translation>
+    </message>
+    <message>
+        <source>Places of the lamps</source>
+        <translation>Lugares de las lámparas</translation>
     </message>
     <message>
         <source>Preparing the volume of %1...</source>
@@ -1004,12 +1242,28 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Vista previa, sin converger · aún no se conoce el error</translation>
     </message>
     <message>
+        <source>Pro&amp;jection</source>
+        <translation>Pro&amp;yección</translation>
+    </message>
+    <message>
         <source>Progress</source>
         <translation>Progreso</translation>
     </message>
     <message>
+        <source>Projection</source>
+        <translation>Proyección</translation>
+    </message>
+    <message>
         <source>R&amp;eset view</source>
         <translation>R&amp;establecer la vista</translation>
+    </message>
+    <message>
+        <source>Radiance</source>
+        <translation>Radiancia</translation>
+    </message>
+    <message>
+        <source>Radiance, in the units of the exposure</source>
+        <translation>Radiancia, en las unidades de la exposición</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -1080,6 +1334,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Reflexión</translation>
     </message>
     <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
         <source>Remove the selected points</source>
         <translation>Quitar los puntos elegidos</translation>
     </message>
@@ -1098,6 +1356,18 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Reset the view</source>
         <translation>Restablecer la vista</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Right°</source>
+        <translation>Derecha°</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Contraluz</translation>
     </message>
     <message>
         <source>Rough</source>
@@ -1132,12 +1402,28 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Serie %1</translation>
     </message>
     <message>
+        <source>Seven small lamps in a ring above: their shadows overlap softly</source>
+        <translation>Siete lámparas pequeñas en un anillo arriba: sus sombras se superponen suavemente</translation>
+    </message>
+    <message>
         <source>Shape of the curve</source>
         <translation>Forma de la curva</translation>
     </message>
     <message>
+        <source>Sharp from %1 before the focus on; it is %2 away.</source>
+        <translation>Nítido desde %1 delante del foco; este está a %2.</translation>
+    </message>
+    <message>
+        <source>Sharp from %1 before the focus to %2 behind it; it is %3 away.</source>
+        <translation>Nítido desde %1 delante del foco hasta %2 detrás; este está a %3.</translation>
+    </message>
+    <message>
         <source>Shift the tissue's curve, widen it</source>
         <translation>Desplazar la curva del tejido, ensancharla</translation>
+    </message>
+    <message>
+        <source>Shift+right drag on the picture</source>
+        <translation>Mayús+arrastrar con el derecho en la imagen</translation>
     </message>
     <message>
         <source>Show</source>
@@ -1176,12 +1462,40 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Muestra este panel o lo pliega.</translation>
     </message>
     <message>
+        <source>Si&amp;ze</source>
+        <translation>Ta&amp;maño</translation>
+    </message>
+    <message>
+        <source>Size of the chosen lamp</source>
+        <translation>Tamaño de la lámpara elegida</translation>
+    </message>
+    <message>
         <source>Size of the picture</source>
         <translation>Tamaño de la imagen</translation>
     </message>
     <message>
         <source>Size:</source>
         <translation>Tamaño:</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Cielo</translation>
+    </message>
+    <message>
+        <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
+        <translation>Las lámparas pequeñas dan sombras duras, las grandes suaves; la luz conserva su intensidad</translation>
+    </message>
+    <message>
+        <source>Soft box</source>
+        <translation>Panel difuso</translation>
+    </message>
+    <message>
+        <source>Str&amp;ength</source>
+        <translation>&amp;Intensidad</translation>
+    </message>
+    <message>
+        <source>Strength of the chosen lamp</source>
+        <translation>Intensidad de la lámpara elegida</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -1196,8 +1510,16 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Dice la versión, la licencia y para qué no sirve este programa.</translation>
     </message>
     <message>
+        <source>The chosen lamp</source>
+        <translation>La lámpara elegida</translation>
+    </message>
+    <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
         <translation>La altura del histograma crece con el logaritmo de los vóxeles</translation>
+    </message>
+    <message>
+        <source>The patient's side that one looks at (%1)</source>
+        <translation>El lado del paciente que se mira (%1)</translation>
     </message>
     <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
@@ -1206,6 +1528,16 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>The scan's grid is %1 × %2 × %3 mm</source>
         <translation>La rejilla de la exploración es de %1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>The view: each side is lit alike
+The patient: the lamps stay where they are when the patient is turned</source>
+        <translation>La vista: cada lado se ilumina igual
+El paciente: las lámparas se quedan donde están cuando se gira al paciente</translation>
+    </message>
+    <message>
+        <source>Then click the anatomy that is to be sharp</source>
+        <translation>Después haga clic en la anatomía que debe verse nítida</translation>
     </message>
     <message>
         <source>Then click the anatomy: a bell at its Hounsfield units is added (Ctrl and click does the same)</source>
@@ -1220,6 +1552,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Esta imagen muestra piel. Una cara identifica a una persona como un nombre: compártala como una fotografía del paciente.</translation>
     </message>
     <message>
+        <source>Three points</source>
+        <translation>Tres puntos</translation>
+    </message>
+    <message>
         <source>Threshold</source>
         <translation>Umbral</translation>
     </message>
@@ -1228,8 +1564,20 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Tejido</translation>
     </message>
     <message>
+        <source>Turn the lights</source>
+        <translation>Girar las luces</translation>
+    </message>
+    <message>
         <source>Turn the view</source>
         <translation>Girar la vista</translation>
+    </message>
+    <message>
+        <source>Turns wit&amp;h</source>
+        <translation>Gira &amp;con</translation>
+    </message>
+    <message>
+        <source>Two lamps behind: bright outlines</source>
+        <translation>Dos lámparas detrás: contornos brillantes</translation>
     </message>
     <message>
         <source>Unbiased</source>
@@ -1300,8 +1648,20 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Hasta:</translation>
     </message>
     <message>
+        <source>Up [degrees]</source>
+        <translation>Hacia arriba [grados]</translation>
+    </message>
+    <message>
+        <source>Up°</source>
+        <translation>Arriba°</translation>
+    </message>
+    <message>
         <source>Value of the selected point</source>
         <translation>Valor del punto elegido</translation>
+    </message>
+    <message>
+        <source>View from: %1</source>
+        <translation>Vista desde: %1</translation>
     </message>
     <message>
         <source>What can be done</source>
@@ -1318,6 +1678,22 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>What is known of the error</source>
         <translation>Lo que se sabe del error</translation>
+    </message>
+    <message>
+        <source>What is sharp</source>
+        <translation>Qué está nítido</translation>
+    </message>
+    <message>
+        <source>What lights it</source>
+        <translation>Lo que lo ilumina</translation>
+    </message>
+    <message>
+        <source>What stands behind the volume. A plain colour lights nothing</source>
+        <translation>Lo que hay detrás del volumen. Un color liso no ilumina nada</translation>
+    </message>
+    <message>
+        <source>What the lamps turn with</source>
+        <translation>Con qué giran las lámparas</translation>
     </message>
     <message>
         <source>What the scan itself resolves</source>
@@ -1348,8 +1724,16 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Dónde está el primer punto elegido; los demás se mueven con él</translation>
     </message>
     <message>
+        <source>Where the light comes from (F8)</source>
+        <translation>De dónde viene la luz (F8)</translation>
+    </message>
+    <message>
         <source>Which limit comes first</source>
         <translation>Qué límite llega primero</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanco</translation>
     </message>
     <message>
         <source>Why this key cannot be used</source>
@@ -1390,6 +1774,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>any time</source>
         <translation>cualquier tiempo</translation>
+    </message>
+    <message>
+        <source>beside the eye</source>
+        <translation>junto al ojo</translation>
     </message>
     <message>
         <source>biased</source>
@@ -1442,6 +1830,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>fine detail is not shown yet</source>
         <translation>el detalle fino aún no se muestra</translation>
+    </message>
+    <message>
+        <source>from behind</source>
+        <translation>desde detrás</translation>
     </message>
     <message>
         <source>held after %1, with %2 samples</source>
@@ -1564,6 +1956,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>la CPU</translation>
     </message>
     <message>
+        <source>the patient</source>
+        <translation>el paciente</translation>
+    </message>
+    <message>
         <source>the rest of the picture waits for the box</source>
         <translation>el resto de la imagen espera al recuadro</translation>
     </message>
@@ -1574,6 +1970,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
         <translation>el tiempo llega primero: en %2, dentro de ±%1 y con %3 muestras</translation>
+    </message>
+    <message>
+        <source>the view</source>
+        <translation>la vista</translation>
     </message>
     <message>
         <source>the whole picture, which waits for the box: 95 % of the tissue within ±%1</source>
@@ -1606,6 +2006,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>writing the picture</source>
         <translation>Escribiendo la imagen</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
     </message>
     <message>
         <source>±</source>

@@ -13,6 +13,7 @@ class TestStepName : public QObject {
   private slots:
     void eachEditHasItsName_data();
     void eachEditHasItsName();
+    void theTableIsNamedByWhatWasDone();
     void aGestureIsCalledByAllOfIt();
     void aStepKeepsItsNameBackAndForth();
     void aChangedLookIsNotAChosenOne();
@@ -77,6 +78,13 @@ void TestStepName::eachEditHasItsName() {
     told.document.undo();
     QString redo = undo;
     QCOMPARE(redoText(told.document.redoable()), redo.replace("Undo", "Redo"));
+}
+
+void TestStepName::theTableIsNamedByWhatWasDone() {
+    PictureSetup hidden, shown;
+    shown.table = Table::shown;
+    QCOMPARE(changeOf(hidden, shown), Change::tableShown);
+    QCOMPARE(changeOf(shown, hidden), Change::tableHidden);
 }
 
 void TestStepName::aGestureIsCalledByAllOfIt() {

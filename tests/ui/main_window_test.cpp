@@ -36,6 +36,7 @@ class TestMainWindow : public QObject {
     void recentFoldersAreOffered();
     void withoutAVolumeNothingActsOnIt();
     void fullScreenStillSaysWhoAndHowGood();
+    void theKeyboardIsSeenOnThePicture();
     void theKeysAreShownAndGoAwayAgain();
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
@@ -359,6 +360,21 @@ void TestMainWindow::fullScreenStillSaysWhoAndHowGood() {
     QVERIFY(corner() != named);
     QTest::keyClick(&window, Qt::Key_N);
     QCOMPARE(window.series().patient(), QString("Family, Given"));
+}
+
+void TestMainWindow::theKeyboardIsSeenOnThePicture() {
+    MainWindow window;
+    activate(window);
+    QImage black(64, 48, QImage::Format_RGB32);
+    black.fill(Qt::black);
+    window.viewport().setPicture({black, Camera{}});
+    const auto edge = [&] { return window.viewport().grab().toImage().pixelColor(0, 20).lightness(); };
+    window.series().setFocus();
+    window.viewport().setFocus(Qt::MouseFocusReason);
+    QVERIFY(edge() < 50);
+    window.look().findChild<QAbstractButton*>()->setFocus();
+    window.viewport().setFocus(Qt::TabFocusReason);
+    QVERIFY(edge() > 200);
 }
 
 void TestMainWindow::theKeysAreShownAndGoAwayAgain() {
