@@ -1,13 +1,9 @@
 #include "ui/main_window.h"
 
 #include <QApplication>
-#include <QCloseEvent>
-#include <QDragEnterEvent>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QShortcut>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -295,47 +291,6 @@ void MainWindow::about() {
                           "they are.</p><p><b>Not for diagnostic use.</b> PD-Render is not a certified medical "
                           "device.</p><p>Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.</p>")
                            .arg(PDR_VERSION));
-}
-
-void MainWindow::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::WindowStateChange)
-        emit unseenChanged(isMinimized());
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    const bool closes = questionOnClosing_.isEmpty() ||
-                        QMessageBox::question(this, tr("PD-Render"), questionOnClosing_) == QMessageBox::Yes;
-    event->setAccepted(closes);
-}
-
-void MainWindow::showEvent(QShowEvent* event) {
-    QMainWindow::showEvent(event);
-    emit unseenChanged(isMinimized());
-}
-
-void MainWindow::hideEvent(QHideEvent* event) {
-    QMainWindow::hideEvent(event);
-    emit unseenChanged(true);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    const QList<QUrl> urls = event->mimeData()->urls();
-    if (!urls.isEmpty() && urls.first().isLocalFile())
-        event->acceptProposedAction();
-}
-
-/// A file stands for the folder that it lies in.
-void MainWindow::dropEvent(QDropEvent* event) {
-    const QFileInfo dropped(event->mimeData()->urls().value(0).toLocalFile());
-    event->acceptProposedAction();
-    emit folderChosen(dropped.isFile() ? dropped.absolutePath() : dropped.absoluteFilePath());
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    keys_->setGeometry(rect());
-    docks_->makeRoom();
 }
 
 }  // namespace pdr::ui
