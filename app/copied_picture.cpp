@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 
 #include "app/caption.h"
+#include "app/show_message.h"
 
 namespace pdr::app {
 namespace {
@@ -36,6 +37,7 @@ void copyPicture(const DesktopParts& parts) {
     const QString caption = captionOn(*frame, parts.bridge.captioned());
     QGuiApplication::clipboard()->setImage(copyOf(*frame, parts.document.scene().film, caption));
     parts.window.status().showForAWhile(ui::MainWindow::tr("copied"));
+    showWhoCanBeKnown(parts);
 }
 
 }  // namespace pdr::app

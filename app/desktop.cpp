@@ -1,5 +1,7 @@
 #include "app/desktop.h"
 
+#include <QCoreApplication>
+#include <QDir>
 #include <QScreen>
 #include <algorithm>
 #include <utility>
@@ -31,6 +33,16 @@ void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
     panel.setDevice(QString::fromStdString(inUse.name));
 }
 
+/// Where `bootstrap run` writes it, beside the programs that it builds; empty: it is not there.
+QString exampleFolder() {
+    const QDir programs(QCoreApplication::applicationDirPath());
+    for (const char* name : {"cranium", "phantom"})
+        if (const QString folder = QDir::cleanPath(programs.filePath(QString("../../example/") + name));
+            QDir(folder).exists())
+            return folder;
+    return {};
+}
+
 }  // namespace
 
 Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
@@ -44,16 +56,21 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     bridge_.setPace(window_.rendering().pace());
     window_.setCaptioned(settings_.captioned());
     bridge_.setCaptioned(settings_.captioned());
-    window_.resize(QSize(1360, 860).boundedTo(window_.screen()->availableSize() * 0.95));
+    window_.setLanguage(settings_.language());
+    window_.setTheme(settings_.theme());
+    window_.setKeys(settings_.keys());
+    window_.resize(QSize(1480, 920).boundedTo(window_.screen()->availableSize() * 0.95));
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());
     wire(parts());
     bridge_.setTarget(settings_.target());
     showNothing(parts());
+    showRecentFolders(parts());
+    window_.setExample(exampleFolder());
 }
 
 Desktop::~Desktop() {
-    settings_.keepWindow(window_.saveGeometry(), window_.saveState());
+    settings_.keepWindow(window_.saveGeometry(), window_.wantedState());
 }
 
 }  // namespace pdr::app

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/step_name.h"
 #include "render/scene/fit_view.h"
 #include "render/scene/picture_setup.h"
 #include "render/scene/preset.h"
@@ -38,6 +39,9 @@ class Document : public QObject {
     std::optional<ClipBox> uncut() const;
     bool canUndo() const { return !past_.empty(); }
     bool canRedo() const { return !future_.empty(); }
+    /// What the next step back brought, or the next one forth will bring; nothing where there is none.
+    Change undoable() const { return canUndo() ? changeOf(past_.back(), setup_) : Change::nothing; }
+    Change redoable() const { return canRedo() ? changeOf(setup_, future_.back()) : Change::nothing; }
 
   public slots:
     /// Shows `volume` without what is known to be its table, from the side that a scan is seen from first, uncut,

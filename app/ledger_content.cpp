@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/accuracy/ledger_text.h"
+#include "ui/language.h"
 
 namespace pdr::app {
 namespace {
@@ -22,8 +23,7 @@ QString phraseOf(const TriedEffect& row) {
     const EffectTrial& trial = *row.trial;
     QString phrase = tr("%1 (the picture changes by %2 levels on average, 95 % of it by less than %3")
                          .arg(qt(row.effect.name))
-                         .arg(trial.change.mean.value, 0, 'f', 2)
-                         .arg(trial.change.ninetyFifth.high, 0, 'f', 2);
+                         .arg(ui::number(trial.change.mean.value, 2), ui::number(trial.change.ninetyFifth.high, 2));
     if (trial.time)
         phrase += tr("; any target takes %1 of the time").arg(qt(timeLeftText(*trial.time)));
     return phrase + ')';
@@ -41,8 +41,8 @@ ui::EffectRow rowOf(const TriedEffect& tried, bool complete) {
     }
     row.milliseconds = qt(costText(tried.trial->milliseconds));
     row.share = qt(shareText(tried.trial->share));
-    row.meanLevels = qt(levelsText(tried.trial->change.mean));
-    row.levels95 = qt(levelsText(tried.trial->change.ninetyFifth));
+    row.meanLevels = ui::localNumber(levelsText(tried.trial->change.mean));
+    row.levels95 = ui::localNumber(levelsText(tried.trial->change.ninetyFifth));
     row.time = tried.trial->time ? qt(timeLeftText(*tried.trial->time)) : tr("not known");
     return row;
 }
@@ -55,7 +55,7 @@ QString howText(const EffectLedger& ledger) {
                               .arg(ledger.film.y)
                               .arg(qt(ledger.device.details));
     const QString text = ledger.complete
-                             ? tr("Measured %1, %2 s of calibration").arg(where).arg(ledger.seconds, 0, 'f', 1)
+                             ? tr("Measured %1, %2 s of calibration").arg(where, ui::number(ledger.seconds, 1))
                          : ledger.film.x > 0 ? tr("Measuring %1, now and then, in a twentieth of the time").arg(where)
                                              : tr("Measuring as soon as the picture is at rest");
     const bool before = std::ranges::any_of(ledger.effects, &TriedEffect::ofViewBefore);

@@ -10,6 +10,7 @@
 #include "render/session/batch_render.h"
 #include "render/session/bias_measurements.h"
 #include "ui/accuracy_text.h"
+#include "ui/language.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
@@ -34,7 +35,7 @@ std::string progressText(const BatchState& state) {
                        .arg(state.film.samplesPerPixel)
                        .arg(ui::durationText(state.seconds));
     if (std::isfinite(state.film.displayError))
-        text += PictureJob::tr(", within ±%1 levels").arg(QString::fromStdString(levelsText(state.film.displayError)));
+        text += PictureJob::tr(", within ±%1 levels").arg(ui::localNumber(levelsText(state.film.displayError)));
     if (state.secondsLeft)
         text += PictureJob::tr(", %1 left").arg(ui::durationText(*state.secondsLeft));
     return text.toStdString();

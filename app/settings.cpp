@@ -1,6 +1,7 @@
 #include "app/settings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pdr::app {
@@ -14,6 +15,13 @@ constexpr auto kIterations = "rendering/iterationsPerPicture";
 constexpr auto kFrames = "rendering/picturesPerSecond";
 constexpr auto kTarget = "rendering/targetLevels";
 constexpr auto kCaptioned = "caption";
+constexpr auto kTheme = "theme";
+constexpr std::array kThemes{"dark", "light", "system"};  ///< in the order of ThemeChoice
+constexpr auto kRemembers = "recent/remember";
+constexpr auto kFolders = "recent/folders";
+constexpr qsizetype kMostFolders = 8;
+constexpr auto kLanguage = "language";
+constexpr auto kKeys = "keys";
 constexpr auto kPlanning = "secondsPerPixelToPlanning/";
 
 QString ownFile() {
@@ -52,6 +60,19 @@ bool Settings::captioned() const {
     return store_.value(kCaptioned, true).toBool();
 }
 
+ui::ThemeChoice Settings::theme() const {
+    const auto kept = std::ranges::find(kThemes, store_.value(kTheme).toString());
+    return kept == kThemes.end() ? ui::ThemeChoice::dark : ui::ThemeChoice(kept - kThemes.begin());
+}
+
+bool Settings::remembersFolders() const {
+    return store_.value(kRemembers, false).toBool();
+}
+
+QStringList Settings::recentFolders() const {
+    return store_.value(kFolders).toStringList().mid(0, kMostFolders);
+}
+
 std::optional<double> Settings::planningSeconds(const QString& kind) const {
     bool known = false;
     const double seconds = store_.value(kPlanning + kind).toDouble(&known);
@@ -74,6 +95,52 @@ void Settings::keepTarget(double levels) {
 
 void Settings::keepCaptioned(bool captioned) {
     store_.setValue(kCaptioned, captioned);
+}
+
+void Settings::keepRemembersFolders(bool remembers) {
+    store_.setValue(kRemembers, remembers);
+    if (!remembers)
+        forgetFolders();
+}
+
+void Settings::keepFolder(const QString& folder) {
+    if (!remembersFolders())
+        return;
+    QStringList folders = recentFolders();
+    folders.removeAll(folder);
+    folders.prepend(folder);
+    store_.setValue(kFolders, folders.mid(0, kMostFolders));
+}
+
+void Settings::forgetFolders() {
+    store_.remove(kFolders);
+}
+
+QString Settings::language() const {
+    return store_.value(kLanguage).toString();
+}
+
+void Settings::keepLanguage(const QString& code) {
+    store_.setValue(kLanguage, code);
+}
+
+QMap<QString, QString> Settings::keys() const {
+    QMap<QString, QString> keys;
+    store_.beginGroup(kKeys);
+    for (const QString& name : store_.childKeys())
+        keys[name] = store_.value(name).toString();
+    store_.endGroup();
+    return keys;
+}
+
+void Settings::keepKeys(const QMap<QString, QString>& keys) {
+    store_.remove(kKeys);
+    for (auto key = keys.begin(); key != keys.end(); ++key)
+        store_.setValue(QString(kKeys) + '/' + key.key(), key.value());
+}
+
+void Settings::keepTheme(ui::ThemeChoice theme) {
+    store_.setValue(kTheme, kThemes[std::size_t(theme)]);
 }
 
 /// Each frame foretells it a little differently; the file is not written for that.

@@ -1,15 +1,17 @@
 #pragma once
 /// What the desktop keeps between two runs: the window's geometry, the device, the pace and the target that were
-/// chosen, and how long pictures took. Nothing of a patient, so not the folder opened last either: its name may be a
-/// patient's.
+/// chosen, and how long pictures took. Nothing of a patient, so folders, whose names may be patients', only where that
+/// was chosen.
 
 #include <QByteArray>
+#include <QMap>
 #include <QSettings>
 #include <QString>
 #include <optional>
 
 #include "render/accuracy/stop_rule.h"
 #include "ui/render_panel.h"
+#include "ui/theme.h"
 
 namespace pdr::app {
 
@@ -24,12 +26,25 @@ class Settings {
     FrameBudget pace() const;
     double target() const;   ///< display levels, [kFinestTarget, kCoarsestTarget]
     bool captioned() const;  ///< unfinished pictures say so
+    ui::ThemeChoice theme() const;
+    bool remembersFolders() const;      ///< not unless that was chosen: folders are called after patients
+    QStringList recentFolders() const;  ///< the newest first, 8 at most
     /// What the last picture of `kind` took per pixel until it was good for planning [s]; none: there was none.
     std::optional<double> planningSeconds(const QString& kind) const;
     void keepDevice(const QString& name);
     void keepPace(const FrameBudget& pace);
     void keepTarget(double levels);
     void keepCaptioned(bool captioned);
+    /// What was remembered is forgotten with the choice not to.
+    void keepRemembersFolders(bool remembers);
+    /// As the newest, where folders are remembered.
+    void keepFolder(const QString& folder);
+    void forgetFolders();
+    QString language() const;  ///< empty: the system's
+    void keepLanguage(const QString& code);
+    QMap<QString, QString> keys() const;  ///< as ui::KeyBindings::choices() has them
+    void keepKeys(const QMap<QString, QString>& keys);
+    void keepTheme(ui::ThemeChoice theme);
     void keepPlanningSeconds(const QString& kind, double secondsPerPixel);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);
 

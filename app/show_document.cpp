@@ -39,6 +39,8 @@ void showDocument(const DesktopParts& parts) {
     parts.window.rendering().setSchedule(document.setup().schedule);
     parts.window.setSmoothed(document.smoothed());
     parts.window.setUndoAvailable(document.canUndo(), document.canRedo());
+    parts.window.setVolumeAvailable(document.hasVolume());
+    parts.window.setUndoTexts(undoText(document.undoable()), redoText(document.redoable()));
 }
 
 void showEffects(const DesktopParts& parts) {

@@ -1,6 +1,21 @@
 #include "app/show_message.h"
 
+#include <algorithm>
+
+#include "render/scene/tissue_channels.h"
+
 namespace pdr::app {
+namespace {
+
+/// Where air ends and skin begins, some light is stopped: more than a hundredth of what dense tissue stops.
+bool showsSkin(const TransferFunction& function) {
+    constexpr float kSkin[] = {-250, -200, -150, -100};  // [HU] of voxels that skin and air share, and of fat below
+    const Curve opacity = curveOf(function, TissueChannel::opacity);
+    const float most = heightOf(opacity);
+    return std::ranges::any_of(kSkin, [&](float hu) { return valueAt(opacity, hu) > 0.01f * most; });
+}
+
+}  // namespace
 
 void showFailure(const DesktopParts& parts, const Error& error) {
     parts.window.message().showError(error);
@@ -8,10 +23,17 @@ void showFailure(const DesktopParts& parts, const Error& error) {
 
 void showSaved(const DesktopParts& parts, const QString& file) {
     parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file));
+    showWhoCanBeKnown(parts);
+}
+
+void showWhoCanBeKnown(const DesktopParts& parts) {
+    if (showsSkin(parts.document.setup().look.transferFunction))
+        showNotice(parts, ui::MainWindow::tr("This picture shows skin. A face identifies a person as a name does: "
+                                             "share it like a photograph of the patient."));
 }
 
 void showNotice(const DesktopParts& parts, const QString& sentences) {
-    parts.window.message().showError({sentences.toStdString(), "", ""});
+    parts.window.message().showNotice(sentences);
 }
 
 }  // namespace pdr::app

@@ -10,10 +10,6 @@
 namespace pdr::app {
 namespace {
 
-QString invitation() {
-    return ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O");
-}
-
 /// What the import remarked on the series, its voxels and its table, one note a line.
 QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofPixels,
                 const segment::HiddenTable& table) {
@@ -38,7 +34,8 @@ void showNothing(const DesktopParts& parts) {
     parts.window.setRegion(std::nullopt);
     parts.study.setVolume(nullptr);
     parts.window.tissue().setHistogram(nullptr);
-    showNoPicture(parts, invitation());
+    showNoPicture(parts, {});
+    parts.window.setStartShown(true);
     parts.window.setSubject({});
     parts.window.series().setNothingShown();
     showDocument(parts);
@@ -49,12 +46,18 @@ void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QS
     parts.window.message().clear();
     parts.window.setLastFolder(folder);
     parts.window.series().setScan(scan);
+    parts.settings.keepFolder(folder);
+    showRecentFolders(parts);
     if (const int first = firstLoadable(scan); first >= 0)
         return parts.import.loadSeries(first);
     parts.window.series().setCurrent(scan.series.empty() ? -1 : 0);
     Error error = nothingLoadable(scan).in(folder.toStdString());
     error.hint = "Open a folder with a CT series.";
     parts.window.message().showError(error);
+}
+
+void showRecentFolders(const DesktopParts& parts) {
+    parts.window.setRecentFolders(parts.settings.recentFolders(), parts.settings.remembersFolders());
 }
 
 void showReading(const DesktopParts& parts, int index) {
@@ -72,6 +75,7 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
         parts.window.message().offer(ui::MainWindow::tr("Show"));
     parts.window.setSubject(ui::windowSubject(series));
     parts.window.series().setCurrent(index);
+    parts.window.setStartShown(false);
     showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::windowSubject(series)));
     parts.study.setVolume(table.body ? table.body : volume);
     parts.document.open(std::move(volume), table);
@@ -79,11 +83,13 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
 
 void showProgress(const DesktopParts& parts, double fraction, const QString& step) {
     parts.window.status().setProgress(fraction, step);
+    parts.window.setStartShown(false);
     parts.window.viewport().setMessage(ui::sentence(step.toStdString()));
 }
 
 void showReadingEnded(const DesktopParts& parts) {
-    parts.window.viewport().setMessage(invitation());
+    parts.window.viewport().setMessage({});
+    parts.window.setStartShown(!parts.document.hasVolume());
     parts.window.series().setCurrent(parts.window.series().current());
 }
 

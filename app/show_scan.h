@@ -11,6 +11,8 @@ namespace pdr::app {
 void showNothing(const DesktopParts& parts);
 /// The series of `folder`; the first one that can be shown is loaded, and if there is none a message says why.
 void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder);
+/// The folders opened last, as far as they are remembered.
+void showRecentFolders(const DesktopParts& parts);
 /// Closes what is shown, so that there is room, and reads the series `index` of the last scan.
 void showReading(const DesktopParts& parts, int index);
 /// The series `index` of the last scan, whose voxels are `volume`, without its `table`.

@@ -189,6 +189,24 @@ void wirePicture(const DesktopParts& parts) {
 
 /// 6. What was chosen for this machine is kept.
 void wireSettings(const DesktopParts& parts) {
+    QObject::connect(&parts.window, &ui::MainWindow::rememberFoldersChosen, &parts.window, [parts](bool remembered) {
+        parts.settings.keepRemembersFolders(remembered);
+        showRecentFolders(parts);
+    });
+    QObject::connect(&parts.window, &ui::MainWindow::forgetFoldersRequested, &parts.window, [parts] {
+        parts.settings.forgetFolders();
+        showRecentFolders(parts);
+    });
+    QObject::connect(&parts.window, &ui::MainWindow::keysChosen, &parts.window,
+                     [parts](const QMap<QString, QString>& keys) { parts.settings.keepKeys(keys); });
+    QObject::connect(&parts.window, &ui::MainWindow::languageChosen, &parts.window, [parts](const QString& code) {
+        parts.settings.keepLanguage(code);
+        parts.window.status().showForAWhile(ui::MainWindow::tr("This language is spoken from the next start on"));
+    });
+    QObject::connect(&parts.window, &ui::MainWindow::themeChosen, &parts.window, [parts](ui::ThemeChoice choice) {
+        parts.settings.keepTheme(choice);
+        ui::applyTheme(*qApp, choice);
+    });
     const ui::RenderPanel& rendering = parts.window.rendering();
     QObject::connect(&rendering, &ui::RenderPanel::deviceChosen, &parts.window,
                      [parts](const QString& name) { parts.settings.keepDevice(name); });

@@ -137,7 +137,7 @@ void AccuracyStrip::paintTrack(QPainter& painter) const {
     if (accuracy_.status.samplesPerPixel > 0) {
         QRectF done = track();
         done.setRight(xOf(accuracy_.seconds));
-        painter.setBrush(palette().color(QPalette::Highlight));
+        painter.setBrush(palette().color(QPalette::Link));
         painter.drawRect(done);
     }
     const QualityStep* next = nextStep(accuracy_.steps);

@@ -1,12 +1,12 @@
 #include "ui/accuracy_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
 #include "render/accuracy/quality.h"
 #include "render/film/levels_text.h"
+#include "ui/language.h"
 
 namespace pdr::ui {
 namespace {
@@ -32,7 +32,7 @@ QString wordText(Quality quality) {
 }
 
 QString levels(double value) {
-    return QString::fromStdString(levelsText(value));
+    return localNumber(levelsText(value));
 }
 
 /// As long as this picture tells nothing of its own price.
@@ -121,7 +121,7 @@ QString durationText(double seconds) {
         return translated("%1 s").arg(std::max(1.0, std::round(seconds)));
     const bool hours = seconds >= 3600;
     const double value = seconds / (hours ? 3600 : 60);
-    return translated(hours ? "%1 h" : "%1 min").arg(QLocale::c().toString(value, 'f', value < 10 ? 1 : 0));
+    return (hours ? translated("%1 h") : translated("%1 min")).arg(number(value, value < 10 ? 1 : 0));
 }
 
 QString accuracyText(const Accuracy& accuracy) {
@@ -174,7 +174,7 @@ QString stopText(const StopRule& rule, const Accuracy& accuracy) {
         foretoldStop(rule, accuracy.steps, accuracy.seconds, accuracy.status.samplesPerPixel);
     if (!stop)
         return translated("which of them comes first is not known yet");
-    const QString by = levels(stop->levels), samples = QLocale::c().toString(std::ceil(stop->samples), 'f', 0);
+    const QString by = levels(stop->levels), samples = number(std::ceil(stop->samples), 0);
     const QString left = durationText(std::max(stop->seconds - accuracy.seconds, 0.0));
     if (accuracy.holding == Holding::reached)
         return translated("held after %1, with %2 samples")

@@ -1,9 +1,12 @@
 #include "ui/error_plot.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/language.h"
 
 namespace pdr::ui {
 namespace {
@@ -13,7 +16,8 @@ constexpr double kPoint = 2, kNow = 4;  ///< radii [px]
 constexpr int kGap = 6;
 
 QString momentText(double seconds) {
-    return seconds < 1 ? ErrorPlot::tr("%1 s").arg(seconds) : durationText(seconds).replace(".0", "");
+    return seconds < 1 ? ErrorPlot::tr("%1 s").arg(number(seconds, 1))
+                       : durationText(seconds).replace(QLocale().decimalPoint() + "0", "");
 }
 
 }  // namespace

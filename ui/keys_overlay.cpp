@@ -3,88 +3,85 @@
 #include <QPainter>
 #include <algorithm>
 #include <array>
-#include <utility>
+
+#include "ui/key_bindings.h"
 
 namespace pdr::ui {
 namespace {
 
-struct KeyHelp {
-    const char* keys;
+struct Gesture {
+    const char* hand;
     const char* effect;
 };
 
-const auto kKeys = std::to_array<KeyHelp>({{"Left drag, arrow keys", "turn"},
-                                           {"Middle or Shift+left drag", "move"},
-                                           {"Wheel, right drag, + and -", "zoom"},
-                                           {"1  2  3  4  5  6", "view from the front, back, left, right, head, feet"},
-                                           {"R, double click", "first view"},
-                                           {"Ctrl+drag on the picture", "shift the tissue's curve, widen it"},
-                                           {"Ctrl+click on the picture", "show the tissue that is there"},
-                                           {"Shift+right drag on the picture", "turn the lights"},
-                                           {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo"},
-                                           {"Space", "pause, go on (also beyond what was reached)"},
-                                           {"Left, Right on the strip (Tab)", "hold sooner, more accurate"},
-                                           {"S", "smoothed, or raw with its noise"},
-                                           {"T", "the scanner's table and head holder on and off"},
-                                           {"Mouse at rest", "how good the picture is there"},
-                                           {"E", "where the picture is still rough"},
-                                           {"B, drag; B again", "a box that comes first; no box"},
-                                           {"C, drag a handle", "cut: crop box and planes; double click: undo one"},
-                                           {"X, draw a line", "cut what lies behind it, or all else"},
-                                           {"P", "cut by a plane that faces you"},
-                                           {"Shift+E, click on the sentence", "accuracy on and off"},
-                                           {"Ctrl+O, drop a folder", "open a folder"},
-                                           {"Ctrl+S", "save the picture (PNG or EXR), at any size"},
-                                           {"Ctrl+C", "copy the picture"},
-                                           {"F2", "series on and off"},
-                                           {"F3", "look on and off"},
-                                           {"F4", "rendering on and off"},
-                                           {"F5", "tissue: curves and colours, on and off"},
-                                           {"F6", "what the seconds go to, on and off"},
-                                           {"F7", "camera: projection, focus, background, on and off"},
-                                           {"F8", "light, on and off"},
-                                           {"F9", "cuts in numbers, on and off"},
-                                           {"F11", "the picture alone"},
-                                           {"Tab", "next control"},
-                                           {"Esc", "cancel a gesture, reading or a box, close a message"},
-                                           {"H, ?", "this help"},
-                                           {"Ctrl+Q", "quit"}});
+/// What is no action of a menu.
+const auto kGestures = std::to_array<Gesture>({
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Left drag, arrow keys"), QT_TRANSLATE_NOOP("KeysOverlay", "Turn the view")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Middle or Shift+left drag"), QT_TRANSLATE_NOOP("KeysOverlay", "Move the view")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Wheel, right drag, + and -"), QT_TRANSLATE_NOOP("KeysOverlay", "Zoom")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Double click"), QT_TRANSLATE_NOOP("KeysOverlay", "Reset the view")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Ctrl+drag on the picture"),
+     QT_TRANSLATE_NOOP("KeysOverlay", "Shift the tissue's curve, widen it")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Ctrl+click on the picture"),
+     QT_TRANSLATE_NOOP("KeysOverlay", "Show the tissue that is there")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Shift+right drag on the picture"),
+     QT_TRANSLATE_NOOP("KeysOverlay", "Turn the lights")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Double click on a handle"),
+     QT_TRANSLATE_NOOP("KeysOverlay", "Undo that side or plane of the cut")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Left, Right on the strip"),
+     QT_TRANSLATE_NOOP("KeysOverlay", "Hold sooner, more accurate")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Mouse at rest"),
+     QT_TRANSLATE_NOOP("KeysOverlay", "How good the picture is there")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Tab"), QT_TRANSLATE_NOOP("KeysOverlay", "Next control")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Esc"),
+     QT_TRANSLATE_NOOP("KeysOverlay", "Cancel a gesture, reading or a box, close a message")},
+});
 
 }  // namespace
 
 KeysOverlay::KeysOverlay(QWidget* window) : QWidget(window) {
-    QString all = tr("Keys");
-    for (const KeyHelp& line : kKeys)
-        all += QString("; %1: %2").arg(tr(line.keys), tr(line.effect));
-    setAccessibleName(all);
     setFocusPolicy(Qt::StrongFocus);
     hide();
 }
 
-void KeysOverlay::toggle() {
+void KeysOverlay::toggle(const QList<QAction*>& actions) {
     setVisible(!isVisible());
     if (!isVisible())
         return;
+    lines_.clear();
+    for (const Gesture& gesture : kGestures)
+        lines_ << Line{tr(gesture.hand), tr(gesture.effect)};
+    for (const QAction* action : actions)
+        if (!action->shortcuts().isEmpty())
+            lines_ << Line{
+                QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText).replace("; ", ", "),
+                plainText(*action)};
+    QStringList all{tr("Keys")};
+    for (const Line& line : lines_)
+        all << line.keys + ": " + line.effect;
+    setAccessibleName(all.join("; "));
     setGeometry(parentWidget()->rect());
     raise();
     setFocus();
 }
 
+/// In two columns.
 void KeysOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), QColor(12, 13, 15, 225));
-    const int room = height() / int(kKeys.size());
-    const int lineHeight = std::min(int(painter.fontMetrics().height() * 1.8), room);
-    const int top = (height() - lineHeight * int(kKeys.size())) / 2;
-    const int middle = width() / 2;
-    for (int i = 0; i < int(kKeys.size()); ++i) {
-        const KeyHelp& line = kKeys[std::size_t(i)];
-        const int y = top + i * lineHeight;
+    painter.fillRect(rect(), QColor(12, 13, 15, 235));
+    const int rows = int(lines_.size() + 1) / 2;
+    if (rows == 0)
+        return;
+    const int lineHeight = std::min(int(painter.fontMetrics().height() * 1.8), height() / rows);
+    const int top = (height() - lineHeight * rows) / 2, column = width() / 2;
+    for (int i = 0; i < int(lines_.size()); ++i) {
+        const int y = top + i % rows * lineHeight, left = i / rows * column, middle = left + column * 2 / 5;
         painter.setPen(Qt::white);
-        painter.drawText(QRect(0, y, middle - 20, lineHeight), Qt::AlignRight | Qt::AlignVCenter, tr(line.keys));
+        painter.drawText(QRect(left, y, middle - left - 10, lineHeight), Qt::AlignRight | Qt::AlignVCenter,
+                         lines_[i].keys);
         painter.setPen(QColor(190, 192, 196));
-        painter.drawText(QRect(middle + 20, y, middle - 20, lineHeight), Qt::AlignLeft | Qt::AlignVCenter,
-                         tr(line.effect));
+        painter.drawText(QRect(middle + 10, y, left + column - middle - 10, lineHeight),
+                         Qt::AlignLeft | Qt::AlignVCenter, lines_[i].effect);
     }
 }
 

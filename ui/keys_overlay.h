@@ -1,6 +1,8 @@
 #pragma once
 /// All keys and mouse gestures at a glance, over the whole window; any key or click takes it away.
 
+#include <QAction>
+#include <QList>
 #include <QWidget>
 
 namespace pdr::ui {
@@ -11,13 +13,20 @@ class KeysOverlay : public QWidget {
   public:
     explicit KeysOverlay(QWidget* window);
 
-    /// Covers the window, or goes away.
-    void toggle();
+    /// Covers the window with the gestures and the keys that `actions` have now, or goes away.
+    void toggle(const QList<QAction*>& actions);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+
+  private:
+    struct Line {
+        QString keys, effect;
+    };
+
+    QList<Line> lines_;
 };
 
 }  // namespace pdr::ui

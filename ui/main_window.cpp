@@ -1,18 +1,16 @@
 #include "ui/main_window.h"
 
 #include <QApplication>
-#include <QCloseEvent>
-#include <QDragEnterEvent>
-#include <QFileInfo>
+#include <QGridLayout>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QShortcut>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
 #include "render/base/version.h"
 #include "ui/file_dialogs.h"
+#include "ui/keys_dialog.h"
 
 namespace pdr::ui {
 namespace {
@@ -26,6 +24,15 @@ QWidget* stacked(QWidget* above, QWidget* below) {
     column->addWidget(above, 1);
     column->addWidget(below);
     return both;
+}
+
+QList<QAction*> namedActions(const QMenuBar& bar) {
+    QList<QAction*> named;
+    for (const QAction* menu : bar.actions())
+        for (QAction* action : menu->menu()->actions())
+            if (!action->objectName().isEmpty())
+                named << action;
+    return named;
 }
 
 }  // namespace
@@ -45,17 +52,23 @@ MainWindow::MainWindow()
       foot_(new Foot),
       accuracy_(new AccuracyPanel),
       message_(new MessageBar),
+      start_(new StartPanel),
       keys_(new KeysOverlay(this)),
       docks_(new WindowDocks(*this, *viewport_,
-                             {series_, stacked(look_, visible_), tissue_, light_, camera_, rendering_, accuracy_,
-                              effects_, &cut_->panel()})),
-      actions_(fillMenus(*menuBar(), docks_->toggles(), *cut_)) {
+                             {series_, stacked(look_, visible_), tissue_, light_, camera_, &cut_->panel(), rendering_,
+                              accuracy_, effects_})),
+      actions_(fillMenus(*menuBar(), docks_->toggles(), *cut_)),
+      bindings_(namedActions(*menuBar())) {
     auto* middle = new QWidget;
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(message_);
     column->addWidget(viewport_, 1);
+    auto* inPlaceOfThePicture = new QGridLayout(viewport_);
+    inPlaceOfThePicture->addWidget(start_, 0, 0, Qt::AlignCenter);
+    start_->hide();
+    viewport_->setOverlay([this] { return whatIsSeen(); });
     setCentralWidget(middle);
     statusBar()->addWidget(foot_, 1);
     statusBar()->setSizeGripEnabled(false);
@@ -65,7 +78,8 @@ MainWindow::MainWindow()
     connectFileActions();
     connectEditActions();
     connectViewActions();
-    connect(actions_.keys, &QAction::triggered, keys_, &KeysOverlay::toggle);
+    connect(actions_.keys, &QAction::triggered, keys_, [this] { keys_->toggle(bindings_.actions()); });
+    connect(actions_.editKeys, &QAction::triggered, this, &MainWindow::editKeys);
     connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
 
@@ -96,6 +110,11 @@ MainWindow::MainWindow()
 
 void MainWindow::connectFileActions() {
     connect(actions_.open, &QAction::triggered, this, &MainWindow::chooseFolder);
+    connect(start_, &StartPanel::openRequested, actions_.open, &QAction::trigger);
+    connect(start_, &StartPanel::folderChosen, this, &MainWindow::folderChosen);
+    connect(actions_.recent, &RecentMenu::folderChosen, this, &MainWindow::folderChosen);
+    connect(actions_.recent, &RecentMenu::rememberChosen, this, &MainWindow::rememberFoldersChosen);
+    connect(actions_.recent, &RecentMenu::forgetRequested, this, &MainWindow::forgetFoldersRequested);
     connect(actions_.save, &QAction::triggered, this, &MainWindow::chooseFile);
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
 }
@@ -118,6 +137,11 @@ void MainWindow::connectViewActions() {
     connect(actions_.errorMap, &QAction::triggered, this, &MainWindow::errorMapChosen);
     connect(actions_.boxFirst, &QAction::triggered, this, &MainWindow::drawOrForgetRegion);
     connect(actions_.alone, &QAction::toggled, this, &MainWindow::showPictureAlone);
+    connect(actions_.hideName, &QAction::toggled, this, &MainWindow::hideName);
+    connect(actions_.languages, &QActionGroup::triggered, this,
+            [this](const QAction* language) { emit languageChosen(language->data().toString()); });
+    for (std::size_t i = 0; i < actions_.themes.size(); ++i)
+        connect(actions_.themes[i], &QAction::triggered, this, [this, i] { emit themeChosen(ThemeChoice(i)); });
 }
 
 void MainWindow::setSubject(const QString& subject) {
@@ -132,6 +156,52 @@ void MainWindow::setLastFolder(const QString& folder) {
 void MainWindow::setUndoAvailable(bool undo, bool redo) {
     actions_.undo->setEnabled(undo);
     actions_.redo->setEnabled(redo);
+}
+
+void MainWindow::setUndoTexts(const QString& undo, const QString& redo) {
+    actions_.undo->setText('&' + undo);
+    actions_.redo->setText('&' + redo);
+}
+
+void MainWindow::setRecentFolders(const QStringList& folders, bool remembered) {
+    actions_.recent->setFolders(folders, remembered);
+    start_->setRecent(folders);
+}
+
+void MainWindow::setStartShown(bool shown) {
+    start_->setVisible(shown);
+}
+
+void MainWindow::setExample(const QString& folder) {
+    start_->setExample(folder);
+}
+
+void MainWindow::setVolumeAvailable(bool available) {
+    for (QAction* view : actions_.views)
+        view->setEnabled(available);
+    for (QAction* action :
+         {actions_.firstView, actions_.pause, actions_.smoothed, actions_.errorMap, actions_.boxFirst})
+        action->setEnabled(available);
+    look_->setEnabled(available);
+}
+
+void MainWindow::setKeys(const QMap<QString, QString>& choices) {
+    bindings_.restore(choices);
+}
+
+void MainWindow::editKeys() {
+    KeysDialog dialog(bindings_, this);
+    connect(&dialog, &KeysDialog::keysChanged, this, [this] { emit keysChosen(bindings_.choices()); });
+    dialog.exec();
+}
+
+void MainWindow::setLanguage(const QString& code) {
+    for (QAction* language : actions_.languages->actions())
+        language->setChecked(language->data().toString() == code);
+}
+
+void MainWindow::setTheme(ThemeChoice choice) {
+    actions_.themes[std::size_t(choice)]->setChecked(true);
 }
 
 void MainWindow::setPaused(bool paused) {
@@ -214,6 +284,20 @@ void MainWindow::drawOrForgetRegion(bool draw) {
         chooseRegion(std::nullopt);
 }
 
+void MainWindow::hideName(bool hidden) {
+    series_->setNamesHidden(hidden);
+    actions_.recent->menuAction()->setVisible(!hidden);
+    start_->setVisible(start_->isVisible() && !hidden);
+    viewport_->update();
+}
+
+/// Whom the picture shows and how good it is, where nothing beside it says so.
+QStringList MainWindow::whatIsSeen() const {
+    if (!actions_.alone->isChecked())
+        return {};
+    return {series_->patient(), foot_->status().text()};
+}
+
 void MainWindow::escape() {
     if (cut_->giveUp())
         return;
@@ -234,46 +318,6 @@ void MainWindow::about() {
                           "they are.</p><p><b>Not for diagnostic use.</b> PD-Render is not a certified medical "
                           "device.</p><p>Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.</p>")
                            .arg(PDR_VERSION));
-}
-
-void MainWindow::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::WindowStateChange)
-        emit unseenChanged(isMinimized());
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    const bool closes = questionOnClosing_.isEmpty() ||
-                        QMessageBox::question(this, tr("PD-Render"), questionOnClosing_) == QMessageBox::Yes;
-    event->setAccepted(closes);
-}
-
-void MainWindow::showEvent(QShowEvent* event) {
-    QMainWindow::showEvent(event);
-    emit unseenChanged(isMinimized());
-}
-
-void MainWindow::hideEvent(QHideEvent* event) {
-    QMainWindow::hideEvent(event);
-    emit unseenChanged(true);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    const QList<QUrl> urls = event->mimeData()->urls();
-    if (!urls.isEmpty() && urls.first().isLocalFile())
-        event->acceptProposedAction();
-}
-
-/// A file stands for the folder that it lies in.
-void MainWindow::dropEvent(QDropEvent* event) {
-    const QFileInfo dropped(event->mimeData()->urls().value(0).toLocalFile());
-    event->acceptProposedAction();
-    emit folderChosen(dropped.isFile() ? dropped.absolutePath() : dropped.absoluteFilePath());
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    keys_->setGeometry(rect());
 }
 
 }  // namespace pdr::ui

@@ -11,6 +11,7 @@
 #include "ui/cut/cut_tools.h"
 #include "ui/effect_ledger.h"
 #include "ui/foot.h"
+#include "ui/key_bindings.h"
 #include "ui/keys_overlay.h"
 #include "ui/light/light_panel.h"
 #include "ui/look_panel.h"
@@ -19,6 +20,8 @@
 #include "ui/region_box.h"
 #include "ui/render_panel.h"
 #include "ui/series_panel.h"
+#include "ui/start_panel.h"
+#include "ui/theme.h"
 #include "ui/tissue/tissue_panel.h"
 #include "ui/viewport.h"
 #include "ui/visible_row.h"
@@ -53,6 +56,21 @@ class MainWindow : public QMainWindow {
     /// Where the dialogs for opening and saving begin.
     void setLastFolder(const QString& folder);
     void setUndoAvailable(bool undo, bool redo);
+    /// What the next steps back and forth are called: "Undo turning the view".
+    void setUndoTexts(const QString& undo, const QString& redo);
+    /// The newest first; none where they are not remembered.
+    void setRecentFolders(const QStringList& folders, bool remembered);
+    /// Ways to open something, in the place of the picture.
+    void setStartShown(bool shown);
+    /// A folder to try with; empty: there is none.
+    void setExample(const QString& folder);
+    /// Whether there is something that views, looks and the like act on.
+    void setVolumeAvailable(bool available);
+    /// Which actions have other keys than their own: KeyBindings::choices().
+    void setKeys(const QMap<QString, QString>& choices);
+    /// Of languages(), or empty for the system's.
+    void setLanguage(const QString& code);
+    void setTheme(pdr::ui::ThemeChoice choice);
     void setPaused(bool paused);
     void setSmoothed(bool smoothed);
     /// The box on the picture that gets its samples first; none: there is none.
@@ -63,6 +81,8 @@ class MainWindow : public QMainWindow {
     void setCaptioned(bool captioned);
     /// What is asked before the window closes, since something would be lost; empty: nothing would.
     void setQuestionOnClosing(const QString& question);
+    /// For another time: panels that fold because the window is small are there.
+    QByteArray wantedState() { return docks_->wantedState(); }
     /// Whether there is a picture to save or copy.
     void setPictureAvailable(bool available);
 
@@ -74,6 +94,11 @@ class MainWindow : public QMainWindow {
     void pictureOrdered(const pdr::ui::PictureOrder& order);
     /// The picture is wanted on the clipboard.
     void copyRequested();
+    void keysChosen(const QMap<QString, QString>& choices);
+    void rememberFoldersChosen(bool remembered);
+    void forgetFoldersRequested();
+    void languageChosen(const QString& code);
+    void themeChosen(pdr::ui::ThemeChoice choice);
     void undoRequested();
     void redoRequested();
     void viewChosen(pdr::StandardView view);
@@ -112,6 +137,9 @@ class MainWindow : public QMainWindow {
     void showPictureAlone(bool alone);
     void chooseRegion(const std::optional<QRectF>& box);
     void drawOrForgetRegion(bool draw);
+    void hideName(bool hidden);
+    QStringList whatIsSeen() const;
+    void editKeys();
     void escape();
     void about();
 
@@ -129,9 +157,11 @@ class MainWindow : public QMainWindow {
     Foot* foot_;
     AccuracyPanel* accuracy_;
     MessageBar* message_;
+    StartPanel* start_;
     KeysOverlay* keys_;
     WindowDocks* docks_;
     WindowActions actions_;
+    KeyBindings bindings_;
     QString lastFolder_;
     QString questionOnClosing_;
 };

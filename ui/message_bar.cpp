@@ -1,6 +1,7 @@
 #include "ui/message_bar.h"
 
 #include <QHBoxLayout>
+#include <QStyle>
 #include <QToolButton>
 
 #include "ui/to_qt.h"
@@ -8,16 +9,10 @@
 namespace pdr::ui {
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
-    setAutoFillBackground(true);
-    QPalette colours = palette();
-    colours.setColor(QPalette::Window, QColor(92, 52, 40));
-    colours.setColor(QPalette::WindowText, QColor(250, 238, 230));
-    setPalette(colours);
-
-    auto* symbol = new QLabel(QString::fromUtf8("\u26A0"));
-    QFont large = symbol->font();
+    setObjectName("message");  // by which the style sheet colours it
+    QFont large = font();
     large.setPointSizeF(large.pointSizeF() * 1.6);
-    symbol->setFont(large);
+    symbol_.setFont(large);
     text_.setAccessibleName(tr("Message"));
     text_.setWordWrap(true);
     text_.setTextFormat(Qt::PlainText);
@@ -37,7 +32,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 6, 6, 6);
     row->setSpacing(12);
-    row->addWidget(symbol);
+    row->addWidget(&symbol_);
     row->addWidget(&text_, 1);
     row->addWidget(&offer_);
     row->addWidget(close, 0, Qt::AlignTop);
@@ -50,7 +45,20 @@ void MessageBar::showError(const Error& error) {
         lines += ' ' + sentence(error.hint);
     if (!error.where.empty())
         lines += '\n' + QString::fromStdString(error.where);
-    text_.setText(lines);
+    showText(lines, true);
+}
+
+void MessageBar::showNotice(const QString& sentences) {
+    showText(sentences, false);
+}
+
+void MessageBar::showText(const QString& text, bool warning) {
+    text_.setText(text);
+    symbol_.setText(QString::fromUtf8(warning ? "\u26A0" : "\u2139"));
+    setProperty("warning", warning);
+    const QList<QWidget*> parts = findChildren<QWidget*>() + QList<QWidget*>{this};
+    for (QWidget* part : parts)
+        part->style()->polish(part);  // coloured by what the property says now
     offer_.hide();
     show();
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// A bar above the picture that says what went wrong, where, and what to do next. It stays until it is closed.
+/// A bar above the picture that says what went wrong, where, and what to do next, or, in quieter colours, what is worth
+/// knowing. It stays until it is closed.
 
 #include <QFrame>
 #include <QLabel>
@@ -16,6 +17,8 @@ class MessageBar : public QFrame {
     explicit MessageBar(QWidget* parent = nullptr);
 
     void showError(const Error& error);
+    /// Nothing went wrong.
+    void showNotice(const QString& sentences);
     /// Beside what is shown, a button with something that can be done about it; once.
     void offer(const QString& action);
     /// What was offered has been done elsewhere: clears the message that offers it, if there is one.
@@ -27,6 +30,9 @@ class MessageBar : public QFrame {
     void offerTaken();
 
   private:
+    void showText(const QString& text, bool warning);
+
+    QLabel symbol_;
     QLabel text_;
     QPushButton offer_;
 };

@@ -16,7 +16,7 @@ QString sizeText(QSize size) {
 QSpinBox* sideField(const QString& name, int pixels) {
     auto* field = new QSpinBox;
     field->setRange(1, kLongestSide);
-    field->setLocale(QLocale::c());
+    field->setGroupSeparatorShown(false);
     field->setValue(pixels);
     field->setAccessibleName(name);
     field->setToolTip(name);

@@ -28,7 +28,7 @@ RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addRow(&device_);  // the whole row: names of GPUs are long
     rows->addRow(&automatic_);
-    rows->addRow(tr("Pictures per &second"), &framesPerSecond_);
+    rows->addRow(tr("&Frame rate"), &framesPerSecond_);
     rows->addRow(tr("&Iterations per picture"), &iterations_);
 
     auto* column = new QVBoxLayout(this);
@@ -45,17 +45,18 @@ RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
 void RenderPanel::describeControls() {
     device_.setAccessibleName(tr("Device"));
     device_.setToolTip(tr("What computes the picture. It goes on there with the samples that it has."));
-    automatic_.setText(tr("As many iterations as fit"));
-    automatic_.setAccessibleName(tr("As many iterations as fit"));
+    automatic_.setText(tr("Automatic"));
+    automatic_.setAccessibleName(tr("Automatic"));
     automatic_.setToolTip(
         tr("As many iterations between two pictures as it takes for showing them to cost next to nothing, but no more "
            "than the number of pictures per second allows. The result is the same."));
     automatic_.setChecked(true);
-    framesPerSecond_.setAccessibleName(tr("Pictures per second"));
-    framesPerSecond_.setToolTip(tr("How often the picture is shown anew, at least, where the device can."));
+    framesPerSecond_.setAccessibleName(tr("Frame rate"));
+    framesPerSecond_.setToolTip(tr("How many pictures a second are shown at least, where the device can."));
     framesPerSecond_.setRange(0.1, 60);
     framesPerSecond_.setDecimals(1);
     framesPerSecond_.setValue(10);
+    framesPerSecond_.setSuffix(tr(" per second"));
     framesPerSecond_.setKeyboardTracking(false);
     iterations_.setAccessibleName(tr("Iterations per picture"));
     iterations_.setToolTip(

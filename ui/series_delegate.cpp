@@ -42,6 +42,11 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     write(kFactsRole, option.font, 0.75);
     write(kVerdictRole, option.font, loadable ? 0.75 : 1);
     painter->restore();
+    if (option.state.testFlag(QStyle::State_HasFocus)) {
+        QStyleOptionFocusRect ring;
+        ring.QStyleOption::operator=(option);
+        style.drawPrimitive(QStyle::PE_FrameFocusRect, &ring, painter, ground.widget);
+    }
 }
 
 QSize SeriesDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {

@@ -6,7 +6,16 @@
 namespace pdr::ui {
 
 /// What an item of the series list holds.
-enum SeriesRole { kPatientRole = Qt::UserRole, kTitleRole, kFactsRole, kVerdictRole, kLoadableRole, kDetailRole };
+/// kNumberRole: of the patient in the list, from 1.
+enum SeriesRole {
+    kPatientRole = Qt::UserRole,
+    kTitleRole,
+    kFactsRole,
+    kVerdictRole,
+    kLoadableRole,
+    kDetailRole,
+    kNumberRole
+};
 
 class SeriesDelegate : public QStyledItemDelegate {
     Q_OBJECT

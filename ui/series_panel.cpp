@@ -21,29 +21,34 @@ QString detailOf(const dicom::GeometryVerdict& verdict) {
     return lines.join('\n');
 }
 
-/// Whether the scan holds series of more than one patient.
-bool severalPatients(const dicom::ScanResult& scan) {
-    const auto another = [&](const dicom::Series& series) {
-        return series.patient.name != scan.series.front().patient.name ||
-               series.patient.id != scan.series.front().patient.id;
-    };
-    return std::any_of(scan.series.begin(), scan.series.end(), another);
+bool samePatient(const dicom::Series& a, const dicom::Series& b) {
+    return a.patient.name == b.patient.name && a.patient.id == b.patient.id;
 }
 
-QStandardItem* itemOf(const dicom::Series& series, bool withPatient) {
-    const QString patient = patientName(series.patient), facts = seriesFacts(series), date = seriesDate(series);
-    const QString title = withPatient ? patient + ": " + seriesTitle(series) : seriesTitle(series);
+/// From 1, in the order of the list.
+int patientNumber(const dicom::ScanResult& scan, const dicom::Series& series) {
+    int number = 0;
+    for (auto one = scan.series.begin(); one != scan.series.end(); ++one) {
+        const bool isNew = std::none_of(scan.series.begin(), one, [&](const auto& s) { return samePatient(s, *one); });
+        number += isNew ? 1 : 0;
+        if (samePatient(*one, series))
+            break;
+    }
+    return number;
+}
+
+QStandardItem* itemOf(const dicom::Series& series, int patientNumber) {
+    const QString title = seriesTitle(series), facts = seriesFacts(series), date = seriesDate(series);
     const QString verdict = verdictText(series.verdict) + (date.isEmpty() ? "" : ", " + date);
     auto* item = new QStandardItem(title);
     item->setEditable(false);
-    item->setData(patient, kPatientRole);
-    item->setData(title, kTitleRole);
+    item->setData(patientName(series.patient), kPatientRole);
+    item->setData(patientNumber, kNumberRole);
     item->setData(facts, kFactsRole);
     item->setData(verdict, kVerdictRole);
     item->setData(series.verdict.loadable(), kLoadableRole);
     item->setData(detailOf(series.verdict), kDetailRole);
     item->setToolTip(detailOf(series.verdict));
-    item->setData(QStringList{title, facts, verdict, detailOf(series.verdict)}.join(", "), Qt::AccessibleTextRole);
     return item;
 }
 
@@ -96,8 +101,12 @@ SeriesPanel::SeriesPanel(QWidget* parent) : QWidget(parent) {
 void SeriesPanel::setScan(const dicom::ScanResult& scan) {
     const QSignalBlocker silent(this);
     model_.clear();
-    for (const dicom::Series& series : scan.series)
-        model_.appendRow(itemOf(series, severalPatients(scan)));
+    several_ = std::any_of(scan.series.begin(), scan.series.end(),
+                           [&](const dicom::Series& series) { return !samePatient(series, scan.series.front()); });
+    for (const dicom::Series& series : scan.series) {
+        model_.appendRow(itemOf(series, patientNumber(scan, series)));
+        name(*model_.item(model_.rowCount() - 1));
+    }
     setCurrent(-1);
     leftOut_.setVisible(!scan.problems.empty());
     leftOut_.setText(QString::fromUtf8("\u26A0  ") +
@@ -110,7 +119,7 @@ void SeriesPanel::setCurrent(int index) {
     const QSignalBlocker silent(this);
     shown_ = index;
     const QModelIndex item = model_.index(index, 0);
-    patient_.setText(item.data(kPatientRole).toString());
+    patient_.setText(item.isValid() ? patientOf(item) : QString());
     list_.selectionModel()->setCurrentIndex(item, QItemSelectionModel::ClearAndSelect);
     showDetail(index);
 }
@@ -118,6 +127,30 @@ void SeriesPanel::setCurrent(int index) {
 void SeriesPanel::setNothingShown() {
     shown_ = -1;
     patient_.clear();
+}
+
+void SeriesPanel::setNamesHidden(bool hidden) {
+    namesHidden_ = hidden;
+    for (int i = 0; i < model_.rowCount(); ++i)
+        name(*model_.item(i));
+    if (shown_ >= 0)
+        patient_.setText(patientOf(model_.index(shown_, 0)));
+}
+
+QString SeriesPanel::patientOf(const QModelIndex& item) const {
+    return namesHidden_ ? tr("Patient %1 (name hidden)").arg(item.data(kNumberRole).toInt())
+                        : item.data(kPatientRole).toString();
+}
+
+/// The patient stands before the series where the list has several.
+void SeriesPanel::name(QStandardItem& item) const {
+    const QString series = item.text();
+    const QString title = several_ ? tr("%1: %2", "patient, series").arg(patientOf(item.index()), series) : series;
+    item.setData(title, kTitleRole);
+    QStringList all{title};
+    for (const int role : {kFactsRole, kVerdictRole, kDetailRole})
+        all << item.data(role).toString();
+    item.setData(all.join(", "), Qt::AccessibleTextRole);
 }
 
 void SeriesPanel::showDetail(int index) {

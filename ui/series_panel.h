@@ -22,12 +22,14 @@ class SeriesPanel : public QWidget {
     void setCurrent(int index);
     /// No patient is named, and what the user has marked stays marked.
     void setNothingShown();
+    /// For screenshots: patients are numbered in the place of their names.
+    void setNamesHidden(bool hidden);
     int current() const { return shown_; }
     QString patient() const { return patient_.text(); }
     QString detail() const { return detail_.text(); }
     const QListView& list() const { return list_; }
 
-    QSize sizeHint() const override { return {330, 400}; }
+    QSize sizeHint() const override { return {240, 400}; }
 
   signals:
     /// A loadable series was clicked or reached by the keyboard.
@@ -35,9 +37,13 @@ class SeriesPanel : public QWidget {
 
   private:
     void showDetail(int index);
+    void name(QStandardItem& item) const;
+    QString patientOf(const QModelIndex& item) const;
     void choose(const QModelIndex& item);
 
     int shown_ = -1;
+    bool several_ = false;  ///< patients
+    bool namesHidden_ = false;
     QLabel patient_;
     QListView list_;
     QStandardItemModel model_;

@@ -4,6 +4,8 @@
 #include <QDate>
 #include <QStringList>
 
+#include "ui/language.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -22,25 +24,25 @@ const char* stackWord(dicom::Stack stack) {
     using dicom::Stack;
     switch (stack) {
         case Stack::even:
-            return "can be shown";
+            return QT_TRANSLATE_NOOP("series", "can be shown");
         case Stack::singleSlice:
-            return "a single slice";
+            return QT_TRANSLATE_NOOP("series", "a single slice");
         case Stack::gap:
-            return "a slice is missing";
+            return QT_TRANSLATE_NOOP("series", "a slice is missing");
         case Stack::doubled:
-            return "two slices at one place";
+            return QT_TRANSLATE_NOOP("series", "two slices at one place");
         case Stack::tilted:
-            return "tilted stack";
+            return QT_TRANSLATE_NOOP("series", "tilted stack");
         case Stack::mixedOrientation:
-            return "slices look in different directions";
+            return QT_TRANSLATE_NOOP("series", "slices look in different directions");
         case Stack::mixedSize:
-            return "slices of different size";
+            return QT_TRANSLATE_NOOP("series", "slices of different size");
         case Stack::noGeometry:
-            return "no geometry";
+            return QT_TRANSLATE_NOOP("series", "no geometry");
         case Stack::notCt:
-            return "not a CT volume";
+            return QT_TRANSLATE_NOOP("series", "not a CT volume");
         case Stack::unreadable:
-            return "cannot be read";
+            return QT_TRANSLATE_NOOP("series", "cannot be read");
     }
     return "";
 }
@@ -67,7 +69,7 @@ QString seriesFacts(const dicom::Series& series) {
         parts << QString("%1 %4 %2 %4 %3").arg(size.x).arg(size.y).arg(std::max(size.z, 1)).arg(times);
     if (series.verdict.loadable()) {
         const dvec3 mm = series.geometry.spacingMm();
-        parts << QString("%1 %4 %2 %4 %3 mm").arg(mm.x, 0, 'f', 2).arg(mm.y, 0, 'f', 2).arg(mm.z, 0, 'f', 2).arg(times);
+        parts << QString("%1 %4 %2 %4 %3 mm").arg(number(mm.x, 2), number(mm.y, 2), number(mm.z, 2)).arg(times);
     }
     return parts.join(", ");
 }

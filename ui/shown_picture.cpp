@@ -111,6 +111,7 @@ void Painting::paintTexts() const {
                       QCoreApplication::translate("Viewport", "Not for diagnostic use")};
     lines.removeAll({});
     paintText(painter, withinMargins(), Qt::AlignLeft | Qt::AlignBottom, lines.join('\n'));
+    paintText(painter, withinMargins(), Qt::AlignLeft | Qt::AlignTop, view.overlay.join('\n'));
 }
 
 }  // namespace

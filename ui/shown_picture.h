@@ -5,6 +5,7 @@
 #include <QLineF>
 #include <QList>
 #include <QPainter>
+#include <QStringList>
 
 #include "render/scene/camera.h"
 
@@ -27,6 +28,7 @@ struct PictureView {
     QSize size;              ///< [px]
     double pixelRatio = 1;   ///< of the screen's own pixels
     bool captioned = false;  ///< whether its caption is written, too
+    QStringList overlay;     ///< lines in the upper left corner
 };
 
 /// The part of the view that the picture takes. The field of view belongs to the height, so the picture is fitted to

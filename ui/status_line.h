@@ -16,6 +16,7 @@ class StatusLine : public QWidget {
     explicit StatusLine(QWidget* parent = nullptr);
 
     void setText(const QString& text);
+    QString text() const { return text_.text(); }
     /// Below what the text means, in its tool tip.
     void setDetails(const QString& details);
     /// A remark on the right that goes away by itself.

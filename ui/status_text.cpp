@@ -8,6 +8,7 @@
 
 #include "render/film/health_text.h"
 #include "render/film/levels_text.h"
+#include "ui/language.h"
 
 namespace pdr::ui {
 namespace {
@@ -23,15 +24,15 @@ QString shortNumber(double value) {
     if (value <= 0)
         return "0";
     const int decimals = std::clamp(1 - int(std::floor(std::log10(value))), 0, 6);
-    return QLocale::c().toString(value, 'f', decimals);
+    return number(value, decimals);
 }
 
 /// "1 sample", "123 456 samples" with thin spaces between the thousands.
-QString counted(std::uint64_t count, const char* one, const char* many) {
+QString samplesText(std::uint64_t count) {
     QLocale locale = QLocale::c();
     locale.setNumberOptions(QLocale::DefaultNumberOptions);  // the C locale leaves the separators out
-    const QString number = locale.toString(qulonglong(count)).replace(',', QChar(0x2009));
-    return number + ' ' + translated(count == 1 ? one : many);
+    const QString counted = locale.toString(qulonglong(count)).replace(',', QChar(0x2009));
+    return count == 1 ? translated("1 sample") : translated("%1 samples").arg(counted);
 }
 
 /// Of a smoothed picture.
@@ -39,8 +40,7 @@ QStringList errorTexts(const std::optional<SmoothedError>& error) {
     if (!error)
         return {translated("smoothed: error not known yet")};
     QStringList texts{translated("smoothed: within ±%1 levels, at most ±%2")
-                          .arg(QString::fromStdString(levelsText(error->levels)),
-                               QString::fromStdString(levelsText(error->levelsAtMost)))};
+                          .arg(localNumber(levelsText(error->levels)), localNumber(levelsText(error->levelsAtMost)))};
     const int hidden = int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)));
     if (hidden >= 100)
         texts << translated("fine detail is not shown yet");
@@ -78,9 +78,7 @@ QString stretchedText(ivec2 picture, QSize view) {
 }
 
 QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture) {
-    const auto levels = [](const FilmStatus& status) {
-        return QString::fromStdString(levelsText(status.displayError));
-    };
+    const auto levels = [](const FilmStatus& status) { return localNumber(levelsText(status.displayError)); };
     if (first && std::isfinite(picture.displayError))
         return translated("the whole picture, which waits for the box: 95 % of the tissue within ±%1")
             .arg(levels(picture));
@@ -124,9 +122,8 @@ QString makingText(const Making& making) {
     const QString frames = making.iterations == 1
                                ? translated("1 iteration per frame on %1").arg(device)
                                : translated("%1 iterations per frame on %2").arg(making.iterations).arg(device);
-    QString text =
-        translated("%1, %2 iterations/s, %3")
-            .arg(counted(making.samples, "sample", "samples"), shortNumber(making.iterationsPerSecond), frames);
+    QString text = translated("%1, %2 iterations/s, %3")
+                       .arg(samplesText(making.samples), shortNumber(making.iterationsPerSecond), frames);
     if (making.efficiency > 0)
         text += ", " + translated("efficiency %1 %").arg(std::floor(100 * making.efficiency));
     return text;

@@ -29,18 +29,15 @@ StopRow::StopRow(QWidget* parent)
     levels_->setDecimals(1);
     levels_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     levels_->setPrefix(tr("±"));
-    levels_->setLocale(QLocale::c());
     prepare(*levels_, tr("Hold when 95 % of the tissue is within so many grey levels"));
     seconds_->setRange(0, kMostSeconds);
     seconds_->setDecimals(0);
     seconds_->setSuffix(tr(" s"));
     seconds_->setSpecialValueText(tr("any time"));
-    seconds_->setLocale(QLocale::c());
     prepare(*seconds_, tr("Hold after so many seconds of rendering"));
     samples_->setRange(0, kMostSamples);
     samples_->setSuffix(tr(" samples"));
     samples_->setSpecialValueText(tr("any number"));
-    samples_->setLocale(QLocale::c());
     prepare(*samples_, tr("Hold when each pixel has so many samples"));
 
     auto* row = new QHBoxLayout(this);

@@ -132,6 +132,17 @@ bool Viewport::event(QEvent* event) {
     return QWidget::event(event);
 }
 
+/// Whoever works with keys sees that the picture has them.
+void Viewport::focusInEvent(QFocusEvent* event) {
+    reachedByKey_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+    QWidget::focusInEvent(event);
+}
+
+void Viewport::focusOutEvent(QFocusEvent* event) {
+    reachedByKey_ = false;
+    QWidget::focusOutEvent(event);
+}
+
 void Viewport::resizeEvent(QResizeEvent*) {
     changeSize();
 }
@@ -263,6 +274,15 @@ dvec2 Viewport::inHeights(QPointF distance) const {
     return dvec2(distance.x(), distance.y()) / double(std::max(height(), 1));
 }
 
+/// Seen on the black ground and on bright tissue.
+void Viewport::paintRing(QPainter& painter) const {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::white, 2));
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    painter.setPen(Qt::black);
+    painter.drawRect(rect().adjusted(2, 2, -3, -3));
+}
+
 void Viewport::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), Qt::black);
@@ -270,10 +290,12 @@ void Viewport::paintEvent(QPaintEvent*) {
         return paintMessage(painter);
     painter.setFont(font());
     paintShownPicture(painter, *picture_, view());
+    if (reachedByKey_)
+        paintRing(painter);
 }
 
 PictureView Viewport::view() const {
-    return {size(), devicePixelRatioF(), captionShown_};
+    return {size(), devicePixelRatioF(), captionShown_, overlay_()};
 }
 
 void Viewport::paintMessage(QPainter& painter) const {

@@ -4,6 +4,7 @@
 #include <QPoint>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "render/scene/camera.h"
@@ -28,6 +29,8 @@ class Viewport : public QWidget {
     void showTip(QPointF place, const QString& text);
     /// The camera that the next edit starts from, which may be ahead of the picture's. None: edits are ignored.
     void setCamera(const std::optional<Camera>& camera);
+    /// Lines in the upper left corner of a picture, asked for at each painting.
+    void setOverlay(std::function<QStringList()> lines) { overlay_ = std::move(lines); }
     void setCaptionShown(bool shown);
     /// What the next click picks; it turns nothing then.
     enum class Picking { nothing, tissue, focus };
@@ -65,6 +68,8 @@ class Viewport : public QWidget {
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -88,9 +93,12 @@ class Viewport : public QWidget {
     void endTissue(QPointF point);
     void tellPlace(const QHelpEvent& event);
     void paintMessage(QPainter& painter) const;
+    void paintRing(QPainter& painter) const;
 
     std::optional<ShownPicture> picture_;
     QString message_;
+    std::function<QStringList()> overlay_ = [] { return QStringList(); };
+    bool reachedByKey_ = false;  ///< the keyboard came here by Tab
     bool captionShown_ = false;
     std::optional<Camera> camera_;
     Gesture gesture_ = Gesture::none;

@@ -4,6 +4,7 @@
 #include <QMenu>
 
 #include "ui/cut/cut_tools.h"
+#include "ui/language.h"
 
 namespace pdr::ui {
 namespace {
@@ -22,6 +23,8 @@ QAction* checkable(QAction* action, const QString& toolTip = {}) {
 void fillFileMenu(QMenuBar& bar, WindowActions& actions) {
     QMenu* menu = bar.addMenu(Texts::tr("&File"));
     actions.open = menu->addAction(Texts::tr("&Open folder..."), QKeySequence::Open);
+    actions.recent = new RecentMenu(&bar);
+    menu->addMenu(actions.recent);
     actions.save = menu->addAction(Texts::tr("&Save picture..."), QKeySequence::Save);
     menu->addSeparator();
     actions.quit = menu->addAction(Texts::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
@@ -41,7 +44,7 @@ void addViews(QMenu& menu, WindowActions& actions) {
                                        Texts::tr("From the &head (H)"),  Texts::tr("From the f&eet (F)")};
     for (std::size_t i = 0; i < names.size(); ++i)
         actions.views[i] = menu.addAction(names[i], QKeySequence(Qt::Key(Qt::Key_1 + int(i))));
-    actions.firstView = menu.addAction(Texts::tr("F&irst view"), QKeySequence(Qt::Key_R));
+    actions.firstView = menu.addAction(Texts::tr("R&eset view"), QKeySequence(Qt::Key_R));
 }
 
 /// How the picture is made and shown.
@@ -50,13 +53,32 @@ void addPicture(QMenu& menu, WindowActions& actions) {
     actions.pause->setShortcutContext(Qt::WidgetShortcut);  // elsewhere Space presses the button that has the focus
     actions.smoothed = checkable(menu.addAction(Texts::tr("&Smoothed"), QKeySequence(Qt::Key_S)));
     actions.table = checkable(menu.addAction(Texts::tr("&Table and holder"), QKeySequence(Qt::Key_T)));
-    actions.captioned =
-        checkable(menu.addAction(Texts::tr("&Caption on previews")),
-                  Texts::tr("Saved, copied and full-screen pictures say where they are not yet as good as was wanted"));
+    actions.captioned = checkable(
+        menu.addAction(Texts::tr("&Caption on previews")),
+        Texts::tr("Saved, copied and full-screen pictures say where they are not yet as good as was wanted."));
     actions.errorMap = checkable(menu.addAction(Texts::tr("Where it is still r&ough"), QKeySequence(Qt::Key_E)));
     actions.boxFirst =
         checkable(menu.addAction(Texts::tr("&Box first"), QKeySequence(Qt::Key_B)),
-                  Texts::tr("Draw a box on the picture: it gets all samples until it is as good as wanted"));
+                  Texts::tr("Draw a box on the picture: it gets all samples until it is as good as wanted."));
+}
+
+void addThemes(QMenu& view, WindowActions& actions) {
+    QMenu* menu = view.addMenu(Texts::tr("&Colours of the window"));
+    auto* one = new QActionGroup(menu);
+    const std::array<QString, 3> names{Texts::tr("&Dark"), Texts::tr("&Light"), Texts::tr("As the &system")};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        actions.themes[i] = one->addAction(checkable(menu->addAction(names[i])));
+}
+
+void addLanguages(QMenu& view, WindowActions& actions) {
+    QMenu* menu = view.addMenu(Texts::tr("Lan&guage"));
+    actions.languages = new QActionGroup(menu);
+    const auto add = [&](const QString& name, const QString& code) {
+        actions.languages->addAction(checkable(menu->addAction(name)))->setData(code);
+    };
+    add(Texts::tr("As the &system"), {});
+    for (const QString& code : languages())
+        add(languageName(code), code);
 }
 
 void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& actions) {
@@ -66,14 +88,62 @@ void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& a
     addPicture(*menu, actions);
     menu->addSeparator();
     menu->addActions(panels);
-    actions.alone = checkable(menu->addAction(Texts::tr("Picture &alone"), QKeySequence(Qt::Key_F11)));
+    addThemes(*menu, actions);
+    addLanguages(*menu, actions);
+    actions.hideName = checkable(menu->addAction(Texts::tr("Hide the patient's &name"), QKeySequence(Qt::Key_N)),
+                                 Texts::tr("For screenshots: no patient is named anywhere in the window."));
+    actions.alone = checkable(menu->addAction(Texts::tr("&Full screen"), QKeySequence(Qt::Key_F11)));
 }
 
 void fillHelpMenu(QMenuBar& bar, WindowActions& actions) {
     QMenu* menu = bar.addMenu(Texts::tr("&Help"));
     actions.keys = menu->addAction(Texts::tr("&Keys"));
     actions.keys->setShortcuts({QKeySequence(Qt::Key_H), QKeySequence(Qt::Key_Question)});
+    actions.editKeys = menu->addAction(Texts::tr("&Edit keys..."));
     actions.about = menu->addAction(Texts::tr("&About PD-Render"));
+}
+
+struct Sentence {
+    QAction* action;
+    const char* name;
+    QString toolTip;
+};
+
+void describe(const WindowActions& actions) {
+    const std::array<const char*, 6> sides{"anterior", "posterior", "left", "right", "superior", "inferior"};
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        actions.views[i]->setObjectName(sides[i]);
+        actions.views[i]->setToolTip(Texts::tr("Shows the patient from this side, filling the view."));
+    }
+    for (const auto& [action, name, toolTip] : std::initializer_list<Sentence>{
+             {actions.open, "open",
+              Texts::tr("Lists the CT series of a folder and shows the first that can be shown.")},
+             {actions.save, "save", Texts::tr("Saves the picture as PNG or EXR, as it is or made anew in any size.")},
+             {actions.quit, "quit", Texts::tr("Closes the window. Pictures that are not saved are lost.")},
+             {actions.undo, "undo", {}},
+             {actions.redo, "redo", {}},
+             {actions.copy, "copy", Texts::tr("Copies the picture to the clipboard, with its caption and no name.")},
+             {actions.firstView, "firstView", Texts::tr("Shows the patient as when the series was opened.")},
+             {actions.pause, "pause", Texts::tr("Holds the rendering, or lets it go on, also beyond the target.")},
+             {actions.smoothed, "smoothed",
+              Texts::tr("Shows the picture without its noise, or raw as it is computed.")},
+             {actions.table, "table",
+              Texts::tr("Shows or hides what is solid, outside the body and thinner than 20 mm.")},
+             {actions.captioned, "caption", {}},
+             {actions.errorMap, "errorMap",
+              Texts::tr("Colours each pixel by how far it may be off, in grey levels of 255.")},
+             {actions.boxFirst, "box", {}},
+             {actions.hideName, "hideName", {}},
+             {actions.alone, "alone",
+              Texts::tr("Fills the screen with the picture, the patient's name and its accuracy.")},
+             {actions.keys, "keys", Texts::tr("Shows all keys and what they do.")},
+             {actions.editKeys, "editKeys", Texts::tr("Gives actions other keys.")},
+             {actions.about, "about",
+              Texts::tr("Tells the version, the licence, and what this program is not for.")}}) {
+        action->setObjectName(name);
+        if (!toolTip.isEmpty())
+            action->setToolTip(toolTip);
+    }
 }
 
 }  // namespace
@@ -85,6 +155,9 @@ WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels, CutTools& 
     fillViewMenu(bar, panels, actions);
     cut.fillMenu(*bar.addMenu(Texts::tr("&Cut")));
     fillHelpMenu(bar, actions);
+    describe(actions);
+    for (const QAction* menu : bar.actions())
+        menu->menu()->setToolTipsVisible(true);
     return actions;
 }
 

@@ -2,8 +2,11 @@
 /// What the window's menus offer, with its texts and keys. What each action does is connected by the window.
 
 #include <QAction>
+#include <QActionGroup>
 #include <QMenuBar>
 #include <array>
+
+#include "ui/recent_menu.h"
 
 namespace pdr::ui {
 
@@ -11,14 +14,18 @@ class CutTools;
 
 struct WindowActions {
     QAction *open, *save, *quit;
+    RecentMenu* recent;
     QAction *undo, *redo, *copy;
     std::array<QAction*, 6> views;  ///< in the order of StandardView
     QAction* firstView;
-    QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *alone;
-    QAction *keys, *about;
+    QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *hideName, *alone;
+    std::array<QAction*, 3> themes;  ///< in the order of ThemeChoice; one is checked
+    QActionGroup* languages;         ///< each with its code as data, empty for the system's; one is checked
+    QAction *keys, *editKeys, *about;
 };
 
-/// Fills the empty bar. `panels`: the actions that show panels and fold them away.
+/// Fills the empty bar. Each action that may have a key has an object name, by which that is kept, and a sentence as
+/// its tool tip. `panels`: the actions that show panels and fold them away.
 WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels, CutTools& cut);
 
 }  // namespace pdr::ui

@@ -3,13 +3,18 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenuBar>
+#include <QStatusBar>
 #include <QToolButton>
+#include <algorithm>
 #include <utility>
 
 #include "ui/scrolled.h"
 
 namespace pdr::ui {
 namespace {
+
+constexpr int kEditorColumn = 316;  ///< [px]
 
 /// A quiet heading with a way to fold the panel.
 QWidget* panelTitle(const QString& title, QDockWidget* dock) {
@@ -38,23 +43,22 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       window_(window),
       picture_(picture),
       panels_(panels),
-      series_(add(tr("Series"), panels.series, Qt::LeftDockWidgetArea, Qt::Key_F2)),
-      look_(add(tr("Look"), panels.look, Qt::RightDockWidgetArea, Qt::Key_F3)),
-      tissue_(add(tr("Tissue"), scrolled(panels.tissue), Qt::RightDockWidgetArea, Qt::Key_F5)),
-      light_(add(tr("Light"), scrolled(panels.light), Qt::RightDockWidgetArea, Qt::Key_F8)),
-      camera_(add(tr("Camera"), scrolled(panels.camera), Qt::RightDockWidgetArea, Qt::Key_F7)),
-      rendering_(add(tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
-      accuracy_(add(tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
-      effects_(add(tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
-      cut_(add(tr("Cut"), scrolled(panels.cut), Qt::RightDockWidgetArea, Qt::Key_F9)) {
-    for (QDockWidget* folded : {tissue_, light_, camera_, cut_, accuracy_, effects_})
+      series_(add("Series", tr("Series"), panels.series, Qt::LeftDockWidgetArea, Qt::Key_F2)),
+      look_(add("Look", tr("Appearance"), panels.look, Qt::RightDockWidgetArea, Qt::Key_F3)),
+      tissue_(add("Tissue", tr("Tissue"), scrolled(panels.tissue), Qt::RightDockWidgetArea, Qt::Key_F5)),
+      light_(add("Light", tr("Light"), scrolled(panels.light), Qt::RightDockWidgetArea, Qt::Key_F8)),
+      camera_(add("Camera", tr("Camera"), scrolled(panels.camera), Qt::RightDockWidgetArea, Qt::Key_F7)),
+      cut_(add("Cut", tr("Cut"), scrolled(panels.cut), Qt::RightDockWidgetArea, Qt::Key_F9)),
+      rendering_(add("Rendering", tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
+      accuracy_(add("Accuracy", tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
+      effects_(add("Effects", tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)) {
+    for (QDockWidget* folded : {tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_})
         folded->hide();
+    editors_ = {{tissue_, panels.tissue}, {light_, panels.light}, {camera_, panels.camera}, {cut_, panels.cut}};
+    for (QDockWidget* dock : QList<QDockWidget*>{series_, look_, rendering_} + editors_.keys())
+        connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) { opened(dock, shown); });
     makeRoomBeside(accuracy_, effects_);
     makeRoomBeside(effects_, accuracy_);
-    editors_ = {{tissue_, panels.tissue}, {light_, panels.light}, {camera_, panels.camera}, {cut_, panels.cut}};
-    for (const Editor& editor : std::as_const(editors_))
-        connect(editor.dock->toggleViewAction(), &QAction::triggered, this,
-                [this, editor](bool shown) { giveItsPart(editor, shown); });
     connect(cut_->toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
         if (shown)
             emit cutShown();
@@ -72,20 +76,23 @@ QList<QAction*> WindowDocks::toggles() const {
 
 void WindowDocks::setAway(bool away) {
     if (!away) {
-        window_.restoreState(stateBefore_);
-        return;
+        window_.restoreState(std::exchange(stateBefore_, {}));
+        return makeRoom();
     }
     stateBefore_ = window_.saveState();
     for (QDockWidget* dock : {series_, look_, tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_})
         dock->hide();
 }
 
-QDockWidget* WindowDocks::add(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key) {
+QDockWidget* WindowDocks::add(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
+                              const QKeySequence& key) {
     auto* dock = new QDockWidget(title, &window_);
-    dock->setObjectName(title);  // by which the window's state is kept
+    dock->setObjectName(name);  // by which the window's state is kept
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
     dock->setWidget(panel);
     dock->toggleViewAction()->setShortcut(key);
+    dock->toggleViewAction()->setObjectName(name + "Panel");  // by which its key is kept
+    dock->toggleViewAction()->setToolTip(tr("Shows this panel, or folds it away."));
     dock->setTitleBarWidget(panelTitle(title, dock));
     window_.addDockWidget(area, dock);
     return dock;
@@ -100,32 +107,95 @@ void WindowDocks::makeRoomBeside(QDockWidget* opened, QDockWidget* other) {
     });
 }
 
-/// The right-hand column; what is chosen once gives way where less than this fraction of the window is left for the
-/// picture, and the other editors always do.
-void WindowDocks::giveItsPart(const Editor& editor, bool shown) {
-    constexpr int kColumn = 316;
-    constexpr double kPicture = 0.6;
-    if (!shown) {
-        for (QDockWidget* dock : std::exchange(gaveWay_, {}))
-            dock->show();
+/// What is opened stays, whatever it takes. The right-hand column is wider as long as an editor stands in it.
+void WindowDocks::opened(QDockWidget* dock, bool shown) {
+    gaveWay_.removeAll(dock);
+    insisted_ = shown ? dock : nullptr;
+    if (editors_.contains(dock))
+        return openedEditor(dock, shown);
+    makeRoom();
+}
+
+/// One at a time.
+void WindowDocks::openedEditor(QDockWidget* dock, bool shown) {
+    for (QDockWidget* other : editors_.keys())
+        if (other != dock)
+            other->hide();
+    if (shown)
+        column_ = look_->isVisible() ? look_->width() : 0;
+    makeRoom();
+    window_.resizeDocks({shown ? dock : look_}, {shown ? kEditorColumn : column_}, Qt::Horizontal);
+    if (shown)
+        window_.resizeDocks({look_, dock}, {1, window_.height()}, Qt::Vertical);
+    else
+        column_ = 0;
+}
+
+void WindowDocks::makeRoom() {
+    if (!stateBefore_.isEmpty())
         return;
+    QList<QDockWidget*> wanted = gaveWay_;
+    for (QDockWidget* dock : QList<QDockWidget*>{series_, look_, rendering_} + editors_.keys())
+        if (!dock->isHidden() && !wanted.contains(dock))
+            wanted << dock;
+    gaveWay_ = inTheWayOf(wanted);
+    for (QDockWidget* dock : std::as_const(wanted))
+        dock->setVisible(!gaveWay_.contains(dock));
+}
+
+/// The rendering's numbers first, then the series, of which one has been chosen; beside an editor the looks, where
+/// both have no room above each other.
+QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
+    constexpr int kNarrow = 1100;
+    constexpr double kPicture = 0.61;  // of the window; some of it is frames
+    QList<QDockWidget*> away;
+    const auto give = [&](QDockWidget* dock) {
+        if (dock != insisted_ && wanted.removeOne(dock))
+            away << dock;
+    };
+    const auto editor = std::ranges::find_if(wanted, [&](QDockWidget* dock) { return editors_.contains(dock); });
+    QWidget* panel = editor == wanted.end() ? nullptr : editors_[*editor];
+    const bool narrow = window_.width() < kNarrow;
+    if (narrow || panel)
+        give(rendering_);
+    if (narrow || pictureShare(wanted) < kPicture)
+        give(series_);
+    if (panel && middleHeight() < panels_.look->minimumSizeHint().height() + panel->minimumSizeHint().height())
+        give(look_);
+    return away;
+}
+
+/// Between menu and foot.
+int WindowDocks::middleHeight() const {
+    return window_.height() - window_.menuBar()->sizeHint().height() - window_.statusBar()->sizeHint().height();
+}
+
+int WindowDocks::widthOf(const QDockWidget& dock) const {
+    if (editors_.contains(const_cast<QDockWidget*>(&dock)))
+        return kEditorColumn;
+    if (&dock == look_ && column_ > 0)
+        return column_;
+    return dock.isVisible() ? dock.width() : dock.sizeHint().width();
+}
+
+/// Of the window, with these panels on its sides.
+double WindowDocks::pictureShare(const QList<QDockWidget*>& panels) const {
+    int left = 0, right = 0;
+    for (const QDockWidget* dock : panels) {
+        const int width = widthOf(*dock);
+        int& side = window_.dockWidgetArea(const_cast<QDockWidget*>(dock)) == Qt::LeftDockWidgetArea ? left : right;
+        side = std::max(side, width);
     }
-    for (const Editor& other : std::as_const(editors_))
-        if (other.dock != editor.dock)
-            other.dock->hide();
-    const int left = series_->isVisible() ? series_->width() : 0;
-    QList<QDockWidget*> inTheWay{rendering_};
-    if (double(window_.width() - left - kColumn) * picture_.height() < kPicture * window_.width() * window_.height())
-        inTheWay << series_;
-    if (picture_.height() < panels_.look->minimumSizeHint().height() + editor.panel->minimumSizeHint().height())
-        inTheWay << look_;
-    for (QDockWidget* dock : std::as_const(inTheWay))
-        if (dock->isVisible()) {
-            dock->hide();
-            gaveWay_ << dock;
-        }
-    window_.resizeDocks({editor.dock}, {kColumn}, Qt::Horizontal);
-    window_.resizeDocks({look_, editor.dock}, {1, window_.height()}, Qt::Vertical);
+    return double(window_.width() - left - right) * middleHeight() / (double(window_.width()) * window_.height());
+}
+
+QByteArray WindowDocks::wantedState() {
+    for (QDockWidget* dock : std::as_const(gaveWay_))
+        dock->show();
+    const QByteArray state = window_.saveState();
+    for (QDockWidget* dock : std::as_const(gaveWay_))
+        dock->hide();
+    return state;
 }
 
 /// Of the window's height: the picture keeps most of it.

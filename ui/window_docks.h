@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QList>
 #include <QMainWindow>
+#include <QMap>
 
 namespace pdr::ui {
 
@@ -14,11 +15,10 @@ class WindowDocks : public QObject {
   public:
     /// What stands in the docks.
     struct Panels {
-        QWidget *series, *look, *tissue, *light, *camera, *rendering, *accuracy, *effects, *cut;
+        QWidget *series, *look, *tissue, *light, *camera, *cut, *rendering, *accuracy, *effects;
     };
 
-    /// Adds all docks to `window`; tissue, light, camera, cut, accuracy and effects are folded away. `picture`: what is
-    /// to keep most of it.
+    /// Adds all docks to `window`; all but series and look are folded away. `picture`: what is to keep most of it.
     WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
 
     /// That show each and fold it away, in the menu's order.
@@ -27,24 +27,29 @@ class WindowDocks : public QObject {
     QAction* toggleLight() const { return light_->toggleViewAction(); }
     QAction* toggleCamera() const { return camera_->toggleViewAction(); }
     QAction* toggleAccuracy() const { return accuracy_->toggleViewAction(); }
+    /// The window's state with the panels that only gave way, to be kept for another time.
+    QByteArray wantedState();
+    /// Folds panels away where the window has become too small for them, and brings them back in a larger one.
+    void makeRoom();
     /// Folds all away, or brings back what was there before.
     void setAway(bool away);
 
   signals:
     /// What the effects cost is looked at, or not any more.
     void effectsShown(bool shown);
-    /// The cuts are looked at.
+    /// The panel of cuts was opened.
     void cutShown();
 
   private:
-    struct Editor {
-        QDockWidget* dock;
-        QWidget* panel;
-    };
-
-    QDockWidget* add(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key);
+    QDockWidget* add(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
+                     const QKeySequence& key);
+    void opened(QDockWidget* dock, bool shown);
+    void openedEditor(QDockWidget* dock, bool shown);
+    QList<QDockWidget*> inTheWayOf(QList<QDockWidget*> wanted) const;
+    int middleHeight() const;
+    int widthOf(const QDockWidget& dock) const;
+    double pictureShare(const QList<QDockWidget*>& panels) const;
     void makeRoomBeside(QDockWidget* opened, QDockWidget* other);
-    void giveItsPart(const Editor& editor, bool shown);
     void giveAccuracyItsPart(bool shown);
 
     QMainWindow& window_;
@@ -55,13 +60,15 @@ class WindowDocks : public QObject {
     QDockWidget* tissue_;
     QDockWidget* light_;
     QDockWidget* camera_;
+    QDockWidget* cut_;
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;
-    QDockWidget* cut_;
-    QList<Editor> editors_;        ///< that take the right-hand column, one at a time
-    QList<QDockWidget*> gaveWay_;  ///< that come back when the editor goes
-    QByteArray stateBefore_;       ///< of the window, as long as all are away
+    QMap<QDockWidget*, QWidget*> editors_;  ///< wide ones on the right, one at a time, with their panels
+    QList<QDockWidget*> gaveWay_;           ///< that come back when there is room
+    QDockWidget* insisted_ = nullptr;       ///< opened last, which does not give way
+    int column_ = 0;                        ///< width of the looks beside an open editor, without it; 0: as it is [px]
+    QByteArray stateBefore_;                ///< of the window, as long as all are away
 };
 
 }  // namespace pdr::ui

@@ -17,7 +17,8 @@
 #include "app/program/program.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
-#include "ui/dark_theme.h"
+#include "ui/language.h"
+#include "ui/theme.h"
 
 namespace pdr::app {
 namespace {
@@ -113,7 +114,8 @@ int runWithWindow(int argc, char** argv) {
     const DesktopOptions options = desktopOptions(QApplication::arguments());
     if (options.answered)
         return *options.answered;
-    ui::applyDarkTheme(application);
+    ui::speak(application, ui::languageFor(Settings().language()));
+    ui::applyTheme(application, Settings().theme());
     return run(options);
 }
 

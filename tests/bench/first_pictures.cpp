@@ -18,7 +18,7 @@
 #include "app/desktop.h"
 #include "app/presets.h"
 #include "render/film/tone_map.h"
-#include "ui/dark_theme.h"
+#include "ui/theme.h"
 
 namespace pdr::app {
 namespace {
@@ -197,7 +197,7 @@ int run(const Plan& plan) {
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
-    pdr::ui::applyDarkTheme(application);
+    pdr::ui::applyTheme(application, pdr::ui::ThemeChoice::dark);
     QCommandLineParser parser;
     parser.addPositionalArgument("FOLDER", "a folder with a CT");
     parser.addOption({"o", "draw all pictures on this sheet", "FILE"});

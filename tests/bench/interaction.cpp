@@ -4,7 +4,8 @@
 /// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse tells them, 125 a second: a
 /// drag that turns, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and presets,
 /// one after a rest of a second. Prints a line each: events that were answered, milliseconds (median, 99 in 100, most),
-/// pictures a second, the median of their widths, and the processor time of the whole program to the time of the clock.
+/// pictures a second, the median of their widths, and the processor time of the whole program to the time of the clock;
+/// and below it for how long single events kept the window busy, by the clock and by its own processor time.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -22,7 +23,8 @@
 
 #include "app/desktop.h"
 #include "app/presets.h"
-#include "ui/dark_theme.h"
+#include "tests/support/event_times.h"
+#include "ui/theme.h"
 
 namespace pdr::app {
 namespace {
@@ -78,6 +80,14 @@ class Stopwatch {
             name, latencies_.size(), at(latencies_, 0.5), at(latencies_, 0.99), at(latencies_, 1),
             double(widths_.size()) / seconds, at(widths_, 0.5),
             (double(std::clock() - beganCpu_) / CLOCKS_PER_SEC) / seconds);
+        auto& application = *static_cast<test::TimedApplication*>(qApp);
+        using test::EventTime;
+        std::printf(
+            "%-22s %4zu events     busy    %6.1f ms   p99 %6.1f ms   most %6.1f ms   processor p99 %.1f, most %.1f "
+            "ms\n",
+            "", application.times.size(), application.at(0.5, &EventTime::wallMs),
+            application.at(0.99, &EventTime::wallMs), application.at(1, &EventTime::wallMs),
+            application.at(0.99, &EventTime::processorMs), application.at(1, &EventTime::processorMs));
         std::fflush(stdout);
         begin();
     }
@@ -86,6 +96,7 @@ class Stopwatch {
         latencies_.clear();
         widths_.clear();
         unanswered_.clear();
+        static_cast<test::TimedApplication*>(qApp)->times.clear();
         beganMs_ = nowMs();
         beganCpu_ = std::clock();
     }
@@ -179,6 +190,7 @@ int run(const QString& folder, double seconds, int threads) {
         std::printf("no picture of %s\n", qPrintable(folder));
         return 1;
     }
+    watch.report("loading");
     const QSize view = desktop.window().viewport().sizeInPixels();
     std::printf("%s, view of %d x %d pixels\n", qPrintable(folder), view.width(), view.height());
     turn(desktop, watch, seconds);
@@ -195,8 +207,8 @@ int run(const QString& folder, double seconds, int threads) {
 }  // namespace pdr::app
 
 int main(int argc, char** argv) {
-    QApplication application(argc, argv);
-    pdr::ui::applyDarkTheme(application);
+    pdr::test::TimedApplication application(argc, argv);
+    pdr::ui::applyTheme(application, pdr::ui::ThemeChoice::dark);
     QCommandLineParser parser;
     parser.addPositionalArgument("FOLDER", "a folder with a CT");
     parser.addOption({"seconds", "of each gesture", "S", "10"});

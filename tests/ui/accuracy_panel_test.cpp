@@ -4,9 +4,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "ui/dark_theme.h"
 #include "ui/main_window.h"
 #include "ui/status_text.h"
+#include "ui/theme.h"
 
 namespace pdr::ui {
 
@@ -247,7 +247,7 @@ void TestAccuracyPanel::thePictureAloneIsAlone() {
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
-    pdr::ui::applyDarkTheme(application);
+    pdr::ui::applyTheme(application, pdr::ui::ThemeChoice::dark);
     pdr::ui::TestAccuracyPanel test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -9,8 +9,8 @@
 #include "render/scene/orbit.h"
 #include "tests/support/contrast.h"
 #include "tests/support/named_widget.h"
-#include "ui/dark_theme.h"
 #include "ui/light/light_panel.h"
+#include "ui/theme.h"
 
 namespace pdr::ui {
 
@@ -66,7 +66,7 @@ class TestLightPanel : public QObject {
     Q_OBJECT
 
   private slots:
-    void initTestCase() { applyDarkTheme(*qApp); }
+    void initTestCase() { applyTheme(*qApp, ThemeChoice::dark); }
     void settersAreSilent();
     void placesAndDirectionsAreEachOther();
     void theBallIsBrightestUnderTheHandle();

@@ -6,7 +6,6 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QToolButton>
 
 #include "ui/main_window.h"
 
@@ -23,10 +22,13 @@ class TestMainWindow : public QObject {
     void theRawPictureHasAKey();
     void undoAndRedoHaveKeysAndNeedSomethingToUndo();
     void keysWorkWhenThePictureIsAlone();
-    void oneOfThePanelsBelowMakesRoomForTheOther();
-    void anEditorLeavesThePictureMostOfTheWindow_data();
-    void anEditorLeavesThePictureMostOfTheWindow();
-    void editorsGiveWayToEachOther();
+    void stepsToUndoAreNamed();
+    void coloursAreChosenInTheMenu();
+    void theStartOffersWaysToOpen();
+    void recentFoldersAreOffered();
+    void withoutAVolumeNothingActsOnIt();
+    void fullScreenStillSaysWhoAndHowGood();
+    void theKeyboardIsSeenOnThePicture();
     void theKeysAreShownAndGoAwayAgain();
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
@@ -124,55 +126,134 @@ void TestMainWindow::keysWorkWhenThePictureIsAlone() {
     QVERIFY(window.look().isVisible());
 }
 
-void TestMainWindow::oneOfThePanelsBelowMakesRoomForTheOther() {
-    MainWindow window;
-    activate(window);
-    const auto shown = [&] { return std::pair(window.accuracy().isVisible(), window.effects().isVisible()); };
-    window.resize(1200, 800);
-    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
-    QCOMPARE(shown(), std::pair(true, false));
-    QTest::keyClick(&window, Qt::Key_F6);
-    QCOMPARE(shown(), std::pair(false, true));
-    window.resize(1800, 800);
-    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
-    QCOMPARE(shown(), std::pair(true, true));
+static QAction* actionCalled(MainWindow& window, const QString& text) {
+    for (QAction* action : window.findChildren<QAction*>())
+        if (action->text().remove('&') == text)
+            return action;
+    return nullptr;
 }
 
-void TestMainWindow::anEditorLeavesThePictureMostOfTheWindow_data() {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<int>("key");
-    QTest::addColumn<QSize>("size");
-    const auto editors = {std::pair("Tissue", Qt::Key_F5), std::pair("Light", Qt::Key_F8),
-                          std::pair("Camera", Qt::Key_F7)};
-    for (const auto& [name, key] : editors)
-        for (const QSize size : {QSize(1100, 700), QSize(1400, 900), QSize(2000, 1000), QSize(3000, 2000)})
-            QTest::addRow("%s, %d x %d", name, size.width(), size.height()) << QString(name) << int(key) << size;
+void TestMainWindow::stepsToUndoAreNamed() {
+    MainWindow window;
+    window.setUndoAvailable(true, true);
+    window.setUndoTexts("Undo turning the view", "Redo choosing a look");
+    const QAction* undo = actionCalled(window, "Undo turning the view");
+    QVERIFY(undo && actionCalled(window, "Redo choosing a look"));
+    QCOMPARE(undo->toolTip(), QString("Undo turning the view"));
+    QCOMPARE(undo->shortcut(), QKeySequence(QKeySequence::Undo));
 }
 
-/// 60 %; what gave way comes back with whichever way the panel is closed.
-void TestMainWindow::anEditorLeavesThePictureMostOfTheWindow() {
-    QFETCH(QString, name);
-    QFETCH(int, key);
-    QFETCH(QSize, size);
+void TestMainWindow::coloursAreChosenInTheMenu() {
+    MainWindow window;
+    QSignalSpy chosen(&window, &MainWindow::themeChosen);
+    window.setTheme(ThemeChoice::system);
+    QVERIFY(actionCalled(window, "As the system")->isChecked() && chosen.isEmpty());
+    actionCalled(window, "Light")->trigger();
+    QCOMPARE(chosen.value(0).value(0).value<ThemeChoice>(), ThemeChoice::light);
+    QVERIFY(!actionCalled(window, "As the system")->isChecked());
+}
+
+static QAbstractButton* buttonCalled(MainWindow& window, const QString& name) {
+    for (auto* button : window.findChildren<QAbstractButton*>())
+        if (button->accessibleName() == name)
+            return button;
+    return nullptr;
+}
+
+void TestMainWindow::theStartOffersWaysToOpen() {
     MainWindow window;
     activate(window);
-    window.foot().setRemarks({"a remark"});
-    window.resize(size);
+    window.resize(800, 600);
+    QVERIFY(!buttonCalled(window, "Open a folder")->isVisible());
+    window.setStartShown(true);
     QCoreApplication::processEvents();
-    const auto shown = [&] { return std::pair(window.series().isVisible(), window.rendering().isVisible()); };
-    const auto before = shown();
-    const auto picture = [&] { return double(window.viewport().width()) * window.viewport().height(); };
-    const auto editor = [&] { return window.findChild<QDockWidget*>(name)->isVisible(); };
-    QTest::keyClick(&window, Qt::Key(key));
-    QTRY_VERIFY(editor());
-    QTRY_VERIFY2(picture() >= 0.6 * size.width() * size.height(),
-                 qPrintable(QString::number(picture() / (size.width() * size.height()))));
-    QVERIFY(window.look().isVisible());
-    for (QToolButton* fold : window.findChildren<QToolButton*>())
-        if (fold->accessibleName() == QString("Fold %1 away").arg(name))
-            fold->click();
-    QVERIFY(!editor());
-    QCOMPARE(shown(), before);
+    QVERIFY(buttonCalled(window, "Open a folder")->isVisible());
+    QVERIFY(!buttonCalled(window, "Open the example")->isVisible());
+    window.setExample("/example");
+    QSignalSpy chosen(&window, &MainWindow::folderChosen);
+    buttonCalled(window, "Open the example")->click();
+    QCOMPARE(chosen.value(0).value(0).toString(), QString("/example"));
+}
+
+void TestMainWindow::recentFoldersAreOffered() {
+    MainWindow window;
+    window.setStartShown(true);
+    QSignalSpy chosen(&window, &MainWindow::folderChosen), forget(&window, &MainWindow::forgetFoldersRequested);
+    QSignalSpy remember(&window, &MainWindow::rememberFoldersChosen);
+    QVERIFY(!actionCalled(window, "Remember folders")->isChecked());
+    QVERIFY(!actionCalled(window, "Forget these folders")->isEnabled());
+    window.setRecentFolders({"/a/newest", "/a/older"}, true);
+    QVERIFY(actionCalled(window, "Remember folders")->isChecked());
+    buttonCalled(window, "Open /a/older")->click();
+    actionCalled(window, "/a/newest")->trigger();
+    QCOMPARE(chosen.count(), 2);
+    QCOMPARE(chosen[0][0].toString(), QString("/a/older"));
+    QCOMPARE(chosen[1][0].toString(), QString("/a/newest"));
+    actionCalled(window, "Forget these folders")->trigger();
+    actionCalled(window, "Remember folders")->trigger();
+    QCOMPARE(forget.count(), 1);
+    QCOMPARE(remember.value(0).value(0).toBool(), false);
+}
+
+void TestMainWindow::withoutAVolumeNothingActsOnIt() {
+    MainWindow window;
+    activate(window);
+    window.setVolumeAvailable(false);
+    QSignalSpy view(&window, &MainWindow::viewChosen), pause(&window, &MainWindow::pauseChosen);
+    QTest::keyClick(&window.viewport(), Qt::Key_1);
+    QTest::keyClick(&window.viewport(), Qt::Key_Space);
+    QVERIFY(view.isEmpty() && pause.isEmpty() && !window.look().isEnabled());
+    window.setVolumeAvailable(true);
+    QTest::keyClick(&window.viewport(), Qt::Key_1);
+    QVERIFY(view.count() == 1 && window.look().isEnabled());
+}
+
+/// In the upper left corner, where nothing else is written.
+void TestMainWindow::fullScreenStillSaysWhoAndHowGood() {
+    MainWindow window;
+    activate(window);
+    dicom::ScanResult scan;
+    scan.series.resize(1);
+    scan.series[0].patient.name = "Family^Given";
+    window.series().setScan(scan);
+    window.series().setCurrent(0);
+    window.status().setText("Good for planning");
+    QImage black(640, 480, QImage::Format_RGB32);
+    black.fill(Qt::black);
+    window.viewport().setPicture({black, Camera{}});
+    const auto corner = [&] {
+        const QImage all = window.viewport().grab().toImage();
+        const QImage part = all.copy(0, 0, all.width() / 3, all.height() / 5);
+        int lit = 0;
+        for (int y = 0; y < part.height(); ++y)
+            for (int x = 0; x < part.width(); ++x)
+                lit += qGray(part.pixel(x, y)) > 100;
+        return lit;
+    };
+    QCOMPARE(corner(), 0);
+    QTest::keyClick(&window, Qt::Key_F11);
+    const int named = corner();
+    QVERIFY(named > 50);
+    QTest::keyClick(&window, Qt::Key_N);
+    QVERIFY(window.series().patient().contains("hidden") && !window.series().patient().contains("Family"));
+    QVERIFY(corner() != named);
+    QTest::keyClick(&window, Qt::Key_N);
+    QCOMPARE(window.series().patient(), QString("Family, Given"));
+}
+
+void TestMainWindow::theKeyboardIsSeenOnThePicture() {
+    MainWindow window;
+    activate(window);
+    QImage black(64, 48, QImage::Format_RGB32);
+    black.fill(Qt::black);
+    window.viewport().setPicture({black, Camera{}});
+    const auto edge = [&] { return window.viewport().grab().toImage().pixelColor(0, 20).lightness(); };
+    window.series().setFocus();
+    window.viewport().setFocus(Qt::MouseFocusReason);
+    QVERIFY(edge() < 50);
+    window.look().findChild<QAbstractButton*>()->setFocus();
+    window.viewport().setFocus(Qt::TabFocusReason);
+    QVERIFY(edge() > 200);
 }
 
 /// The right-hand column has one editor at a time.

@@ -9,6 +9,7 @@
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
 #include "ui/render_panel.h"
+#include "ui/series_delegate.h"
 #include "ui/series_panel.h"
 #include "ui/series_text.h"
 #include "ui/status_line.h"
@@ -48,6 +49,7 @@ class TestPanels : public QObject {
     void choosingALoadableSeriesAsksForIt();
     void anUnloadableSeriesGivesItsReasonInsteadOfAPicture();
     void thePatientNamedIsTheOneInThePicture();
+    void namesAreHiddenEverywhereInTheList();
     void seriesSettersAreSilent();
     void lookControlsEmitWhatTheHandChose();
     void lookSettersAreSilent();
@@ -136,6 +138,29 @@ void TestPanels::thePatientNamedIsTheOneInThePicture() {
     QVERIFY(panel.list().model()->index(2, 0).data(Qt::AccessibleTextRole).toString().contains("Other, Somebody"));
     panel.setCurrent(2);
     QCOMPARE(panel.patient(), "Other, Somebody");
+}
+
+void TestPanels::namesAreHiddenEverywhereInTheList() {
+    dicom::ScanResult scan = threeSeries();
+    scan.series[2].patient.name = "Other^Person";
+    SeriesPanel panel;
+    panel.setScan(scan);
+    panel.setCurrent(2);
+    const auto all = [&] {
+        QStringList words{panel.patient()};
+        for (int row = 0; row < panel.list().model()->rowCount(); ++row)
+            for (const int role : {int(kTitleRole), int(Qt::AccessibleTextRole), int(Qt::ToolTipRole)})
+                words << panel.list().model()->index(row, 0).data(role).toString();
+        return words.join('\n');
+    };
+    QVERIFY(all().contains("Other, Person: Abdomen") && all().contains("Family, Given: Thorax"));
+    panel.setNamesHidden(true);
+    QVERIFY2(!all().contains("Other") && !all().contains("Family"), qPrintable(all()));
+    QVERIFY(all().contains("Patient 1 (name hidden): Head") && panel.patient() == "Patient 2 (name hidden)");
+    panel.setScan(scan);
+    QVERIFY(!all().contains("Family"));
+    panel.setNamesHidden(false);
+    QVERIFY(all().contains("Family, Given: Thorax"));
 }
 
 void TestPanels::seriesSettersAreSilent() {

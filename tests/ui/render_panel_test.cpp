@@ -53,8 +53,8 @@ void TestRenderPanel::thePaceIsEmittedWhole() {
     QList<FrameBudget> chosen;
     connect(&panel, &RenderPanel::paceChosen, [&](const FrameBudget& pace) { chosen << pace; });
     QVERIFY((panel.pace() == FrameBudget{true, 1, 10}));
-    named<QDoubleSpinBox>(panel, "Pictures per second")->setValue(25);
-    named<QCheckBox>(panel, "As many iterations as fit")->click();
+    named<QDoubleSpinBox>(panel, "Frame rate")->setValue(25);
+    named<QCheckBox>(panel, "Automatic")->click();
     named<QSpinBox>(panel, "Iterations per picture")->setValue(100);
     QCOMPARE(chosen.size(), 3);
     QVERIFY((chosen[0] == FrameBudget{true, 1, 25}));
@@ -64,7 +64,7 @@ void TestRenderPanel::thePaceIsEmittedWhole() {
 
 void TestRenderPanel::onlyWhatCountsCanBeChanged() {
     RenderPanel panel;
-    const auto* rate = named<QDoubleSpinBox>(panel, "Pictures per second");
+    const auto* rate = named<QDoubleSpinBox>(panel, "Frame rate");
     const auto* iterations = named<QSpinBox>(panel, "Iterations per picture");
     const auto* filter = named<QCheckBox>(panel, "Blur each iteration");
     QVERIFY(rate->isEnabled() && !iterations->isEnabled() && !filter->isEnabled());

@@ -7,8 +7,9 @@
 #include <random>
 
 #include "render/volume/volume.h"
+#include "tests/support/contrast.h"
 #include "tests/support/tissue_hand.h"
-#include "ui/dark_theme.h"
+#include "ui/theme.h"
 
 namespace pdr::ui {
 
@@ -16,7 +17,7 @@ class TestTissueAccess : public QObject {
     Q_OBJECT
 
   private slots:
-    void initTestCase() { applyDarkTheme(*qApp); }
+    void initTestCase() { applyTheme(*qApp, ThemeChoice::dark); }
     void whateverTheHandDoesTheFunctionStaysOne();
     void everyControlIsReachedAndNamed();
     void textAndPointsStandOut();
@@ -85,17 +86,6 @@ void TestTissueAccess::everyControlIsReachedAndNamed() {
     QVERIFY(hand.panel.editor().accessibleDescription().startsWith("selected, -1000 HU"));
 }
 
-/// WCAG 2.1, relative luminance: 4.5 for text, 3 for what is not.
-static double contrast(const QColor& a, const QColor& b) {
-    const auto luminance = [](const QColor& colour) {
-        const vec3 light = linearColour(colour);
-        return 0.2126 * double(light.x) + 0.7152 * double(light.y) + 0.0722 * double(light.z);
-    };
-    const double x = luminance(a), y = luminance(b);
-    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
-}
-
-/// Against what they stand on: the ground, and the histogram.
 void TestTissueAccess::textAndPointsStandOut() {
     TissueHand hand;
     const Volume volume(VolumeGeometry::aligned({2000, 1, 1}, dvec3(1), dvec3(0)), [] {
@@ -110,11 +100,11 @@ void TestTissueAccess::textAndPointsStandOut() {
     const QImage image = editor.grab().toImage();
     const QColor point = image.pixelColor(hand.at(150, 0)), bars = image.pixelColor(hand.at(-300, 0.3));
     const QColor ground = image.pixelColor(hand.at(-300, 0.95));
-    QVERIFY2(contrast(point, bars) >= 3, qPrintable(QString("%1 on %2").arg(point.name(), bars.name())));
-    QVERIFY(contrast(point, ground) >= 3);
+    QVERIFY2(test::contrast(point, bars) >= 3, qPrintable(QString("%1 on %2").arg(point.name(), bars.name())));
+    QVERIFY(test::contrast(point, ground) >= 3);
     const QPalette palette = editor.palette();
-    QVERIFY(contrast(palette.color(QPalette::WindowText), palette.color(QPalette::Window)) >= 4.5);
-    QVERIFY(contrast(palette.color(QPalette::Link), palette.color(QPalette::Window)) >= 3);
+    QVERIFY(test::contrast(palette.color(QPalette::WindowText), palette.color(QPalette::Window)) >= 4.5);
+    QVERIFY(test::contrast(palette.color(QPalette::Link), palette.color(QPalette::Window)) >= 3);
     hand.panel.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&hand.panel));
     editor.setFocus();

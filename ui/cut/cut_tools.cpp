@@ -11,11 +11,7 @@ CutTools::CutTools(QWidget* picture)
       plane_(new QAction(tr("Add a &plane that faces you"), this)),
       freehand_(new QAction(tr("&Draw a line"), this)),
       uncut_(new QAction(tr("&Undo all cuts"), this)) {
-    handles_->setShortcut(Qt::Key_C);
-    handles_->setToolTip(tr("Drag a side of the box to cut off what lies outside"));
-    plane_->setShortcut(Qt::Key_P);
-    freehand_->setShortcut(Qt::Key_X);
-    freehand_->setToolTip(tr("Draw a closed line on the picture, then cut away what lies behind it, or all else"));
+    nameActions();
     for (QAction* action : {handles_, freehand_})
         action->setCheckable(true);
 
@@ -27,6 +23,20 @@ CutTools::CutTools(QWidget* picture)
     connect(pen_, &FreehandPen::ended, freehand_, [this] { freehand_->setChecked(false); });
     connect(uncut_, &QAction::triggered, this, &CutTools::uncutWanted);
     setCuts({}, std::nullopt);
+}
+
+/// Object names, by which keys are kept, keys, and what the tools do.
+void CutTools::nameActions() {
+    const auto name = [](QAction* action, const char* name, const QKeySequence& key, const QString& toolTip) {
+        action->setObjectName(name);
+        action->setShortcut(key);
+        action->setToolTip(toolTip);
+    };
+    name(handles_, "cutHandles", Qt::Key_C, tr("Drag a side of the box to cut off what lies outside, in millimetres."));
+    name(plane_, "cutPlane", Qt::Key_P, tr("Cuts away what lies in front of a plane through the middle of the picture."));
+    name(freehand_, "cutFreehand", Qt::Key_X,
+         tr("Draw a closed line on the picture, then cut away what lies behind it, or all else."));
+    name(uncut_, "uncut", {}, tr("Shows all that was cut away; one step to undo."));
 }
 
 void CutTools::fillMenu(QMenu& menu) {

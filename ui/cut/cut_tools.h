@@ -36,6 +36,7 @@ class CutTools : public QObject {
     void uncutWanted();
 
   private:
+    void nameActions();
     void addPlane(int axis);
     void draw(bool drawing);
 

@@ -112,7 +112,7 @@ void CurveEditor::paintEvent(QPaintEvent*) {
     painter.fillRect(area, palette().color(QPalette::Base));
     paintTissueBands(painter, view(), palette());
     if (histogram_)
-        paintHistogram(painter, view(), histogramBars(*histogram_, view(), barScale_));
+        paintHistogram(painter, view(), histogramBars(*histogram_, view(), barScale_), palette());
     paintAxes(painter, view(), unit_, palette());
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF besideArea(area.right() + kAround, 0, width() - area.right() - kAround, area.top() - 1);

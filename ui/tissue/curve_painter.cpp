@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kPoint = 4;  ///< radius [px]
 constexpr int kGap = 4;
-constexpr QRgb kBars = qRgb(96, 99, 106);
 /// Faint grounds, in the order of kTissueBands.
 constexpr std::array<QRgb, kTissueBands.size()> kBandColours{
     qRgb(90, 120, 160), qRgb(120, 150, 190), qRgb(200, 170, 70),  qRgb(70, 140, 190),
@@ -115,14 +114,16 @@ void paintTissueBands(QPainter& painter, const PlotView& view, const QPalette& p
     }
 }
 
-void paintHistogram(QPainter& painter, const PlotView& view, const std::vector<double>& bars) {
+void paintHistogram(QPainter& painter, const PlotView& view, const std::vector<double>& bars, const QPalette& palette) {
     const QRectF& area = view.area();
     QPolygonF outline{area.bottomLeft()};
     for (std::size_t i = 0; i < bars.size(); ++i)
         outline << QPointF(area.left() + double(i) + 0.5, area.bottom() - bars[i] * area.height());
     outline << area.bottomRight();
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(kBars));
+    QColor faint = palette.color(QPalette::PlaceholderText);
+    faint.setAlpha(130);
+    painter.setBrush(faint);
     painter.drawPolygon(outline);
 }
 
@@ -161,7 +162,7 @@ void paintAxes(QPainter& painter, const PlotView& view, double unit, const QPale
     const QRectF& area = view.area();
     const QFontMetrics metrics = painter.fontMetrics();
     const int line = metrics.height();
-    const QLocale locale = QLocale::c();
+    const QLocale locale;
     painter.setPen(palette.color(QPalette::WindowText));
     const int widest = metrics.horizontalAdvance("-10000") + 2 * kGap;
     for (const double hu : roundMarks(view.lowHu(), view.highHu(), std::max(int(area.width()) / widest, 2))) {

@@ -29,7 +29,7 @@ vec3 linearColour(const QColor& colour);
 
 /// With their names above the area, as far as there is room.
 void paintTissueBands(QPainter& painter, const PlotView& view, const QPalette& palette);
-void paintHistogram(QPainter& painter, const PlotView& view, const std::vector<double>& bars);
+void paintHistogram(QPainter& painter, const PlotView& view, const std::vector<double>& bars, const QPalette& palette);
 void paintCurve(QPainter& painter, const PlotView& view, const Curve& curve, const std::vector<ColourStop>& colours,
                 const QPalette& palette);
 void paintPoints(QPainter& painter, const PlotView& view, const Curve& curve, const CurveSelection& selection,

@@ -1,0 +1,2043 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>PD-Render</name>
+    <message>
+        <source> (changed)</source>
+        <translation> (geändert)</translation>
+    </message>
+    <message>
+        <source> /mm</source>
+        <translation> /mm</translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation> HU</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> per second</source>
+        <translation> je Sekunde</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> samples</source>
+        <translation> Abtastungen</translation>
+    </message>
+    <message>
+        <source> · in italics: of the view before</source>
+        <translation> · kursiv: von der Ansicht davor</translation>
+    </message>
+    <message>
+        <source>%1 % of the voxels lie below</source>
+        <translation>%1 % der Voxel liegen darunter</translation>
+    </message>
+    <message>
+        <source>%1 (the picture changes by %2 levels on average, 95 % of it by less than %3</source>
+        <translation>%1 (das Bild ändert sich im Mittel um %2 Stufen, 95 % davon um weniger als %3</translation>
+    </message>
+    <message>
+        <source>%1 HU: %2</source>
+        <translation>%1 HU: %2</translation>
+    </message>
+    <message>
+        <source>%1 HU: %2
+Drag stops; Ctrl and click adds one; double click chooses a colour</source>
+        <translation>%1 HU: %2
+Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farbe</translation>
+    </message>
+    <message>
+        <source>%1 HU: %2 %3</source>
+        <translation>%1 HU: %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 belongs to "%2". Give that another key first.</source>
+        <translation>%1 gehört zu „%2“. Geben Sie dem zuerst eine andere Taste.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be given away: it moves the view or the keyboard's place.</source>
+        <translation>%1 kann nicht vergeben werden: Die Taste bewegt die Ansicht oder den Tastaturfokus.</translation>
+    </message>
+    <message>
+        <source>%1 damaged files were left out</source>
+        <translation>%1 beschädigte Dateien wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>%1 in at least %2</source>
+        <translation>%1 in mindestens %2</translation>
+    </message>
+    <message>
+        <source>%1 iterations per frame on %2</source>
+        <translation>%1 Iterationen je Bild auf %2</translation>
+    </message>
+    <message>
+        <source>%1 line that smoothing took away is marked</source>
+        <translation>%1 Linie, die das Glätten entfernt hat, ist markiert</translation>
+    </message>
+    <message>
+        <source>%1 lines that smoothing took away are marked</source>
+        <translation>%1 Linien, die das Glätten entfernt hat, sind markiert</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of the curve</source>
+        <translation>%1 der Kurve</translation>
+    </message>
+    <message>
+        <source>%1 over Hounsfield units</source>
+        <translation>%1 über Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 Abtastungen</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · as wanted; Space goes on</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten · wie gewünscht; Leertaste: weiter</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · paused</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten · angehalten</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in %4</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten · ±%3 in %4</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in at least %4</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten · ±%3 in mindestens %4</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · as wanted; Space goes on</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen · wie gewünscht; Leertaste: weiter</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · paused</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen · angehalten</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in %4</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen · ±%3 in %4</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in at least %4</source>
+        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen · ±%3 in mindestens %4</translation>
+    </message>
+    <message>
+        <source>%1 · all that is on is called for</source>
+        <translation>%1 · alles, was an ist, wird gebraucht</translation>
+    </message>
+    <message>
+        <source>%1 · paused</source>
+        <translation>%1 · angehalten</translation>
+    </message>
+    <message>
+        <source>%1 · ±%2 took %3 the last time</source>
+        <translation>%1 · ±%2 dauerte letztes Mal %3</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels stretched to %3 × %4</source>
+        <translation>%1 × %2 Pixel, gestreckt auf %3 × %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 iterations/s, %3</source>
+        <translation>%1, %2 Iterationen/s, %3</translation>
+    </message>
+    <message>
+        <source>%1, before smoothing</source>
+        <translation>%1, vor dem Glätten</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation><numerusform>%n Punkt</numerusform><numerusform>%n Punkte</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stop(s)</source>
+        <translation><numerusform>%n Farbmarke</numerusform><numerusform>%n Farbmarken</numerusform></translation>
+    </message>
+    <message>
+        <source>&amp;About PD-Render</source>
+        <translation>&amp;Über PD-Render</translation>
+    </message>
+    <message>
+        <source>&amp;All defaults</source>
+        <translation>&amp;Alle Vorgaben</translation>
+    </message>
+    <message>
+        <source>&amp;Aperture</source>
+        <translation>B&amp;lende</translation>
+    </message>
+    <message>
+        <source>&amp;Box first</source>
+        <translation>Rahmen &amp;zuerst</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness</source>
+        <translation>&amp;Helligkeit</translation>
+    </message>
+    <message>
+        <source>&amp;Caption on previews</source>
+        <translation>&amp;Beschriftung auf Vorschauen</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of the window</source>
+        <translation>&amp;Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Default</source>
+        <translation>&amp;Vorgabe</translation>
+    </message>
+    <message>
+        <source>&amp;Density</source>
+        <translation>&amp;Dichte</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Edit keys...</source>
+        <translation>Tasten &amp;ändern...</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Focus on...</source>
+        <translation>&amp;Scharf auf...</translation>
+    </message>
+    <message>
+        <source>&amp;Forget these folders</source>
+        <translation>Diese Ordner &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>&amp;Frame rate</source>
+        <translation>&amp;Bildrate</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Iterations per picture</source>
+        <translation>&amp;Iterationen je Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Light...</source>
+        <translation>&amp;Licht...</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Keine Taste</translation>
+    </message>
+    <message>
+        <source>&amp;Open a folder...</source>
+        <translation>&amp;Ordner öffnen...</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder...</source>
+        <translation>Ordner ö&amp;ffnen...</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Remember folders</source>
+        <translation>Ordner &amp;merken</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture...</source>
+        <translation>Bild &amp;speichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothed</source>
+        <translation>&amp;Geglättet</translation>
+    </message>
+    <message>
+        <source>&amp;Table and holder</source>
+        <translation>&amp;Tisch und Halterung</translation>
+    </message>
+    <message>
+        <source>&amp;This tissue...</source>
+        <translation>&amp;Dieses Gewebe...</translation>
+    </message>
+    <message>
+        <source>&amp;Tissue...</source>
+        <translation>&amp;Gewebe...</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>, %1 left</source>
+        <translation>, noch %1</translation>
+    </message>
+    <message>
+        <source>, within ±%1 levels</source>
+        <translation>, innerhalb ±%1 Stufen</translation>
+    </message>
+    <message>
+        <source>/mm</source>
+        <translation>/mm</translation>
+    </message>
+    <message>
+        <source>1 damaged file was left out</source>
+        <translation>1 beschädigte Datei wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>1 iteration per frame on %1</source>
+        <translation>1 Iteration je Bild auf %1</translation>
+    </message>
+    <message>
+        <source>1 sample</source>
+        <translation>1 Abtastung</translation>
+    </message>
+    <message>
+        <source>1/√t</source>
+        <translation>1/√t</translation>
+    </message>
+    <message>
+        <source>95 % interval, grey levels of 255</source>
+        <translation>95-%-Intervall, Graustufen von 255</translation>
+    </message>
+    <message>
+        <source>; any target takes %1 of the time</source>
+        <translation>; jedes Ziel braucht %1 der Zeit</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Photorealistic pictures of CT volumes, with a measure of how right they are.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt; PD-Render is not a certified medical device.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Fotorealistische Bilder von CT-Volumen, mit einem Maß dafür, wie richtig sie sind.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Nicht für die Diagnose.&lt;/b&gt; PD-Render ist kein zugelassenes Medizinprodukt.&lt;/p&gt;&lt;p&gt;Apache-Lizenz 2.0. Gemacht mit Qt, DCMTK, OpenEXR und oneTBB.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>A CT to try with, which belongs to the program</source>
+        <translation>Ein CT zum Ausprobieren, das zum Programm gehört</translation>
+    </message>
+    <message>
+        <source>A coarse picture first; the full one follows</source>
+        <translation>Zuerst ein grobes Bild; das volle folgt</translation>
+    </message>
+    <message>
+        <source>A picture is still being made. Quit and lose it?</source>
+        <translation>Ein Bild entsteht noch. Beenden und es verlieren?</translation>
+    </message>
+    <message>
+        <source>A pinhole, which focuses nowhere</source>
+        <translation>Eine Lochkamera, die nirgends scharf stellt</translation>
+    </message>
+    <message>
+        <source>A small lamp beside the eye: few shadows, and light in every recess</source>
+        <translation>Eine kleine Lampe neben dem Auge: wenig Schatten und Licht in jeder Vertiefung</translation>
+    </message>
+    <message>
+        <source>A small lamp from the side that shows form, a weak one against it, and one behind</source>
+        <translation>Eine kleine Lampe von der Seite, die Form zeigt, eine schwache dagegen und eine dahinter</translation>
+    </message>
+    <message>
+        <source>About PD-Render</source>
+        <translation>Über PD-Render</translation>
+    </message>
+    <message>
+        <source>About the series</source>
+        <translation>Über die Serie</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Actions and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds a panel like the chosen one, as a lamp of its own</source>
+        <translation>Fügt eine Fläche wie die gewählte hinzu, als eigene Lampe</translation>
+    </message>
+    <message>
+        <source>All aroun&amp;d</source>
+        <translation>&amp;Rundum</translation>
+    </message>
+    <message>
+        <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
+        <translation>Alles ist scharf. Eine Linse zeichnet weich, was vor und hinter ihrer Schärfeebene liegt.</translation>
+    </message>
+    <message>
+        <source>All panels in numbers</source>
+        <translation>Alle Leuchtflächen in Zahlen</translation>
+    </message>
+    <message>
+        <source>All sharp</source>
+        <translation>Alles scharf</translation>
+    </message>
+    <message>
+        <source>Aperture</source>
+        <translation>Blende</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
+        <translation>Pfeiltasten bewegen die gewählte Lampe, Bild auf und Bild ab wählen eine andere, Umschalt und Pfeiltasten drehen alle.</translation>
+    </message>
+    <message>
+        <source>As it is on the screen, %1</source>
+        <translation>Wie auf dem Bildschirm, %1</translation>
+    </message>
+    <message>
+        <source>As many iterations between two pictures as it takes for showing them to cost next to nothing, but no more than the number of pictures per second allows. The result is the same.</source>
+        <translation>So viele Iterationen zwischen zwei Bildern, dass das Zeigen fast nichts kostet, aber nicht mehr, als die Bildrate zulässt. Das Ergebnis ist dasselbe.</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Away</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Bac&amp;kground</source>
+        <translation>Hinter&amp;grund</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Bell</source>
+        <translation>Glocke</translation>
+    </message>
+    <message>
+        <source>Besides noise</source>
+        <translation>Neben dem Rauschen</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Blur each iteration</source>
+        <translation>Jede Iteration weichzeichnen</translation>
+    </message>
+    <message>
+        <source>Brighter to the right. It changes what is shown, not what is computed.</source>
+        <translation>Nach rechts heller. Das ändert, was gezeigt wird, nicht, was berechnet wird.</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>CT series %1</source>
+        <translation>CT-Serie %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel reading or a box, close a message</source>
+        <translation>Lesen oder Rahmen abbrechen, Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Cancel what runs</source>
+        <translation>Laufendes abbrechen</translation>
+    </message>
+    <message>
+        <source>Choose an action, click below, and press its new key.</source>
+        <translation>Wählen Sie einen Befehl, klicken Sie unten hinein und drücken Sie die neue Taste.</translation>
+    </message>
+    <message>
+        <source>Choose the colour of the selected stop</source>
+        <translation>Die Farbe der gewählten Marke wählen</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Closes the window. Pictures that are not saved are lost.</source>
+        <translation>Schließt das Fenster. Nicht gespeicherte Bilder gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Colour at %1 HU</source>
+        <translation>Farbe bei %1 HU</translation>
+    </message>
+    <message>
+        <source>Colour of its light: double click it</source>
+        <translation>Farbe ihres Lichts: Doppelklick ändert sie</translation>
+    </message>
+    <message>
+        <source>Colour of the light</source>
+        <translation>Farbe des Lichts</translation>
+    </message>
+    <message>
+        <source>Colour of the selected stop</source>
+        <translation>Farbe der gewählten Marke</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Farbe...</translation>
+    </message>
+    <message>
+        <source>Colours each pixel by how far it may be off, in grey levels of 255.</source>
+        <translation>Färbt jedes Pixel danach, wie weit es abweichen kann, in Graustufen von 255.</translation>
+    </message>
+    <message>
+        <source>Colours over Hounsfield units</source>
+        <translation>Farben über Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>Comparison with Exposure Render</source>
+        <translation>Vergleich mit Exposure Render</translation>
+    </message>
+    <message>
+        <source>Copies the picture to the clipboard, with its caption and no name.</source>
+        <translation>Kopiert das Bild in die Zwischenablage, mit seiner Beschriftung und ohne Namen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+click on the picture</source>
+        <translation>Strg+Klick ins Bild</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag on the picture</source>
+        <translation>Strg+Ziehen im Bild</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Curves and colours over Hounsfield units (F5)</source>
+        <translation>Kurven und Farben über Hounsfield-Einheiten (F5)</translation>
+    </message>
+    <message>
+        <source>Density at the top of the opacity curve</source>
+        <translation>Dichte am höchsten Punkt der Opazitätskurve</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Diameter of the lens. At 0 all is sharp; the larger, the less is sharp before and behind the focus</source>
+        <translation>Durchmesser der Linse. Bei 0 ist alles scharf; je größer, desto weniger ist vor und hinter der Schärfeebene scharf</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the picture, Shift and the right button do the same.</source>
+        <translation>Ziehen Sie eine Lampe dorthin, woher das Licht kommen soll: Über der Kugel steht sie auf Ihrer Seite, im Ring darum hinter dem Patienten. Neben den Lampen dreht ein Zug sie alle. Im Bild tun Umschalt und die rechte Taste dasselbe.</translation>
+    </message>
+    <message>
+        <source>Drag points; click the line to add one; wheel zooms, with Shift the values; double click fits</source>
+        <translation>Punkte ziehen; ein Klick auf die Linie fügt einen hinzu; das Rad zoomt, mit Umschalt die Werte; Doppelklick zeigt alles</translation>
+    </message>
+    <message>
+        <source>Draw a box on the picture: it gets all samples until it is as good as wanted.</source>
+        <translation>Zeichnen Sie einen Rahmen ins Bild: Er erhält alle Abtastungen, bis er so gut ist wie gewünscht.</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>Edit keys</source>
+        <translation>Tasten ändern</translation>
+    </message>
+    <message>
+        <source>Edit the light</source>
+        <translation>Licht bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit the tissue</source>
+        <translation>Gewebe bearbeiten</translation>
+    </message>
+    <message>
+        <source>Error against time</source>
+        <translation>Fehler gegen Zeit</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Wird geschätzt</translation>
+    </message>
+    <message>
+        <source>Estimating how good the picture is</source>
+        <translation>Die Bildgüte wird geschätzt</translation>
+    </message>
+    <message>
+        <source>Estimating · no light has been seen yet</source>
+        <translation>Wird geschätzt · noch kein Licht gefunden</translation>
+    </message>
+    <message>
+        <source>Estimating · the error is not known yet</source>
+        <translation>Wird geschätzt · der Fehler ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the picture stays wrong. For comparison only.</source>
+        <translation>Exposure Render zeichnet jede Iteration über 3 x 3 Pixel weich, bevor sie zählt. Das verbirgt Rauschen und mittelt sich nie heraus: Das Bild bleibt falsch. Nur zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>Exposure Render's schedule %1</source>
+        <translation>Ablauf %1 von Exposure Render</translation>
+    </message>
+    <message>
+        <source>Exposure Render, K0</source>
+        <translation>Exposure Render, K0</translation>
+    </message>
+    <message>
+        <source>Exposure Render, K1</source>
+        <translation>Exposure Render, K1</translation>
+    </message>
+    <message>
+        <source>Extinction at the top of the opacity curve: larger is denser tissue everywhere</source>
+        <translation>Extinktion am höchsten Punkt der Opazitätskurve: größer heißt überall dichteres Gewebe</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Kaudal</translation>
+    </message>
+    <message>
+        <source>Field of vie&amp;w</source>
+        <translation>&amp;Blickwinkel</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Blickwinkel</translation>
+    </message>
+    <message>
+        <source>Files that were left out</source>
+        <translation>Ausgelassene Dateien</translation>
+    </message>
+    <message>
+        <source>Fills the screen with the picture, the patient's name and its accuracy.</source>
+        <translation>Füllt den Bildschirm mit dem Bild, dem Namen des Patienten und der Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>Focus on what is clicked</source>
+        <translation>Scharf auf die angeklickte Stelle</translation>
+    </message>
+    <message>
+        <source>Fold %1 away</source>
+        <translation>%1 einklappen</translation>
+    </message>
+    <message>
+        <source>Fold away (%1)</source>
+        <translation>Einklappen (%1)</translation>
+    </message>
+    <message>
+        <source>Folders are often called after patients: anyone who uses this account can read the list.</source>
+        <translation>Ordner heißen oft nach Patienten: Wer dieses Benutzerkonto nutzt, kann die Liste lesen.</translation>
+    </message>
+    <message>
+        <source>For comparison only: the ways of the renderer that this one replaces.</source>
+        <translation>Nur zum Vergleich: die Verfahren des Renderers, den dieser ersetzt.</translation>
+    </message>
+    <message>
+        <source>For screenshots: no patient is named anywhere in the window.</source>
+        <translation>Für Bildschirmfotos: Nirgends im Fenster wird ein Patient genannt.</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>Free points</source>
+        <translation>Freie Punkte</translation>
+    </message>
+    <message>
+        <source>Free points, or a curve that a few numbers say. It becomes free points when one is moved.</source>
+        <translation>Freie Punkte oder eine Kurve aus wenigen Zahlen. Sie wird zu freien Punkten, wenn einer bewegt wird.</translation>
+    </message>
+    <message>
+        <source>From the &amp;back (P)</source>
+        <translation>Von &amp;hinten (P)</translation>
+    </message>
+    <message>
+        <source>From the &amp;front (A)</source>
+        <translation>Von &amp;vorne (A)</translation>
+    </message>
+    <message>
+        <source>From the &amp;head (H)</source>
+        <translation>Von &amp;kranial (H)</translation>
+    </message>
+    <message>
+        <source>From the &amp;left (L)</source>
+        <translation>Von &amp;links (L)</translation>
+    </message>
+    <message>
+        <source>From the &amp;right (R)</source>
+        <translation>Von &amp;rechts (R)</translation>
+    </message>
+    <message>
+        <source>From the f&amp;eet (F)</source>
+        <translation>Von &amp;kaudal (F)</translation>
+    </message>
+    <message>
+        <source>From the top to the bottom of the picture</source>
+        <translation>Von der Oberkante bis zur Unterkante des Bildes</translation>
+    </message>
+    <message>
+        <source>From the top to the bottom of the picture. What is in focus keeps its size; the wider, the nearer the eye comes</source>
+        <translation>Von der Oberkante bis zur Unterkante des Bildes. Was scharf ist, behält seine Größe; je weiter, desto näher kommt das Auge</translation>
+    </message>
+    <message>
+        <source>From the viewer to the right; beyond 90 degrees it stands behind [degrees]. Of the view from the front where the lamps turn with the patient</source>
+        <translation>Vom Betrachter nach rechts; über 90 Grad hinaus steht sie dahinter [Grad]. Bezogen auf die Ansicht von vorne, wo sich die Lampen mit dem Patienten drehen</translation>
+    </message>
+    <message>
+        <source>From the volume's middle [radii of the volume]</source>
+        <translation>Von der Mitte des Volumens [Radien des Volumens]</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorne</translation>
+    </message>
+    <message>
+        <source>Gives actions other keys.</source>
+        <translation>Gibt Befehlen andere Tasten.</translation>
+    </message>
+    <message>
+        <source>Glow</source>
+        <translation>Leuchten</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Good for orientation</source>
+        <translation>Gut zur Orientierung</translation>
+    </message>
+    <message>
+        <source>Good for planning</source>
+        <translation>Gut zur Planung</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HU</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kranial</translation>
+    </message>
+    <message>
+        <source>Headlight</source>
+        <translation>Stirnlampe</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Hei&amp;ght</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>Height of the picture [pixels]</source>
+        <translation>Höhe des Bildes [Pixel]</translation>
+    </message>
+    <message>
+        <source>Height of what is seen</source>
+        <translation>Höhe des Sichtbaren</translation>
+    </message>
+    <message>
+        <source>Hide the patient's &amp;name</source>
+        <translation>&amp;Name des Patienten verbergen</translation>
+    </message>
+    <message>
+        <source>Hold after so many seconds of rendering</source>
+        <translation>Anhalten nach so vielen Sekunden Rechenzeit</translation>
+    </message>
+    <message>
+        <source>Hold at</source>
+        <translation>Anhalten bei</translation>
+    </message>
+    <message>
+        <source>Hold sooner, more accurate</source>
+        <translation>Früher anhalten, genauer</translation>
+    </message>
+    <message>
+        <source>Hold the rendering, or let it go on (Space)</source>
+        <translation>Die Berechnung anhalten oder fortsetzen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Hold when 95 % of the tissue is within so many grey levels</source>
+        <translation>Anhalten, wenn 95 % des Gewebes innerhalb so vieler Graustufen liegen</translation>
+    </message>
+    <message>
+        <source>Hold when each pixel has so many samples</source>
+        <translation>Anhalten, wenn jedes Pixel so viele Abtastungen hat</translation>
+    </message>
+    <message>
+        <source>Holds the rendering, or lets it go on, also beyond the target.</source>
+        <translation>Hält die Berechnung an oder setzt sie fort, auch über das Ziel hinaus.</translation>
+    </message>
+    <message>
+        <source>How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its own, and may lack fine detail: S shows the raw one. A click tells more.</source>
+        <translation>Wie weit die Graustufen auf dem Bildschirm höchstens von denen des fertigen Bildes abweichen, für 95 % der Pixel, die Gewebe zeigen. Viermal so viele Abtastungen halbieren das mindestens. Ein geglättetes Bild hat einen eigenen Fehler, und feine Einzelheiten können fehlen: S zeigt das rohe. Ein Klick sagt mehr.</translation>
+    </message>
+    <message>
+        <source>How good the picture is</source>
+        <translation>Wie gut das Bild ist</translation>
+    </message>
+    <message>
+        <source>How good the picture is there</source>
+        <translation>Wie gut das Bild dort ist</translation>
+    </message>
+    <message>
+        <source>How high the first selected point is; the others move with it</source>
+        <translation>Wie hoch der erste gewählte Punkt liegt; die anderen bewegen sich mit</translation>
+    </message>
+    <message>
+        <source>How iterations become pictures. Ours adds them up and shows them now and then. Exposure Render goes through all stages for each of them; K0 also uploads everything anew each time, K1 does not. For comparison only.</source>
+        <translation>Wie aus Iterationen Bilder werden. Unserer summiert sie und zeigt sie ab und zu. Exposure Render durchläuft für jede alle Stufen; K0 lädt außerdem jedes Mal alles neu hoch, K1 nicht. Nur zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>How light is followed. Unbiased: the picture becomes the true one. The march steps over 3 voxels at a time as Exposure Render does and scatters once: the picture stays wrong. For comparison only.</source>
+        <translation>Wie das Licht verfolgt wird. Erwartungstreu: Das Bild wird das wahre. Die Schritte gehen über je 3 Voxel wie bei Exposure Render und streuen einmal: Das Bild bleibt falsch. Nur zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>How many iterations are computed before the picture is shown anew. More is a little faster, fewer is livelier; the result is the same.</source>
+        <translation>Wie viele Iterationen berechnet werden, bevor das Bild neu gezeigt wird. Mehr ist etwas schneller, weniger ist lebendiger; das Ergebnis ist dasselbe.</translation>
+    </message>
+    <message>
+        <source>How many pictures a second are shown at least, where the device can.</source>
+        <translation>Wie viele Bilder je Sekunde mindestens gezeigt werden, soweit das Gerät es kann.</translation>
+    </message>
+    <message>
+        <source>How much light the chosen lamp brings; at the left end it is off</source>
+        <translation>Wie viel Licht die gewählte Lampe bringt; ganz links ist sie aus</translation>
+    </message>
+    <message>
+        <source>In the box: %1</source>
+        <translation>Im Rahmen: %1</translation>
+    </message>
+    <message>
+        <source>Iterations per picture</source>
+        <translation>Iterationen je Bild</translation>
+    </message>
+    <message>
+        <source>Keep all</source>
+        <translation>Alles behalten</translation>
+    </message>
+    <message>
+        <source>Key of the chosen action</source>
+        <translation>Taste des gewählten Befehls</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Lamp %1</source>
+        <translation>Lampe %1</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>Leaves out %1.</source>
+        <translation>Lässt weg: %1.</translation>
+    </message>
+    <message>
+        <source>Leaves out what nobody would see, and says first what that is</source>
+        <translation>Lässt weg, was niemand sehen würde, und sagt vorher, was das ist</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Left drag, arrow keys</source>
+        <translation>Ziehen mit links, Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Left, Right on the strip</source>
+        <translation>Links, Rechts auf dem Streifen</translation>
+    </message>
+    <message>
+        <source>Length of its edge [radii of the volume]</source>
+        <translation>Länge ihrer Kante [Radien des Volumens]</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Light from all around</source>
+        <translation>Licht von allen Seiten</translation>
+    </message>
+    <message>
+        <source>Light from all around, most from the head's side, and a sun</source>
+        <translation>Licht von allen Seiten, am meisten von kranial, und eine Sonne</translation>
+    </message>
+    <message>
+        <source>Lightens what lies in shadow; at the left end there is none</source>
+        <translation>Hellt auf, was im Schatten liegt; ganz links gibt es keines</translation>
+    </message>
+    <message>
+        <source>Lists the CT series of a folder and shows the first that can be shown.</source>
+        <translation>Listet die CT-Serien eines Ordners auf und zeigt die erste darstellbare.</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>Logarithmic histogram</source>
+        <translation>Logarithmisches Histogramm</translation>
+    </message>
+    <message>
+        <source>Made anew, %1</source>
+        <translation>Neu berechnet, %1</translation>
+    </message>
+    <message>
+        <source>Made anew, another size</source>
+        <translation>Neu berechnet, andere Größe</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Berechnet von</translation>
+    </message>
+    <message>
+        <source>March of 3 voxels (biased)</source>
+        <translation>Schritte von 3 Voxeln (verzerrt)</translation>
+    </message>
+    <message>
+        <source>Measured %1, %2 s of calibration</source>
+        <translation>%1 gemessen, %2 s Eichung</translation>
+    </message>
+    <message>
+        <source>Measuring %1, now and then, in a twentieth of the time</source>
+        <translation>%1 wird gemessen, ab und zu, in einem Zwanzigstel der Zeit</translation>
+    </message>
+    <message>
+        <source>Measuring as soon as the picture is at rest</source>
+        <translation>Es wird gemessen, sobald das Bild ruht</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Middle or Shift+left drag</source>
+        <translation>Ziehen mit Mitte oder Umschalt+links</translation>
+    </message>
+    <message>
+        <source>Mouse at rest</source>
+        <translation>Ruhende Maus</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>Name not given</source>
+        <translation>Name nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Next control</source>
+        <translation>Nächstes Bedienelement</translation>
+    </message>
+    <message>
+        <source>No known bias in the computing</source>
+        <translation>Kein bekannter systematischer Fehler der Rechnung</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
+        <source>No sample was left out</source>
+        <translation>Keine Abtastung wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>No tissue is in view</source>
+        <translation>Kein Gewebe im Bild</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Not for diagnostic use</source>
+        <translation>Nicht für die Diagnose</translation>
+    </message>
+    <message>
+        <source>Not measured any further: %1</source>
+        <translation>Nicht weiter gemessen: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is known of the error yet</source>
+        <translation>Vom Fehler ist noch nichts bekannt</translation>
+    </message>
+    <message>
+        <source>Off, and nothing is lost: %1</source>
+        <translation>Aus, und nichts geht verloren: %1</translation>
+    </message>
+    <message>
+        <source>One large panel: soft shadows</source>
+        <translation>Eine große Fläche: weiche Schatten</translation>
+    </message>
+    <message>
+        <source>Only what this scene calls for</source>
+        <translation>Nur, was diese Szene braucht</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opazität</translation>
+    </message>
+    <message>
+        <source>Opacity: how much light is taken from a ray, per mm
+Reflection: of a surface, seen straight on
+Roughness: 0 is a mirror, 1 is dull
+Glow: light that the tissue gives off itself</source>
+        <translation>Opazität: wie viel Licht einem Strahl je mm genommen wird
+Reflexion: einer senkrecht gesehenen Oberfläche
+Rauheit: 0 ist ein Spiegel, 1 ist matt
+Leuchten: Licht, das das Gewebe selbst abgibt</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a folder</source>
+        <translation>Einen Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Open a folder with a CT</source>
+        <translation>Einen Ordner mit einem CT öffnen</translation>
+    </message>
+    <message>
+        <source>Open the &amp;example</source>
+        <translation>&amp;Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>Open the example</source>
+        <translation>Das Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>OpenEXR with the error of every pixel (*.exr)</source>
+        <translation>OpenEXR mit dem Fehler jedes Pixels (*.exr)</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Operating lamp</source>
+        <translation>Operationsleuchte</translation>
+    </message>
+    <message>
+        <source>Or drop a folder with DICOM files here, or one of its files: all CT series in it are listed, and the first that can be shown is.</source>
+        <translation>Oder legen Sie einen Ordner mit DICOM-Dateien hier ab, oder eine seiner Dateien: Alle CT-Serien darin werden aufgelistet, und die erste darstellbare wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Ours</source>
+        <translation>Unserer</translation>
+    </message>
+    <message>
+        <source>PD-Render</source>
+        <translation>PD-Render</translation>
+    </message>
+    <message>
+        <source>PD-Render - Not for diagnostic use</source>
+        <translation>PD-Render - Nicht für die Diagnose</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Panels of light</source>
+        <translation>Leuchtflächen</translation>
+    </message>
+    <message>
+        <source>Panels of one name are one lamp: they are moved and dimmed together</source>
+        <translation>Flächen eines Namens sind eine Lampe: Sie werden zusammen bewegt und gedimmt</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Patient %1 (name hidden)</source>
+        <translation>Patient %1 (Name verborgen)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Percentiles</source>
+        <translation>Perzentile</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Perspective: what is near is larger, as for the eye
+Parallel: the same size at every depth, as for measuring</source>
+        <translation>Perspektive: Was nah ist, ist größer, wie für das Auge
+Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Place of the selected point</source>
+        <translation>Ort des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>Places of the lamps</source>
+        <translation>Orte der Lampen</translation>
+    </message>
+    <message>
+        <source>Preparing the volume of %1...</source>
+        <translation>Das Volumen von %1 wird vorbereitet...</translation>
+    </message>
+    <message>
+        <source>Preset %1</source>
+        <translation>Vorlage %1</translation>
+    </message>
+    <message>
+        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before smoothing, wanted ±%2</source>
+        <translation>Vorschau, nicht fertig · 95 % des Gewebes innerhalb ±%1 von 255 Graustufen vor dem Glätten, gewünscht ±%2</translation>
+    </message>
+    <message>
+        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
+        <translation>Vorschau, nicht fertig · 95 % des Gewebes innerhalb ±%1 von 255 Graustufen, gewünscht ±%2</translation>
+    </message>
+    <message>
+        <source>Preview, not converged · how far it is off is not known yet</source>
+        <translation>Vorschau, nicht fertig · wie groß der Fehler ist, ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Pro&amp;jection</source>
+        <translation>Pro&amp;jektion</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>R&amp;eset view</source>
+        <translation>Ansicht &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Radiance</source>
+        <translation>Strahldichte</translation>
+    </message>
+    <message>
+        <source>Radiance, in the units of the exposure</source>
+        <translation>Strahldichte, in den Einheiten der Belichtung</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo changing the brightness</source>
+        <translation>Wiederholen: Helligkeit ändern</translation>
+    </message>
+    <message>
+        <source>Redo changing the lens</source>
+        <translation>Wiederholen: Linse ändern</translation>
+    </message>
+    <message>
+        <source>Redo changing the light</source>
+        <translation>Wiederholen: Licht ändern</translation>
+    </message>
+    <message>
+        <source>Redo changing the rendering</source>
+        <translation>Wiederholen: Berechnung ändern</translation>
+    </message>
+    <message>
+        <source>Redo choosing a look</source>
+        <translation>Wiederholen: Darstellung wählen</translation>
+    </message>
+    <message>
+        <source>Redo choosing an optical model</source>
+        <translation>Wiederholen: Optisches Modell wählen</translation>
+    </message>
+    <message>
+        <source>Redo cutting</source>
+        <translation>Wiederholen: Schneiden</translation>
+    </message>
+    <message>
+        <source>Redo editing the tissue</source>
+        <translation>Wiederholen: Gewebe bearbeiten</translation>
+    </message>
+    <message>
+        <source>Redo hiding the table</source>
+        <translation>Wiederholen: Tisch ausblenden</translation>
+    </message>
+    <message>
+        <source>Redo moving the view</source>
+        <translation>Wiederholen: Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>Redo several changes</source>
+        <translation>Wiederholen: mehrere Änderungen</translation>
+    </message>
+    <message>
+        <source>Redo showing the table</source>
+        <translation>Wiederholen: Tisch zeigen</translation>
+    </message>
+    <message>
+        <source>Redo turning the view</source>
+        <translation>Wiederholen: Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Redo zooming</source>
+        <translation>Wiederholen: Zoomen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Reflection</source>
+        <translation>Reflexion</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected points</source>
+        <translation>Gewählte Punkte entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected points (Del)</source>
+        <translation>Gewählte Punkte entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>Rendering holds at %1: drag the knob, to the left for sooner, to the right for more accurate.</source>
+        <translation>Die Berechnung hält bei %1: Ziehen Sie den Knopf nach links für früher, nach rechts für genauer.</translation>
+    </message>
+    <message>
+        <source>Reset the view</source>
+        <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Right°</source>
+        <translation>Rechts°</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Gegenlicht</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Grob</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Saved, copied and full-screen pictures say where they are not yet as good as was wanted.</source>
+        <translation>Gespeicherte, kopierte und bildschirmfüllende Bilder sagen, wo sie noch nicht so gut sind wie gewünscht.</translation>
+    </message>
+    <message>
+        <source>Saves the picture as PNG or EXR, as it is or made anew in any size.</source>
+        <translation>Speichert das Bild als PNG oder EXR, wie es ist oder neu berechnet in jeder Größe.</translation>
+    </message>
+    <message>
+        <source>Schedule</source>
+        <translation>Ablauf</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serien</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>Seven small lamps in a ring above: their shadows overlap softly</source>
+        <translation>Sieben kleine Lampen im Ring darüber: Ihre Schatten überlappen sich weich</translation>
+    </message>
+    <message>
+        <source>Shape of the curve</source>
+        <translation>Form der Kurve</translation>
+    </message>
+    <message>
+        <source>Sharp from %1 before the focus on; it is %2 away.</source>
+        <translation>Scharf ab %1 vor der Schärfeebene; sie ist %2 entfernt.</translation>
+    </message>
+    <message>
+        <source>Sharp from %1 before the focus to %2 behind it; it is %3 away.</source>
+        <translation>Scharf von %1 vor der Schärfeebene bis %2 dahinter; sie ist %3 entfernt.</translation>
+    </message>
+    <message>
+        <source>Shift the tissue's curve, widen it</source>
+        <translation>Gewebekurve verschieben, verbreitern</translation>
+    </message>
+    <message>
+        <source>Shift+right drag on the picture</source>
+        <translation>Umschalt+Ziehen mit rechts im Bild</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show the tissue that is clicked</source>
+        <translation>Das angeklickte Gewebe zeigen</translation>
+    </message>
+    <message>
+        <source>Show the tissue that is there</source>
+        <translation>Das Gewebe zeigen, das dort ist</translation>
+    </message>
+    <message>
+        <source>Shows all keys and what they do.</source>
+        <translation>Zeigt alle Tasten und was sie tun.</translation>
+    </message>
+    <message>
+        <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
+        <translation>Zeigt oder verbirgt, was fest ist, außerhalb des Körpers liegt und dünner als 20 mm ist.</translation>
+    </message>
+    <message>
+        <source>Shows the patient as when the series was opened.</source>
+        <translation>Zeigt den Patienten wie beim Öffnen der Serie.</translation>
+    </message>
+    <message>
+        <source>Shows the patient from this side, filling the view.</source>
+        <translation>Zeigt den Patienten von dieser Seite, die Ansicht ausfüllend.</translation>
+    </message>
+    <message>
+        <source>Shows the picture without its noise, or raw as it is computed.</source>
+        <translation>Zeigt das Bild ohne sein Rauschen oder roh, wie es berechnet wird.</translation>
+    </message>
+    <message>
+        <source>Shows this panel, or folds it away.</source>
+        <translation>Zeigt diesen Bereich oder klappt ihn ein.</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Size of the chosen lamp</source>
+        <translation>Größe der gewählten Lampe</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>Größe des Bildes</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Größe:</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
+        <translation>Kleine Lampen werfen harte Schatten, große weiche; das Licht bleibt gleich stark</translation>
+    </message>
+    <message>
+        <source>Soft box</source>
+        <translation>Flächenlicht</translation>
+    </message>
+    <message>
+        <source>Str&amp;ength</source>
+        <translation>&amp;Stärke</translation>
+    </message>
+    <message>
+        <source>Strength of the chosen lamp</source>
+        <translation>Stärke der gewählten Lampe</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Target: how accurate the picture is to become</source>
+        <translation>Ziel: wie genau das Bild werden soll</translation>
+    </message>
+    <message>
+        <source>Tells the version, the licence, and what this program is not for.</source>
+        <translation>Nennt die Version, die Lizenz und wofür dieses Programm nicht gedacht ist.</translation>
+    </message>
+    <message>
+        <source>The chosen lamp</source>
+        <translation>Die gewählte Lampe</translation>
+    </message>
+    <message>
+        <source>The histogram's height grows with the logarithm of the voxels</source>
+        <translation>Die Höhe des Histogramms wächst mit dem Logarithmus der Voxel</translation>
+    </message>
+    <message>
+        <source>The patient's side that one looks at (%1)</source>
+        <translation>Die Seite des Patienten, die man ansieht (%1)</translation>
+    </message>
+    <message>
+        <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
+        <translation>Das berechnete Volumen. Pfeiltasten drehen es, Umschalt und Pfeiltasten verschieben es, Plus und Minus zoomen.</translation>
+    </message>
+    <message>
+        <source>The scan's grid is %1 × %2 × %3 mm</source>
+        <translation>Das Raster der Aufnahme ist %1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>The view: each side is lit alike
+The patient: the lamps stay where they are when the patient is turned</source>
+        <translation>Die Ansicht: Jede Seite ist gleich beleuchtet
+Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</translation>
+    </message>
+    <message>
+        <source>Then click the anatomy that is to be sharp</source>
+        <translation>Dann auf die Anatomie klicken, die scharf sein soll</translation>
+    </message>
+    <message>
+        <source>Then click the anatomy: a bell at its Hounsfield units is added (Ctrl and click does the same)</source>
+        <translation>Dann auf die Anatomie klicken: Eine Glocke bei ihren Hounsfield-Einheiten wird hinzugefügt (Strg und Klick tut dasselbe)</translation>
+    </message>
+    <message>
+        <source>This language is spoken from the next start on</source>
+        <translation>Diese Sprache gilt ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>This picture shows skin. A face identifies a person as a name does: share it like a photograph of the patient.</source>
+        <translation>Dieses Bild zeigt Haut. Ein Gesicht verrät eine Person wie ein Name: Geben Sie es nur weiter wie ein Foto des Patienten.</translation>
+    </message>
+    <message>
+        <source>Three points</source>
+        <translation>Dreipunktlicht</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwellwert</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Turn the lights</source>
+        <translation>Lampen drehen</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Turns wit&amp;h</source>
+        <translation>Dreht &amp;mit</translation>
+    </message>
+    <message>
+        <source>Two lamps behind: bright outlines</source>
+        <translation>Zwei Lampen dahinter: helle Umrisse</translation>
+    </message>
+    <message>
+        <source>Unbiased</source>
+        <translation>Erwartungstreu</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo changing the brightness</source>
+        <translation>Rückgängig: Helligkeit ändern</translation>
+    </message>
+    <message>
+        <source>Undo changing the lens</source>
+        <translation>Rückgängig: Linse ändern</translation>
+    </message>
+    <message>
+        <source>Undo changing the light</source>
+        <translation>Rückgängig: Licht ändern</translation>
+    </message>
+    <message>
+        <source>Undo changing the rendering</source>
+        <translation>Rückgängig: Berechnung ändern</translation>
+    </message>
+    <message>
+        <source>Undo choosing a look</source>
+        <translation>Rückgängig: Darstellung wählen</translation>
+    </message>
+    <message>
+        <source>Undo choosing an optical model</source>
+        <translation>Rückgängig: Optisches Modell wählen</translation>
+    </message>
+    <message>
+        <source>Undo cutting</source>
+        <translation>Rückgängig: Schneiden</translation>
+    </message>
+    <message>
+        <source>Undo editing the tissue</source>
+        <translation>Rückgängig: Gewebe bearbeiten</translation>
+    </message>
+    <message>
+        <source>Undo hiding the table</source>
+        <translation>Rückgängig: Tisch ausblenden</translation>
+    </message>
+    <message>
+        <source>Undo moving the view</source>
+        <translation>Rückgängig: Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>Undo several changes</source>
+        <translation>Rückgängig: mehrere Änderungen</translation>
+    </message>
+    <message>
+        <source>Undo showing the table</source>
+        <translation>Rückgängig: Tisch zeigen</translation>
+    </message>
+    <message>
+        <source>Undo turning the view</source>
+        <translation>Rückgängig: Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Undo zooming</source>
+        <translation>Rückgängig: Zoomen</translation>
+    </message>
+    <message>
+        <source>Until:</source>
+        <translation>Bis:</translation>
+    </message>
+    <message>
+        <source>Up [degrees]</source>
+        <translation>Nach oben [Grad]</translation>
+    </message>
+    <message>
+        <source>Up°</source>
+        <translation>Oben°</translation>
+    </message>
+    <message>
+        <source>Value of the selected point</source>
+        <translation>Wert des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>View from: %1</source>
+        <translation>Ansicht von: %1</translation>
+    </message>
+    <message>
+        <source>What can be done</source>
+        <translation>Was getan werden kann</translation>
+    </message>
+    <message>
+        <source>What computes the picture. It goes on there with the samples that it has.</source>
+        <translation>Was das Bild berechnet. Es geht dort mit den vorhandenen Abtastungen weiter.</translation>
+    </message>
+    <message>
+        <source>What else is true of the picture</source>
+        <translation>Was sonst für das Bild gilt</translation>
+    </message>
+    <message>
+        <source>What is known of the error</source>
+        <translation>Was vom Fehler bekannt ist</translation>
+    </message>
+    <message>
+        <source>What is sharp</source>
+        <translation>Was scharf ist</translation>
+    </message>
+    <message>
+        <source>What lights it</source>
+        <translation>Was es beleuchtet</translation>
+    </message>
+    <message>
+        <source>What stands behind the volume. A plain colour lights nothing</source>
+        <translation>Was hinter dem Volumen steht. Eine einfache Farbe beleuchtet nichts</translation>
+    </message>
+    <message>
+        <source>What the lamps turn with</source>
+        <translation>Womit sich die Lampen drehen</translation>
+    </message>
+    <message>
+        <source>What the scan itself resolves</source>
+        <translation>Was die Aufnahme selbst auflöst</translation>
+    </message>
+    <message>
+        <source>What the seconds go to</source>
+        <translation>Wofür die Sekunden gebraucht werden</translation>
+    </message>
+    <message>
+        <source>Wheel, right drag, + and -</source>
+        <translation>Rad, Ziehen mit rechts, + und -</translation>
+    </message>
+    <message>
+        <source>Where it is rough before smoothing</source>
+        <translation>Wo es vor dem Glätten grob ist</translation>
+    </message>
+    <message>
+        <source>Where it is still r&amp;ough</source>
+        <translation>Wo es noch gr&amp;ob ist</translation>
+    </message>
+    <message>
+        <source>Where it is still rough</source>
+        <translation>Wo es noch grob ist</translation>
+    </message>
+    <message>
+        <source>Where the first selected point lies; the others move with it</source>
+        <translation>Wo der erste gewählte Punkt liegt; die anderen bewegen sich mit</translation>
+    </message>
+    <message>
+        <source>Where the light comes from (F8)</source>
+        <translation>Woher das Licht kommt (F8)</translation>
+    </message>
+    <message>
+        <source>Which limit comes first</source>
+        <translation>Welche Grenze zuerst kommt</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Why this key cannot be used</source>
+        <translation>Warum diese Taste nicht geht</translation>
+    </message>
+    <message>
+        <source>Width of the picture [pixels]</source>
+        <translation>Breite des Bildes [Pixel]</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>a single slice</source>
+        <translation>eine einzelne Schicht</translation>
+    </message>
+    <message>
+        <source>a slice is missing</source>
+        <translation>eine Schicht fehlt</translation>
+    </message>
+    <message>
+        <source>air</source>
+        <translation>Luft</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation><numerusform>und %n weitere</numerusform><numerusform>und %n weitere</numerusform></translation>
+    </message>
+    <message>
+        <source>any number</source>
+        <translation>beliebig viele</translation>
+    </message>
+    <message>
+        <source>any time</source>
+        <translation>beliebig lange</translation>
+    </message>
+    <message>
+        <source>beside the eye</source>
+        <translation>neben dem Auge</translation>
+    </message>
+    <message>
+        <source>biased</source>
+        <translation>verzerrt</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>weichgezeichnet</translation>
+    </message>
+    <message>
+        <source>bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>can be shown</source>
+        <translation>kann gezeigt werden</translation>
+    </message>
+    <message>
+        <source>cancelled, no picture was saved</source>
+        <translation>Abgebrochen, kein Bild wurde gespeichert</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>comparison: %1</source>
+        <translation>Vergleich: %1</translation>
+    </message>
+    <message>
+        <source>contrast</source>
+        <translation>Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>copied</source>
+        <translation>kopiert</translation>
+    </message>
+    <message>
+        <source>efficiency %1 %</source>
+        <translation>Wirkungsgrad %1 %</translation>
+    </message>
+    <message>
+        <source>fat</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>fine detail below %1 % contrast is not shown yet</source>
+        <translation>feine Einzelheiten unter %1 % Kontrast werden noch nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>fine detail is not shown yet</source>
+        <translation>feine Einzelheiten werden noch nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>from behind</source>
+        <translation>von hinten</translation>
+    </message>
+    <message>
+        <source>held after %1, with %2 samples</source>
+        <translation>angehalten nach %1, mit %2 Abtastungen</translation>
+    </message>
+    <message>
+        <source>here ±%1; a pixel is larger than 1 mm</source>
+        <translation>hier ±%1; ein Pixel ist größer als 1 mm</translation>
+    </message>
+    <message>
+        <source>here ±%1; over 1 mm ±%2</source>
+        <translation>hier ±%1; über 1 mm ±%2</translation>
+    </message>
+    <message>
+        <source>here ±%1; over 1 mm: not known yet</source>
+        <translation>hier ±%1; über 1 mm: noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>here: not known yet</source>
+        <translation>hier: noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>in the box 95 % of the tissue within ±%1</source>
+        <translation>im Rahmen 95 % des Gewebes innerhalb ±%1</translation>
+    </message>
+    <message>
+        <source>lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>making the picture</source>
+        <translation>Das Bild entsteht</translation>
+    </message>
+    <message>
+        <source>making the picture: %1 samples in %2</source>
+        <translation>Das Bild entsteht: %1 Abtastungen in %2</translation>
+    </message>
+    <message>
+        <source>march of 3 voxels</source>
+        <translation>Schritte von 3 Voxeln</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>muscle</source>
+        <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>no geometry</source>
+        <translation>keine Geometrie</translation>
+    </message>
+    <message>
+        <source>no light was seen in the box</source>
+        <translation>im Rahmen wurde kein Licht gefunden</translation>
+    </message>
+    <message>
+        <source>not a CT volume</source>
+        <translation>kein CT-Volumen</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>now, %1</source>
+        <translation>jetzt, %1</translation>
+    </message>
+    <message>
+        <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
+        <translation>an einem Bild von %1 × %2 Pixeln auf der CPU (%3)</translation>
+    </message>
+    <message>
+        <source>saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>selected, %1</source>
+        <translation>ausgewählt, %1</translation>
+    </message>
+    <message>
+        <source>selected, %1 HU: %2</source>
+        <translation>ausgewählt, %1 HU: %2</translation>
+    </message>
+    <message>
+        <source>slices look in different directions</source>
+        <translation>Schichten verschiedener Ausrichtung</translation>
+    </message>
+    <message>
+        <source>slices of different size</source>
+        <translation>Schichten verschiedener Größe</translation>
+    </message>
+    <message>
+        <source>smoothed: error not known yet</source>
+        <translation>geglättet: Fehler noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>smoothed: within ±%1 levels, at most ±%2</source>
+        <translation>geglättet: innerhalb ±%1 Stufen, höchstens ±%2</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>target: %1</source>
+        <translation>Ziel: %1</translation>
+    </message>
+    <message>
+        <source>the %1 clearest of the lines that smoothing took away are marked</source>
+        <translation>die %1 deutlichsten Linien, die das Glätten entfernt hat, sind markiert</translation>
+    </message>
+    <message>
+        <source>the CPU</source>
+        <translation>der CPU</translation>
+    </message>
+    <message>
+        <source>the patient</source>
+        <translation>dem Patienten</translation>
+    </message>
+    <message>
+        <source>the rest of the picture waits for the box</source>
+        <translation>der Rest des Bildes wartet auf den Rahmen</translation>
+    </message>
+    <message>
+        <source>the samples come first: %3 in %2, within ±%1</source>
+        <translation>die Abtastungen kommen zuerst: %3 in %2, innerhalb ±%1</translation>
+    </message>
+    <message>
+        <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
+        <translation>die Zeit kommt zuerst: in %2, innerhalb ±%1 und mit %3 Abtastungen</translation>
+    </message>
+    <message>
+        <source>the view</source>
+        <translation>der Ansicht</translation>
+    </message>
+    <message>
+        <source>the whole picture, which waits for the box: 95 % of the tissue within ±%1</source>
+        <translation>das ganze Bild, das auf den Rahmen wartet: 95 % des Gewebes innerhalb ±%1</translation>
+    </message>
+    <message>
+        <source>there is no tissue in the box</source>
+        <translation>im Rahmen ist kein Gewebe</translation>
+    </message>
+    <message>
+        <source>there is too little tissue at that place</source>
+        <translation>An dieser Stelle ist zu wenig Gewebe</translation>
+    </message>
+    <message>
+        <source>tilted stack</source>
+        <translation>gekippter Stapel</translation>
+    </message>
+    <message>
+        <source>two slices at one place</source>
+        <translation>zwei Schichten an einer Stelle</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>which of them comes first is not known yet</source>
+        <translation>was davon zuerst kommt, ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>writing the picture</source>
+        <translation>Das Bild wird geschrieben</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>±</source>
+        <translation>±</translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation>±%1</translation>
+    </message>
+    <message>
+        <source>±%1 comes first: in %2, with %3 samples</source>
+        <translation>±%1 kommt zuerst: in %2, mit %3 Abtastungen</translation>
+    </message>
+    <message>
+        <source>±%1 in %2, to 95 % between %3 and %4</source>
+        <translation>±%1 in %2, zu 95 % zwischen %3 und %4</translation>
+    </message>
+    <message>
+        <source>±%1 in at least %2</source>
+        <translation>±%1 in mindestens %2</translation>
+    </message>
+    <message>
+        <source>±%1 levels for 95 % of the tissue; %2 % of its light</source>
+        <translation>±%1 Stufen für 95 % des Gewebes; %2 % seines Lichts</translation>
+    </message>
+    <message>
+        <source>±%1 since %2 of rendering</source>
+        <translation>±%1 seit %2 Rechenzeit</translation>
+    </message>
+</context>
+</TS>

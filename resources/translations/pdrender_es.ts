@@ -1,0 +1,2043 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es">
+<context>
+    <name>PD-Render</name>
+    <message>
+        <source> (changed)</source>
+        <translation> (modificado)</translation>
+    </message>
+    <message>
+        <source> /mm</source>
+        <translation> /mm</translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation> UH</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> per second</source>
+        <translation> por segundo</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> samples</source>
+        <translation> muestras</translation>
+    </message>
+    <message>
+        <source> · in italics: of the view before</source>
+        <translation> · en cursiva: de la vista anterior</translation>
+    </message>
+    <message>
+        <source>%1 % of the voxels lie below</source>
+        <translation>%1 % de los vóxeles están por debajo</translation>
+    </message>
+    <message>
+        <source>%1 (the picture changes by %2 levels on average, 95 % of it by less than %3</source>
+        <translation>%1 (la imagen cambia %2 niveles de media, el 95 % de ella menos de %3</translation>
+    </message>
+    <message>
+        <source>%1 HU: %2</source>
+        <translation>%1 UH: %2</translation>
+    </message>
+    <message>
+        <source>%1 HU: %2
+Drag stops; Ctrl and click adds one; double click chooses a colour</source>
+        <translation>%1 UH: %2
+Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translation>
+    </message>
+    <message>
+        <source>%1 HU: %2 %3</source>
+        <translation>%1 UH: %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 belongs to "%2". Give that another key first.</source>
+        <translation>%1 pertenece a «%2». Asigne primero otra tecla a esa acción.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be given away: it moves the view or the keyboard's place.</source>
+        <translation>%1 no se puede asignar: mueve la vista o el foco del teclado.</translation>
+    </message>
+    <message>
+        <source>%1 damaged files were left out</source>
+        <translation>Se omitieron %1 archivos dañados</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>%1 in at least %2</source>
+        <translation>%1 en al menos %2</translation>
+    </message>
+    <message>
+        <source>%1 iterations per frame on %2</source>
+        <translation>%1 iteraciones por imagen en %2</translation>
+    </message>
+    <message>
+        <source>%1 line that smoothing took away is marked</source>
+        <translation>está marcada %1 línea que el suavizado eliminó</translation>
+    </message>
+    <message>
+        <source>%1 lines that smoothing took away are marked</source>
+        <translation>están marcadas %1 líneas que el suavizado eliminó</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of the curve</source>
+        <translation>%1 de la curva</translation>
+    </message>
+    <message>
+        <source>%1 over Hounsfield units</source>
+        <translation>%1 sobre unidades Hounsfield</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 muestras</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · as wanted; Space goes on</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar · según lo deseado; Espacio continúa</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · paused</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar · en pausa</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in %4</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar · ±%3 en %4</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in at least %4</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar · ±%3 en al menos %4</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · as wanted; Space goes on</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris · según lo deseado; Espacio continúa</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · paused</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris · en pausa</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in %4</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris · ±%3 en %4</translation>
+    </message>
+    <message>
+        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in at least %4</source>
+        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris · ±%3 en al menos %4</translation>
+    </message>
+    <message>
+        <source>%1 · all that is on is called for</source>
+        <translation>%1 · todo lo activado es necesario</translation>
+    </message>
+    <message>
+        <source>%1 · paused</source>
+        <translation>%1 · en pausa</translation>
+    </message>
+    <message>
+        <source>%1 · ±%2 took %3 the last time</source>
+        <translation>%1 · ±%2 tardó %3 la última vez</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels stretched to %3 × %4</source>
+        <translation>%1 × %2 píxeles ampliados a %3 × %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 iterations/s, %3</source>
+        <translation>%1, %2 iteraciones/s, %3</translation>
+    </message>
+    <message>
+        <source>%1, before smoothing</source>
+        <translation>%1, antes de suavizar</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation><numerusform>%n punto</numerusform><numerusform>%n puntos</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stop(s)</source>
+        <translation><numerusform>%n marca</numerusform><numerusform>%n marcas</numerusform></translation>
+    </message>
+    <message>
+        <source>&amp;About PD-Render</source>
+        <translation>&amp;Acerca de PD-Render</translation>
+    </message>
+    <message>
+        <source>&amp;All defaults</source>
+        <translation>&amp;Todas las predeterminadas</translation>
+    </message>
+    <message>
+        <source>&amp;Aperture</source>
+        <translation>&amp;Apertura</translation>
+    </message>
+    <message>
+        <source>&amp;Box first</source>
+        <translation>Re&amp;cuadro primero</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness</source>
+        <translation>&amp;Brillo</translation>
+    </message>
+    <message>
+        <source>&amp;Caption on previews</source>
+        <translation>Le&amp;yenda en vistas previas</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of the window</source>
+        <translation>Co&amp;lores de la ventana</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Copiar imagen</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+    <message>
+        <source>&amp;Default</source>
+        <translation>&amp;Predeterminada</translation>
+    </message>
+    <message>
+        <source>&amp;Density</source>
+        <translation>&amp;Densidad</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;Edit keys...</source>
+        <translation>&amp;Editar teclas...</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Focus on...</source>
+        <translation>&amp;Enfocar...</translation>
+    </message>
+    <message>
+        <source>&amp;Forget these folders</source>
+        <translation>&amp;Olvidar estas carpetas</translation>
+    </message>
+    <message>
+        <source>&amp;Frame rate</source>
+        <translation>&amp;Imágenes por segundo</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>Pan&amp;talla completa</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>&amp;Iterations per picture</source>
+        <translation>&amp;Iteraciones por imagen</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Teclas</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>&amp;Light...</source>
+        <translation>&amp;Luz...</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Ninguna tecla</translation>
+    </message>
+    <message>
+        <source>&amp;Open a folder...</source>
+        <translation>&amp;Abrir una carpeta...</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder...</source>
+        <translation>&amp;Abrir carpeta...</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pausa</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>&amp;Remember folders</source>
+        <translation>&amp;Recordar carpetas</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture...</source>
+        <translation>&amp;Guardar imagen...</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothed</source>
+        <translation>&amp;Suavizada</translation>
+    </message>
+    <message>
+        <source>&amp;Table and holder</source>
+        <translation>&amp;Mesa y soporte</translation>
+    </message>
+    <message>
+        <source>&amp;This tissue...</source>
+        <translation>&amp;Este tejido...</translation>
+    </message>
+    <message>
+        <source>&amp;Tissue...</source>
+        <translation>&amp;Tejido...</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>, %1 left</source>
+        <translation>, quedan %1</translation>
+    </message>
+    <message>
+        <source>, within ±%1 levels</source>
+        <translation>, dentro de ±%1 niveles</translation>
+    </message>
+    <message>
+        <source>/mm</source>
+        <translation>/mm</translation>
+    </message>
+    <message>
+        <source>1 damaged file was left out</source>
+        <translation>Se omitió 1 archivo dañado</translation>
+    </message>
+    <message>
+        <source>1 iteration per frame on %1</source>
+        <translation>1 iteración por imagen en %1</translation>
+    </message>
+    <message>
+        <source>1 sample</source>
+        <translation>1 muestra</translation>
+    </message>
+    <message>
+        <source>1/√t</source>
+        <translation>1/√t</translation>
+    </message>
+    <message>
+        <source>95 % interval, grey levels of 255</source>
+        <translation>Intervalo del 95 %, niveles de gris de 255</translation>
+    </message>
+    <message>
+        <source>; any target takes %1 of the time</source>
+        <translation>; cualquier objetivo necesita el %1 del tiempo</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Photorealistic pictures of CT volumes, with a measure of how right they are.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt; PD-Render is not a certified medical device.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Imágenes fotorrealistas de volúmenes de TC, con una medida de su exactitud.&lt;/p&gt;&lt;p&gt;&lt;b&gt;No apto para diagnóstico.&lt;/b&gt; PD-Render no es un producto sanitario certificado.&lt;/p&gt;&lt;p&gt;Licencia Apache 2.0. Hecho con Qt, DCMTK, OpenEXR y oneTBB.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>A CT to try with, which belongs to the program</source>
+        <translation>Una TC de prueba, que forma parte del programa</translation>
+    </message>
+    <message>
+        <source>A coarse picture first; the full one follows</source>
+        <translation>Primero una imagen gruesa; la completa viene después</translation>
+    </message>
+    <message>
+        <source>A picture is still being made. Quit and lose it?</source>
+        <translation>Todavía se está creando una imagen. ¿Salir y perderla?</translation>
+    </message>
+    <message>
+        <source>A pinhole, which focuses nowhere</source>
+        <translation>Una cámara estenopeica, que no enfoca ningún punto</translation>
+    </message>
+    <message>
+        <source>A small lamp beside the eye: few shadows, and light in every recess</source>
+        <translation>Una lámpara pequeña junto al ojo: pocas sombras y luz en cada hueco</translation>
+    </message>
+    <message>
+        <source>A small lamp from the side that shows form, a weak one against it, and one behind</source>
+        <translation>Una lámpara pequeña desde el lado que muestra la forma, una débil enfrente y otra detrás</translation>
+    </message>
+    <message>
+        <source>About PD-Render</source>
+        <translation>Acerca de PD-Render</translation>
+    </message>
+    <message>
+        <source>About the series</source>
+        <translation>Acerca de la serie</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Exactitud</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Actions and their keys</source>
+        <translation>Acciones y sus teclas</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Adds a panel like the chosen one, as a lamp of its own</source>
+        <translation>Añade un panel como el elegido, como lámpara propia</translation>
+    </message>
+    <message>
+        <source>All aroun&amp;d</source>
+        <translation>Alrede&amp;dor</translation>
+    </message>
+    <message>
+        <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
+        <translation>Todo está nítido. Una lente desenfoca lo que hay delante y detrás de su foco.</translation>
+    </message>
+    <message>
+        <source>All panels in numbers</source>
+        <translation>Todos los paneles en números</translation>
+    </message>
+    <message>
+        <source>All sharp</source>
+        <translation>Todo nítido</translation>
+    </message>
+    <message>
+        <source>Aperture</source>
+        <translation>Apertura</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
+        <translation>Las flechas mueven la lámpara elegida, Re Pág y Av Pág eligen otra, Mayús y flechas giran todas.</translation>
+    </message>
+    <message>
+        <source>As it is on the screen, %1</source>
+        <translation>Como en la pantalla, %1</translation>
+    </message>
+    <message>
+        <source>As many iterations between two pictures as it takes for showing them to cost next to nothing, but no more than the number of pictures per second allows. The result is the same.</source>
+        <translation>Tantas iteraciones entre dos imágenes que mostrarlas casi no cueste nada, pero no más de las que permite el número de imágenes por segundo. El resultado es el mismo.</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Como el &amp;sistema</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Away</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Bac&amp;kground</source>
+        <translation>&amp;Fondo</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Detrás</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Bell</source>
+        <translation>Campana</translation>
+    </message>
+    <message>
+        <source>Besides noise</source>
+        <translation>Además del ruido</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Negro</translation>
+    </message>
+    <message>
+        <source>Blur each iteration</source>
+        <translation>Desenfocar cada iteración</translation>
+    </message>
+    <message>
+        <source>Brighter to the right. It changes what is shown, not what is computed.</source>
+        <translation>Más claro hacia la derecha. Cambia lo que se muestra, no lo que se calcula.</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Brillo</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>CT series %1</source>
+        <translation>Serie de TC %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Cancel reading or a box, close a message</source>
+        <translation>Cancelar la lectura o un recuadro, cerrar un mensaje</translation>
+    </message>
+    <message>
+        <source>Cancel what runs</source>
+        <translation>Cancelar lo que está en curso</translation>
+    </message>
+    <message>
+        <source>Choose an action, click below, and press its new key.</source>
+        <translation>Elija una acción, haga clic abajo y pulse su nueva tecla.</translation>
+    </message>
+    <message>
+        <source>Choose the colour of the selected stop</source>
+        <translation>Elegir el color de la marca elegida</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>Cerrar el mensaje</translation>
+    </message>
+    <message>
+        <source>Closes the window. Pictures that are not saved are lost.</source>
+        <translation>Cierra la ventana. Las imágenes sin guardar se pierden.</translation>
+    </message>
+    <message>
+        <source>Colour at %1 HU</source>
+        <translation>Color en %1 UH</translation>
+    </message>
+    <message>
+        <source>Colour of its light: double click it</source>
+        <translation>Color de su luz: doble clic para cambiarlo</translation>
+    </message>
+    <message>
+        <source>Colour of the light</source>
+        <translation>Color de la luz</translation>
+    </message>
+    <message>
+        <source>Colour of the selected stop</source>
+        <translation>Color de la marca elegida</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message>
+        <source>Colours each pixel by how far it may be off, in grey levels of 255.</source>
+        <translation>Colorea cada píxel según cuánto puede desviarse, en niveles de gris de 255.</translation>
+    </message>
+    <message>
+        <source>Colours over Hounsfield units</source>
+        <translation>Colores sobre unidades Hounsfield</translation>
+    </message>
+    <message>
+        <source>Comparison with Exposure Render</source>
+        <translation>Comparación con Exposure Render</translation>
+    </message>
+    <message>
+        <source>Copies the picture to the clipboard, with its caption and no name.</source>
+        <translation>Copia la imagen al portapapeles, con su leyenda y sin nombre.</translation>
+    </message>
+    <message>
+        <source>Ctrl+click on the picture</source>
+        <translation>Ctrl+clic en la imagen</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag on the picture</source>
+        <translation>Ctrl+arrastrar en la imagen</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>Curves and colours over Hounsfield units (F5)</source>
+        <translation>Curvas y colores sobre unidades Hounsfield (F5)</translation>
+    </message>
+    <message>
+        <source>Density at the top of the opacity curve</source>
+        <translation>Densidad en lo más alto de la curva de opacidad</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Dispositivo</translation>
+    </message>
+    <message>
+        <source>Diameter of the lens. At 0 all is sharp; the larger, the less is sharp before and behind the focus</source>
+        <translation>Diámetro de la lente. Con 0 todo está nítido; cuanto mayor, menos nítido es lo que hay delante y detrás del foco</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doble clic</translation>
+    </message>
+    <message>
+        <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the picture, Shift and the right button do the same.</source>
+        <translation>Arrastre una lámpara hasta donde deba venir la luz: sobre la esfera está de su lado, en el anillo que la rodea detrás del paciente. Junto a las lámparas, arrastrar las gira todas. En la imagen, Mayús y el botón derecho hacen lo mismo.</translation>
+    </message>
+    <message>
+        <source>Drag points; click the line to add one; wheel zooms, with Shift the values; double click fits</source>
+        <translation>Arrastre los puntos; un clic en la línea añade uno; la rueda amplía, con Mayús los valores; doble clic lo muestra todo</translation>
+    </message>
+    <message>
+        <source>Draw a box on the picture: it gets all samples until it is as good as wanted.</source>
+        <translation>Dibuje un recuadro en la imagen: recibe todas las muestras hasta que sea tan bueno como se desea.</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>Edit keys</source>
+        <translation>Editar teclas</translation>
+    </message>
+    <message>
+        <source>Edit the light</source>
+        <translation>Editar la luz</translation>
+    </message>
+    <message>
+        <source>Edit the tissue</source>
+        <translation>Editar el tejido</translation>
+    </message>
+    <message>
+        <source>Error against time</source>
+        <translation>Error frente al tiempo</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Estimating</source>
+        <translation>Estimando</translation>
+    </message>
+    <message>
+        <source>Estimating how good the picture is</source>
+        <translation>Estimando la calidad de la imagen</translation>
+    </message>
+    <message>
+        <source>Estimating · no light has been seen yet</source>
+        <translation>Estimando · todavía no se ha visto luz</translation>
+    </message>
+    <message>
+        <source>Estimating · the error is not known yet</source>
+        <translation>Estimando · el error aún no se conoce</translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation>Estimador</translation>
+    </message>
+    <message>
+        <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the picture stays wrong. For comparison only.</source>
+        <translation>Exposure Render desenfoca cada iteración sobre 3 x 3 píxeles antes de contarla. Eso oculta el ruido y nunca se promedia: la imagen sigue siendo errónea. Solo para comparar.</translation>
+    </message>
+    <message>
+        <source>Exposure Render's schedule %1</source>
+        <translation>esquema %1 de Exposure Render</translation>
+    </message>
+    <message>
+        <source>Exposure Render, K0</source>
+        <translation>Exposure Render, K0</translation>
+    </message>
+    <message>
+        <source>Exposure Render, K1</source>
+        <translation>Exposure Render, K1</translation>
+    </message>
+    <message>
+        <source>Extinction at the top of the opacity curve: larger is denser tissue everywhere</source>
+        <translation>Extinción en lo más alto de la curva de opacidad: mayor es tejido más denso en todas partes</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pies</translation>
+    </message>
+    <message>
+        <source>Field of vie&amp;w</source>
+        <translation>Ca&amp;mpo de visión</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Campo de visión</translation>
+    </message>
+    <message>
+        <source>Files that were left out</source>
+        <translation>Archivos omitidos</translation>
+    </message>
+    <message>
+        <source>Fills the screen with the picture, the patient's name and its accuracy.</source>
+        <translation>Llena la pantalla con la imagen, el nombre del paciente y su exactitud.</translation>
+    </message>
+    <message>
+        <source>Focus on what is clicked</source>
+        <translation>Enfocar donde se haga clic</translation>
+    </message>
+    <message>
+        <source>Fold %1 away</source>
+        <translation>Plegar %1</translation>
+    </message>
+    <message>
+        <source>Fold away (%1)</source>
+        <translation>Plegar (%1)</translation>
+    </message>
+    <message>
+        <source>Folders are often called after patients: anyone who uses this account can read the list.</source>
+        <translation>Las carpetas suelen llevar el nombre de los pacientes: quien use esta cuenta puede leer la lista.</translation>
+    </message>
+    <message>
+        <source>For comparison only: the ways of the renderer that this one replaces.</source>
+        <translation>Solo para comparar: los métodos del programa al que este sustituye.</translation>
+    </message>
+    <message>
+        <source>For screenshots: no patient is named anywhere in the window.</source>
+        <translation>Para capturas de pantalla: no se nombra a ningún paciente en la ventana.</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Imágenes por segundo</translation>
+    </message>
+    <message>
+        <source>Free points</source>
+        <translation>Puntos libres</translation>
+    </message>
+    <message>
+        <source>Free points, or a curve that a few numbers say. It becomes free points when one is moved.</source>
+        <translation>Puntos libres, o una curva descrita por pocos números. Pasa a puntos libres cuando se mueve uno.</translation>
+    </message>
+    <message>
+        <source>From the &amp;back (P)</source>
+        <translation>Desde &amp;atrás (P)</translation>
+    </message>
+    <message>
+        <source>From the &amp;front (A)</source>
+        <translation>Desde &amp;delante (A)</translation>
+    </message>
+    <message>
+        <source>From the &amp;head (H)</source>
+        <translation>Desde la ca&amp;beza (H)</translation>
+    </message>
+    <message>
+        <source>From the &amp;left (L)</source>
+        <translation>Desde la &amp;izquierda (L)</translation>
+    </message>
+    <message>
+        <source>From the &amp;right (R)</source>
+        <translation>Desde la de&amp;recha (R)</translation>
+    </message>
+    <message>
+        <source>From the f&amp;eet (F)</source>
+        <translation>Desde los &amp;pies (F)</translation>
+    </message>
+    <message>
+        <source>From the top to the bottom of the picture</source>
+        <translation>Desde el borde superior al inferior de la imagen</translation>
+    </message>
+    <message>
+        <source>From the top to the bottom of the picture. What is in focus keeps its size; the wider, the nearer the eye comes</source>
+        <translation>Desde el borde superior al inferior de la imagen. Lo enfocado conserva su tamaño; cuanto más ancho, más se acerca el ojo</translation>
+    </message>
+    <message>
+        <source>From the viewer to the right; beyond 90 degrees it stands behind [degrees]. Of the view from the front where the lamps turn with the patient</source>
+        <translation>Del observador hacia la derecha; más allá de 90 grados está detrás [grados]. Respecto a la vista frontal cuando las lámparas giran con el paciente</translation>
+    </message>
+    <message>
+        <source>From the volume's middle [radii of the volume]</source>
+        <translation>Desde el centro del volumen [radios del volumen]</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Delante</translation>
+    </message>
+    <message>
+        <source>Gives actions other keys.</source>
+        <translation>Asigna otras teclas a las acciones.</translation>
+    </message>
+    <message>
+        <source>Glow</source>
+        <translation>Brillo propio</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Good for orientation</source>
+        <translation>Buena para orientarse</translation>
+    </message>
+    <message>
+        <source>Good for planning</source>
+        <translation>Buena para planificar</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>UH</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Cabeza</translation>
+    </message>
+    <message>
+        <source>Headlight</source>
+        <translation>Lámpara frontal</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Hei&amp;ght</source>
+        <translation>Al&amp;tura</translation>
+    </message>
+    <message>
+        <source>Height of the picture [pixels]</source>
+        <translation>Alto de la imagen [píxeles]</translation>
+    </message>
+    <message>
+        <source>Height of what is seen</source>
+        <translation>Altura de lo visible</translation>
+    </message>
+    <message>
+        <source>Hide the patient's &amp;name</source>
+        <translation>Ocultar el &amp;nombre del paciente</translation>
+    </message>
+    <message>
+        <source>Hold after so many seconds of rendering</source>
+        <translation>Detener tras tantos segundos de cálculo</translation>
+    </message>
+    <message>
+        <source>Hold at</source>
+        <translation>Detener en</translation>
+    </message>
+    <message>
+        <source>Hold sooner, more accurate</source>
+        <translation>Detener antes, más exacto</translation>
+    </message>
+    <message>
+        <source>Hold the rendering, or let it go on (Space)</source>
+        <translation>Detener el cálculo o continuarlo (Espacio)</translation>
+    </message>
+    <message>
+        <source>Hold when 95 % of the tissue is within so many grey levels</source>
+        <translation>Detener cuando el 95 % del tejido esté dentro de tantos niveles de gris</translation>
+    </message>
+    <message>
+        <source>Hold when each pixel has so many samples</source>
+        <translation>Detener cuando cada píxel tenga tantas muestras</translation>
+    </message>
+    <message>
+        <source>Holds the rendering, or lets it go on, also beyond the target.</source>
+        <translation>Detiene el cálculo o lo continúa, también más allá del objetivo.</translation>
+    </message>
+    <message>
+        <source>How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its own, and may lack fine detail: S shows the raw one. A click tells more.</source>
+        <translation>Cuánto distan como máximo los niveles de gris de la pantalla de los de la imagen terminada, para el 95 % de los píxeles que muestran tejido. Cuatro veces más muestras lo reducen al menos a la mitad. Una imagen suavizada tiene un error propio y puede carecer de detalles finos: S muestra la imagen sin suavizar. Un clic dice más.</translation>
+    </message>
+    <message>
+        <source>How good the picture is</source>
+        <translation>Qué calidad tiene la imagen</translation>
+    </message>
+    <message>
+        <source>How good the picture is there</source>
+        <translation>Qué calidad tiene la imagen allí</translation>
+    </message>
+    <message>
+        <source>How high the first selected point is; the others move with it</source>
+        <translation>A qué altura está el primer punto elegido; los demás se mueven con él</translation>
+    </message>
+    <message>
+        <source>How iterations become pictures. Ours adds them up and shows them now and then. Exposure Render goes through all stages for each of them; K0 also uploads everything anew each time, K1 does not. For comparison only.</source>
+        <translation>Cómo las iteraciones se convierten en imágenes. El nuestro las suma y las muestra de vez en cuando. Exposure Render pasa por todas las etapas en cada una; K0 además lo carga todo de nuevo cada vez, K1 no. Solo para comparar.</translation>
+    </message>
+    <message>
+        <source>How light is followed. Unbiased: the picture becomes the true one. The march steps over 3 voxels at a time as Exposure Render does and scatters once: the picture stays wrong. For comparison only.</source>
+        <translation>Cómo se sigue la luz. Insesgado: la imagen llega a ser la verdadera. Los pasos avanzan 3 vóxeles cada vez como en Exposure Render y dispersan una sola vez: la imagen sigue siendo errónea. Solo para comparar.</translation>
+    </message>
+    <message>
+        <source>How many iterations are computed before the picture is shown anew. More is a little faster, fewer is livelier; the result is the same.</source>
+        <translation>Cuántas iteraciones se calculan antes de mostrar la imagen de nuevo. Más es algo más rápido, menos es más vivo; el resultado es el mismo.</translation>
+    </message>
+    <message>
+        <source>How many pictures a second are shown at least, where the device can.</source>
+        <translation>Cuántas imágenes por segundo se muestran como mínimo, si el dispositivo puede.</translation>
+    </message>
+    <message>
+        <source>How much light the chosen lamp brings; at the left end it is off</source>
+        <translation>Cuánta luz aporta la lámpara elegida; en el extremo izquierdo está apagada</translation>
+    </message>
+    <message>
+        <source>In the box: %1</source>
+        <translation>En el recuadro: %1</translation>
+    </message>
+    <message>
+        <source>Iterations per picture</source>
+        <translation>Iteraciones por imagen</translation>
+    </message>
+    <message>
+        <source>Keep all</source>
+        <translation>Mantener todo</translation>
+    </message>
+    <message>
+        <source>Key of the chosen action</source>
+        <translation>Tecla de la acción elegida</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lámpara</translation>
+    </message>
+    <message>
+        <source>Lamp %1</source>
+        <translation>Lámpara %1</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>I&amp;dioma</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>Leaves out %1.</source>
+        <translation>Omite %1.</translation>
+    </message>
+    <message>
+        <source>Leaves out what nobody would see, and says first what that is</source>
+        <translation>Omite lo que nadie vería, y antes dice qué es</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Left drag, arrow keys</source>
+        <translation>Arrastrar con el botón izquierdo, flechas</translation>
+    </message>
+    <message>
+        <source>Left, Right on the strip</source>
+        <translation>Izquierda, Derecha en la barra</translation>
+    </message>
+    <message>
+        <source>Length of its edge [radii of the volume]</source>
+        <translation>Longitud de su lado [radios del volumen]</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Luz</translation>
+    </message>
+    <message>
+        <source>Light from all around</source>
+        <translation>Luz de todas partes</translation>
+    </message>
+    <message>
+        <source>Light from all around, most from the head's side, and a sun</source>
+        <translation>Luz de todas partes, sobre todo desde la cabeza, y un sol</translation>
+    </message>
+    <message>
+        <source>Lightens what lies in shadow; at the left end there is none</source>
+        <translation>Aclara lo que está en sombra; en el extremo izquierdo no hay ninguna</translation>
+    </message>
+    <message>
+        <source>Lists the CT series of a folder and shows the first that can be shown.</source>
+        <translation>Lista las series de TC de una carpeta y muestra la primera que se pueda mostrar.</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>Logarithmic histogram</source>
+        <translation>Histograma logarítmico</translation>
+    </message>
+    <message>
+        <source>Made anew, %1</source>
+        <translation>Creada de nuevo, %1</translation>
+    </message>
+    <message>
+        <source>Made anew, another size</source>
+        <translation>Creada de nuevo, otro tamaño</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Calculado por</translation>
+    </message>
+    <message>
+        <source>March of 3 voxels (biased)</source>
+        <translation>Pasos de 3 vóxeles (sesgado)</translation>
+    </message>
+    <message>
+        <source>Measured %1, %2 s of calibration</source>
+        <translation>%1 medido, %2 s de calibración</translation>
+    </message>
+    <message>
+        <source>Measuring %1, now and then, in a twentieth of the time</source>
+        <translation>Midiendo %1, de vez en cuando, en una vigésima parte del tiempo</translation>
+    </message>
+    <message>
+        <source>Measuring as soon as the picture is at rest</source>
+        <translation>Se medirá en cuanto la imagen esté en reposo</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>Middle or Shift+left drag</source>
+        <translation>Arrastrar con el central o Mayús+izquierdo</translation>
+    </message>
+    <message>
+        <source>Mouse at rest</source>
+        <translation>Ratón en reposo</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Mover la vista</translation>
+    </message>
+    <message>
+        <source>Name not given</source>
+        <translation>Nombre no indicado</translation>
+    </message>
+    <message>
+        <source>Next control</source>
+        <translation>Control siguiente</translation>
+    </message>
+    <message>
+        <source>No known bias in the computing</source>
+        <translation>Ningún sesgo conocido en el cálculo</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Sin imagen</translation>
+    </message>
+    <message>
+        <source>No sample was left out</source>
+        <translation>No se omitió ninguna muestra</translation>
+    </message>
+    <message>
+        <source>No tissue is in view</source>
+        <translation>No hay tejido a la vista</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Ruido</translation>
+    </message>
+    <message>
+        <source>Not for diagnostic use</source>
+        <translation>No apto para diagnóstico</translation>
+    </message>
+    <message>
+        <source>Not measured any further: %1</source>
+        <translation>No se mide más: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is known of the error yet</source>
+        <translation>Aún no se sabe nada del error</translation>
+    </message>
+    <message>
+        <source>Off, and nothing is lost: %1</source>
+        <translation>Desactivado, y no se pierde nada: %1</translation>
+    </message>
+    <message>
+        <source>One large panel: soft shadows</source>
+        <translation>Un panel grande: sombras suaves</translation>
+    </message>
+    <message>
+        <source>Only what this scene calls for</source>
+        <translation>Solo lo que esta escena requiere</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>Opacity: how much light is taken from a ray, per mm
+Reflection: of a surface, seen straight on
+Roughness: 0 is a mirror, 1 is dull
+Glow: light that the tissue gives off itself</source>
+        <translation>Opacidad: cuánta luz se quita a un rayo, por mm
+Reflexión: de una superficie vista de frente
+Rugosidad: 0 es un espejo, 1 es mate
+Brillo propio: luz que emite el propio tejido</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Abrir %1</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Abrir &amp;reciente</translation>
+    </message>
+    <message>
+        <source>Open a folder</source>
+        <translation>Abrir una carpeta</translation>
+    </message>
+    <message>
+        <source>Open a folder with a CT</source>
+        <translation>Abrir una carpeta con una TC</translation>
+    </message>
+    <message>
+        <source>Open the &amp;example</source>
+        <translation>Abrir el &amp;ejemplo</translation>
+    </message>
+    <message>
+        <source>Open the example</source>
+        <translation>Abrir el ejemplo</translation>
+    </message>
+    <message>
+        <source>OpenEXR with the error of every pixel (*.exr)</source>
+        <translation>OpenEXR con el error de cada píxel (*.exr)</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Abiertas últimamente</translation>
+    </message>
+    <message>
+        <source>Operating lamp</source>
+        <translation>Lámpara de quirófano</translation>
+    </message>
+    <message>
+        <source>Or drop a folder with DICOM files here, or one of its files: all CT series in it are listed, and the first that can be shown is.</source>
+        <translation>O suelte aquí una carpeta con archivos DICOM, o uno de sus archivos: se listan todas las series de TC que contiene y se muestra la primera que se pueda mostrar.</translation>
+    </message>
+    <message>
+        <source>Ours</source>
+        <translation>El nuestro</translation>
+    </message>
+    <message>
+        <source>PD-Render</source>
+        <translation>PD-Render</translation>
+    </message>
+    <message>
+        <source>PD-Render - Not for diagnostic use</source>
+        <translation>PD-Render - No apto para diagnóstico</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>Imagen PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Panels of light</source>
+        <translation>Paneles de luz</translation>
+    </message>
+    <message>
+        <source>Panels of one name are one lamp: they are moved and dimmed together</source>
+        <translation>Los paneles de un mismo nombre son una lámpara: se mueven y atenúan juntos</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Paralela</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Paciente</translation>
+    </message>
+    <message>
+        <source>Patient %1 (name hidden)</source>
+        <translation>Paciente %1 (nombre oculto)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Percentiles</source>
+        <translation>Percentiles</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspectiva</translation>
+    </message>
+    <message>
+        <source>Perspective: what is near is larger, as for the eye
+Parallel: the same size at every depth, as for measuring</source>
+        <translation>Perspectiva: lo cercano es mayor, como para el ojo
+Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Place of the selected point</source>
+        <translation>Posición del punto elegido</translation>
+    </message>
+    <message>
+        <source>Places of the lamps</source>
+        <translation>Lugares de las lámparas</translation>
+    </message>
+    <message>
+        <source>Preparing the volume of %1...</source>
+        <translation>Preparando el volumen de %1...</translation>
+    </message>
+    <message>
+        <source>Preset %1</source>
+        <translation>Preajuste %1</translation>
+    </message>
+    <message>
+        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before smoothing, wanted ±%2</source>
+        <translation>Vista previa, sin converger · 95 % del tejido dentro de ±%1 de 255 niveles de gris antes de suavizar, deseado ±%2</translation>
+    </message>
+    <message>
+        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
+        <translation>Vista previa, sin converger · 95 % del tejido dentro de ±%1 de 255 niveles de gris, deseado ±%2</translation>
+    </message>
+    <message>
+        <source>Preview, not converged · how far it is off is not known yet</source>
+        <translation>Vista previa, sin converger · aún no se conoce el error</translation>
+    </message>
+    <message>
+        <source>Pro&amp;jection</source>
+        <translation>Pro&amp;yección</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Proyección</translation>
+    </message>
+    <message>
+        <source>R&amp;eset view</source>
+        <translation>R&amp;establecer la vista</translation>
+    </message>
+    <message>
+        <source>Radiance</source>
+        <translation>Radiancia</translation>
+    </message>
+    <message>
+        <source>Radiance, in the units of the exposure</source>
+        <translation>Radiancia, en las unidades de la exposición</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Redo changing the brightness</source>
+        <translation>Rehacer: cambiar el brillo</translation>
+    </message>
+    <message>
+        <source>Redo changing the lens</source>
+        <translation>Rehacer: cambiar la lente</translation>
+    </message>
+    <message>
+        <source>Redo changing the light</source>
+        <translation>Rehacer: cambiar la luz</translation>
+    </message>
+    <message>
+        <source>Redo changing the rendering</source>
+        <translation>Rehacer: cambiar el cálculo</translation>
+    </message>
+    <message>
+        <source>Redo choosing a look</source>
+        <translation>Rehacer: elegir un aspecto</translation>
+    </message>
+    <message>
+        <source>Redo choosing an optical model</source>
+        <translation>Rehacer: elegir un modelo óptico</translation>
+    </message>
+    <message>
+        <source>Redo cutting</source>
+        <translation>Rehacer: cortar</translation>
+    </message>
+    <message>
+        <source>Redo editing the tissue</source>
+        <translation>Rehacer: editar el tejido</translation>
+    </message>
+    <message>
+        <source>Redo hiding the table</source>
+        <translation>Rehacer: ocultar la mesa</translation>
+    </message>
+    <message>
+        <source>Redo moving the view</source>
+        <translation>Rehacer: mover la vista</translation>
+    </message>
+    <message>
+        <source>Redo several changes</source>
+        <translation>Rehacer: varios cambios</translation>
+    </message>
+    <message>
+        <source>Redo showing the table</source>
+        <translation>Rehacer: mostrar la mesa</translation>
+    </message>
+    <message>
+        <source>Redo turning the view</source>
+        <translation>Rehacer: girar la vista</translation>
+    </message>
+    <message>
+        <source>Redo zooming</source>
+        <translation>Rehacer: zoom</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referencia</translation>
+    </message>
+    <message>
+        <source>Reflection</source>
+        <translation>Reflexión</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove the selected points</source>
+        <translation>Quitar los puntos elegidos</translation>
+    </message>
+    <message>
+        <source>Remove the selected points (Del)</source>
+        <translation>Quitar los puntos elegidos (Supr)</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Cálculo</translation>
+    </message>
+    <message>
+        <source>Rendering holds at %1: drag the knob, to the left for sooner, to the right for more accurate.</source>
+        <translation>El cálculo se detiene en %1: arrastre el control, a la izquierda para antes, a la derecha para más exacto.</translation>
+    </message>
+    <message>
+        <source>Reset the view</source>
+        <translation>Restablecer la vista</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Right°</source>
+        <translation>Derecha°</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Contraluz</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Aproximada</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rugosidad</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Guardar la imagen</translation>
+    </message>
+    <message>
+        <source>Saved, copied and full-screen pictures say where they are not yet as good as was wanted.</source>
+        <translation>Las imágenes guardadas, copiadas y a pantalla completa dicen dónde aún no son tan buenas como se deseaba.</translation>
+    </message>
+    <message>
+        <source>Saves the picture as PNG or EXR, as it is or made anew in any size.</source>
+        <translation>Guarda la imagen como PNG o EXR, tal como está o creada de nuevo en cualquier tamaño.</translation>
+    </message>
+    <message>
+        <source>Schedule</source>
+        <translation>Esquema</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Series</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>Seven small lamps in a ring above: their shadows overlap softly</source>
+        <translation>Siete lámparas pequeñas en un anillo arriba: sus sombras se superponen suavemente</translation>
+    </message>
+    <message>
+        <source>Shape of the curve</source>
+        <translation>Forma de la curva</translation>
+    </message>
+    <message>
+        <source>Sharp from %1 before the focus on; it is %2 away.</source>
+        <translation>Nítido desde %1 delante del foco; este está a %2.</translation>
+    </message>
+    <message>
+        <source>Sharp from %1 before the focus to %2 behind it; it is %3 away.</source>
+        <translation>Nítido desde %1 delante del foco hasta %2 detrás; este está a %3.</translation>
+    </message>
+    <message>
+        <source>Shift the tissue's curve, widen it</source>
+        <translation>Desplazar la curva del tejido, ensancharla</translation>
+    </message>
+    <message>
+        <source>Shift+right drag on the picture</source>
+        <translation>Mayús+arrastrar con el derecho en la imagen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Show the tissue that is clicked</source>
+        <translation>Mostrar el tejido en el que se haga clic</translation>
+    </message>
+    <message>
+        <source>Show the tissue that is there</source>
+        <translation>Mostrar el tejido que hay allí</translation>
+    </message>
+    <message>
+        <source>Shows all keys and what they do.</source>
+        <translation>Muestra todas las teclas y lo que hacen.</translation>
+    </message>
+    <message>
+        <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
+        <translation>Muestra u oculta lo que es sólido, está fuera del cuerpo y tiene menos de 20 mm de grosor.</translation>
+    </message>
+    <message>
+        <source>Shows the patient as when the series was opened.</source>
+        <translation>Muestra al paciente como cuando se abrió la serie.</translation>
+    </message>
+    <message>
+        <source>Shows the patient from this side, filling the view.</source>
+        <translation>Muestra al paciente desde este lado, llenando la vista.</translation>
+    </message>
+    <message>
+        <source>Shows the picture without its noise, or raw as it is computed.</source>
+        <translation>Muestra la imagen sin su ruido, o sin suavizar, tal como se calcula.</translation>
+    </message>
+    <message>
+        <source>Shows this panel, or folds it away.</source>
+        <translation>Muestra este panel o lo pliega.</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Ta&amp;maño</translation>
+    </message>
+    <message>
+        <source>Size of the chosen lamp</source>
+        <translation>Tamaño de la lámpara elegida</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>Tamaño de la imagen</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Tamaño:</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Cielo</translation>
+    </message>
+    <message>
+        <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
+        <translation>Las lámparas pequeñas dan sombras duras, las grandes suaves; la luz conserva su intensidad</translation>
+    </message>
+    <message>
+        <source>Soft box</source>
+        <translation>Panel difuso</translation>
+    </message>
+    <message>
+        <source>Str&amp;ength</source>
+        <translation>&amp;Intensidad</translation>
+    </message>
+    <message>
+        <source>Strength of the chosen lamp</source>
+        <translation>Intensidad de la lámpara elegida</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Target: how accurate the picture is to become</source>
+        <translation>Objetivo: la exactitud que debe alcanzar la imagen</translation>
+    </message>
+    <message>
+        <source>Tells the version, the licence, and what this program is not for.</source>
+        <translation>Dice la versión, la licencia y para qué no sirve este programa.</translation>
+    </message>
+    <message>
+        <source>The chosen lamp</source>
+        <translation>La lámpara elegida</translation>
+    </message>
+    <message>
+        <source>The histogram's height grows with the logarithm of the voxels</source>
+        <translation>La altura del histograma crece con el logaritmo de los vóxeles</translation>
+    </message>
+    <message>
+        <source>The patient's side that one looks at (%1)</source>
+        <translation>El lado del paciente que se mira (%1)</translation>
+    </message>
+    <message>
+        <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
+        <translation>El volumen calculado. Las flechas lo giran, Mayús y flechas lo mueven, más y menos amplían y reducen.</translation>
+    </message>
+    <message>
+        <source>The scan's grid is %1 × %2 × %3 mm</source>
+        <translation>La rejilla de la exploración es de %1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>The view: each side is lit alike
+The patient: the lamps stay where they are when the patient is turned</source>
+        <translation>La vista: cada lado se ilumina igual
+El paciente: las lámparas se quedan donde están cuando se gira al paciente</translation>
+    </message>
+    <message>
+        <source>Then click the anatomy that is to be sharp</source>
+        <translation>Después haga clic en la anatomía que debe verse nítida</translation>
+    </message>
+    <message>
+        <source>Then click the anatomy: a bell at its Hounsfield units is added (Ctrl and click does the same)</source>
+        <translation>Después haga clic en la anatomía: se añade una campana en sus unidades Hounsfield (Ctrl y clic hace lo mismo)</translation>
+    </message>
+    <message>
+        <source>This language is spoken from the next start on</source>
+        <translation>Este idioma se usará a partir del próximo inicio</translation>
+    </message>
+    <message>
+        <source>This picture shows skin. A face identifies a person as a name does: share it like a photograph of the patient.</source>
+        <translation>Esta imagen muestra piel. Una cara identifica a una persona como un nombre: compártala como una fotografía del paciente.</translation>
+    </message>
+    <message>
+        <source>Three points</source>
+        <translation>Tres puntos</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Umbral</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Tejido</translation>
+    </message>
+    <message>
+        <source>Turn the lights</source>
+        <translation>Girar las luces</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Girar la vista</translation>
+    </message>
+    <message>
+        <source>Turns wit&amp;h</source>
+        <translation>Gira &amp;con</translation>
+    </message>
+    <message>
+        <source>Two lamps behind: bright outlines</source>
+        <translation>Dos lámparas detrás: contornos brillantes</translation>
+    </message>
+    <message>
+        <source>Unbiased</source>
+        <translation>Insesgado</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Undo changing the brightness</source>
+        <translation>Deshacer: cambiar el brillo</translation>
+    </message>
+    <message>
+        <source>Undo changing the lens</source>
+        <translation>Deshacer: cambiar la lente</translation>
+    </message>
+    <message>
+        <source>Undo changing the light</source>
+        <translation>Deshacer: cambiar la luz</translation>
+    </message>
+    <message>
+        <source>Undo changing the rendering</source>
+        <translation>Deshacer: cambiar el cálculo</translation>
+    </message>
+    <message>
+        <source>Undo choosing a look</source>
+        <translation>Deshacer: elegir un aspecto</translation>
+    </message>
+    <message>
+        <source>Undo choosing an optical model</source>
+        <translation>Deshacer: elegir un modelo óptico</translation>
+    </message>
+    <message>
+        <source>Undo cutting</source>
+        <translation>Deshacer: cortar</translation>
+    </message>
+    <message>
+        <source>Undo editing the tissue</source>
+        <translation>Deshacer: editar el tejido</translation>
+    </message>
+    <message>
+        <source>Undo hiding the table</source>
+        <translation>Deshacer: ocultar la mesa</translation>
+    </message>
+    <message>
+        <source>Undo moving the view</source>
+        <translation>Deshacer: mover la vista</translation>
+    </message>
+    <message>
+        <source>Undo several changes</source>
+        <translation>Deshacer: varios cambios</translation>
+    </message>
+    <message>
+        <source>Undo showing the table</source>
+        <translation>Deshacer: mostrar la mesa</translation>
+    </message>
+    <message>
+        <source>Undo turning the view</source>
+        <translation>Deshacer: girar la vista</translation>
+    </message>
+    <message>
+        <source>Undo zooming</source>
+        <translation>Deshacer: zoom</translation>
+    </message>
+    <message>
+        <source>Until:</source>
+        <translation>Hasta:</translation>
+    </message>
+    <message>
+        <source>Up [degrees]</source>
+        <translation>Hacia arriba [grados]</translation>
+    </message>
+    <message>
+        <source>Up°</source>
+        <translation>Arriba°</translation>
+    </message>
+    <message>
+        <source>Value of the selected point</source>
+        <translation>Valor del punto elegido</translation>
+    </message>
+    <message>
+        <source>View from: %1</source>
+        <translation>Vista desde: %1</translation>
+    </message>
+    <message>
+        <source>What can be done</source>
+        <translation>Qué se puede hacer</translation>
+    </message>
+    <message>
+        <source>What computes the picture. It goes on there with the samples that it has.</source>
+        <translation>Lo que calcula la imagen. Continúa allí con las muestras que tiene.</translation>
+    </message>
+    <message>
+        <source>What else is true of the picture</source>
+        <translation>Qué más es cierto de la imagen</translation>
+    </message>
+    <message>
+        <source>What is known of the error</source>
+        <translation>Lo que se sabe del error</translation>
+    </message>
+    <message>
+        <source>What is sharp</source>
+        <translation>Qué está nítido</translation>
+    </message>
+    <message>
+        <source>What lights it</source>
+        <translation>Lo que lo ilumina</translation>
+    </message>
+    <message>
+        <source>What stands behind the volume. A plain colour lights nothing</source>
+        <translation>Lo que hay detrás del volumen. Un color liso no ilumina nada</translation>
+    </message>
+    <message>
+        <source>What the lamps turn with</source>
+        <translation>Con qué giran las lámparas</translation>
+    </message>
+    <message>
+        <source>What the scan itself resolves</source>
+        <translation>Lo que resuelve la propia exploración</translation>
+    </message>
+    <message>
+        <source>What the seconds go to</source>
+        <translation>En qué se van los segundos</translation>
+    </message>
+    <message>
+        <source>Wheel, right drag, + and -</source>
+        <translation>Rueda, arrastrar con el derecho, + y -</translation>
+    </message>
+    <message>
+        <source>Where it is rough before smoothing</source>
+        <translation>Dónde es aproximada antes de suavizar</translation>
+    </message>
+    <message>
+        <source>Where it is still r&amp;ough</source>
+        <translation>Dónde es aún apr&amp;oximada</translation>
+    </message>
+    <message>
+        <source>Where it is still rough</source>
+        <translation>Dónde es aún aproximada</translation>
+    </message>
+    <message>
+        <source>Where the first selected point lies; the others move with it</source>
+        <translation>Dónde está el primer punto elegido; los demás se mueven con él</translation>
+    </message>
+    <message>
+        <source>Where the light comes from (F8)</source>
+        <translation>De dónde viene la luz (F8)</translation>
+    </message>
+    <message>
+        <source>Which limit comes first</source>
+        <translation>Qué límite llega primero</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanco</translation>
+    </message>
+    <message>
+        <source>Why this key cannot be used</source>
+        <translation>Por qué no se puede usar esta tecla</translation>
+    </message>
+    <message>
+        <source>Width of the picture [pixels]</source>
+        <translation>Ancho de la imagen [píxeles]</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>a single slice</source>
+        <translation>un solo corte</translation>
+    </message>
+    <message>
+        <source>a slice is missing</source>
+        <translation>falta un corte</translation>
+    </message>
+    <message>
+        <source>air</source>
+        <translation>aire</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation><numerusform>y %n más</numerusform><numerusform>y %n más</numerusform></translation>
+    </message>
+    <message>
+        <source>any number</source>
+        <translation>cualquier número</translation>
+    </message>
+    <message>
+        <source>any time</source>
+        <translation>cualquier tiempo</translation>
+    </message>
+    <message>
+        <source>beside the eye</source>
+        <translation>junto al ojo</translation>
+    </message>
+    <message>
+        <source>biased</source>
+        <translation>sesgado</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>desenfocado</translation>
+    </message>
+    <message>
+        <source>bone</source>
+        <translation>hueso</translation>
+    </message>
+    <message>
+        <source>can be shown</source>
+        <translation>se puede mostrar</translation>
+    </message>
+    <message>
+        <source>cancelled, no picture was saved</source>
+        <translation>Cancelado, no se ha guardado ninguna imagen</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>no se puede leer</translation>
+    </message>
+    <message>
+        <source>comparison: %1</source>
+        <translation>comparación: %1</translation>
+    </message>
+    <message>
+        <source>contrast</source>
+        <translation>contraste</translation>
+    </message>
+    <message>
+        <source>copied</source>
+        <translation>copiado</translation>
+    </message>
+    <message>
+        <source>efficiency %1 %</source>
+        <translation>rendimiento %1 %</translation>
+    </message>
+    <message>
+        <source>fat</source>
+        <translation>grasa</translation>
+    </message>
+    <message>
+        <source>fine detail below %1 % contrast is not shown yet</source>
+        <translation>el detalle fino por debajo del %1 % de contraste aún no se muestra</translation>
+    </message>
+    <message>
+        <source>fine detail is not shown yet</source>
+        <translation>el detalle fino aún no se muestra</translation>
+    </message>
+    <message>
+        <source>from behind</source>
+        <translation>desde detrás</translation>
+    </message>
+    <message>
+        <source>held after %1, with %2 samples</source>
+        <translation>detenido tras %1, con %2 muestras</translation>
+    </message>
+    <message>
+        <source>here ±%1; a pixel is larger than 1 mm</source>
+        <translation>aquí ±%1; un píxel es mayor que 1 mm</translation>
+    </message>
+    <message>
+        <source>here ±%1; over 1 mm ±%2</source>
+        <translation>aquí ±%1; sobre 1 mm ±%2</translation>
+    </message>
+    <message>
+        <source>here ±%1; over 1 mm: not known yet</source>
+        <translation>aquí ±%1; sobre 1 mm: aún no se conoce</translation>
+    </message>
+    <message>
+        <source>here: not known yet</source>
+        <translation>aquí: aún no se conoce</translation>
+    </message>
+    <message>
+        <source>in the box 95 % of the tissue within ±%1</source>
+        <translation>en el recuadro, 95 % del tejido dentro de ±%1</translation>
+    </message>
+    <message>
+        <source>lung</source>
+        <translation>pulmón</translation>
+    </message>
+    <message>
+        <source>making the picture</source>
+        <translation>Creando la imagen</translation>
+    </message>
+    <message>
+        <source>making the picture: %1 samples in %2</source>
+        <translation>Creando la imagen: %1 muestras en %2</translation>
+    </message>
+    <message>
+        <source>march of 3 voxels</source>
+        <translation>pasos de 3 vóxeles</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>metal</translation>
+    </message>
+    <message>
+        <source>muscle</source>
+        <translation>músculo</translation>
+    </message>
+    <message>
+        <source>no geometry</source>
+        <translation>sin geometría</translation>
+    </message>
+    <message>
+        <source>no light was seen in the box</source>
+        <translation>no se vio luz en el recuadro</translation>
+    </message>
+    <message>
+        <source>not a CT volume</source>
+        <translation>no es un volumen de TC</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>aún no se conoce</translation>
+    </message>
+    <message>
+        <source>now, %1</source>
+        <translation>ahora, %1</translation>
+    </message>
+    <message>
+        <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
+        <translation>en una imagen de %1 × %2 píxeles en la CPU (%3)</translation>
+    </message>
+    <message>
+        <source>saved as %1</source>
+        <translation>Guardado como %1</translation>
+    </message>
+    <message>
+        <source>selected, %1</source>
+        <translation>elegido, %1</translation>
+    </message>
+    <message>
+        <source>selected, %1 HU: %2</source>
+        <translation>elegido, %1 UH: %2</translation>
+    </message>
+    <message>
+        <source>slices look in different directions</source>
+        <translation>cortes con orientaciones distintas</translation>
+    </message>
+    <message>
+        <source>slices of different size</source>
+        <translation>cortes de tamaño distinto</translation>
+    </message>
+    <message>
+        <source>smoothed: error not known yet</source>
+        <translation>suavizada: error aún no conocido</translation>
+    </message>
+    <message>
+        <source>smoothed: within ±%1 levels, at most ±%2</source>
+        <translation>suavizada: dentro de ±%1 niveles, como máximo ±%2</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>target: %1</source>
+        <translation>objetivo: %1</translation>
+    </message>
+    <message>
+        <source>the %1 clearest of the lines that smoothing took away are marked</source>
+        <translation>están marcadas las %1 líneas más claras que el suavizado eliminó</translation>
+    </message>
+    <message>
+        <source>the CPU</source>
+        <translation>la CPU</translation>
+    </message>
+    <message>
+        <source>the patient</source>
+        <translation>el paciente</translation>
+    </message>
+    <message>
+        <source>the rest of the picture waits for the box</source>
+        <translation>el resto de la imagen espera al recuadro</translation>
+    </message>
+    <message>
+        <source>the samples come first: %3 in %2, within ±%1</source>
+        <translation>las muestras llegan primero: %3 en %2, dentro de ±%1</translation>
+    </message>
+    <message>
+        <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
+        <translation>el tiempo llega primero: en %2, dentro de ±%1 y con %3 muestras</translation>
+    </message>
+    <message>
+        <source>the view</source>
+        <translation>la vista</translation>
+    </message>
+    <message>
+        <source>the whole picture, which waits for the box: 95 % of the tissue within ±%1</source>
+        <translation>la imagen entera, que espera al recuadro: 95 % del tejido dentro de ±%1</translation>
+    </message>
+    <message>
+        <source>there is no tissue in the box</source>
+        <translation>no hay tejido en el recuadro</translation>
+    </message>
+    <message>
+        <source>there is too little tissue at that place</source>
+        <translation>Hay demasiado poco tejido en ese lugar</translation>
+    </message>
+    <message>
+        <source>tilted stack</source>
+        <translation>pila inclinada</translation>
+    </message>
+    <message>
+        <source>two slices at one place</source>
+        <translation>dos cortes en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>agua</translation>
+    </message>
+    <message>
+        <source>which of them comes first is not known yet</source>
+        <translation>aún no se sabe cuál de ellos llega primero</translation>
+    </message>
+    <message>
+        <source>writing the picture</source>
+        <translation>Escribiendo la imagen</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>±</source>
+        <translation>±</translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation>±%1</translation>
+    </message>
+    <message>
+        <source>±%1 comes first: in %2, with %3 samples</source>
+        <translation>±%1 llega primero: en %2, con %3 muestras</translation>
+    </message>
+    <message>
+        <source>±%1 in %2, to 95 % between %3 and %4</source>
+        <translation>±%1 en %2, al 95 % entre %3 y %4</translation>
+    </message>
+    <message>
+        <source>±%1 in at least %2</source>
+        <translation>±%1 en al menos %2</translation>
+    </message>
+    <message>
+        <source>±%1 levels for 95 % of the tissue; %2 % of its light</source>
+        <translation>±%1 niveles para el 95 % del tejido; %2 % de su luz</translation>
+    </message>
+    <message>
+        <source>±%1 since %2 of rendering</source>
+        <translation>±%1 desde %2 de cálculo</translation>
+    </message>
+</context>
+</TS>

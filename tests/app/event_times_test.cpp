@@ -1,0 +1,118 @@
+/// The window answers at once: its thread is never busy for long with one event, whatever is loaded, rendered or
+/// edited. Counted is the processor time of that thread alone, so a busy machine changes nothing.
+
+#include <QSlider>
+#include <QTest>
+#include <cmath>
+
+#include "tests/support/desktop_trial.h"
+#include "tests/support/event_times.h"
+#include "tests/support/phantom_series.h"
+#include "tests/support/shared_data.h"
+#include "tests/support/tissue_hand.h"
+#include "ui/theme.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+constexpr double kFrameMs = 16;  ///< of a screen with 60 pictures a second
+constexpr double kNoticedMs = 200;
+
+class TestEventTimes : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void loadingRenderingAndEditing_data();
+    void loadingRenderingAndEditing();
+};
+
+static test::TimedApplication& application() {
+    return *static_cast<test::TimedApplication*>(qApp);
+}
+
+static void check(const char* during) {
+    const test::TimedApplication& app = application();
+    QVERIFY2(app.times.size() > 5, during);
+    const double p99 = app.at(0.99, &test::EventTime::processorMs), most = app.at(1, &test::EventTime::processorMs);
+    qInfo("%s: %zu events, processor time p50 %.2f ms, p99 %.2f ms, most %.2f ms", during, app.times.size(),
+          app.at(0.5, &test::EventTime::processorMs), p99, most);
+    QVERIFY2(p99 <= kFrameMs, (during + (": \n" + app.longest(8))).c_str());
+    QVERIFY2(most <= kNoticedMs, (during + (": \n" + app.longest(8))).c_str());
+    application().times.clear();
+}
+
+void TestEventTimes::loadingRenderingAndEditing_data() {
+    QTest::addColumn<bool>("real");
+    QTest::newRow("a phantom") << false;
+    QTest::newRow("a chest") << true;
+}
+
+void TestEventTimes::loadingRenderingAndEditing() {
+    QFETCH(bool, real);
+    QTemporaryDir folder;
+    QString series = folder.filePath("series");
+    if (real) {
+        PDR_NEEDS_SHARED_CT();
+        series = ui::toQt(test::sharedCt() / "chest_contrast");
+    } else {
+        QVERIFY(writePhantomSeries(ui::fromQt(series), "Head of a phantom"));
+    }
+    Trial trial;
+    ui::MainWindow& window = trial.desktop.window();
+    window.resize(1400, 900);
+    application().times.clear();
+
+    trial.openAndWait(series);
+    check("loading");
+
+    const std::size_t shown = trial.frames.size();
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > shown + 2, test::kPatience);
+    check("rendering");
+
+    const QPoint middle = window.viewport().rect().center();
+    QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, middle);
+    for (int i = 0; i < 60; ++i) {
+        const QPoint to = middle + QPoint(int(150 * std::sin(0.1 * i)), 0);
+        QCoreApplication::postEvent(
+            &window.viewport(), new QMouseEvent(QEvent::MouseMove, to, window.viewport().mapToGlobal(to), Qt::NoButton,
+                                                Qt::LeftButton, {}));
+        QTest::qWait(8);
+    }
+    QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, middle);
+    check("turning");
+
+    auto* slider = window.look().findChild<QSlider*>();
+    for (int i = 0; i < 60; ++i) {
+        QMetaObject::invokeMethod(
+            slider, [slider, i] { slider->setValue(i % 20); }, Qt::QueuedConnection);
+        QTest::qWait(8);
+    }
+    check("brightening");
+
+    for (int i = 0; i < 30; ++i) {
+        const auto edit = [&, i] { trial.desktop.parts().tissue.drag({0.001 * i, 0}, i < 29); };
+        QMetaObject::invokeMethod(&window, edit, Qt::QueuedConnection);
+        QTest::qWait(8);
+    }
+    check("editing the tissue");
+
+    for (const int key : {Qt::Key_F5, Qt::Key_2, Qt::Key_T, Qt::Key_E, Qt::Key_F6, Qt::Key_F11, Qt::Key_Escape}) {
+        QCoreApplication::postEvent(&window.viewport(), new QKeyEvent(QEvent::KeyPress, key, {}));
+        QTest::qWait(300);
+    }
+    QMetaObject::invokeMethod(
+        &window, [&] { ui::applyTheme(*qApp, ui::ThemeChoice::light); }, Qt::QueuedConnection);
+    QTest::qWait(300);
+    qInfo("panels, views and colours: most\n%s", application().longest(5).c_str());
+}
+
+}  // namespace pdr::app
+
+int main(int argc, char** argv) {
+    pdr::test::TimedApplication application(argc, argv);
+    pdr::ui::applyTheme(application, pdr::ui::ThemeChoice::dark);
+    pdr::app::TestEventTimes test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "event_times_test.moc"

@@ -1,0 +1,83 @@
+/// What is kept between two runs, and what is not.
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/settings.h"
+
+namespace pdr::app {
+
+class TestSettings : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void foldersAreNotRememberedUnlessChosen();
+    void theNewestEightAreRememberedOnce();
+    void forgettingLeavesNothingInTheFile();
+    void coloursAreKept();
+    void keysAreKept();
+};
+
+struct Kept {
+    QTemporaryDir folder;
+    QString file = folder.filePath("settings.ini");
+    Settings settings{file};
+
+    QByteArray written() const {
+        QSettings(file, QSettings::IniFormat).sync();
+        QFile bytes(file);
+        return bytes.open(QFile::ReadOnly) ? bytes.readAll() : QByteArray();
+    }
+};
+
+void TestSettings::foldersAreNotRememberedUnlessChosen() {
+    Kept kept;
+    kept.settings.keepFolder("/patients/Doe");
+    QVERIFY(!kept.settings.remembersFolders() && kept.settings.recentFolders().isEmpty());
+    kept.settings.keepRemembersFolders(true);
+    kept.settings.keepFolder("/patients/Doe");
+    QCOMPARE(Settings(kept.file).recentFolders(), QStringList{"/patients/Doe"});
+}
+
+void TestSettings::theNewestEightAreRememberedOnce() {
+    Kept kept;
+    kept.settings.keepRemembersFolders(true);
+    for (int i = 0; i < 10; ++i)
+        kept.settings.keepFolder(QString("/%1").arg(i));
+    kept.settings.keepFolder("/7");
+    QCOMPARE(kept.settings.recentFolders(), QStringList({"/7", "/9", "/8", "/6", "/5", "/4", "/3", "/2"}));
+}
+
+void TestSettings::forgettingLeavesNothingInTheFile() {
+    Kept kept;
+    kept.settings.keepRemembersFolders(true);
+    kept.settings.keepFolder("/patients/Doe");
+    kept.settings.keepRemembersFolders(false);
+    QVERIFY(kept.settings.recentFolders().isEmpty());
+    QVERIFY2(!kept.written().contains("Doe"), kept.written().constData());
+}
+
+void TestSettings::coloursAreKept() {
+    Kept kept;
+    QCOMPARE(kept.settings.theme(), ui::ThemeChoice::dark);
+    kept.settings.keepTheme(ui::ThemeChoice::system);
+    QCOMPARE(Settings(kept.file).theme(), ui::ThemeChoice::system);
+    QSettings(kept.file, QSettings::IniFormat).setValue("theme", "mauve");
+    QCOMPARE(Settings(kept.file).theme(), ui::ThemeChoice::dark);
+}
+
+void TestSettings::keysAreKept() {
+    Kept kept;
+    QVERIFY(kept.settings.keys().isEmpty());
+    const QMap<QString, QString> keys{{"smoothed", "Ctrl+Alt+S"}, {"table", ""}};
+    kept.settings.keepKeys(keys);
+    QCOMPARE(Settings(kept.file).keys(), keys);
+    kept.settings.keepKeys({});
+    QVERIFY(Settings(kept.file).keys().isEmpty());
+}
+
+}  // namespace pdr::app
+
+QTEST_GUILESS_MAIN(pdr::app::TestSettings)
+#include "settings_test.moc"

@@ -1,0 +1,148 @@
+/// What steps to undo are called: each by what it changed, a gesture as a whole.
+
+#include <QTest>
+
+#include "render/scene/orbit.h"
+#include "tests/support/told_document.h"
+
+namespace pdr::app {
+
+class TestStepName : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void eachEditHasItsName_data();
+    void eachEditHasItsName();
+    void theTableIsNamedByWhatWasDone();
+    void aGestureIsCalledByAllOfIt();
+    void aStepKeepsItsNameBackAndForth();
+    void aChangedLookIsNotAChosenOne();
+    void whatChangesSeveralThingsSaysSo();
+    void withoutAStepThereIsOnlyTheWord();
+};
+
+using Edit = void (*)(Document&);
+
+void TestStepName::eachEditHasItsName_data() {
+    QTest::addColumn<Edit>("edit");
+    QTest::addColumn<QString>("undo");
+    const auto row = [](const char* undo, Edit edit) { QTest::newRow(undo) << edit << QString(undo); };
+    row("Undo turning the view", [](Document& d) { d.setView(StandardView::left); });
+    row("Undo moving the view", [](Document& d) {
+        Camera camera = d.setup().camera;
+        camera.eyeMm += dvec3(5, 0, 0);
+        camera.targetMm += dvec3(5, 0, 0);
+        d.setCamera(camera, false);
+    });
+    row("Undo zooming", [](Document& d) {
+        Camera camera = d.setup().camera;
+        camera.eyeMm += 10. * camera.forward();
+        d.setCamera(camera, false);
+    });
+    row("Undo changing the lens", [](Document& d) {
+        Camera camera = d.setup().camera;
+        camera.apertureMm = 3;
+        d.setCamera(camera, false);
+    });
+    row("Undo choosing a look", [](Document& d) { d.setPreset(1); });
+    row("Undo changing the brightness", [](Document& d) { d.setBrightness(1); });
+    row("Undo editing the tissue", [](Document& d) {
+        Look look = d.setup().look;
+        look.transferFunction.nodes = {{7, 0.5f}};
+        d.setLook(look);
+    });
+    row("Undo changing the light", [](Document& d) {
+        Look look = d.setup().look;
+        look.rig.key = 3;
+        d.setLook(look);
+    });
+    row("Undo cutting", [](Document& d) {
+        PictureSetup setup = d.setup();
+        setup.clip.planes.emplace_back();
+        d.setSetup(setup);
+    });
+    row("Undo choosing an optical model", [](Document& d) {
+        PictureSetup setup = d.setup();
+        setup.model = Model::multipleScattering;
+        d.setSetup(setup);
+    });
+    row("Undo changing the rendering", [](Document& d) { d.setEstimator(Estimator::kroesMarch); });
+}
+
+void TestStepName::eachEditHasItsName() {
+    QFETCH(Edit, edit);
+    QFETCH(QString, undo);
+    Told told;
+    edit(told.document);
+    QCOMPARE(undoText(told.document.undoable()), undo);
+    told.document.undo();
+    QString redo = undo;
+    QCOMPARE(redoText(told.document.redoable()), redo.replace("Undo", "Redo"));
+}
+
+void TestStepName::theTableIsNamedByWhatWasDone() {
+    PictureSetup hidden, shown;
+    shown.table = Table::shown;
+    QCOMPARE(changeOf(hidden, shown), Change::tableShown);
+    QCOMPARE(changeOf(shown, hidden), Change::tableHidden);
+}
+
+void TestStepName::aGestureIsCalledByAllOfIt() {
+    Told told;
+    Camera camera = told.document.setup().camera;
+    for (int i = 0; i < 5; ++i)
+        told.document.setCamera(camera = orbited(camera, {0.1, 0.05}), true);
+    told.document.setCamera(camera, false);
+    QCOMPARE(told.document.undoable(), Change::turned);
+    told.document.undo();
+    QCOMPARE(told.document.undoable(), Change::nothing);
+}
+
+void TestStepName::aStepKeepsItsNameBackAndForth() {
+    Told told;
+    told.document.setPreset(1);
+    told.document.setView(StandardView::left);
+    told.document.setBrightness(2);
+    const auto names = [&] { return std::pair(told.document.undoable(), told.document.redoable()); };
+    QCOMPARE(names(), std::pair(Change::brightness, Change::nothing));
+    told.document.undo();
+    QCOMPARE(names(), std::pair(Change::turned, Change::brightness));
+    told.document.undo();
+    QCOMPARE(names(), std::pair(Change::lookChosen, Change::turned));
+    told.document.redo();
+    QCOMPARE(names(), std::pair(Change::turned, Change::brightness));
+}
+
+/// Nor is the way back from the change.
+void TestStepName::aChangedLookIsNotAChosenOne() {
+    Told told;
+    const Look first = told.document.setup().look;
+    Look changed = first;
+    changed.transferFunction.nodes = {{7, 0.5f}};
+    told.document.setLook(changed);
+    QCOMPARE(told.document.undoable(), Change::tissue);
+    told.document.setLook(first);
+    QCOMPARE(told.document.undoable(), Change::tissue);
+    told.document.setBrightness(1);
+    told.document.setPreset(1);  // which brings its own brightness
+    QCOMPARE(told.document.undoable(), Change::lookChosen);
+}
+
+void TestStepName::whatChangesSeveralThingsSaysSo() {
+    Told told;
+    PictureSetup setup = told.document.setup();
+    setup.stops = 1;
+    setup.model = Model::absorption;
+    told.document.setSetup(setup);
+    QCOMPARE(undoText(told.document.undoable()), QString("Undo several changes"));
+}
+
+void TestStepName::withoutAStepThereIsOnlyTheWord() {
+    QCOMPARE(undoText(Change::nothing), QString("Undo"));
+    QCOMPARE(redoText(Change::nothing), QString("Redo"));
+}
+
+}  // namespace pdr::app
+
+QTEST_GUILESS_MAIN(pdr::app::TestStepName)
+#include "step_name_test.moc"

@@ -1,0 +1,70 @@
+#pragma once
+/// How long the window's thread is busy with single events.
+
+#include <QApplication>
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <string>
+#include <vector>
+
+namespace pdr::test {
+
+struct EventTime {
+    double processorMs;  ///< of the window's thread alone: what other programs do does not count
+    double wallMs;
+    std::string what;  ///< the receiver's class and the event's number
+};
+
+/// Times each event that the event loop delivers; what an event sends in turn belongs to it.
+class TimedApplication : public QApplication {
+  public:
+    using QApplication::QApplication;
+
+    std::vector<EventTime> times;
+
+    bool notify(QObject* receiver, QEvent* event) override {
+        if (depth_ > 0)
+            return QApplication::notify(receiver, event);
+        const std::string what =
+            std::string(receiver->metaObject()->className()) + " " + std::to_string(int(event->type()));
+        const double processor = processorMs();
+        const auto wall = std::chrono::steady_clock::now();
+        ++depth_;
+        const bool taken = QApplication::notify(receiver, event);
+        --depth_;
+        const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - wall;
+        times.push_back({processorMs() - processor, passed.count(), what});
+        return taken;
+    }
+
+    /// The `share` of them takes no longer than that.
+    double at(double share, double EventTime::*time) const {
+        std::vector<double> sorted;
+        for (const EventTime& one : times)
+            sorted.push_back(one.*time);
+        std::ranges::sort(sorted);
+        return sorted.empty() ? 0 : sorted[std::min(std::size_t(share * double(sorted.size())), sorted.size() - 1)];
+    }
+
+    /// The longest ones, one a line.
+    std::string longest(std::size_t count) const {
+        std::vector<EventTime> sorted = times;
+        std::ranges::sort(sorted, std::ranges::greater(), &EventTime::processorMs);
+        std::string lines;
+        for (std::size_t i = 0; i < std::min(count, sorted.size()); ++i)
+            lines += std::to_string(sorted[i].processorMs) + " ms: " + sorted[i].what + "\n";
+        return lines;
+    }
+
+  private:
+    static double processorMs() {
+        timespec now{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+        return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
+    }
+
+    int depth_ = 0;
+};
+
+}  // namespace pdr::test

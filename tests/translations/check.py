@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""Fails where the window says something that a translation lacks, has left over, or says with other numbers in it.
+
+check.py --source FOLDER [--write LANGUAGE TABLE]: with --write the file of that language is made anew from what it
+holds and from TABLE, lines of "text<TAB>translation" in which several forms are parted by "|||"."""
+import argparse
+import pathlib
+import sys
+import xml.sax.saxutils
+
+import texts
+
+LANGUAGES = ("de", "es")
+
+
+def file_of(root, language):
+    return root / "resources" / "translations" / f"pdrender_{language}.ts"
+
+
+def complaints(root, language):
+    said, translated = texts.in_sources(root), texts.in_translation(file_of(root, language))
+    for text, where in said.items():
+        if translated.get(text) is None:
+            yield f"{where}: not translated: {text!r}"
+    for text, forms in translated.items():
+        if text not in said:
+            yield f"nobody says any more: {text!r}"
+        for form in forms or []:
+            if texts.places(form) != texts.places(text):
+                yield f"other numbers in it: {text!r}: {form!r}"
+            if text.startswith(" ") != form.startswith(" ") or ("&" in text) != ("&" in form):
+                yield f"a space or mnemonic differs: {text!r}: {form!r}"
+
+
+def write(root, language, table):
+    known = {}
+    path = file_of(root, language)
+    if path.exists():
+        known = {text: forms for text, forms in texts.in_translation(path).items() if forms}
+    for line in pathlib.Path(table).read_text(encoding="utf-8").splitlines():
+        if "\t" in line:
+            text, translation = line.split("\t")
+            known[text.replace("\\n", "\n")] = translation.replace("\\n", "\n").split("|||")
+    escape = xml.sax.saxutils.escape
+    lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>", f'<TS version="2.1" language="{language}">',
+             "<context>", "    <name>PD-Render</name>"]
+    for text in sorted(texts.in_sources(root)):
+        forms = known.get(text)
+        plural = "%n" in text
+        lines.append('    <message numerus="yes">' if plural else "    <message>")
+        lines.append(f"        <source>{escape(text)}</source>")
+        mark = "" if forms else ' type="unfinished"'
+        body = "".join(f"<numerusform>{escape(form)}</numerusform>" for form in forms or ["", ""]) if plural else \
+            escape((forms or [""])[0])
+        lines += [f"        <translation{mark}>{body}</translation>", "    </message>"]
+    path.write_text("\n".join(lines + ["</context>", "</TS>", ""]), encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--source", type=pathlib.Path, required=True)
+    parser.add_argument("--write", nargs=2, metavar=("LANGUAGE", "TABLE"))
+    options = parser.parse_args()
+    if options.write:
+        return write(options.source, *options.write)
+    found = [f"{language}: {complaint}" for language in LANGUAGES for complaint in complaints(options.source, language)]
+    print("\n".join(found))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

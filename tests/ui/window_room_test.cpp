@@ -1,0 +1,175 @@
+/// Who has the room in the window: the picture most of it, panels what is left.
+
+#include <QTest>
+#include <QToolButton>
+
+#include "ui/main_window.h"
+
+namespace pdr::ui {
+
+class TestWindowRoom : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void oneOfThePanelsBelowMakesRoomForTheOther();
+    void anEditorLeavesThePictureMostOfTheWindow_data();
+    void anEditorLeavesThePictureMostOfTheWindow();
+    void editorsGiveWayToEachOther();
+    void thePictureIsTheLargestThing_data();
+    void thePictureIsTheLargestThing();
+    void whatGaveWayComesBackWithTheRoom();
+    void whatIsOpenedByHandStays();
+};
+
+static void activate(MainWindow& window) {
+    window.show();
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    window.viewport().setFocus();
+}
+
+void TestWindowRoom::oneOfThePanelsBelowMakesRoomForTheOther() {
+    MainWindow window;
+    activate(window);
+    const auto shown = [&] { return std::pair(window.accuracy().isVisible(), window.effects().isVisible()); };
+    window.resize(1200, 800);
+    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
+    QCOMPARE(shown(), std::pair(true, false));
+    QTest::keyClick(&window, Qt::Key_F6);
+    QCOMPARE(shown(), std::pair(false, true));
+    window.resize(1800, 800);
+    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
+    QCOMPARE(shown(), std::pair(true, true));
+}
+
+void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("key");
+    QTest::addColumn<QSize>("size");
+    const auto editors = {std::pair("Tissue", Qt::Key_F5), std::pair("Light", Qt::Key_F8),
+                          std::pair("Camera", Qt::Key_F7), std::pair("Cut", Qt::Key_F9)};
+    for (const auto& [name, key] : editors)
+        for (const QSize size : {QSize(1100, 700), QSize(1400, 900), QSize(2000, 1000), QSize(3000, 2000)})
+            QTest::addRow("%s, %d x %d", name, size.width(), size.height()) << QString(name) << int(key) << size;
+}
+
+/// 60 %; what gave way comes back with whichever way the panel is closed.
+void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow() {
+    QFETCH(QString, name);
+    QFETCH(int, key);
+    QFETCH(QSize, size);
+    MainWindow window;
+    activate(window);
+    window.foot().setRemarks({"a remark"});
+    window.resize(size);
+    QCoreApplication::processEvents();
+    const auto shown = [&] { return std::pair(window.series().isVisible(), window.rendering().isVisible()); };
+    const auto before = shown();
+    const auto picture = [&] { return double(window.viewport().width()) * window.viewport().height(); };
+    const auto editor = [&] { return window.findChild<QDockWidget*>(name)->isVisible(); };
+    QTest::keyClick(&window, Qt::Key(key));
+    QTRY_VERIFY(editor());
+    QTRY_VERIFY2(picture() >= 0.6 * size.width() * size.height(),
+                 qPrintable(QString::number(picture() / (size.width() * size.height()))));
+    QVERIFY(window.look().isVisible());
+    for (QToolButton* fold : window.findChildren<QToolButton*>())
+        if (fold->accessibleName() == QString("Fold %1 away").arg(name))
+            fold->click();
+    QVERIFY(!editor());
+    QCOMPARE(shown(), before);
+}
+
+/// The right-hand column has one editor at a time.
+void TestWindowRoom::editorsGiveWayToEachOther() {
+    MainWindow window;
+    activate(window);
+    const auto shown = [&] {
+        QString names;
+        for (const char* name : {"Tissue", "Light", "Camera"})
+            if (window.findChild<QDockWidget*>(name)->isVisible())
+                names += name;
+        return names;
+    };
+    QCOMPARE(shown(), QString());
+    for (const auto& [key, name] : {std::pair(Qt::Key_F5, "Tissue"), std::pair(Qt::Key_F7, "Camera"),
+                                    std::pair(Qt::Key_F8, "Light"), std::pair(Qt::Key_F8, "")}) {
+        QTest::keyClick(&window, key);
+        QTRY_COMPARE(shown(), QString(name));
+    }
+    QVERIFY(window.rendering().isVisible());  // what gave way to the first
+}
+
+void TestWindowRoom::thePictureIsTheLargestThing_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<double>("share");
+    QTest::newRow("800 x 600") << QSize(800, 600) << 0.5;
+    QTest::newRow("1100 x 700") << QSize(1100, 700) << 0.6;
+    QTest::newRow("1400 x 900") << QSize(1400, 900) << 0.6;
+}
+
+/// With whichever panel is open on the right.
+void TestWindowRoom::thePictureIsTheLargestThing() {
+    QFETCH(QSize, size);
+    QFETCH(double, share);
+    MainWindow window;
+    activate(window);
+    window.foot().setRemarks({"a remark"});
+    for (const int key : {0, int(Qt::Key_F5), int(Qt::Key_F8), int(Qt::Key_F7), int(Qt::Key_F9), int(Qt::Key_F4)}) {
+        window.resize(size);
+        if (key != 0)
+            QTest::keyClick(&window, Qt::Key(key));
+        QCoreApplication::processEvents();
+        QCOMPARE(window.size(), size);
+        const double has = double(window.viewport().width()) * window.viewport().height();
+        const double least = key == 0 ? share : std::min(share, 0.45);
+        QVERIFY2(has >= (size.width() >= 1100 ? share : least) * size.width() * size.height(),
+                 qPrintable(QString("key %1: %2").arg(key).arg(has / (size.width() * size.height()))));
+        for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+            QVERIFY(!dock->isVisible() || double(dock->width()) * dock->height() < has);
+        if (key != 0)
+            QTest::keyClick(&window, Qt::Key(key));
+    }
+}
+
+void TestWindowRoom::whatGaveWayComesBackWithTheRoom() {
+    MainWindow window;
+    activate(window);
+    const auto shown = [&](QSize size) {
+        window.resize(size);
+        QCoreApplication::processEvents();
+        return window.series().isVisible();
+    };
+    QVERIFY(shown({1600, 1000}));
+    QVERIFY(!shown({800, 600}));
+    const QByteArray kept = window.wantedState();
+    QVERIFY(!window.series().isVisible());
+    QVERIFY(shown({1600, 1000}));
+    MainWindow other;
+    activate(other);
+    other.resize(1600, 1000);
+    other.restoreState(kept);
+    QVERIFY(other.series().isVisible());
+}
+
+/// Also while the window changes; folded by hand it stays folded.
+void TestWindowRoom::whatIsOpenedByHandStays() {
+    MainWindow window;
+    activate(window);
+    window.resize(800, 600);
+    QCoreApplication::processEvents();
+    QVERIFY(!window.series().isVisible());
+    QTest::keyClick(&window, Qt::Key_F2);
+    QVERIFY(window.series().isVisible());
+    window.resize(820, 600);
+    QCoreApplication::processEvents();
+    QVERIFY(window.series().isVisible());
+    QTest::keyClick(&window, Qt::Key_F2);
+    window.resize(1600, 1000);
+    QCoreApplication::processEvents();
+    QVERIFY(!window.series().isVisible());
+}
+
+}  // namespace pdr::ui
+
+QTEST_MAIN(pdr::ui::TestWindowRoom)
+#include "window_room_test.moc"

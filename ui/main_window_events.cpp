@@ -1,0 +1,54 @@
+/// What happens to the window as a whole: it is seen or not, closed, resized, and things are dropped on it.
+
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+
+#include "ui/main_window.h"
+
+namespace pdr::ui {
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange)
+        emit unseenChanged(isMinimized());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    const bool closes = questionOnClosing_.isEmpty() ||
+                        QMessageBox::question(this, tr("PD-Render"), questionOnClosing_) == QMessageBox::Yes;
+    event->setAccepted(closes);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    emit unseenChanged(isMinimized());
+}
+
+void MainWindow::hideEvent(QHideEvent* event) {
+    QMainWindow::hideEvent(event);
+    emit unseenChanged(true);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.first().isLocalFile())
+        event->acceptProposedAction();
+}
+
+/// A file stands for the folder that it lies in.
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QFileInfo dropped(event->mimeData()->urls().value(0).toLocalFile());
+    event->acceptProposedAction();
+    emit folderChosen(dropped.isFile() ? dropped.absolutePath() : dropped.absoluteFilePath());
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    keys_->setGeometry(rect());
+    docks_->makeRoom();
+}
+
+}  // namespace pdr::ui
