@@ -32,12 +32,8 @@ void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
 
 }  // namespace
 
-Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
-    : settings_(settingsFile), document_(std::move(presets)), bridge_(std::move(device), threads) {
-    QStringList names;
-    for (const Preset& preset : document_.presets())
-        names << QString::fromStdString(preset.name);
-    window_.look().setPresets(names);
+Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
+    : settings_(settingsFile), document_(std::move(looks)), bridge_(std::move(device), threads) {
     offerDevices(window_.rendering(), bridge_.firstDevice());
     window_.rendering().setPace(settings_.pace());
     bridge_.setPace(window_.rendering().pace());

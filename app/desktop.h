@@ -11,9 +11,9 @@ namespace pdr::app {
 
 class Desktop {
   public:
-    /// `presets` holds at least one. `settingsFile`: where to keep the settings; empty: the user's own place.
+    /// `looks` holds at least one. `settingsFile`: where to keep the settings; empty: the user's own place.
     /// `threads`: of the CPU, when another device is left for it; 0 = one per core.
-    Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile = {},
+    Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile = {},
             int threads = 0);
     /// Keeps the window's geometry for the next time.
     ~Desktop();

@@ -8,7 +8,6 @@
 
 #include "render/scene/field.h"
 #include "render/scene/picture_setup.h"
-#include "render/scene/preset.h"
 #include "render/scene/scene.h"
 #include "render/scene/scene_file.h"
 
@@ -377,12 +376,6 @@ void describe(Visit& visit, Look& look) {
     visit.object({"surface", "how readily an edge reflects like a surface"}, surface);
     visit.object({"lights", "the rig of lights, and the environment"}, rig);
     visit({"exposure", "radiance that is shown as 1 - 1/e", {0, 1e30f, false}}, look.display.exposure);
-}
-
-template <class Visit>
-void describe(Visit& visit, Preset& preset) {
-    visit({"name", "for the menu", {}, kRequired}, preset.name);
-    describe(visit, preset.look);
 }
 
 template <class Visit>

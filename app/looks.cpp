@@ -1,0 +1,43 @@
+#include "app/looks.h"
+
+#include <QFile>
+
+#include <string_view>
+
+/// Qt's macro must stand outside of any namespace; without it the linker drops the resources of a static library.
+static void keepResources() {
+    Q_INIT_RESOURCE(resources);
+}
+
+namespace pdr::app {
+namespace {
+
+constexpr const char* kNames[] = {"bone",          "bone_beside_contrast", "thin_bone",     "muscles_and_skull",
+                                  "heart",         "muscles",              "organs",        "vessels_and_bone",
+                                  "lung_vessels",  "mip",                  "mip_contrast",  "xray",
+                                  "fluoroscopy",   "implants",             "skin_and_bone", "skin"};
+
+}  // namespace
+
+Result<NamedLook> readLookFile(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{"this look cannot be read: " + file.errorString().toStdString(), path.toStdString(),
+                     "Check the name and the permissions."};
+    const QByteArray json = file.readAll();
+    return lookFromJson({json.constData(), std::size_t(json.size())}, path.toStdString());
+}
+
+Result<std::vector<NamedLook>> bundledLooks() {
+    keepResources();
+    std::vector<NamedLook> looks;
+    for (const char* name : kNames) {
+        Result<NamedLook> look = readLookFile(QStringLiteral(":/looks/%1.json").arg(QLatin1String(name)));
+        if (!look)
+            return look.error();
+        looks.push_back(*std::move(look));
+    }
+    return looks;
+}
+
+}  // namespace pdr::app
