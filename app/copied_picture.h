@@ -3,7 +3,7 @@
 
 #include <QImage>
 
-#include "app/window_content.h"
+#include "app/desktop_parts.h"
 
 namespace pdr::app {
 

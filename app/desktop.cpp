@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/show_scan.h"
 #include "app/wiring.h"
 #include "render/device/device_list.h"
 #include "ui/status_text.h"

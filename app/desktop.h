@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "app/desktop_parts.h"
 #include "app/settings.h"
-#include "app/window_content.h"
 
 namespace pdr::app {
 

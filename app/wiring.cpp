@@ -1,6 +1,11 @@
 #include "app/wiring.h"
 
 #include "app/copied_picture.h"
+#include "app/requests.h"
+#include "app/show_document.h"
+#include "app/show_frame.h"
+#include "app/show_message.h"
+#include "app/show_scan.h"
 
 namespace pdr::app {
 namespace {

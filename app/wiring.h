@@ -1,7 +1,7 @@
 #pragma once
 /// Every connection between the desktop's parts, in the order in which data flows.
 
-#include "app/window_content.h"
+#include "app/desktop_parts.h"
 
 namespace pdr::app {
 

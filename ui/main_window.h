@@ -2,8 +2,6 @@
 /// The desktop's window: the picture in the middle, the series on the left, the look and the rendering on the right,
 /// the truth about it at the foot. It shows values and emits edits; it knows no renderer and no importer.
 
-#include <QAction>
-#include <QDockWidget>
 #include <QMainWindow>
 #include <optional>
 
@@ -20,6 +18,8 @@
 #include "ui/series_panel.h"
 #include "ui/tissue/tissue_panel.h"
 #include "ui/viewport.h"
+#include "ui/window_actions.h"
+#include "ui/window_docks.h"
 
 namespace pdr::ui {
 
@@ -95,18 +95,13 @@ class MainWindow : public QMainWindow {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    QDockWidget* addPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area, const QKeySequence& key);
-    void makeRoomBeside(QDockWidget* opened, QDockWidget* other);
-    void giveTissueItsPart(bool shown);
+    void connectFileActions();
+    void connectEditActions();
+    void connectViewActions();
     void setPicking(bool picking);
-    void fillFileMenu();
-    void fillEditMenu();
-    void fillViewMenu();
-    void fillHelpMenu();
     void chooseFolder();
     void chooseFile();
     void showPictureAlone(bool alone);
-    void giveAccuracyItsPart(bool shown);
     void chooseRegion(const std::optional<QRectF>& box);
     void drawOrForgetRegion(bool draw);
     void escape();
@@ -123,24 +118,8 @@ class MainWindow : public QMainWindow {
     AccuracyPanel* accuracy_;
     MessageBar* message_;
     KeysOverlay* keys_;
-    QDockWidget* seriesDock_ = nullptr;
-    QDockWidget* lookDock_ = nullptr;
-    QDockWidget* tissueDock_ = nullptr;
-    QDockWidget* renderDock_ = nullptr;
-    QDockWidget* accuracyDock_ = nullptr;
-    QDockWidget* effectsDock_ = nullptr;
-    QAction* save_ = nullptr;
-    QAction* copy_ = nullptr;
-    QAction* undo_ = nullptr;
-    QAction* redo_ = nullptr;
-    QAction* pause_ = nullptr;
-    QAction* smoothed_ = nullptr;
-    QAction* table_ = nullptr;
-    QAction* captioned_ = nullptr;
-    QAction* regionFirst_ = nullptr;
-    QAction* alone_ = nullptr;
-    QByteArray stateBeforeAlone_;
-    QList<QDockWidget*> gaveWay_;  ///< panels that come back when the one of the tissue goes
+    WindowDocks* docks_;
+    WindowActions actions_;
     QString lastFolder_;
     QString questionOnClosing_;
 };

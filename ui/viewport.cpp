@@ -4,7 +4,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <chrono>
@@ -12,9 +11,6 @@
 #include <utility>
 
 #include "render/scene/orbit.h"
-#include "ui/error_legend.h"
-#include "ui/orientation_cube.h"
-#include "ui/orientation_letters.h"
 
 namespace pdr::ui {
 namespace {
@@ -24,32 +20,6 @@ constexpr double kZoomPerWheelClick = 1.15;
 constexpr double kZoomPerHeight = 8;  // magnification of a drag over the whole height
 constexpr auto kRestAfter = std::chrono::milliseconds(250);
 constexpr auto kSettledAfter = std::chrono::milliseconds(200);
-constexpr int kMargin = 12;
-constexpr int kCubeSide = 64;
-constexpr QRgb kMarks = qRgb(255, 205, 110);
-
-/// One at each end, open towards the other.
-QPainterPath bracketsAround(const QLineF& line) {
-    constexpr double kBeyond = 4, kHalf = 6, kHook = 4;
-    QPainterPath path;
-    for (const QLineF& from : {line, QLineF(line.p2(), line.p1())}) {
-        const QPointF along = (from.p2() - from.p1()) / std::max(from.length(), 1.0), across(-along.y(), along.x());
-        const QPointF corner = from.p1() - kBeyond * along;
-        path.moveTo(corner - kHalf * across + kHook * along);
-        path.lineTo(corner - kHalf * across);
-        path.lineTo(corner + kHalf * across);
-        path.lineTo(corner + kHalf * across + kHook * along);
-    }
-    return path;
-}
-
-/// With a shadow, since it may stand on bright bone.
-void paintText(QPainter& painter, const QRect& area, int where, const QString& text) {
-    painter.setPen(Qt::black);
-    painter.drawText(area.translated(1, 1), where, text);
-    painter.setPen(QColor(225, 225, 215));
-    painter.drawText(area, where, text);
-}
 
 }  // namespace
 
@@ -69,7 +39,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     connect(&settleTimer_, &QTimer::timeout, this, [this] { emit sizeInPixelsChanged(sizeInPixels()); });
 }
 
-void Viewport::setPicture(const Shown& picture) {
+void Viewport::setPicture(const ShownPicture& picture) {
     picture_ = picture;
     update();
 }
@@ -110,7 +80,7 @@ void Viewport::showTip(QPointF place, const QString& text) {
 
 /// In fractions of the picture's width and height.
 QPointF Viewport::placeOf(QPointF point) const {
-    const QRectF area = pictureArea();
+    const QRectF area = pictureArea(picture_->image.size(), view());
     const QPointF place = point - area.topLeft();
     return {place.x() / area.width(), place.y() / area.height()};
 }
@@ -289,83 +259,12 @@ void Viewport::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), Qt::black);
     if (!picture_)
         return paintMessage(painter);
-    paintPicture(painter);
-    paintLostLines(painter);
-    paintLetters(painter);
-    paintLook(painter);
-}
-
-/// The field of view belongs to the height, so the picture is fitted to it: while the window is resized the patient
-/// keeps his size until the new picture comes.
-QRectF Viewport::pictureArea() const {
-    const QImage& image = picture_->image;
-    const double scale = double(height()) / image.height();
-    QRectF area(0, 0, image.width() * scale, height());
-    area.moveCenter(QRectF(rect()).center());
-    return std::abs(area.width() - width()) <= 2 * scale ? rect() : area;  // only the rounding of the film's size
-}
-
-void Viewport::paintPicture(QPainter& painter) const {
-    paintImage(painter, picture_->image);
-    if (picture_->errorMap.isNull())
-        return;
-    paintImage(painter, picture_->errorMap);
     painter.setFont(font());
-    paintErrorLegend(painter, rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), picture_->smoothed);
+    paintShownPicture(painter, *picture_, view());
 }
 
-void Viewport::paintImage(QPainter& painter, const QImage& image) const {
-    if (image.size() == sizeInPixels()) {  // pixel by pixel, also where one is no whole part of a length
-        const double ratio = devicePixelRatioF();
-        painter.scale(1 / ratio, 1 / ratio);
-        painter.drawImage(QPointF(0, 0), image);
-        return painter.resetTransform();
-    }
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(pictureArea(), image);
-}
-
-/// The line itself stays free: if the film is shown in its place, it is seen there.
-void Viewport::paintLostLines(QPainter& painter) const {
-    const QRectF area = pictureArea();
-    const double scale = area.height() / picture_->image.height();
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    for (const QLineF& line : picture_->lostLines) {
-        const QLineF shown(area.topLeft() + scale * line.p1(), area.topLeft() + scale * line.p2());
-        const QPainterPath brackets = bracketsAround(shown);
-        painter.strokePath(brackets.translated(1, 1), QPen(QColor(0, 0, 0, 150), 1));
-        painter.strokePath(brackets, QPen(QColor(kMarks), 1));
-    }
-    painter.restore();
-}
-
-void Viewport::paintLetters(QPainter& painter) const {
-    QFont bold = font();
-    bold.setPointSizeF(bold.pointSizeF() * 1.25);
-    bold.setBold(true);
-    painter.setFont(bold);
-    const EdgeLetters edges = letters();
-    const QRect area = rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
-    const auto write = [&](int where, const std::string& text) {
-        paintText(painter, area, where, QString::fromStdString(text));
-    };
-    write(Qt::AlignLeft | Qt::AlignVCenter, edges.left);
-    write(Qt::AlignRight | Qt::AlignVCenter, edges.right);
-    write(Qt::AlignTop | Qt::AlignHCenter, edges.top);
-    write(Qt::AlignBottom | Qt::AlignHCenter, edges.bottom);
-    const QRectF cube(width() - kMargin - kCubeSide, height() - kMargin - kCubeSide, kCubeSide, kCubeSide);
-    paintOrientationCube(painter, cube, picture_->camera);
-}
-
-/// Also where nothing else of the window is seen.
-void Viewport::paintLook(QPainter& painter) const {
-    painter.setFont(font());
-    QStringList lines{picture_->look, picture_->mark, captionShown_ ? picture_->caption : QString(),
-                      tr("Not for diagnostic use")};
-    lines.removeAll({});
-    const QRect area = rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
-    paintText(painter, area, Qt::AlignLeft | Qt::AlignBottom, lines.join('\n'));
+PictureView Viewport::view() const {
+    return {size(), devicePixelRatioF(), captionShown_};
 }
 
 void Viewport::paintMessage(QPainter& painter) const {

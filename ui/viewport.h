@@ -1,9 +1,6 @@
 #pragma once
 /// The picture and its interaction: drags and wheels become camera edits. Setters are silent.
 
-#include <QImage>
-#include <QLineF>
-#include <QList>
 #include <QPoint>
 #include <QTimer>
 #include <QWidget>
@@ -11,6 +8,7 @@
 
 #include "render/scene/camera.h"
 #include "ui/orientation_letters.h"
+#include "ui/shown_picture.h"
 
 class QHelpEvent;
 
@@ -22,19 +20,7 @@ class Viewport : public QWidget {
   public:
     explicit Viewport(QWidget* parent = nullptr);
 
-    /// A picture and what it shows.
-    struct Shown {
-        QImage image;             ///< of whatever size: it is stretched to the view's height
-        Camera camera;            ///< that it was made with; letters and cube are painted from it
-        QString look;             ///< written into a corner, ...
-        QString mark;             ///< ... with what else must be known of the picture; empty: nothing
-        QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends
-        QString caption;          ///< below the mark, where nothing beside the picture says it: setCaptionShown()
-        QImage errorMap;          ///< painted over the image, with a legend; null: none
-        bool smoothed = false;    ///< the image is; the map is of what it was before
-    };
-
-    void setPicture(const Shown& picture);
+    void setPicture(const ShownPicture& picture);
     void clearPicture();
     /// The letters at the edges of the picture; none without one.
     EdgeLetters letters() const;
@@ -91,19 +77,14 @@ class Viewport : public QWidget {
     void editInSteps(const Camera& camera);
     /// From widget coordinates to fractions of the view's height.
     dvec2 inHeights(QPointF distance) const;
-    QRectF pictureArea() const;
+    PictureView view() const;
     QPointF placeOf(QPointF point) const;
     void dragTissue(QPointF point);
     void endTissue(QPointF point);
     void tellPlace(const QHelpEvent& event);
-    void paintPicture(QPainter& painter) const;
-    void paintImage(QPainter& painter, const QImage& image) const;
-    void paintLostLines(QPainter& painter) const;
-    void paintLetters(QPainter& painter) const;
-    void paintLook(QPainter& painter) const;
     void paintMessage(QPainter& painter) const;
 
-    std::optional<Shown> picture_;
+    std::optional<ShownPicture> picture_;
     QString message_;
     bool captionShown_ = false;
     std::optional<Camera> camera_;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "render/scene/field_check.h"
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/camera_fields.h"
 
 namespace pdr {
 

@@ -1,7 +1,7 @@
 #include "render/scene/clip.h"
 
 #include "render/scene/field_check.h"
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/clip_fields.h"
 
 namespace pdr {
 

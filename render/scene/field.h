@@ -1,6 +1,6 @@
 #pragma once
 /// The fields of scene files, presets and sessions. Each struct that stands in a file is described once, in
-/// scene_fields.h, by
+/// fields/, by
 ///     template <class Visit> void describe(Visit& visit, TransferNode& node) {
 ///         visit({"hu", "Hounsfield units", {-32768, 32767}, kRequired}, node.hu);
 ///         ...

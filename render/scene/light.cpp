@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "render/scene/field_check.h"
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/light_fields.h"
 
 namespace pdr {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "render/scene/field_check.h"
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/look_fields.h"
 
 namespace pdr {
 namespace {

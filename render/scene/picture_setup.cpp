@@ -6,7 +6,7 @@
 #include "render/scene/field_check.h"
 #include "render/scene/field_reader.h"
 #include "render/scene/field_writer.h"
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/look_fields.h"
 
 namespace pdr {
 

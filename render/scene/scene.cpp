@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "render/scene/field_check.h"
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/scene_fields.h"
 
 namespace pdr {
 namespace {

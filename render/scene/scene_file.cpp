@@ -8,7 +8,9 @@
 #include "render/scene/field_check.h"
 #include "render/scene/field_reader.h"
 #include "render/scene/field_writer.h"
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/light_fields.h"
+#include "render/scene/fields/scene_fields.h"
+#include "render/scene/fields/volume_fields.h"
 #include "render/volume/clamp.h"
 
 namespace pdr {

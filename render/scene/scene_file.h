@@ -1,5 +1,5 @@
 #pragma once
-/// Scene files: JSON, "format": "pdrender-scene", "version": 1; every field is described in scene_fields.h, and in
+/// Scene files: JSON, "format": "pdrender-scene", "version": 1; every field is described in fields/ and in
 /// resources/manual/scene-file.md.
 
 #include <filesystem>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "render/scene/field_check.h"
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/tissue_fields.h"
 
 namespace pdr {
 

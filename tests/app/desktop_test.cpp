@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/window_content.h"
+#include "app/show_frame.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"

@@ -92,10 +92,21 @@ def _is_list(text: str) -> bool:
     return False
 
 
+def _is_closed(text: str) -> bool:
+    """Whether it closes as many brackets as it opens."""
+    return all(text.count(opened) == text.count(closed) for opened, closed in ("()", "[]", "{}"))
+
+
 def _is_expression(text: str) -> bool:
-    """Whether nothing speaks against it: no list, and at its begin no keyword of a statement, nor an operator of what stands
-    before it."""
-    return text.strip() != "" and not _is_list(text) and not re.match(r"(if|for|while|switch|return)\b|&& |\|\| ", text)
+    """Whether nothing speaks against it: no list, no open bracket, and at its begin no keyword of a statement, nor an
+    operator of what stands before it."""
+    return text.strip() != "" and _is_closed(text) and not _is_list(text) and not re.match(r"(if|for|while|switch|return)\b|&& |\|\| ", text)
+
+
+def _is_declaration(text: str) -> bool:
+    """Whether the statement declares something: what follows would not see it from within the switch's branch."""
+    first = r"(?!return\b|throw\b|delete\b|goto\b|else\b|if\b|for\b|while\b|switch\b|case\b|emit\b|using\b)"
+    return re.match(first + r"[A-Za-z_][\w:]*(<[^;=()]*>)?[&*]*\s+[&*]?[A-Za-z_]\w*\s*[=({;,]", text.strip()) is not None
 
 
 def _begins_statement(text: str, begin: int) -> bool:
@@ -132,6 +143,8 @@ def plant(source: Path, bugs: list[Bug]) -> dict[str, str]:
                 span = _span(texts[file], place)
                 if place.was.rstrip().endswith(";") and not _begins_statement(texts[file], span[0]):
                     raise TableError(f"{file}: begins amid a statement: {place.was!r}")
+                if place.was.rstrip().endswith(";") and _is_declaration(place.was):
+                    raise TableError(f"{file}: declares what is needed behind it: {place.was!r}")
                 pieces.setdefault(file, {}).setdefault(span, []).append((bug, place))
             except (TableError, OSError) as error:
                 complaints.append(f"{bug.name}: {error}")

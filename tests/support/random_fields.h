@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/light_fields.h"
+#include "render/scene/fields/look_fields.h"
+#include "render/scene/fields/scene_fields.h"
+#include "render/scene/fields/volume_fields.h"
 
 namespace pdr::test {
 

@@ -79,8 +79,8 @@ void TestErrorMap::whatIsNotKnownIsGreyAndWhatIsNoTissueIsLeftAsItIs() {
 }
 
 /// 300 x 200 pixels, white, whose left half has a map of 8 levels.
-static Viewport::Shown shownWithMap() {
-    Viewport::Shown shown;
+static ShownPicture shownWithMap() {
+    ShownPicture shown;
     shown.image = QImage(300, 200, QImage::Format_RGBX8888);
     shown.image.fill(Qt::white);
     shown.errorMap = QImage(300, 200, QImage::Format_Indexed8);
@@ -99,7 +99,7 @@ static QImage shot(Viewport& viewport) {
 
 void TestErrorMap::theMapLiesOnThePictureAndLettersOnTheMap() {
     Viewport viewport;
-    Viewport::Shown shown = shownWithMap();
+    ShownPicture shown = shownWithMap();
     viewport.setPicture(shown);
     const QImage with = shot(viewport);
     QVERIFY(close(with.pixelColor(100, 160), errorColour(8)));
@@ -116,7 +116,7 @@ void TestErrorMap::theMapLiesOnThePictureAndLettersOnTheMap() {
 
 void TestErrorMap::aLegendStandsBesideTheMapAlone() {
     Viewport viewport;
-    Viewport::Shown shown = shownWithMap();
+    ShownPicture shown = shownWithMap();
     shown.errorMap.fill(int(kNoTissueBin));
     const auto coloured = [&](const QColor& colour) {
         viewport.setPicture(shown);

@@ -85,8 +85,8 @@ static void restAt(Viewport& viewport, QPoint place) {
 }
 
 /// In a view of 400 x 200.
-static Viewport::Shown shownOf(QSize size) {
-    Viewport::Shown shown;
+static ShownPicture shownOf(QSize size) {
+    ShownPicture shown;
     shown.image = QImage(size, QImage::Format_RGBX8888);
     shown.image.fill(Qt::black);
     return shown;

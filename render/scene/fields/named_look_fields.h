@@ -1,8 +1,8 @@
 #pragma once
 /// What the fields of files of looks are called, which range they have, and what they mean.
 
+#include "render/scene/fields/look_fields.h"
 #include "render/scene/named_look.h"
-#include "render/scene/scene_fields.h"
 
 namespace pdr {
 

@@ -5,7 +5,10 @@
 
 #include "render/scene/field_check.h"
 #include "render/scene/field_table.h"
-#include "render/scene/scene_fields.h"
+#include "render/scene/fields/light_fields.h"
+#include "render/scene/fields/look_fields.h"
+#include "render/scene/fields/scene_fields.h"
+#include "render/scene/fields/volume_fields.h"
 #include "tests/support/places.h"
 #include "tests/support/random_fields.h"
 

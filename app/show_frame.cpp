@@ -1,8 +1,7 @@
-#include "app/window_content.h"
+#include "app/show_frame.h"
 
 #include "app/caption.h"
-#include "app/ledger_content.h"
-#include "app/series_choice.h"
+#include "app/show_message.h"
 #include "render/accuracy/quality.h"
 #include "ui/error_colours.h"
 #include "ui/series_text.h"
@@ -72,31 +71,6 @@ std::optional<double> lastTime(const DesktopParts& parts, const Frame& frame) {
     return perPixel ? std::optional(*perPixel * view.width() * view.height()) : std::nullopt;
 }
 
-QString invitation() {
-    return ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O");
-}
-
-/// The place of the picture, with a few words in it.
-void showNoPicture(const DesktopParts& parts, const QString& message) {
-    parts.window.viewport().clearPicture();
-    parts.window.viewport().setMessage(message);
-    parts.window.foot().clear();
-    parts.window.accuracy().clear();
-    parts.window.setPictureAvailable(false);
-}
-
-/// What the import remarked on the series, its voxels and its table, one note a line.
-QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofPixels,
-                const segment::HiddenTable& table) {
-    QStringList lines;
-    for (const auto* notes : {&series.verdict.notes, &ofPixels})
-        for (const dicom::Note& note : *notes)
-            lines << ui::sentence(note.text);
-    if (const std::string text = segment::tableText(table); !text.empty())
-        lines << QString::fromStdString(text);
-    return lines.join('\n');
-}
-
 /// What makes the picture another one than it seems; or that nothing does.
 QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
@@ -135,73 +109,12 @@ ui::Accuracy accuracyOf(const DesktopParts& parts, const Frame& frame) {
 
 }  // namespace
 
-void showNothing(const DesktopParts& parts) {
-    parts.picture.cancel();
-    parts.document.close();
-    parts.bridge.clear();
-    parts.bridge.setRegion(std::nullopt);
-    parts.window.setRegion(std::nullopt);
-    parts.study.setVolume(nullptr);
-    parts.window.tissue().setHistogram(nullptr);
-    showNoPicture(parts, invitation());
-    parts.window.setSubject({});
-    parts.window.series().setNothingShown();
-    showDocument(parts);
-}
-
-void showReading(const DesktopParts& parts, int index) {
-    showNothing(parts);
-    parts.import.loadSeries(index);
-}
-
-void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder) {
-    showNothing(parts);
-    parts.window.message().clear();
-    parts.window.setLastFolder(folder);
-    parts.window.series().setScan(scan);
-    if (const int first = firstLoadable(scan); first >= 0)
-        return parts.import.loadSeries(first);
-    parts.window.series().setCurrent(scan.series.empty() ? -1 : 0);
-    Error error = nothingLoadable(scan).in(folder.toStdString());
-    error.hint = "Open a folder with a CT series.";
-    parts.window.message().showError(error);
-}
-
-void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index,
-                const segment::HiddenTable& table) {
-    const dicom::Series& series = parts.import.scan().series[std::size_t(index)];
-    parts.window.message().clear();
-    if (const QString notes = notesOn(series, parts.import.loadNotes(), table); !notes.isEmpty())
-        showNotice(parts, notes);
-    if (table.body)
-        parts.window.message().offer(ui::MainWindow::tr("Show"));
-    parts.window.setSubject(ui::windowSubject(series));
-    parts.window.series().setCurrent(index);
-    showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::windowSubject(series)));
-    parts.study.setVolume(table.body ? table.body : volume);
-    parts.document.open(std::move(volume), table);
-}
-
-void showProgress(const DesktopParts& parts, double fraction, const QString& step) {
-    parts.window.status().setProgress(fraction, step);
-    parts.window.viewport().setMessage(ui::sentence(step.toStdString()));
-}
-
-void showReadingEnded(const DesktopParts& parts) {
-    parts.window.viewport().setMessage(invitation());
-    parts.window.series().setCurrent(parts.window.series().current());
-}
-
-void showFailure(const DesktopParts& parts, const Error& error) {
-    parts.window.message().showError(error);
-}
-
-void showSaved(const DesktopParts& parts, const QString& file) {
-    parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file));
-}
-
-void showNotice(const DesktopParts& parts, const QString& sentences) {
-    parts.window.message().showError({sentences.toStdString(), "", ""});
+void showNoPicture(const DesktopParts& parts, const QString& message) {
+    parts.window.viewport().clearPicture();
+    parts.window.viewport().setMessage(message);
+    parts.window.foot().clear();
+    parts.window.accuracy().clear();
+    parts.window.setPictureAvailable(false);
 }
 
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame) {
@@ -247,55 +160,6 @@ void showStop(const DesktopParts& parts, const StopRule& rule) {
 void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& errors) {
     const auto& frame = parts.bridge.lastFrame();
     parts.window.viewport().showTip(place, ui::hereText(errors, frame && frame->smoothed));
-}
-
-void showEffects(const DesktopParts& parts) {
-    const auto& ledger = parts.bridge.lastLedger();
-    if (!ledger || !parts.document.hasVolume())
-        return parts.window.effects().setRows({});
-    parts.window.effects().setRows(effectRows(*ledger, leanSetup(parts.document, *ledger).leftOut));
-}
-
-void leaveOutUnseen(const DesktopParts& parts) {
-    if (const auto& ledger = parts.bridge.lastLedger(); ledger && parts.document.hasVolume())
-        parts.document.setSetup(leanSetup(parts.document, *ledger).setup);
-}
-
-void pickTissue(const DesktopParts& parts, QPointF place) {
-    if (parts.document.hasVolume())
-        parts.study.pick(parts.document.scene(), place);
-}
-
-void makePicture(const DesktopParts& parts, const ui::PictureOrder& order) {
-    if (!parts.document.hasVolume() || !order.size)
-        return;
-    Scene scene = parts.document.scene();
-    scene.film = {order.size->width(), order.size->height()};
-    parts.picture.make({scene, parts.document.display(), parts.bridge.captioned(), order.stop, order.file,
-                        parts.bridge.anotherDevice()});
-}
-
-void cancelWhatRuns(const DesktopParts& parts) {
-    if (parts.import.isRunning())
-        parts.import.cancel();
-    else
-        parts.picture.cancel();
-}
-
-void showDocument(const DesktopParts& parts) {
-    const Document& document = parts.document;
-    const auto camera = document.hasVolume() ? std::optional(document.setup().camera) : std::nullopt;
-    parts.window.viewport().setCamera(camera);
-    if (document.setup().table == Table::shown)
-        parts.window.message().withdraw();
-    parts.window.setTable(document.setup().table == Table::shown, document.hasTable());
-    parts.window.look().setPreset(document.preset());
-    parts.window.look().setBrightness(document.setup().stops);
-    parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
-    parts.window.rendering().setEstimator(document.setup().estimator);
-    parts.window.rendering().setSchedule(document.setup().schedule);
-    parts.window.setSmoothed(document.smoothed());
-    parts.window.setUndoAvailable(document.canUndo(), document.canRedo());
 }
 
 }  // namespace pdr::app

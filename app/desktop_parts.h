@@ -1,0 +1,27 @@
+#pragma once
+/// The desktop's parts, for what brings them together.
+
+#include "app/document.h"
+#include "app/import_job.h"
+#include "app/picture_job.h"
+#include "app/render_bridge.h"
+#include "app/settings.h"
+#include "app/tissue_edits.h"
+#include "app/tissue_study.h"
+#include "ui/main_window.h"
+
+namespace pdr::app {
+
+/// The desktop's parts; whoever owns them keeps them together.
+struct DesktopParts {
+    ImportJob& import;
+    Document& document;
+    RenderBridge& bridge;
+    ui::MainWindow& window;
+    Settings& settings;
+    TissueStudy& study;
+    TissueEdits& tissue;
+    PictureJob& picture;
+};
+
+}  // namespace pdr::app

@@ -1,0 +1,30 @@
+#include "app/show_document.h"
+
+#include "app/ledger_content.h"
+
+namespace pdr::app {
+
+void showDocument(const DesktopParts& parts) {
+    const Document& document = parts.document;
+    const auto camera = document.hasVolume() ? std::optional(document.setup().camera) : std::nullopt;
+    parts.window.viewport().setCamera(camera);
+    if (document.setup().table == Table::shown)
+        parts.window.message().withdraw();
+    parts.window.setTable(document.setup().table == Table::shown, document.hasTable());
+    parts.window.look().setPreset(document.preset());
+    parts.window.look().setBrightness(document.setup().stops);
+    parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
+    parts.window.rendering().setEstimator(document.setup().estimator);
+    parts.window.rendering().setSchedule(document.setup().schedule);
+    parts.window.setSmoothed(document.smoothed());
+    parts.window.setUndoAvailable(document.canUndo(), document.canRedo());
+}
+
+void showEffects(const DesktopParts& parts) {
+    const auto& ledger = parts.bridge.lastLedger();
+    if (!ledger || !parts.document.hasVolume())
+        return parts.window.effects().setRows({});
+    parts.window.effects().setRows(effectRows(*ledger, leanSetup(parts.document, *ledger).leftOut));
+}
+
+}  // namespace pdr::app

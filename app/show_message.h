@@ -1,0 +1,15 @@
+#pragma once
+/// Messages. What was shown before stays.
+
+#include "app/desktop_parts.h"
+
+namespace pdr::app {
+
+/// A message. What was shown before stays.
+void showFailure(const DesktopParts& parts, const Error& error);
+/// That the picture is in that file.
+void showSaved(const DesktopParts& parts, const QString& file);
+/// Sentences about something that did not go as it was asked; the rendering goes on.
+void showNotice(const DesktopParts& parts, const QString& sentences);
+
+}  // namespace pdr::app

@@ -1,0 +1,88 @@
+#include "app/show_scan.h"
+
+#include "app/series_choice.h"
+#include "app/show_document.h"
+#include "app/show_frame.h"
+#include "app/show_message.h"
+#include "ui/series_text.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+namespace {
+
+QString invitation() {
+    return ui::MainWindow::tr("Drop a folder with a CT here, or press Ctrl+O");
+}
+
+/// What the import remarked on the series, its voxels and its table, one note a line.
+QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofPixels,
+                const segment::HiddenTable& table) {
+    QStringList lines;
+    for (const auto* notes : {&series.verdict.notes, &ofPixels})
+        for (const dicom::Note& note : *notes)
+            lines << ui::sentence(note.text);
+    if (const std::string text = segment::tableText(table); !text.empty())
+        lines << QString::fromStdString(text);
+    return lines.join('\n');
+}
+
+}  // namespace
+
+void showNothing(const DesktopParts& parts) {
+    parts.picture.cancel();
+    parts.document.close();
+    parts.bridge.clear();
+    parts.bridge.setRegion(std::nullopt);
+    parts.window.setRegion(std::nullopt);
+    parts.study.setVolume(nullptr);
+    parts.window.tissue().setHistogram(nullptr);
+    showNoPicture(parts, invitation());
+    parts.window.setSubject({});
+    parts.window.series().setNothingShown();
+    showDocument(parts);
+}
+
+void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder) {
+    showNothing(parts);
+    parts.window.message().clear();
+    parts.window.setLastFolder(folder);
+    parts.window.series().setScan(scan);
+    if (const int first = firstLoadable(scan); first >= 0)
+        return parts.import.loadSeries(first);
+    parts.window.series().setCurrent(scan.series.empty() ? -1 : 0);
+    Error error = nothingLoadable(scan).in(folder.toStdString());
+    error.hint = "Open a folder with a CT series.";
+    parts.window.message().showError(error);
+}
+
+void showReading(const DesktopParts& parts, int index) {
+    showNothing(parts);
+    parts.import.loadSeries(index);
+}
+
+void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index,
+                const segment::HiddenTable& table) {
+    const dicom::Series& series = parts.import.scan().series[std::size_t(index)];
+    parts.window.message().clear();
+    if (const QString notes = notesOn(series, parts.import.loadNotes(), table); !notes.isEmpty())
+        showNotice(parts, notes);
+    if (table.body)
+        parts.window.message().offer(ui::MainWindow::tr("Show"));
+    parts.window.setSubject(ui::windowSubject(series));
+    parts.window.series().setCurrent(index);
+    showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::windowSubject(series)));
+    parts.study.setVolume(table.body ? table.body : volume);
+    parts.document.open(std::move(volume), table);
+}
+
+void showProgress(const DesktopParts& parts, double fraction, const QString& step) {
+    parts.window.status().setProgress(fraction, step);
+    parts.window.viewport().setMessage(ui::sentence(step.toStdString()));
+}
+
+void showReadingEnded(const DesktopParts& parts) {
+    parts.window.viewport().setMessage(invitation());
+    parts.window.series().setCurrent(parts.window.series().current());
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,24 @@
+#pragma once
+/// What the window shows of a folder, while it is read, and of the volume that comes of it.
+
+#include <memory>
+
+#include "app/desktop_parts.h"
+
+namespace pdr::app {
+
+/// An invitation to open a folder, and no picture; nothing of the one before is kept.
+void showNothing(const DesktopParts& parts);
+/// The series of `folder`; the first one that can be shown is loaded, and if there is none a message says why.
+void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder);
+/// Closes what is shown, so that there is room, and reads the series `index` of the last scan.
+void showReading(const DesktopParts& parts, int index);
+/// The series `index` of the last scan, whose voxels are `volume`, without its `table`.
+void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index,
+                const segment::HiddenTable& table);
+/// How far reading has come.
+void showProgress(const DesktopParts& parts, double fraction, const QString& step);
+/// Reading has ended without a new picture: what is shown stays, if anything is.
+void showReadingEnded(const DesktopParts& parts);
+
+}  // namespace pdr::app

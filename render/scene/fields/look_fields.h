@@ -1,0 +1,62 @@
+#pragma once
+/// What the fields of looks and sessions are called, which range they have, and what they mean.
+
+#include "render/scene/fields/scene_fields.h"
+#include "render/scene/fields/volume_fields.h"
+#include "render/scene/picture_setup.h"
+
+namespace pdr {
+
+inline constexpr Words<LightRig::Follows, 2> kFollowsWords{
+    {{"camera", LightRig::Follows::camera}, {"patient", LightRig::Follows::patient}}};
+
+/// The rig and what lights the rest.
+struct RigFields {
+    LightRig& rig;
+    Environment& environment;
+};
+template <class Visit>
+void describe(Visit& visit, RigFields& fields) {
+    constexpr Range kScale{0, 1e6};
+    visit({"key", "radiance scale of the main panel, upper left", kScale}, fields.rig.key);
+    visit({"fill", "of the panel on the other side", kScale}, fields.rig.fill);
+    visit({"rim", "of the panel behind", kScale}, fields.rig.rim);
+    visit.word({"follows",
+                "what the panels move with: the `camera`, so that each view is lit alike, or the `patient`, lit as in "
+                "the view from the front"},
+               fields.rig.follows, kFollowsWords);
+    visit({"ambient", "colour: radiance of the environment; with `nadir`: from straight above (towards the head)",
+           kScale},
+          fields.environment.radiance);
+    visit({"nadir", "colour from straight below; in between it changes evenly with the height", kScale},
+          fields.environment.nadir);
+    visit({"visible", "whether the camera sees the environment behind the volume"}, fields.environment.visible);
+}
+
+template <class Visit>
+void describe(Visit& visit, Look& look) {
+    PhaseField phase{look.phaseG};
+    SurfaceField surface{look.gradientFactor};
+    RigFields rig{look.rig, look.environment};
+    visit.object({"transferFunction", "how Hounsfield units become optics", {}, kRequired}, look.transferFunction);
+    visit.object({"window", "what `maximumIntensity` shows black and white"}, look.window);
+    visit.object({"phase", "how tissue scatters"}, phase);
+    visit.object({"surface", "how readily an edge reflects like a surface"}, surface);
+    visit.object({"lights", "the rig of lights, and the environment"}, rig);
+    visit({"exposure", "radiance that is shown as 1 - 1/e", {0, 1e30f, false}}, look.display.exposure);
+}
+
+template <class Visit>
+void describe(Visit& visit, PictureSetup& setup) {
+    visit.object({"look", "how tissue looks", {}, kRequired}, setup.look);
+    visit({"lookName", "what the user calls it"}, setup.lookName);
+    visit({"stops", "brightness against the look's; one more is twice as bright", {-64, 64}}, setup.stops);
+    visit.object({"camera", "from where it is seen", {}, kRequired}, setup.camera);
+    visit.object({"clip", "what is cut away"}, setup.clip);
+    visit.word({"table", "whether the scanner's table and the head holder are seen"}, setup.table, kTableWords);
+    visit.word({"model", "optical model"}, setup.model, kModelWords);
+    visit.word({"estimator", "`unbiased`, or `kroesMarch`, as in scene files"}, setup.estimator, kEstimatorWords);
+    visit.object({"schedule", "how iterations become displayed frames"}, setup.schedule);
+}
+
+}  // namespace pdr

@@ -1,0 +1,135 @@
+#include "ui/shown_picture.h"
+
+#include <QCoreApplication>
+#include <QPainterPath>
+#include <cmath>
+
+#include "ui/error_legend.h"
+#include "ui/orientation_cube.h"
+#include "ui/orientation_letters.h"
+
+namespace pdr::ui {
+namespace {
+
+constexpr int kMargin = 12;
+constexpr int kCubeSide = 64;
+constexpr QRgb kMarks = qRgb(255, 205, 110);
+
+/// One at each end, open towards the other.
+QPainterPath bracketsAround(const QLineF& line) {
+    constexpr double kBeyond = 4, kHalf = 6, kHook = 4;
+    QPainterPath path;
+    for (const QLineF& from : {line, QLineF(line.p2(), line.p1())}) {
+        const QPointF along = (from.p2() - from.p1()) / std::max(from.length(), 1.0), across(-along.y(), along.x());
+        const QPointF corner = from.p1() - kBeyond * along;
+        path.moveTo(corner - kHalf * across + kHook * along);
+        path.lineTo(corner - kHalf * across);
+        path.lineTo(corner + kHalf * across);
+        path.lineTo(corner + kHalf * across + kHook * along);
+    }
+    return path;
+}
+
+/// With a shadow, since it may stand on bright bone.
+void paintText(QPainter& painter, const QRect& area, int where, const QString& text) {
+    painter.setPen(Qt::black);
+    painter.drawText(area.translated(1, 1), where, text);
+    painter.setPen(QColor(225, 225, 215));
+    painter.drawText(area, where, text);
+}
+
+/// One painting of it.
+struct Painting {
+    QPainter& painter;
+    const ShownPicture& picture;
+    const PictureView& view;
+    QFont plain;
+
+    QRect withinMargins() const { return QRect({}, view.size).adjusted(kMargin, kMargin, -kMargin, -kMargin); }
+    QRectF area() const { return pictureArea(picture.image.size(), view); }
+
+    void paintImage(const QImage& image) const;
+    void paintErrorMap() const;
+    void paintLostLines() const;
+    void paintLetters() const;
+    void paintTexts() const;
+};
+
+void Painting::paintImage(const QImage& image) const {
+    if (image.size() == (QSizeF(view.size) * view.pixelRatio).toSize()) {
+        // pixel by pixel, also where one is no whole part of a length
+        painter.scale(1 / view.pixelRatio, 1 / view.pixelRatio);
+        painter.drawImage(QPointF(0, 0), image);
+        return painter.resetTransform();
+    }
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(area(), image);
+}
+
+void Painting::paintErrorMap() const {
+    if (picture.errorMap.isNull())
+        return;
+    paintImage(picture.errorMap);
+    paintErrorLegend(painter, withinMargins(), picture.smoothed);
+}
+
+/// The line itself stays free: if the film is shown in its place, it is seen there.
+void Painting::paintLostLines() const {
+    const double scale = area().height() / picture.image.height();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const QLineF& line : picture.lostLines) {
+        const QLineF shown(area().topLeft() + scale * line.p1(), area().topLeft() + scale * line.p2());
+        const QPainterPath brackets = bracketsAround(shown);
+        painter.strokePath(brackets.translated(1, 1), QPen(QColor(0, 0, 0, 150), 1));
+        painter.strokePath(brackets, QPen(QColor(kMarks), 1));
+    }
+    painter.restore();
+}
+
+void Painting::paintLetters() const {
+    QFont bold = plain;
+    bold.setPointSizeF(bold.pointSizeF() * 1.25);
+    bold.setBold(true);
+    painter.setFont(bold);
+    const EdgeLetters edges = edgeLetters(picture.camera);
+    const auto write = [&](int where, const std::string& text) {
+        paintText(painter, withinMargins(), where, QString::fromStdString(text));
+    };
+    write(Qt::AlignLeft | Qt::AlignVCenter, edges.left);
+    write(Qt::AlignRight | Qt::AlignVCenter, edges.right);
+    write(Qt::AlignTop | Qt::AlignHCenter, edges.top);
+    write(Qt::AlignBottom | Qt::AlignHCenter, edges.bottom);
+    const QPointF corner(view.size.width() - kMargin - kCubeSide, view.size.height() - kMargin - kCubeSide);
+    paintOrientationCube(painter, QRectF(corner, QSizeF(kCubeSide, kCubeSide)), picture.camera);
+}
+
+/// Also where nothing else of the window is seen.
+void Painting::paintTexts() const {
+    painter.setFont(plain);
+    QStringList lines{picture.look, picture.mark, view.captioned ? picture.caption : QString(),
+                      QCoreApplication::translate("Viewport", "Not for diagnostic use")};
+    lines.removeAll({});
+    paintText(painter, withinMargins(), Qt::AlignLeft | Qt::AlignBottom, lines.join('\n'));
+}
+
+}  // namespace
+
+QRectF pictureArea(const QSize& image, const PictureView& view) {
+    const double scale = double(view.size.height()) / image.height();
+    QRectF area(0, 0, image.width() * scale, view.size.height());
+    area.moveCenter(QRectF({}, QSizeF(view.size)).center());
+    const bool onlyRounded = std::abs(area.width() - view.size.width()) <= 2 * scale;  // the film's size
+    return onlyRounded ? QRectF({}, QSizeF(view.size)) : area;
+}
+
+void paintShownPicture(QPainter& painter, const ShownPicture& picture, const PictureView& view) {
+    const Painting painting{painter, picture, view, painter.font()};
+    painting.paintImage(picture.image);
+    painting.paintErrorMap();
+    painting.paintLostLines();
+    painting.paintLetters();
+    painting.paintTexts();
+}
+
+}  // namespace pdr::ui

@@ -1,0 +1,38 @@
+#pragma once
+/// The picture in its view: how it lies there, and what is written and drawn over it.
+
+#include <QImage>
+#include <QLineF>
+#include <QList>
+#include <QPainter>
+
+#include "render/scene/camera.h"
+
+namespace pdr::ui {
+
+/// A picture and what it shows.
+struct ShownPicture {
+    QImage image;             ///< of whatever size: it is stretched to the view's height
+    Camera camera;            ///< that it was made with; letters and cube are painted from it
+    QString look;             ///< written into a corner, ...
+    QString mark;             ///< ... with what else must be known of the picture; empty: nothing
+    QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends
+    QString caption;          ///< below the mark, where nothing beside the picture says it: PictureView::caption
+    QImage errorMap;          ///< painted over the image, with a legend; null: none
+    bool smoothed = false;    ///< the image is; the map is of what it was before
+};
+
+/// Where it is painted.
+struct PictureView {
+    QSize size;              ///< [px]
+    double pixelRatio = 1;   ///< of the screen's own pixels
+    bool captioned = false;  ///< whether its caption is written, too
+};
+
+/// The part of the view that the picture takes. The field of view belongs to the height, so the picture is fitted to
+/// it: while the window is resized the patient keeps his size until the new picture comes.
+QRectF pictureArea(const QSize& image, const PictureView& view);
+/// The picture, with the map, letters, cube, brackets and texts over it. What it leaves free stays as it was.
+void paintShownPicture(QPainter& painter, const ShownPicture& picture, const PictureView& view);
+
+}  // namespace pdr::ui
