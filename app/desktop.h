@@ -11,14 +11,15 @@ namespace pdr::app {
 
 class Desktop {
   public:
-    /// `looks` holds at least one. `settingsFile`: where to keep the settings; empty: the user's own place.
+    /// `looks` holds at least one. `settingsFile`: where to keep the settings, with the
+    /// user's looks beside them; empty: the user's own place.
     /// `threads`: of the CPU, when another device is left for it; 0 = one per core.
     Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile = {},
             int threads = 0);
     /// Keeps the window's geometry for the next time.
     ~Desktop();
 
-    DesktopParts parts() { return {import_, document_, bridge_, window_, settings_, study_, tissue_, picture_}; }
+    DesktopParts parts() { return {import_, document_, bridge_, window_, settings_, study_, tissue_, picture_, looks_, ownLooks_}; }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
     void open(const QString& folder) { import_.scanFolder(folder); }
@@ -32,6 +33,8 @@ class Desktop {
     RenderBridge bridge_;
     ImportJob import_;
     PictureJob picture_;
+    LookPictures looks_;
+    OwnLooks ownLooks_;
 };
 
 }  // namespace pdr::app

@@ -3,6 +3,8 @@
 
 #include "app/document.h"
 #include "app/import_job.h"
+#include "app/look_pictures.h"
+#include "app/own_looks.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
@@ -22,6 +24,8 @@ struct DesktopParts {
     TissueStudy& study;
     TissueEdits& tissue;
     PictureJob& picture;
+    LookPictures& looks;
+    OwnLooks& ownLooks;
 };
 
 }  // namespace pdr::app

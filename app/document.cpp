@@ -36,21 +36,32 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     volume_ = std::move(volume);
     table_ = table;
     setup_.table = Table::hidden;
-    fitLooks(findings);
+    findings_ = findings;
+    takeLookThatSuits();
     setup_.camera = cameraOf(firstView(framed().box));
     show(false);
     emit displayChanged(display());
 }
 
-/// A look that the user has changed stays as it is.
-void Document::fitLooks(const std::optional<segment::Findings>& findings) {
-    int shown = look();
-    findings_ = findings;
+void Document::fitLooks() {
     looks_ = drawnLooks_;
     brightness_.assign(looks_.size(), std::nullopt);
-    if (findings && findings->blood)
+    if (findings_ && findings_->blood)
         for (NamedLook& one : looks_)
-            one = fittedTo(std::move(one), *findings->blood);
+            one = fittedTo(std::move(one), *findings_->blood);
+}
+
+void Document::setLooks(std::vector<NamedLook> looks) {
+    assert(!looks.empty());
+    drawnLooks_ = std::move(looks);
+    fitLooks();
+    emit displayChanged(display());
+}
+
+/// A look that the user has changed stays as it is.
+void Document::takeLookThatSuits() {
+    int shown = look();
+    fitLooks();
     if (shown < 0)
         return;
     for (int i = 0; i < int(looks_.size()) && !whyUnsuited(shown).empty(); ++i)
@@ -61,7 +72,8 @@ void Document::fitLooks(const std::optional<segment::Findings>& findings) {
 }
 
 void Document::suggestBrightness(int look, double stops) {
-    if (!hasVolume() || look < 0 || look >= int(looks_.size()) || brightness_[std::size_t(look)])
+    if (!hasVolume() || look < 0 || look >= int(looks_.size()) || brightness_[std::size_t(look)] ||
+        looks_[std::size_t(look)].group == LookGroup::own)  // whose brightness somebody has chosen
         return;
     brightness_[std::size_t(look)] = stops;
     if (look == this->look() && setup_.stops == 0)

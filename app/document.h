@@ -24,6 +24,8 @@ class Document : public QObject {
 
     /// As they are for the volume that is shown: curves for contrast lie where its blood does.
     const std::vector<NamedLook>& looks() const { return looks_; }
+    /// The same as they were drawn.
+    const std::vector<NamedLook>& drawnLooks() const { return drawnLooks_; }
     /// Why a look makes no sense of the volume; empty: it does, or nothing is known of it.
     std::string whyUnsuited(int look) const;
     /// What choosing a look would set up.
@@ -65,6 +67,8 @@ class Document : public QObject {
     void setTable(pdr::Table table);
     /// With its model and its cut, at its own brightness: one step to undo. The cut of the look before goes.
     void chooseLook(int index);
+    /// Others to choose from; what is shown stays. `looks` holds at least one.
+    void setLooks(std::vector<pdr::NamedLook> looks);
     /// The brightness that suits this volume under a look, which it gets when it is chosen. The first one counts; where
     /// the look is shown and its brightness untouched it is set at once: one step to undo.
     void suggestBrightness(int look, double stops);
@@ -105,7 +109,8 @@ class Document : public QObject {
     Framed framed() const;
     Camera cameraOf(StandardView view) const;
     PictureSetup withoutCutOf(int look) const;
-    void fitLooks(const std::optional<segment::Findings>& findings);
+    void fitLooks();
+    void takeLookThatSuits();
 
     std::vector<NamedLook> drawnLooks_;  ///< as they were drawn
     std::vector<NamedLook> looks_;       ///< as they are for this volume

@@ -1,8 +1,8 @@
 #include "app/looks.h"
 
-#include <QFile>
+#include <QString>
 
-#include <string_view>
+#include "app/look_files.h"
 
 /// Qt's macro must stand outside of any namespace; without it the linker drops the resources of a static library.
 static void keepResources() {
@@ -18,15 +18,6 @@ constexpr const char* kNames[] = {"bone",          "bone_beside_contrast", "thin
                                   "fluoroscopy",   "implants",             "skin_and_bone", "skin"};
 
 }  // namespace
-
-Result<NamedLook> readLookFile(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return Error{"this look cannot be read: " + file.errorString().toStdString(), path.toStdString(),
-                     "Check the name and the permissions."};
-    const QByteArray json = file.readAll();
-    return lookFromJson({json.constData(), std::size_t(json.size())}, path.toStdString());
-}
 
 Result<std::vector<NamedLook>> bundledLooks() {
     keepResources();

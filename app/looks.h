@@ -1,7 +1,6 @@
 #pragma once
 /// The looks that the programs carry inside them.
 
-#include <QString>
 #include <vector>
 
 #include "render/base/result.h"
@@ -12,8 +11,5 @@ namespace pdr::app {
 /// In the order in which they are offered. The first one that makes sense of a scan is its default: Bone, or where
 /// there is contrast in the blood, bone beside it.
 Result<std::vector<NamedLook>> bundledLooks();
-
-/// A look of the user's own. Errors: the file cannot be read; a field is unknown or out of range.
-Result<NamedLook> readLookFile(const QString& path);
 
 }  // namespace pdr::app

@@ -1,6 +1,7 @@
 #include "app/show_document.h"
 
 #include "app/ledger_content.h"
+#include "app/show_looks.h"
 
 namespace pdr::app {
 
@@ -11,7 +12,7 @@ void showDocument(const DesktopParts& parts) {
     if (document.setup().table == Table::shown)
         parts.window.message().withdraw();
     parts.window.setTable(document.setup().table == Table::shown, document.hasTable());
-    parts.window.look().setPreset(document.preset());
+    showLooks(parts);
     parts.window.look().setBrightness(document.setup().stops);
     parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
     parts.window.rendering().setEstimator(document.setup().estimator);

@@ -121,12 +121,9 @@ void LookGallery::addCard(int index) {
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
     button->setFixedWidth(kPicture + 8);
-    button->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(button, &QWidget::customContextMenuRequested, this,
-            [this, button, index](const QPoint& place) { emit menuWanted(index, button->mapToGlobal(place)); });
     buttons_.addButton(button, index);
     const int place = grid->count();
-    grid->addWidget(button, place / kColumns, place % kColumns);
+    grid->addWidget(button, place / kColumns, place % kColumns, Qt::AlignTop);
 }
 
 void LookGallery::setLook(int index) {

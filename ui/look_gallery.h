@@ -17,6 +17,7 @@ struct LookCard {
     QString group;        ///< as it is headed
     QString doesNotShow;  ///< a sentence or two
     QString unsuited;     ///< why it makes no sense of this scan: a clause; empty: it does
+    bool own = false;     ///< the user's
     bool operator==(const LookCard&) const = default;
 };
 
@@ -40,8 +41,6 @@ class LookGallery : public QWidget {
 
   signals:
     void lookChosen(int index);
-    /// With its context menu, at a place on the screen.
-    void menuWanted(int index, const QPoint& place);
 
   private:
     struct Group {

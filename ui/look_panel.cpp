@@ -60,7 +60,10 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     column->addWidget(&doesNotShow_);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
-    column->addWidget(&tissue_);
+    auto* edits = new QHBoxLayout;
+    edits->addWidget(&menu_);
+    edits->addWidget(&tissue_);
+    column->addLayout(edits);
     column->addWidget(&pause_);
 }
 
@@ -69,6 +72,7 @@ void LookPanel::setLook(int index) {
     const bool known = index >= 0 && index < gallery_.looks().size();
     doesNotShow_.setText(known ? gallery_.looks()[index].doesNotShow : QString());
     doesNotShow_.setHidden(doesNotShow_.text().isEmpty());
+    menu_.setLook(known ? gallery_.looks()[index].name : QString(), known && gallery_.looks()[index].own);
 }
 
 void LookPanel::setBrightness(double stops) {

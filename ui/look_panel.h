@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "ui/look_gallery.h"
+#include "ui/look_menu.h"
 
 namespace pdr::ui {
 
@@ -18,6 +19,7 @@ class LookPanel : public QWidget {
     explicit LookPanel(QWidget* parent = nullptr);
 
     LookGallery& gallery() { return gallery_; }
+    LookMenu& menu() { return menu_; }
     /// -1: none of them is shown.
     void setLook(int index);
     /// In stops: one more is twice as bright; 0 = as the look says. Kept in [-4, 4].
@@ -38,6 +40,7 @@ class LookPanel : public QWidget {
     LookGallery gallery_;
     QLabel doesNotShow_;
     QSlider brightness_;
+    LookMenu menu_;
     QPushButton tissue_;
     QPushButton pause_;
 };

@@ -3,6 +3,7 @@
 #include <QRegularExpression>
 
 #include "app/cli/option_reader.h"
+#include "app/look_files.h"
 #include "app/looks.h"
 
 namespace pdr::app {
@@ -26,7 +27,8 @@ void describeScene(QCommandLineParser& parser) {
         {{"h", "help"}, "Show this text."},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
         {{"look", "preset"},
-         "How it looks: a name that `pdrender-cli looks` lists, or a file of a look (.json). Default: of a folder the "
+         "How it looks: a name that `pdrender-cli looks` lists, or a file of a look: .json, or "
+         "Slicer's .vp.json and .vp. Default: of a folder the "
          "first look that makes sense of it.",
          "NAME"},
         {"view",
@@ -170,8 +172,11 @@ std::optional<NamedLook> readLook(const Reader& reader) {
     const auto text = reader.text("look");
     if (!text)
         return std::nullopt;
-    if (text->endsWith(".json")) {
-        const auto look = readLookFile(*text);
+    if (text->endsWith(".json") || text->endsWith(".vp")) {
+        const auto bundled = bundledLooks();
+        if (!bundled)
+            throw bundled.error();
+        const auto look = readLookFile(*text, bundled->front());
         if (!look)
             throw look.error();
         return *look;
