@@ -58,6 +58,22 @@ void LookGallery::setLooks(const QList<LookCard>& looks) {
         if (card.name == kept)
             setLook(buttons_.id(button));
     }
+    orderTabs();
+}
+
+/// As the eye reads, and all before what follows the gallery.
+void LookGallery::orderTabs() {
+    QWidget* before = this;
+    const auto next = [&](QWidget* widget) {
+        setTabOrder(before, widget);
+        before = widget;
+    };
+    for (int i = 0; i + 1 < column_->count(); i += 2) {
+        next(column_->itemAt(i)->widget());
+        const QLayout& cards = *column_->itemAt(i + 1)->widget()->layout();
+        for (int card = 0; card < cards.count(); ++card)
+            next(cards.itemAt(card)->widget());
+    }
 }
 
 /// Later, as one of them may be at work.

@@ -51,6 +51,7 @@ class LookGallery : public QWidget {
     void clear();
     Group& groupOf(const QString& name);
     void addCard(int index);
+    void orderTabs();
     void unfold(const QString& group, bool open);
 
     QList<LookCard> looks_;

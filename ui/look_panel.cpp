@@ -65,6 +65,11 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     edits->addWidget(&tissue_);
     column->addLayout(edits);
     column->addWidget(&pause_);
+    QWidget* before = &gallery_;
+    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &menu_, &tissue_, &pause_}) {
+        setTabOrder(before, control);
+        before = control;
+    }
 }
 
 void LookPanel::setLook(int index) {

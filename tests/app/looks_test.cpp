@@ -1,5 +1,7 @@
 /// The looks that the programs carry, in pictures: what they show and what they must not.
 
+#include "tests/support/scenes.h"
+
 #include <QColor>
 #include <QTest>
 
@@ -11,7 +13,6 @@
 #include "render/scene/fit_view.h"
 #include "render/volume/coarser.h"
 #include "render/volume/raw_file.h"
-#include "tests/support/scenes.h"
 #include "tests/support/shared_data.h"
 
 using namespace pdr;
@@ -38,14 +39,19 @@ std::shared_ptr<const Volume> cranium() {
     return head ? std::make_shared<const Volume>(*std::move(head)) : nullptr;
 }
 
+const std::vector<NamedLook>& bundled() {
+    static const std::vector<NamedLook> looks = *app::bundledLooks();
+    return looks;
+}
+
 NamedLook lookNamed(const std::string& name) {
-    for (const NamedLook& look : *app::bundledLooks())
+    for (const NamedLook& look : bundled())
         if (look.name == name)
             return look;
     return {};
 }
 
-QColor colourAt(const Film& film, const Display& display, int x, int y) {
+QColor colourAt(const Film& film, const pdr::Display& display, int x, int y) {
     const dvec3 mean = film.pixel(x, y).mean;
     return {displayLevel(mean.x, display), displayLevel(mean.y, display), displayLevel(mean.z, display)};
 }
@@ -58,7 +64,7 @@ class LooksTest : public QObject {
   private slots:
     void airIsNothing() {
         const auto air = noisyAir();
-        for (const NamedLook& look : *app::bundledLooks()) {
+        for (const NamedLook& look : bundled()) {
             const Film film = test::render(frontOf(air, look, 48), 16);
             const QColor corner = colourAt(film, look.look.display, 0, 0);
             int seen = 0;
@@ -77,7 +83,6 @@ class LooksTest : public QObject {
         // Its y runs to the front in the file, and to the back in the patient: the forehead is seen from the back.
         const NamedLook bone = lookNamed("Bone");
         Scene scene = frontOf(std::make_shared<const Volume>(coarser(*head, 2)), bone, 64);
-        const PictureSetup setup;
         scene.camera = fittedView(StandardView::posterior, {head->geometry(), nullptr}, 1, 0.95);
         scene = withNamedLook(scene, bone);
         const Film film = test::render(scene, 64);
@@ -97,7 +102,7 @@ class LooksTest : public QObject {
 
     void everyScanHasALookToBeginWith() {
         const auto first = [](const segment::Findings& findings) {
-            for (const NamedLook& look : *app::bundledLooks())
+            for (const NamedLook& look : bundled())
                 if (whyUnsuited(look, findings).empty())
                     return look.name;
             return std::string();

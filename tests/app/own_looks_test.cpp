@@ -19,19 +19,19 @@ class OwnLooksTest : public QObject {
         const QTemporaryDir folder;
         OwnLooks own(folder.filePath("deep/looks"));
         QVERIFY(own.read().looks.empty() && own.read().problems.empty());
-        for (NamedLook look : *bundledLooks()) {
+        const std::vector<NamedLook> bundled = *bundledLooks();
+        for (NamedLook look : bundled) {
             look.name = "my/" + look.name + ": ä?*";
             QVERIFY(own.save(look));
         }
         const OwnLooks::Read read = own.read();
         QVERIFY(read.problems.empty());
-        QCOMPARE(read.looks.size(), bundledLooks()->size());
+        QCOMPARE(read.looks.size(), bundled.size());
         for (const NamedLook& look : read.looks) {
             QVERIFY(look.group == LookGroup::own);
             const auto is = [&](const NamedLook& one) { return "my/" + one.name + ": ä?*" == look.name; };
-            const auto all = *bundledLooks();
-            const auto drawn = std::ranges::find_if(all, is);
-            QVERIFY(drawn != all.end() && drawn->look == look.look && drawn->cut == look.cut);
+            const auto drawn = std::ranges::find_if(bundled, is);
+            QVERIFY(drawn != bundled.end() && drawn->look == look.look && drawn->cut == look.cut);
         }
         QVERIFY(QDir(folder.path()).entryList(QDir::Files).isEmpty());  // no name leaves the folder
     }

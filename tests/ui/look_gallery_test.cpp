@@ -107,7 +107,7 @@ class LookGalleryTest : public QObject {
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
         QStringList reached;
         for (QWidget* widget = panel.nextInFocusChain(); widget != &panel; widget = widget->nextInFocusChain())
-            if (widget->focusPolicy().testFlag(Qt::TabFocus) && widget->isVisible())
+            if ((widget->focusPolicy() & Qt::TabFocus) && widget->isVisible())
                 reached << widget->accessibleName();
         const auto at = [&](const char* name) { return reached.indexOf(name); };
         QVERIFY2(at("Look Bone") >= 0 && at("Look Bone") < at("Brightness"), qPrintable(reached.join(", ")));

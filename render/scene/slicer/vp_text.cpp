@@ -107,19 +107,22 @@ Result<VolumeProperty> propertyFromText(std::string_view text, std::string_view 
 }
 
 std::string textOf(const VolumeProperty& property) {
-    std::string text = "1\n" + std::string(property.shade ? "1" : "0") + "\n";
+    std::string text = property.shade ? "1\n1\n" : "1\n0\n";
     for (const double value : {property.diffuse, property.ambient, property.specular, property.specularPower})
-        text += numberText(value) + "\n";
-    text += std::to_string(2 * property.opacity.size());
-    for (const CurvePoint& point : property.opacity)
-        text += " " + numberText(double(point.hu)) + " " + numberText(double(point.value));
-    text += "\n4 0 1 255 1\n" + std::to_string(4 * property.colours.size());
-    for (const ColourStop& stop : property.colours) {
-        text += " " + numberText(double(stop.hu));
-        for (int channel = 0; channel < 3; ++channel)
-            text += " " + numberText(double(stop.albedo[channel]));
+        text.append(numberText(value)).append("\n");
+    const auto add = [&](double value) { text.append(" ").append(numberText(value)); };
+    text.append(std::to_string(2 * property.opacity.size()));
+    for (const CurvePoint& point : property.opacity) {
+        add(double(point.hu));
+        add(double(point.value));
     }
-    return text + "\n";
+    text.append("\n4 0 1 255 1\n").append(std::to_string(4 * property.colours.size()));
+    for (const ColourStop& stop : property.colours) {
+        add(double(stop.hu));
+        for (int channel = 0; channel < 3; ++channel)
+            add(double(stop.albedo[channel]));
+    }
+    return text.append("\n");
 }
 
 }  // namespace pdr::slicer

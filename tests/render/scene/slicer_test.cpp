@@ -2,6 +2,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 #include "render/scene/slicer/vp_json.h"
 #include "render/scene/slicer/vp_text.h"
 
@@ -18,16 +20,23 @@ const std::string kText =
     "28 -3024 0 0 0 -86.9767 0 0.25098 1 45.3791 1 0 0 139.919 1 0.894893 0.894893 347.907 1 1 0.25098 1224.16 1 1 1 "
     "3071 0.827451 0.658824 1\n";
 
-const std::string kJson = R"({
-  "@schema": "https://raw.githubusercontent.com/slicer/slicer/main/some-schema.json#",
-  "volumeProperties": [{ "effectiveRange": [0, 220], "isoSurfaceValues": [], "scatteringAnisotropy": 0.3,
-    "components": [{ "shade": true, "scalarOpacityUnitDistance": 2,
-      "lighting": { "diffuse": 1.0, "ambient": 0.2, "specular": 0.1, "specularPower": 1.0 },
-      "scalarOpacity": { "type": "piecewiseLinearFunction", "points": [
-        { "x": 0, "y": 0, "midpoint": 0.5, "sharpness": 0 }, { "x": 220, "y": 0.5, "midpoint": 0.5, "sharpness": 0 }] },
-      "rgbTransferFunction": { "type": "colorTransferFunction", "points": [
-        { "x": 0, "color": [0, 0, 0], "midpoint": 0.5, "sharpness": 0 },
-        { "x": 220, "color": [1, 0.5, 0.25], "midpoint": 0.5, "sharpness": 0 }] } }] }] })";
+/// Apostrophes stand for quotation marks.
+std::string quoted(std::string text) {
+    std::ranges::replace(text, '\'', '"');
+    return text;
+}
+
+const std::string kJson = quoted(
+    "{ "
+    "'@schema': 'https://raw.githubusercontent.com/slicer/slicer/main/some-schema.json#', "
+    "'volumeProperties': [{ 'effectiveRange': [0, 220], 'isoSurfaceValues': [], 'scatteringAnisotropy': 0.3, "
+    "'components': [{ 'shade': true, 'scalarOpacityUnitDistance': 2, "
+    "'lighting': { 'diffuse': 1.0, 'ambient': 0.2, 'specular': 0.1, 'specularPower': 1.0 }, "
+    "'scalarOpacity': { 'type': 'piecewiseLinearFunction', 'points': [ "
+    "{ 'x': 0, 'y': 0, 'midpoint': 0.5, 'sharpness': 0 }, { 'x': 220, 'y': 0.5, 'midpoint': 0.5, 'sharpness': 0 }] }, "
+    "'rgbTransferFunction': { 'type': 'colorTransferFunction', 'points': [ "
+    "{ 'x': 0, 'color': [0, 0, 0], 'midpoint': 0.5, 'sharpness': 0 }, "
+    "{ 'x': 220, 'color': [1, 0.5, 0.25], 'midpoint': 0.5, 'sharpness': 0 }] } }] }] } ");
 
 std::string replaced(std::string text, const std::string& before, const std::string& after) {
     const std::size_t at = text.find(before);
@@ -97,8 +106,8 @@ class SlicerTest : public QObject {
         const NamedLook again = *lookOf(*propertyFromJson(jsonOf(propertyOf(look)), ""), "x", base());
         for (const float hu : {-500.0f, 0.0f, 45.3791f, 100.0f, 139.919f, 700.0f, 3000.0f}) {
             QVERIFY(std::abs(transmittance(look, hu) - transmittance(again, hu)) < 1e-3);
-            QVERIFY(glm::distance(look.look.transferFunction.at(hu).albedo,
-                                  again.look.transferFunction.at(hu).albedo) < 2e-3f);
+            QVERIFY(glm::distance(look.look.transferFunction.at(hu).albedo, again.look.transferFunction.at(hu).albedo) <
+                    2e-3f);
         }
         QVERIFY(std::abs(look.look.transferFunction.nodes[0].roughness -
                          again.look.transferFunction.nodes[0].roughness) < 1e-3f);
@@ -121,25 +130,29 @@ class SlicerTest : public QObject {
         };
         row("empty", "", "interpolation: is missing");
         row("short", "1\n1\n0.9\n", "ambient: is missing");
-        row("no curve", kText.substr(0, 20), "opacity: is missing");
+        row("no curve", kText.substr(0, 19), "opacity: is missing");
         row("letters", replaced(kText, "0.169643", "much"), "\"much\", which is no number");
         row("not finite", replaced(kText, "0.169643", "nan"), "no number");
         row("count", replaced(kText, "14 ", "16 "), "says it holds 16 values and holds 14");
         row("half a point", replaced(kText, "4 0 1 255 1", "3 0 1 255"), "not whole");
-        row("no points", replaced(kText, "14 -3024 0 -86.9767 0 45.3791 0.169643 139.919 0.589286 347.907 0.607143 "
-                                         "1224.16 0.607143 3071 0.616071", "0"), "opacity: has no points");
-        row("opacity", replaced(kText, "0.169643", "7"), "opacity: must be from 0 to 1");
-        row("colour", replaced(kText, "0.25098", "-1"), "colour: must be from 0 to 1");
+        row("no points",
+            replaced(kText,
+                     "14 -3024 0 -86.9767 0 45.3791 0.169643 139.919 0.589286 347.907 0.607143 "
+                     "1224.16 0.607143 3071 0.616071",
+                     "0"),
+            "opacity: has no points");
+        row("opacity", replaced(kText, "0.169643", "7"), "opacity: is 7, must be from 0 to 1");
+        row("colour", replaced(kText, "0.25098", "-1"), "colour: holds -1, each number must be from 0 to 1");
         row("descending", replaced(kText, "45.3791 0.169643", "-100 0.1"), "opacity: has points that do not ascend");
-        row("far", replaced(kText, "3071 0.616071", "1e9 0.6"), "opacity: must be from -32768");
+        row("far", replaced(kText, "3071 0.616071", "1e9 0.6"), "must be from -32768");
         row("binary", std::string("\0\1\2\3", 4), "which is no number");
         row("json", "{ no json", "is no JSON");
         row("json empty", "{}", "volumeProperties: is missing");
-        row("json none", R"({"volumeProperties": []})", "volumeProperties: is empty");
-        row("json component", R"({"volumeProperties": [{"components": []}]})", "components: is empty");
+        row("json none", quoted("{'volumeProperties': []}"), "volumeProperties: is empty");
+        row("json component", quoted("{'volumeProperties': [{'components': []}]}"), "components: is empty");
         row("json curve", replaced(kJson, "scalarOpacity\":", "opacity\":"), "scalarOpacity: is missing");
         row("json colour", replaced(kJson, "[1, 0.5, 0.25]", "[1, 0.5]"), "color");
-        row("json distance", replaced(kJson, "UnitDistance\": 2", "UnitDistance\": 0"), "unit distance: must be");
+        row("json distance", replaced(kJson, "UnitDistance\": 2", "UnitDistance\": 0"), "unit distance: is 0, must be");
     }
     void badFilesGetOneSentence() {
         QFETCH(QByteArray, text);
