@@ -29,4 +29,27 @@ PDR_HD inline float cutLength(const FlatClip& clip, vec3 origin, vec3 direction,
     return cut(clip, origin, direction, Interval<float>{0, length}).leave;
 }
 
+/// A plane nearby that cuts.
+struct CutFace {
+    vec3 normal;        ///< index space, of any length: to where it cuts away
+    vec3 foot;          ///< index space: the nearest point on the plane
+    float voxelMm = 0;  ///< size of a voxel across the plane; 0: there is none nearby
+};
+
+/// The nearest plane that is less than a voxel away from `position` (index space).
+PDR_HD inline CutFace cutFaceNear(const FlatClip& clip, vec3 position) {
+    CutFace face{};
+    float nearest = 1;  // voxel
+    for (int i = 0; i < clip.count; ++i) {
+        const FlatPlane& plane = clip.planes[i];
+        const float room = plane.offset - glm::dot(plane.normal, position);
+        const float voxelMm = glm::length(plane.normal);
+        if (room >= nearest * voxelMm)
+            continue;
+        nearest = room / voxelMm;
+        face = {plane.normal, position + plane.normal * (room / (voxelMm * voxelMm)), voxelMm};
+    }
+    return face;
+}
+
 }  // namespace pdr

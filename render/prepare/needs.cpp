@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/kernel/bounds/cell_bound.h"
 #include "render/kernel/transport/event.h"
 #include "render/prepare/met_tissue.h"
 #include "render/scene/scene.h"
@@ -109,11 +110,23 @@ Effect shadows(const Subject& subject) {
                   "light is let through everything, to see what shadows do", 0, [](Scene& s) { s.unshadowed = true; });
 }
 
-/// Whether some random number makes an event a surface; see surfaceNormal(). The smallest one is 2^-24.
+/// No face of a cut is steeper [HU/mm]; see cutSteepness(). 0: nothing is cut.
+double steepestCut(const Scene& scene) {
+    double steepest = 0;
+    for (const ClipPlane& plane : scene.clip.planesThrough(scene.volume->geometry())) {
+        const glm::dmat3 axes(scene.volume->geometry().patientFromIndex);
+        const double voxelMm = glm::length(glm::transpose(axes) * glm::normalize(plane.normal));
+        const float highest = float(scene.volume->storedRange().highest) + kHuSlack;
+        steepest = std::max(steepest, double(cutSteepness(highest, float(voxelMm))));
+    }
+    return steepest;
+}
+
+/// Whether some random number makes an event a surface; see normalAt(). The smallest one is 2^-24.
 bool surfacesCanShow(const Subject& subject) {
     constexpr double kRounding = 1 + 1e-5;
     const double highest = subject.tissue.highestOpacity() * double(surfaceFactorOf(subject.scene.gradientFactor)) *
-                           subject.tissue.steepest();
+                           std::max(subject.tissue.steepest(), steepestCut(subject.scene));
     return highest * kRounding > 0x1p-24;
 }
 

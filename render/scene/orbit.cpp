@@ -9,13 +9,6 @@ namespace {
 
 constexpr double kNearestMm = 1;     ///< the eye comes no closer to the target
 constexpr double kFarthestMm = 1e6;  ///< nor goes farther: beyond, a volume is less than a pixel
-constexpr double kHalfTurn = 3.14159265358979323846;
-
-/// `v` turned about the unit vector `axis` by `angle`, right-handed (Rodrigues' formula).
-dvec3 turned(dvec3 v, dvec3 axis, double angle) {
-    const double c = std::cos(angle);
-    return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
-}
 
 /// Height of what is seen at the target's depth [mm].
 double seenHeightMm(const Camera& camera) {
@@ -25,6 +18,12 @@ double seenHeightMm(const Camera& camera) {
 }
 
 }  // namespace
+
+/// Rodrigues' formula.
+dvec3 turned(dvec3 v, dvec3 axis, double angle) {
+    const double c = std::cos(angle);
+    return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
+}
 
 /// Eye and up turn together about one axis of the image plane, so no direction is special and there is no pole. The
 /// axes are made square again each time, so rounding does not add up.

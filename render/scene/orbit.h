@@ -6,6 +6,11 @@
 
 namespace pdr {
 
+inline constexpr double kHalfTurn = 3.14159265358979323846;
+
+/// `v` turned about the unit vector `axis` by `angle` [rad], right-handed.
+dvec3 turned(dvec3 v, dvec3 axis, double angle);
+
 /// Turns the eye about the target: one view height = 180 degrees. Over the poles without a jump.
 Camera orbited(const Camera& camera, dvec2 drag);
 /// Moves eye and target in the image plane so that the point under the pointer stays under it (at the target's depth).

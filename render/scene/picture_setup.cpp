@@ -47,7 +47,8 @@ std::optional<PictureSetup> setupOf(const Scene& scene, PictureSetup setup) {
     setup.look.gradientFactor = scene.gradientFactor;
     setup.look.environment = scene.environment;
     if (scene.lights.empty())
-        setup.look.rig.key = setup.look.rig.fill = setup.look.rig.rim = 0;
+        for (RigPanel& panel : setup.look.rig.panels)
+            panel.radiance = 0;
     setup.camera = scene.camera;
     setup.clip = scene.clip;
     setup.model = scene.model;

@@ -54,7 +54,7 @@ void TestDocumentLook::theLightsOfAPatientStay() {
 void TestDocumentLook::anEditedLookSurvivesTheNextOrbit() {
     Told told;
     Look look = told.document.setup().look;
-    look.rig.key = 7;
+    look.rig.panels[0].radiance = 7;
     look.transferFunction.nodes[1].opacity = 0.25f;
     look.environment.radiance = vec3(0.5f, 0.25f, 0.125f);
     told.document.setLook(look);
@@ -74,7 +74,7 @@ void TestDocumentLook::aChangedLookIsNotCalledAsTheOneItWas() {
     QCOMPARE(told.document.look(), 0);
     Look look = told.document.setup().look;
     for (int i = 1; i <= 2; ++i) {
-        look.rig.fill = float(i);
+        look.rig.panels[1].radiance = float(i);
         told.document.setLook(look);
         QCOMPARE(told.scenes.back().lookName, std::string("first (changed)"));
         QCOMPARE(told.document.look(), -1);
@@ -88,7 +88,7 @@ void TestDocumentLook::aDragOfTheLookIsOneStep() {
     Told told;
     Look look = told.document.setup().look;
     for (int i = 1; i <= 10; ++i) {
-        look.rig.rim = 0.1f * float(i);
+        look.rig.panels[2].radiance = 0.1f * float(i);
         told.document.setLook(look, true);
     }
     QVERIFY(told.lastMoves);

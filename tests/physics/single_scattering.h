@@ -3,7 +3,7 @@
 /// transmittance, extinction and the light that is scattered there, over all lights and the surroundings.
 
 #include "render/scene/scene.h"
-#include "tests/physics/written_volume.h"
+#include "tests/physics/written_cut.h"
 
 namespace pdr::test::written {
 
@@ -28,7 +28,10 @@ class SingleScattering {
         dvec3 sum(0);
         double depth = 0;
         if (line.from < line.to) {
-            const std::vector<double> ends = kinks(grid_, nodes(), line);
+            std::vector<double> ends = kinks(grid_, nodes(), line);
+            const std::vector<double> steps = stepsOf(line, [&](dvec3 place) { return face(place); });
+            ends.insert(ends.end(), steps.begin(), steps.end());
+            std::sort(ends.begin(), ends.end());
             for (std::size_t i = 0; i + 1 < ends.size() && depth < kOpaque; ++i)
                 sum += fromPiece(line, ends[i], ends[i + 1], depth);
         }
@@ -95,10 +98,22 @@ class SingleScattering {
         }
     };
 
+    int face(dvec3 place) const { return faceNear(grid_, planes_, nodes(), place); }
+
+    /// Of the HU, or of the step from tissue to air at a cut, which is one voxel wide [HU/mm]; either way is alike.
+    dvec3 gradient(dvec3 place) const {
+        const dvec3 index = grid_.index(place);
+        const int cut = face(place);
+        if (cut < 0)
+            return grid_.gradient(index);
+        const dvec3 normal = glm::normalize(planes_[cut].normal);
+        return normal * (std::max(grid_.hu(index) + 1000, 0.0) / glm::length(grid_.acrossIndex(normal)));
+    }
+
     Event eventAt(dvec3 place, dvec3 travel) const {
         const dvec3 index = grid_.index(place);
         Event event{place, travel, tissueAt(nodes(), grid_.hu(index)), dvec3(0, 0, 1), 0, scene_.phaseG};
-        const dvec3 gradient = grid_.gradient(index);
+        const dvec3 gradient = this->gradient(place);
         const double steepness = glm::length(gradient);
         if (steepness > 0) {
             event.normal = gradient * ((glm::dot(gradient, travel) > 0 ? -1 : 1) / steepness);

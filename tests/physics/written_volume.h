@@ -31,6 +31,9 @@ class Grid {
 
     dvec3 index(dvec3 place) const { return dvec3(indexFromPatient_ * dvec4(place, 1)); }
     dvec3 alongIndex(dvec3 direction) const { return dvec3(indexFromPatient_ * dvec4(direction, 0)); }
+    /// The normal, in index space, of a plane with this one in patient space, and as long as a step of one voxel across
+    /// it is in millimetres where `normal` is a unit vector.
+    dvec3 acrossIndex(dvec3 normal) const { return glm::inverse(covariant_) * normal; }
     ivec3 size() const { return size_; }
 
     /// At an index; weights of the eight voxels around.

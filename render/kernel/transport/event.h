@@ -2,6 +2,7 @@
 /// A collision in the medium: where it is and how it sends light on, by a surface or by the phase function.
 
 #include "render/kernel/attenuation.h"
+#include "render/kernel/clip.h"
 #include "render/kernel/features.h"
 #include "render/kernel/gradient.h"
 #include "render/kernel/medium.h"
@@ -30,6 +31,10 @@ PDR_HD inline float surfaceProbability(const FlatScene& scene, float opacity, fl
     return opacity * attenuation(scene.surfaceFactor * steepness).taken;
 }
 
+PDR_HD inline vec3 facing(vec3 wo, vec3 normal) {
+    return glm::dot(normal, wo) < 0 ? -normal : normal;
+}
+
 /// No gradient, no surface. Its probability is never above the opacity, so the gradient, which costs 64 voxels, is
 /// looked at only where the number lies below that.
 PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
@@ -42,8 +47,30 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo,
         return vec3(0);
     if (u >= surfaceProbability(scene, most, steepness))
         return vec3(0);
-    const vec3 normal = gradient / steepness;
-    return glm::dot(normal, wo) < 0 ? -normal : normal;
+    return facing(wo, gradient / steepness);
+}
+
+/// The step from tissue of `hu` to air, across one voxel [HU/mm].
+PDR_HD inline float cutSteepness(float hu, float voxelMm) {
+    constexpr float kAir = -1000;
+    return glm::max(hu - kAir, 0.0f) / voxelMm;
+}
+
+/// Tissue that a plane cuts through ends at that plane: it reflects with the plane's normal, as an edge against air
+/// does that is one voxel wide. The gradient of the HU knows nothing of the cut; within tissue it is that of the noise.
+PDR_HD inline vec3 cutFaceNormal(const FlatScene& scene, const CutFace& face, vec3 wo, float hu, float u) {
+    const float steepness = cutSteepness(hu, face.voxelMm);
+    if (u >= surfaceProbability(scene, opacity(scene.transferFunction, hu), steepness))
+        return vec3(0);
+    return facing(wo, glm::normalize(glm::transpose(scene.volume.indexFromLocal) * face.normal));
+}
+
+/// The normal of the surface at an event; zero: none.
+PDR_HD inline vec3 normalAt(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
+    const CutFace face = cutFaceNear(scene.clip, position);
+    if (face.voxelMm > 0 && opacity(scene.transferFunction, hounsfield(scene.volume, face.foot)) > 0)
+        return cutFaceNormal(scene, face, wo, hu, u);
+    return surfaceNormal(scene, position, wo, hu, u);
 }
 
 /// `u` decides whether the event is at a surface.
@@ -52,7 +79,7 @@ PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 wo, floa
     const float hu = hounsfield(scene.volume, position);
     Event event{position, wo, materialAt(scene.transferFunction, hu), vec3(0)};
     if constexpr (has(F, kSurface))
-        event.normal = surfaceNormal(scene, position, wo, hu, u);
+        event.normal = normalAt(scene, position, wo, hu, u);
     return event;
 }
 

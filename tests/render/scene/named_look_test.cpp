@@ -213,7 +213,7 @@ class NamedLookTest : public QObject {
 
     void aDarkPanelIsLeftOut() {
         LightRig rig = bone().look.rig;
-        rig.fill = 0;
+        rig.panels[1].radiance = 0;
         const Scene scene = sceneWith(200);
         QCOMPARE(panelsOf(rig, scene.volume->geometry(), scene.camera).size(), std::size_t(2));
     }

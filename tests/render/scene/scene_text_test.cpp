@@ -92,6 +92,7 @@ std::string tableOf(const std::string& name) {
            : is("look")        ? FieldTable::of(look)
            : is("suits")       ? FieldTable::of<Suits>()
            : is("cut")         ? FieldTable::of<CutHint>()
+           : is("panel")       ? FieldTable::of<RigPanel>()
            : is("rig")         ? FieldTable::of(RigFields{look.look.rig, look.look.environment})
                                : "there is no table of this name\n";
 }
@@ -193,9 +194,9 @@ class SceneTextTest : public QObject {
         PictureSetup setup;
         setup.look.transferFunction.nodes = {{0, 0}};
         QVERIFY(check(setup));
-        setup.look.rig.key = -1;
+        setup.look.rig.panels[0].radiance = -1;
         QCOMPARE(setupFromJson(setupText(setup), "s").error().where, std::string("s, look.lights.key"));
-        setup.look.rig.key = 1;
+        setup.look.rig.panels[0].radiance = 1;
         setup.look.window = {5, 5};
         QCOMPARE(setupFromJson(setupText(setup), "s").error().where, std::string("s, look.window.highHu"));
         setup.look.window = {};
@@ -220,7 +221,7 @@ class SceneTextTest : public QObject {
             at = end + closing.size();
         }
         wanted += text.substr(at);
-        QCOMPARE(tables, 21);
+        QCOMPARE(tables, 22);
         if (qEnvironmentVariableIsSet("PDR_WRITE_MANUAL")) {
             QVERIFY(manual.open(QIODevice::WriteOnly));
             manual.write(QByteArray::fromStdString(wanted));

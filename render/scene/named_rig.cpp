@@ -1,0 +1,125 @@
+#include "render/scene/named_rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace pdr {
+namespace {
+
+constexpr vec3 kWarm{1.12f, 0.99f, 0.80f}, kCool{0.94f, 1.00f, 1.12f}, kWhite{1, 1, 1};
+
+/// A panel whose irradiance at the centre is `share` of the rig's strength.
+RigPanel panel(const char* name, dvec3 from, double distance, double edge, double share, vec3 colour = kWhite) {
+    RigPanel result{name, from, distance, edge, 1, colour};
+    result.radiance = float(share / irradianceOf(result));
+    return result;
+}
+
+/// One in the middle and six around it, from above the brow; together one lamp.
+std::vector<RigPanel> operatingLamp() {
+    constexpr int kAround = 6;
+    constexpr double kDistance = 3.5, kEdge = 0.4, kOpening = 0.3;  // slope of the ring as seen from the centre
+    const dvec3 axis = glm::normalize(dvec3(-0.15, 1, 0.75));
+    const dvec3 right = glm::normalize(glm::cross(axis, dvec3(0, 0, 1))), up = glm::cross(right, axis);
+    std::vector<RigPanel> lamp{panel("Lamp", axis, kDistance, kEdge, 1.0 / (kAround + 1))};
+    for (int i = 0; i < kAround; ++i) {
+        const double angle = 2 * M_PI * i / kAround;
+        const dvec3 from = axis + kOpening * (std::cos(angle) * right + std::sin(angle) * up);
+        lamp.push_back(panel("Lamp", from, kDistance, kEdge, 1.0 / (kAround + 1)));
+    }
+    return lamp;
+}
+
+/// A rig of strength 1, and the light from all around that goes with it.
+struct Lighting {
+    std::vector<RigPanel> panels;
+    vec3 zenith;
+    std::optional<vec3> nadir;
+};
+
+Lighting lightingOf(NamedRig name) {
+    constexpr vec3 kFaint(0.004f);
+    switch (name) {
+        case NamedRig::headlight:
+            return {{panel("Headlight", {0.12, 0.2, 1}, 3, 0.5, 1)}, kFaint, {}};
+        case NamedRig::threePoint:
+            return {{panel("Key", {-1.2, 1.1, 0.45}, 3, 0.8, 1, kWarm), panel("Fill", {1, 0.05, 0.9}, 3, 3, 0.1, kCool),
+                     panel("Rim", {0.5, 0.7, -1}, 3, 2.5, 0.5, kCool)},
+                    kFaint,
+                    {}};
+        case NamedRig::operatingLamp:
+            return {operatingLamp(), vec3(0.01f), {}};
+        case NamedRig::rim:
+            return {{panel("Left rim", {-1, 0.5, -0.7}, 3, 1.6, 1, kCool),
+                     panel("Right rim", {1, 0.5, -0.7}, 3, 1.6, 1, kWarm), panel("Fill", {0, 0.4, 1}, 3, 2.5, 0.15)},
+                    kFaint,
+                    {}};
+        case NamedRig::softBox:
+            return {{panel("Soft box", {-0.7, 0.9, 0.9}, 2.5, 4, 1)}, vec3(0.015f), {}};
+        case NamedRig::sky:
+            return {
+                {panel("Sun", {-0.7, 1, 0.6}, 3, 0.5, 0.5, kWarm)}, {0.23f, 0.26f, 0.31f}, vec3(0.08f, 0.07f, 0.06f)};
+    }
+    return {};
+}
+
+double luminance(vec3 colour) {
+    return double(glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)));
+}
+
+/// Light from all around comes to what a panel leaves in shadow, too, so it counts as if from twice the half sphere.
+double strengthOf(const Environment& environment) {
+    const vec3 mean = (environment.radiance + environment.nadir.value_or(environment.radiance)) / 2.0f;
+    return environment.image ? 0 : 2 * M_PI * luminance(mean);
+}
+
+/// However strong; turned there and back.
+bool standsAs(const RigPanel& panel, RigPanel other) {
+    if (glm::length(glm::normalize(panel.from) - glm::normalize(other.from)) > 1e-6)
+        return false;
+    other.from = panel.from;
+    other.radiance = panel.radiance;
+    return other == panel;
+}
+
+Environment around(Environment environment, const Lighting& lighting, float strength) {
+    environment.radiance = strength * lighting.zenith;
+    environment.nadir = lighting.nadir ? std::optional(strength * *lighting.nadir) : std::nullopt;
+    environment.image.reset();
+    return environment;
+}
+
+}  // namespace
+
+double strengthOf(const Look& look) {
+    std::map<std::string, double> lamps;
+    for (const RigPanel& panel : look.rig.panels)
+        lamps[panel.name] += irradianceOf(panel);
+    double strongest = strengthOf(look.environment);
+    for (const auto& [name, irradiance] : lamps)
+        strongest = std::max(strongest, irradiance);
+    return strongest;
+}
+
+Look litBy(Look look, NamedRig name) {
+    const double before = strengthOf(look);
+    const Lighting lighting = lightingOf(name);
+    look.rig.panels = lighting.panels;
+    look.environment = around(look.environment, lighting, 1);
+    const auto factor = float((before > 0 ? before : 1) / strengthOf(look));
+    for (RigPanel& panel : look.rig.panels)
+        panel.radiance *= factor;
+    look.environment = around(look.environment, lighting, factor);
+    return look;
+}
+
+std::optional<NamedRig> rigOf(const Look& look) {
+    for (const NamedRig name : kNamedRigs)
+        if (std::ranges::equal(lightingOf(name).panels, look.rig.panels, standsAs))
+            return name;
+    return std::nullopt;
+}
+
+}  // namespace pdr
