@@ -19,7 +19,9 @@ class Desktop {
     /// Keeps the window's geometry for the next time.
     ~Desktop();
 
-    DesktopParts parts() { return {import_, document_, bridge_, window_, settings_, study_, tissue_, picture_, looks_, ownLooks_}; }
+    DesktopParts parts() {
+        return {import_, document_, bridge_, window_, settings_, study_, tissue_, picture_, masks_, looks_, ownLooks_};
+    }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
     void open(const QString& folder) { import_.scanFolder(folder); }
@@ -33,6 +35,7 @@ class Desktop {
     RenderBridge bridge_;
     ImportJob import_;
     PictureJob picture_;
+    MaskJob masks_;
     LookPictures looks_;
     OwnLooks ownLooks_;
 };

@@ -4,6 +4,7 @@
 #include "app/document.h"
 #include "app/import_job.h"
 #include "app/look_pictures.h"
+#include "app/mask_job.h"
 #include "app/own_looks.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
@@ -24,6 +25,7 @@ struct DesktopParts {
     TissueStudy& study;
     TissueEdits& tissue;
     PictureJob& picture;
+    MaskJob& masks;
     LookPictures& looks;
     OwnLooks& ownLooks;
 };

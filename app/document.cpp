@@ -107,7 +107,10 @@ void Document::close() {
     forgetSteps();
     volume_.reset();
     table_ = {};
+    masks_.clear();
+    shown_ = {};
     scene_.volume.reset();
+    scene_.mask.reset();
 }
 
 void Document::setCamera(const Camera& camera, bool moving) {
@@ -158,6 +161,29 @@ void Document::setLook(const Look& look, bool moving) {
     setup.lookName = nameOf(setup);
     edit(std::move(setup), Gesture::look, moving);
     emit displayChanged(display());
+}
+
+void Document::setVisible(const Visible& visible, bool moving) {
+    Look look = setup_.look;
+    look.visible = visible;
+    setLook(look, moving);
+}
+
+void Document::setMask(const Visible& visible, const std::shared_ptr<const Mask>& mask) {
+    masks_.push_back({visible, mask});
+    if (masks_.size() > kMasks)
+        masks_.pop_front();
+    if (hasVolume() && visible == setup_.look.visible)
+        show(false);
+}
+
+void Document::keepVisible() {
+    if (shown_.visible == setup_.look.visible)
+        return;
+    setup_.look.visible = shown_.visible;
+    setup_.lookName = nameOf(setup_);
+    if (hasVolume())
+        show(false);
 }
 
 void Document::setSetup(const PictureSetup& setup) {
@@ -269,21 +295,39 @@ void Document::edit(PictureSetup setup, Gesture gesture, bool moving) {
 void Document::comeBackTo(PictureSetup setup) {
     gesture_ = Gesture::none;
     setup_ = std::move(setup);
-    Scene scene = sceneOf(setup_, seen(), film_);
+    Scene scene = made();
     scene.revision = scene_.revision;
     if (scene != scene_)
-        show(false);
+        show(std::move(scene), false);
     emit displayChanged(display());
 }
 
 /// Without a volume what was set up waits for one.
 void Document::show(bool moving) {
-    if (!hasVolume())
-        return;
+    if (hasVolume())
+        show(made(), moving);
+}
+
+void Document::show(Scene scene, bool moving) {
     const std::uint64_t revision = scene_.revision + 1;
-    scene_ = sceneOf(setup_, seen(), film_);
+    scene_ = std::move(scene);
     scene_.revision = revision;
     emit sceneChanged(scene_, moving);
+    if (shown_.visible != setup_.look.visible)
+        emit maskWanted(hasTable() ? table_.body : volume_, setup_.look.visible);
+}
+
+/// The scene of the setup, with the newest mask that is known.
+Scene Document::made() {
+    const Visible& visible = setup_.look.visible;
+    const auto known = std::ranges::find(masks_, visible, &PartMask::visible);
+    if (visible.all())
+        shown_ = {};
+    else if (known != masks_.end())
+        shown_ = *known;
+    Scene scene = sceneOf(setup_, seen(), film_);
+    scene.mask = shown_.mask;
+    return scene;
 }
 
 const std::shared_ptr<const Volume>& Document::seen() const {

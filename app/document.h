@@ -74,6 +74,12 @@ class Document : public QObject {
     void suggestBrightness(int look, double stops);
     /// The user's own; one gesture is one step to undo, as well.
     void setLook(const pdr::Look& look, bool moving = false);
+    /// Which part of the patient is seen: a part of the look.
+    void setVisible(const pdr::Visible& visible, bool moving = false);
+    /// The mask that was wanted of it; null: the scan does not have that part, and all of it is shown.
+    void setMask(const pdr::Visible& visible, const std::shared_ptr<const pdr::Mask>& mask);
+    /// No mask will come: what is seen stays chosen. No step to undo.
+    void keepVisible();
     /// All of it at once: one step to undo.
     void setSetup(const pdr::PictureSetup& setup);
     void setEstimator(pdr::Estimator estimator);
@@ -92,8 +98,18 @@ class Document : public QObject {
     /// There is another scene to render. `moving`: more will follow at once.
     void sceneChanged(const pdr::Scene& scene, bool moving);
     void displayChanged(const pdr::Display& display);
+    /// What is to be seen of this volume, which is not known yet. Until setMask() the scene shows what it showed.
+    void maskWanted(const std::shared_ptr<const pdr::Volume>& volume, const pdr::Visible& visible);
 
   private:
+    /// A choice and its mask.
+    struct PartMask {
+        Visible visible;
+        std::shared_ptr<const Mask> mask;
+    };
+    /// Masks that are kept for undo.
+    static constexpr std::size_t kMasks = 4;
+
     /// The gesture in progress.
     enum class Gesture { none, camera, look, brightness };
     /// Steps that can be undone: more than anyone goes back, and little memory.
@@ -106,6 +122,8 @@ class Document : public QObject {
     void show(bool moving);
     void rest(Gesture gesture);
     std::string nameOf(const PictureSetup& setup) const;
+    Scene made();
+    void show(Scene scene, bool moving);
     Framed framed() const;
     Camera cameraOf(StandardView view) const;
     PictureSetup withoutCutOf(int look) const;
@@ -119,6 +137,8 @@ class Document : public QObject {
     std::shared_ptr<const Volume> volume_;  ///< as it was read
     segment::HiddenTable table_;            ///< of it
     PictureSetup setup_;                    ///< all that undo brings back
+    std::deque<PartMask> masks_;            ///< of the volume, the newest last
+    PartMask shown_;                        ///< what the scene shows
     bool smoothed_ = true;
     ivec2 film_ = Scene{}.film;
     Scene scene_;  ///< of the volume, with or without its table, setup and film

@@ -6,22 +6,27 @@
 #include "render/film/exposure.h"
 #include "render/film/tone_map.h"
 #include "render/scene/fit_view.h"
+#include "render/scene/visible_mask.h"
 #include "render/volume/coarser.h"
 
 namespace pdr::app {
 namespace {
 
-constexpr double kEdgeMm = 2.5;          ///< of the coarse voxels: a pixel shows 2 to 5 mm
-constexpr std::uint32_t kSamples = 16;   ///< of each pixel
-constexpr double kFilled = 0.94;         ///< of the picture
-constexpr qint64 kRestMs = 600;          ///< before pictures are made anew
-constexpr qint64 kRestsPerWork = 2;      ///< while they are
+constexpr double kEdgeMm = 2.5;         ///< of the coarse voxels: a pixel shows 2 to 5 mm
+constexpr std::uint32_t kSamples = 16;  ///< of each pixel
+constexpr double kFilled = 0.94;        ///< of the picture
+constexpr qint64 kRestMs = 600;         ///< before pictures are made anew
+constexpr qint64 kRestsPerWork = 2;     ///< while they are
 
 /// Returns false if it was stopped.
 bool waitFor(qint64 ms, const std::stop_token& stop) {
     for (; ms > 0 && !stop.stop_requested(); ms -= 10)
         QThread::msleep(10);
     return !stop.stop_requested();
+}
+
+Progress goOnUnless(const std::stop_token& stop) {
+    return [stop](double, std::string_view) { return !stop.stop_requested(); };
 }
 
 struct LookPicture {
@@ -34,6 +39,8 @@ Result<LookPicture> pictureOf(const LookTask& task, const std::shared_ptr<const 
     PictureSetup setup = task.setup;
     setup.camera = fittedView(setup.camera, body, 1, kFilled);
     Scene scene = sceneOf(setup, volume, ivec2(LookPictures::kSize));
+    if (const auto mask = visibleMask(*volume, scene.visible, goOnUnless(stop)))
+        scene.mask = *mask;  // else all is shown, as in the large picture
     scene.revision = std::uint64_t(task.look) + 1;
     const auto film = startFilm(device, scene);
     if (!film)

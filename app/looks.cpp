@@ -12,10 +12,15 @@ static void keepResources() {
 namespace pdr::app {
 namespace {
 
-constexpr const char* kNames[] = {"bone",          "bone_beside_contrast", "thin_bone",     "muscles_and_skull",
-                                  "heart",         "muscles",              "organs",        "vessels_and_bone",
-                                  "lung_vessels",  "mip",                  "mip_contrast",  "xray",
-                                  "fluoroscopy",   "implants",             "skin_and_bone", "skin"};
+constexpr const char* kNames[] = {"bone",          "bone_beside_contrast",
+                                  "thin_bone",     "muscles_and_skull",
+                                  "heart",         "muscles",
+                                  "organs",        "vessels_and_bone",
+                                  "vessels",       "lung_vessels",
+                                  "mip_lungs",     "mip",
+                                  "mip_contrast",  "xray",
+                                  "fluoroscopy",   "implants",
+                                  "skin_and_bone", "skin"};
 
 }  // namespace
 

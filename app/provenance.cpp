@@ -58,6 +58,7 @@ Provenance provenanceOf(const Scene& scene, const Rendered& rendered) {
             .schedule = scheduleText(scene.schedule),
             .warnings = warningNames(warnings(scene)),
             .hidden = scene.volume ? scene.volume->hidden() : std::string(),
+            .notShown = scene.mask ? scene.mask->hidden() : std::string(),
             .remarks = scene.volume ? scene.volume->remarks() : std::string()};
 }
 

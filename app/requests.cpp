@@ -21,6 +21,8 @@ void makePicture(const DesktopParts& parts, const ui::PictureOrder& order) {
 void cancelWhatRuns(const DesktopParts& parts) {
     if (parts.import.isRunning())
         parts.import.cancel();
+    else if (parts.masks.isRunning())
+        parts.masks.cancel();
     else
         parts.picture.cancel();
 }

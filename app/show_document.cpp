@@ -14,6 +14,9 @@ void showDocument(const DesktopParts& parts) {
     parts.window.setTable(document.setup().table == Table::shown, document.hasTable());
     showLooks(parts);
     parts.window.look().setBrightness(document.setup().stops);
+    parts.window.visible().setChoice(document.setup().look.visible);
+    const auto& mask = document.scene().mask;
+    parts.window.visible().setNotShown(mask ? QString::fromStdString(mask->hidden()) : QString());
     parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
     parts.window.rendering().setEstimator(document.setup().estimator);
     parts.window.rendering().setSchedule(document.setup().schedule);

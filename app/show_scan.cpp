@@ -30,6 +30,7 @@ QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofP
 
 void showNothing(const DesktopParts& parts) {
     parts.picture.cancel();
+    parts.masks.cancel();
     parts.document.close();
     parts.bridge.clear();
     parts.bridge.setRegion(std::nullopt);

@@ -54,6 +54,8 @@ void wireEdits(const DesktopParts& parts) {
                      [&document] { document.setTable(Table::shown); });
     QObject::connect(&window.look(), &ui::LookPanel::lookChosen, &document, &Document::chooseLook);
     QObject::connect(&window.look(), &ui::LookPanel::brightnessChosen, &document, &Document::setBrightness);
+    QObject::connect(&window.visible(), &ui::VisibleRow::chosen, &document,
+                     [&document](const Visible& visible) { document.setVisible(visible); });
     QObject::connect(&window, &ui::MainWindow::smoothingChosen, &document, &Document::setSmoothed);
     QObject::connect(&window.rendering(), &ui::RenderPanel::estimatorChosen, &document, &Document::setEstimator);
     QObject::connect(&window.rendering(), &ui::RenderPanel::scheduleChosen, &document, &Document::setSchedule);
@@ -67,6 +69,25 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&parts.study, &TissueStudy::tissueFound, &parts.tissue, &TissueEdits::addBell);
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
+}
+
+/// What the document wants to show is told from the rest of the body beside the window.
+void wireMasks(const DesktopParts& parts) {
+    MaskJob& masks = parts.masks;
+    ui::StatusLine& status = parts.window.status();
+    QObject::connect(&parts.document, &Document::maskWanted, &masks, &MaskJob::make);
+    QObject::connect(&masks, &MaskJob::progressed, &status, &ui::StatusLine::setProgress);
+    QObject::connect(&masks, &MaskJob::finished, &status, &ui::StatusLine::endProgress);
+    QObject::connect(&masks, &MaskJob::made, &parts.document, &Document::setMask);
+    QObject::connect(&masks, &MaskJob::refused, &parts.window, [parts](const Visible& visible, const Error& error) {
+        parts.document.setMask(visible, nullptr);
+        showFailure(parts, error);
+    });
+    QObject::connect(&masks, &MaskJob::failed, &parts.window, [parts](const Error& error) {
+        parts.document.keepVisible();
+        showFailure(parts, error);
+    });
+    QObject::connect(&masks, &MaskJob::cancelled, &parts.document, &Document::keepVisible);
 }
 
 /// 3. The document's scene goes to the renderer.
@@ -180,6 +201,7 @@ void wireSettings(const DesktopParts& parts) {
 void wire(const DesktopParts& parts) {
     wireImport(parts);
     wireEdits(parts);
+    wireMasks(parts);
     wireRendering(parts);
     wireScreen(parts);
     wireLooks(parts);

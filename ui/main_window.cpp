@@ -15,11 +15,27 @@
 #include "ui/file_dialogs.h"
 
 namespace pdr::ui {
+namespace {
+
+/// One panel above another.
+QWidget* stacked(QWidget* above, QWidget* below) {
+    auto* both = new QWidget;
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(above, 1);
+    column->addWidget(below);
+    return both;
+}
+
+}  // namespace
+
 MainWindow::MainWindow()
     : viewport_(new Viewport),
       region_(new RegionBox(viewport_)),
       series_(new SeriesPanel),
       look_(new LookPanel),
+      visible_(new VisibleRow),
       tissue_(new TissuePanel),
       rendering_(new RenderPanel),
       effects_(new EffectLedger),
@@ -27,7 +43,8 @@ MainWindow::MainWindow()
       accuracy_(new AccuracyPanel),
       message_(new MessageBar),
       keys_(new KeysOverlay(this)),
-      docks_(new WindowDocks(*this, *viewport_, {series_, look_, tissue_, rendering_, accuracy_, effects_})),
+      docks_(new WindowDocks(*this, *viewport_,
+                             {series_, stacked(look_, visible_), tissue_, rendering_, accuracy_, effects_})),
       actions_(fillMenus(*menuBar(), docks_->toggles())) {
     auto* middle = new QWidget;
     auto* column = new QVBoxLayout(middle);

@@ -18,6 +18,7 @@
 #include "ui/series_panel.h"
 #include "ui/tissue/tissue_panel.h"
 #include "ui/viewport.h"
+#include "ui/visible_row.h"
 #include "ui/window_actions.h"
 #include "ui/window_docks.h"
 
@@ -32,6 +33,7 @@ class MainWindow : public QMainWindow {
     Viewport& viewport() { return *viewport_; }
     SeriesPanel& series() { return *series_; }
     LookPanel& look() { return *look_; }
+    VisibleRow& visible() { return *visible_; }
     TissuePanel& tissue() { return *tissue_; }
     RenderPanel& rendering() { return *rendering_; }
     EffectLedger& effects() { return *effects_; }
@@ -111,6 +113,7 @@ class MainWindow : public QMainWindow {
     RegionBox* region_;
     SeriesPanel* series_;
     LookPanel* look_;
+    VisibleRow* visible_;
     TissuePanel* tissue_;
     RenderPanel* rendering_;
     EffectLedger* effects_;

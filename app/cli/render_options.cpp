@@ -38,6 +38,11 @@ void describeScene(QCommandLineParser& parser) {
         {"table",
          "hidden or shown: the scanner's table, head holder, clothes. Default: hidden, or what the scene file says.",
          "WORD"},
+        {"show",
+         "The part of the patient: everything, lungs, bones or withoutBones. Default: what the look or the scene file "
+         "says.",
+         "PART"},
+        {"peel", "Take so much off all around the body, such as skin; up to 50.", "MM"},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
         {"exposure", "Radiance that PNG shows as 63 % of white; default: the look's, or 1.", "L"},
         {"model",
@@ -154,6 +159,16 @@ std::optional<Table> readTable(const Reader& reader) {
     return *text == "hidden" ? Table::hidden : Table::shown;
 }
 
+std::optional<BodyPart> readPart(const Reader& reader) {
+    const auto text = reader.text("show");
+    if (!text)
+        return std::nullopt;
+    for (const BodyPart part : kBodyParts)
+        if (text->compare(QLatin1String(bodyPartName(part)), Qt::CaseInsensitive) == 0)
+            return part;
+    usageError("--show", "must be everything, lungs, bones or withoutBones");
+}
+
 std::optional<StandardView> readView(const Reader& reader) {
     const auto text = reader.text("view");
     if (!text)
@@ -227,6 +242,8 @@ SceneInput readScene(const QCommandLineParser& parser, const QString& command) {
     scene.size = readSize(reader);
     scene.view = readView(reader);
     scene.table = readTable(reader);
+    scene.part = readPart(reader);
+    scene.peelMm = reader.number("peel", {0, 50});
     scene.exposure = reader.number("exposure", {0, 1e30, false});
     scene.seed = reader.whole("seed", 0, UINT64_MAX);
     scene.look = readLook(reader);

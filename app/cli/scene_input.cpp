@@ -11,6 +11,7 @@
 #include "render/prepare/flatten.h"
 #include "render/prepare/focus.h"
 #include "render/scene/fit_view.h"
+#include "render/scene/visible_mask.h"
 
 namespace pdr::app {
 namespace {
@@ -80,6 +81,25 @@ Result<void> dress(LoadedScene& work, const SceneInput& input, const WantedVolum
     return {};
 }
 
+/// Hides what is not to be seen. What only the look wants, of a scan that does not have it, is told and left out.
+Result<void> hide(LoadedScene& work, const SceneInput& input, const Progress& progress) {
+    Visible& visible = work.scene.visible;
+    visible.part = input.part.value_or(visible.part);
+    visible.peelMm = input.peelMm.value_or(visible.peelMm);
+    const auto mask = visibleMask(*work.scene.volume, visible, progress);
+    if (!mask && (input.part || input.peelMm || mask.error().kind != ErrorKind::refused))
+        return mask.error();
+    if (!mask) {
+        visible = {};
+        work.notes.push_back("everything is shown: " + mask.error().what);
+        return {};
+    }
+    work.scene.mask = *mask;
+    if (*mask)
+        work.notes.push_back((*mask)->hidden());
+    return {};
+}
+
 Result<void> focus(Scene& scene, ivec2 pixel) {
     if (pixel.x >= scene.film.x || pixel.y >= scene.film.y)
         return Error{"lies outside the picture of " + std::to_string(scene.film.x) + " x " +
@@ -100,7 +120,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     auto file = readInput(input);
     if (!file)
         return file.error();
-    auto volume = fetchVolume(file->source, progress);
+    auto volume = fetchVolume(file->source, partOf(progress, 0, 0.9));
     if (!volume)
         return volume.error();
 
@@ -127,6 +147,8 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     work.scene.estimator = input.estimator.value_or(work.scene.estimator);
     work.scene.camera.apertureMm = input.apertureMm.value_or(work.scene.camera.apertureMm);
     if (auto ok = work.scene.check(); !ok)
+        return ok.error();
+    if (auto ok = hide(work, input, partOf(progress, 0.9, 1)); !ok)
         return ok.error();
     if (input.focusAt)
         if (auto ok = focus(work.scene, *input.focusAt); !ok)

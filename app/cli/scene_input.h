@@ -14,6 +14,7 @@
 #include "render/scene/named_look.h"
 #include "render/scene/scene.h"
 #include "render/scene/table.h"
+#include "render/scene/visible.h"
 
 namespace pdr::app {
 
@@ -24,6 +25,8 @@ struct SceneInput {
     std::optional<StandardView> view;  ///< absent: firstView() for a folder, the file's own camera for a scene
     std::optional<ivec2> size;         ///< absent: 1024 x 1024 for a folder, the file's own film for a scene
     std::optional<Table> table;        ///< absent: hidden for a folder, as the file says for a scene
+    std::optional<BodyPart> part;      ///< absent: as the look says, or the scene file
+    std::optional<double> peelMm;      ///< likewise
     std::optional<double> exposure;
     std::optional<std::uint64_t> seed;
     std::optional<Model> model;
@@ -40,7 +43,8 @@ struct LoadedScene {
     std::vector<std::filesystem::path> files;  ///< that it was read from, but those of a DICOM folder
 };
 
-/// Errors: those of scene files, looks and the import, and nothing under the pixel to focus on.
+/// Errors: those of scene files, looks and the import, nothing under the pixel to focus on, and
+/// a part of the body that was asked for and cannot be told from the rest.
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress);
 /// The same with a progress line and the notes on standard error.
 Result<LoadedScene> loadSceneShown(const SceneInput& input);

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "render/base/portable.h"
+#include "render/base/seen.h"
 
 namespace pdr {
 
@@ -35,17 +36,29 @@ struct FlatTransferFunction {
     float extinctionPerMm;
 };
 
-struct FlatVolume {
+/// Numbers on a grid, read trilinearly between its voxels.
+struct FlatGrid {
     const std::int16_t* voxels;
     ivec3 size;
     vec3 lastIndex;   ///< size - 1
     vec3 lastCorner;  ///< max(size - 2, 0): where the last interpolation cell begins
     int stepX;        ///< voxels to the next along x, y, z; 0 where there is only one
     std::int64_t stepY, stepZ;
+};
+
+struct FlatVolume : FlatGrid {
     dmat3 exactIndexFromLocal;  ///< linear part, 1/mm
     mat3 indexFromLocal;        ///< the same in single precision
     mat3 localFromIndex;        ///< linear part, mm
     std::uint64_t texture;      ///< of a GPU, to be filtered by its texture units (kernel/texture.h); 0: exactly
+};
+
+/// What is seen of the volume (volume/mask.h): weights from 0 to kSeen on a grid of its own, whose node (i,j,k) is
+/// voxel (i,j,k) << shift. The last node lies on or beyond the last voxel, so that a cell between voxels lies in one
+/// between nodes. Without a mask `voxels` is null.
+struct FlatMask : FlatGrid {
+    ivec3 shift;
+    vec3 nodesPerVoxel;  ///< 2^-shift
 };
 
 /// Bounds on the extinction [1/mm] in cells of a grid; see volume/ranges.h for where the cells lie.
@@ -163,6 +176,7 @@ struct SobolTable;
 
 struct FlatScene {
     FlatVolume volume;
+    FlatMask mask;
     FlatTransferFunction transferFunction;
     FlatMajorants majorants;
     FlatOptics optics;

@@ -1,7 +1,7 @@
 #pragma once
 /// From Hounsfield units to optics.
 
-#include "render/kernel/volume_sampling.h"
+#include "render/kernel/mask.h"
 
 namespace pdr {
 
@@ -57,10 +57,11 @@ PDR_HD_INLINE Real extinctionOf(const FlatTransferFunction& function, Real hu) {
     return function.extinctionPerMm * opacityIn(pieceHolding(function, hu), hu);
 }
 
-/// Extinction at `position` (index space) [1/mm].
+/// Extinction at `position` (index space) [1/mm]: the tissue's, as far as it is seen.
 template <class Real>
 PDR_HD_INLINE Real extinction(const FlatScene& scene, const Vec3<Real>& position) {
-    return extinctionOf(scene.transferFunction, hounsfield(scene.volume, position));
+    const Real whole = extinctionOf(scene.transferFunction, hounsfield(scene.volume, position));
+    return isMasked(scene) ? whole * weightAt(scene, position) : whole;
 }
 
 PDR_HD inline float extinction(const FlatScene& scene, vec3 position) {

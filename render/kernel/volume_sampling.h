@@ -9,7 +9,7 @@ namespace pdr {
 
 /// HU at `position` (index space), exactly. Lanes for volumes as cellAt() of lanes reads them.
 template <class Real>
-PDR_HD_INLINE Real trilinearAt(const FlatVolume& volume, const Vec3<Real>& position) {
+PDR_HD_INLINE Real trilinearAt(const FlatGrid& volume, const Vec3<Real>& position) {
     const auto clamped = [](Real value, float high) { return min(max(value, Real{}), Real{} + high); };
     const Real x = clamped(position.x, volume.lastIndex.x);
     const Real y = clamped(position.y, volume.lastIndex.y);

@@ -13,7 +13,7 @@ struct VoxelCell {
 };
 
 /// The cell whose lowest corner is voxel `corner`, inside [0, lastCorner].
-PDR_HD_INLINE VoxelCell<float> cellAt(const FlatVolume& volume, const Vec3<int>& corner) {
+PDR_HD_INLINE VoxelCell<float> cellAt(const FlatGrid& volume, const Vec3<int>& corner) {
     VoxelCell<float> cell;
     cell.lowest = {float(corner.x), float(corner.y), float(corner.z)};
     const std::int16_t* v = volume.voxels + corner.z * volume.stepZ + corner.y * volume.stepY + corner.x;
@@ -23,17 +23,17 @@ PDR_HD_INLINE VoxelCell<float> cellAt(const FlatVolume& volume, const Vec3<int>&
 }
 
 /// See below: a ray alone leaves it to the processor.
-PDR_HD_INLINE void prefetchCell(const FlatVolume&, const Vec3<int>&) {}
+PDR_HD_INLINE void prefetchCell(const FlatGrid&, const Vec3<int>&) {}
 
 #if !defined(__CUDACC__)
 
 /// Distance from the first voxel. Lanes: for volumes of fewer than 2^31 voxels.
-inline IntLanes voxelIndex(const FlatVolume& volume, const Vec3<IntLanes>& voxel) {
+inline IntLanes voxelIndex(const FlatGrid& volume, const Vec3<IntLanes>& voxel) {
     return (voxel.z * volume.size.y + voxel.y) * volume.size.x + voxel.x;
 }
 
 /// The same in step. For volumes of at least two voxels along x: neighbours along x are read as one word.
-PDR_HD_INLINE VoxelCell<FloatLanes> cellAt(const FlatVolume& volume, const Vec3<IntLanes>& corner) {
+PDR_HD_INLINE VoxelCell<FloatLanes> cellAt(const FlatGrid& volume, const Vec3<IntLanes>& corner) {
     const IntLanes index = voxelIndex(volume, corner);
     VoxelCell<FloatLanes> cell;
     cell.lowest = {toFloat(corner.x), toFloat(corner.y), toFloat(corner.z)};
@@ -48,7 +48,7 @@ PDR_HD_INLINE VoxelCell<FloatLanes> cellAt(const FlatVolume& volume, const Vec3<
 }
 
 /// Asks for the memory of a cell ahead of reading it.
-PDR_HD_INLINE void prefetchCell(const FlatVolume& volume, const Vec3<IntLanes>& corner) {
+PDR_HD_INLINE void prefetchCell(const FlatGrid& volume, const Vec3<IntLanes>& corner) {
     const IntLanes index = voxelIndex(volume, corner);
     for (const std::int64_t from : {std::int64_t(0), volume.stepY, volume.stepZ, volume.stepZ + volume.stepY})
         prefetch(volume.voxels + from, index);
@@ -59,7 +59,7 @@ PDR_HD_INLINE void prefetchCell(const FlatVolume& volume, const Vec3<IntLanes>& 
 /// The lowest corner of the cell at voxel `corner`, at the volume's borders of the outermost one; of any cell where
 /// `mask` does not hold.
 template <class Int, class Mask>
-PDR_HD_INLINE Vec3<Int> nearestCorner(const FlatVolume& volume, const Vec3<Int>& corner, Mask mask) {
+PDR_HD_INLINE Vec3<Int> nearestCorner(const FlatGrid& volume, const Vec3<Int>& corner, Mask mask) {
     const auto inside = [mask](Int value, float last) {
         const Int high = Int{} + int(last);
         value = value < 0 ? Int{} : value;
@@ -71,7 +71,7 @@ PDR_HD_INLINE Vec3<Int> nearestCorner(const FlatVolume& volume, const Vec3<Int>&
 }
 
 template <class Int, class Mask>
-PDR_HD_INLINE auto nearestCell(const FlatVolume& volume, const Vec3<Int>& corner, Mask mask) {
+PDR_HD_INLINE auto nearestCell(const FlatGrid& volume, const Vec3<Int>& corner, Mask mask) {
     return cellAt(volume, nearestCorner(volume, corner, mask));
 }
 

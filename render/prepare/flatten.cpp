@@ -19,19 +19,28 @@ namespace pdr {
 
 namespace {
 
-void flattenVolume(FlatVolume& flat, const Volume& volume) {
-    const ivec3 size = volume.size();
-    const glm::dmat3 localFromIndex(volume.geometry().patientFromIndex);
-    flat.voxels = volume.voxels().data();
+void flattenGrid(FlatGrid& flat, const std::int16_t* values, ivec3 size) {
+    flat.voxels = values;
     flat.size = size;
     flat.lastIndex = vec3(size - 1);
     flat.lastCorner = glm::max(vec3(size - 2), vec3(0));
     flat.stepX = size.x > 1 ? 1 : 0;
     flat.stepY = size.y > 1 ? size.x : 0;
     flat.stepZ = size.z > 1 ? std::int64_t(size.x) * size.y : 0;
+}
+
+void flattenVolume(FlatVolume& flat, const Volume& volume) {
+    const glm::dmat3 localFromIndex(volume.geometry().patientFromIndex);
+    flattenGrid(flat, volume.voxels().data(), volume.size());
     flat.exactIndexFromLocal = glm::inverse(localFromIndex);
     flat.indexFromLocal = mat3(flat.exactIndexFromLocal);
     flat.localFromIndex = mat3(localFromIndex);
+}
+
+void flattenMask(FlatMask& flat, const Mask& mask) {
+    flattenGrid(flat, mask.weights().data(), mask.grid().size());
+    flat.shift = mask.grid().shift;
+    flat.nodesPerVoxel = 1.0f / vec3(ivec3(1) << flat.shift);
 }
 
 void flattenMajorants(PreparedScene& prepared) {
@@ -86,7 +95,7 @@ bool sameMajorants(const PreparedScene& a, const PreparedScene& b) {
     const auto highestHu = [](const PreparedScene& scene) {
         return scene.flat.optics.model == FlatModel::maximumIntensity;
     };
-    return a.volume == b.volume && a.tables.sameOpacity(b.tables) && highestHu(a) == highestHu(b);
+    return a.volume == b.volume && a.mask == b.mask && a.tables.sameOpacity(b.tables) && highestHu(a) == highestHu(b);
 }
 
 std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
@@ -108,6 +117,9 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     prepared->tables = TransferTables(scene.transferFunction);
     prepared->flat.transferFunction = prepared->tables.flat();
     flattenVolume(prepared->flat.volume, *scene.volume);
+    prepared->mask = scene.mask;
+    if (scene.mask)
+        flattenMask(prepared->flat.mask, *scene.mask);
     if (scene.environment.image)
         prepared->environment = last_ && last_->environment && last_->environment->image == scene.environment.image
                                     ? last_->environment
@@ -140,9 +152,10 @@ void Flattener::bound(PreparedScene& prepared) const {
     const bool sameVolume = last_ && last_->ranges && last_->volume == prepared.volume;
     const ivec3 size = prepared.volume->size();
     prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
-    prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants
-                         : highest ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size))
-                                   : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size);
+    prepared.majorants =
+        sameVolume && sameMajorants(*last_, prepared) ? last_->majorants
+        : highest ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size, prepared.flat.mask))
+                  : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size, prepared.flat.mask);
     flattenMajorants(prepared);
     prepared.viewDepths = viewDepths(prepared.flat);
     prepared.flat.viewBounds = {prepared.viewDepths.data(), viewBlocks(prepared.flat.camera.film).x};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/kernel/bounds/mask_bound.h"
 #include "render/kernel/quadrature/ray_maximum.h"
 #include "render/scene/scene.h"
 
@@ -86,7 +87,7 @@ double relativeTolerance(double levels) {
     return -std::expm1(-levels / (255 * 0.2305));
 }
 
-Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize) {
+Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize, const FlatMask& mask) {
     Majorants highest;
     const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
     highest.fine.resize(ranges.cells().size());
@@ -96,7 +97,7 @@ Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize) {
             for (int i = 0; i < size.x; ++i) {
                 const std::size_t at = (std::size_t(k) * size.y + j) * size.x + i;
                 const HuRange cell = ranges.cells()[at];
-                const float value = cell.empty() ? 0.0f : float(cell.highest + kMipBias);
+                const float value = highestHuBound(cell, mask, volumeSize, {i, j, k});
                 float& coarse =
                     highest
                         .coarse[(std::size_t(k / kFinePerCoarse) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x +

@@ -11,7 +11,7 @@ struct Scene;
 void flattenOptics(PreparedScene& prepared, const Scene& scene);
 
 /// For maximumIntensity: the highest HU of each cell, lifted by kMipBias, in place of bounds on the extinction.
-Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize);
+Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize, const FlatMask& mask);
 
 /// Share of a radiance by which it may be off so that no channel moves by more than `levels` of 255, whatever the
 /// exposure.

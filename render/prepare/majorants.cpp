@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/kernel/bounds/mask_bound.h"
 #include "render/prepare/majorants.h"
 #include "render/prepare/opacity_maximum.h"
 
@@ -21,14 +22,15 @@ struct Box {
 
 }  // namespace
 
-Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize)
+Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask)
     : fine(ranges.cells().size()),
       coarse(std::size_t(ranges.coarseSize().x) * ranges.coarseSize().y * ranges.coarseSize().z) {
     const OpacityMaximum maximum(tables.flat(), ranges.whole());
     const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
     const float highest = tables.highestOpacity();
-    const auto boundOver = [&](HuRange range) {
-        return extinctionBound(tables.extinctionPerMm, maximum.over(range), highest);
+    const auto boundIn = [&](HuRange range, ivec3 cell) {
+        const float whole = extinctionBound(tables.extinctionPerMm, maximum.over(range), highest);
+        return whole > 0 && mask.voxels != nullptr ? maskedBound(whole, highestWeight(mask, volumeSize, cell)) : whole;
     };
     std::vector<Box> boxes(coarseSize.z);
     tbb::parallel_for(0, coarseSize.z, [&](int slab) {
@@ -36,7 +38,7 @@ Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ive
             for (int j = 0; j < size.y; ++j)
                 for (int i = 0; i < size.x; ++i) {
                     const std::size_t at = (std::size_t(k) * size.y + j) * size.x + i;
-                    const float bound = boundOver(ranges.cells()[at]);
+                    const float bound = boundIn(ranges.cells()[at], {i, j, k});
                     fine[at] = bound;
                     if (!(bound > 0))
                         continue;

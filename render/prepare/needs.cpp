@@ -262,6 +262,14 @@ Effect clipping(const Scene& scene) {
                   [](Scene& s) { s.clip = {}; });
 }
 
+Effect hiding(const Scene& scene) {
+    return effect("hidden parts", scene.mask != nullptr, "a part of the body is not shown", "everything is shown", 0,
+                  [](Scene& s) {
+                      s.mask = nullptr;
+                      s.visible = {};
+                  });
+}
+
 Effect bounces(const Subject& subject) {
     constexpr const char* kName = "multiple scattering";
     const Scene& scene = subject.scene;
@@ -284,7 +292,7 @@ std::vector<Effect> needs(const Scene& scene) {
         shadows(subject),      surfaces(subject),   highlights(subject),   directedScattering(subject),
         placedLights(subject), lightsInView(scene), surroundings(subject), alongScatter(subject),
         background(scene),     emission(subject),   depthOfField(scene),   clipping(scene),
-        bounces(subject),
+        hiding(scene),         bounces(subject),
     };
 }
 

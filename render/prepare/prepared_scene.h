@@ -9,6 +9,7 @@
 #include "render/prepare/light_tables.h"
 #include "render/prepare/majorants.h"
 #include "render/prepare/transfer_tables.h"
+#include "render/volume/mask.h"
 #include "render/volume/ranges.h"
 
 namespace pdr {
@@ -24,6 +25,7 @@ struct PreparedScene {
     std::uint64_t revision = 0;
 
     std::shared_ptr<const Volume> volume;
+    std::shared_ptr<const Mask> mask;            ///< null: all of it is seen
     std::shared_ptr<const CellRanges> ranges;    ///< null where it was flattened only
     std::shared_ptr<const Majorants> majorants;  ///< likewise
     TransferTables tables;
@@ -35,7 +37,8 @@ struct PreparedScene {
     std::vector<vec2> viewDepths;  ///< likewise empty
 };
 
-/// Whether both scenes have the same majorants, wherever these are made: of the same voxels under the same opacity.
+/// Whether both scenes have the same majorants, wherever these are made: of the same voxels under the same
+/// opacity, of which the same is seen.
 bool sameMajorants(const PreparedScene& a, const PreparedScene& b);
 
 }  // namespace pdr

@@ -24,6 +24,7 @@ Scene withLook(Scene scene, const Look& look) {
     scene.window = look.window;
     scene.lights = panelsOf(look.rig, scene.volume->geometry(), scene.camera);
     scene.environment = look.environment;
+    scene.visible = look.visible;
     return scene;
 }
 

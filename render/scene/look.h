@@ -15,6 +15,7 @@ struct Look {
     LightRig rig;
     Environment environment{vec3(0.1f), false};
     Display display;
+    Visible visible;
     bool operator==(const Look&) const = default;
 };
 

@@ -46,6 +46,7 @@ std::optional<PictureSetup> setupOf(const Scene& scene, PictureSetup setup) {
     setup.look.phaseG = scene.phaseG;
     setup.look.gradientFactor = scene.gradientFactor;
     setup.look.environment = scene.environment;
+    setup.look.visible = scene.visible;
     if (scene.lights.empty())
         for (RigPanel& panel : setup.look.rig.panels)
             panel.radiance = 0;
@@ -54,6 +55,7 @@ std::optional<PictureSetup> setupOf(const Scene& scene, PictureSetup setup) {
     setup.model = scene.model;
     Scene made = sceneOf(setup, scene.volume, scene.film);
     made.revision = scene.revision;
+    made.mask = scene.mask;
     return made == scene ? std::optional(std::move(setup)) : std::nullopt;
 }
 

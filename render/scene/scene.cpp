@@ -31,6 +31,12 @@ Result<void> checkEstimator(const Scene& scene) {
     return {};
 }
 
+Result<void> checkMask(const Scene& scene) {
+    if (scene.mask && scene.volume && scene.mask->grid().voxels != scene.volume->size())
+        return Error{"belongs to a volume of another size", "mask", "Make it of this volume."};
+    return {};
+}
+
 template <class T, std::size_t N>
 const char* wordFor(const T& value, const Words<T, N>& words) {
     return std::ranges::find(words, value, &std::pair<std::string_view, T>::second)->first.data();
@@ -50,6 +56,10 @@ const char* filteringName(Filtering filtering) {
     return wordFor(filtering, kFilteringWords);
 }
 
+const char* bodyPartName(BodyPart part) {
+    return wordFor(part, kBodyPartWords);
+}
+
 Result<void> check(const HuWindow& window) {
     if (auto ok = FieldCheck::check(window, "window"); !ok)
         return ok;
@@ -67,8 +77,9 @@ bool canBeSmoothed(const Scene& scene) {
 }
 
 Result<void> Scene::check() const {
-    for (const auto& ok : {transferFunction.check(), FieldCheck::check(*this), pdr::check(window),
-                           checkEstimator(*this), checkLights(*this), camera.check(), checkClip(clip)})
+    for (const auto& ok :
+         {transferFunction.check(), FieldCheck::check(*this), pdr::check(window), checkEstimator(*this),
+          checkLights(*this), camera.check(), checkClip(clip), checkMask(*this)})
         if (!ok)
             return ok;
     return {};

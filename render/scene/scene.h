@@ -14,6 +14,8 @@
 #include "render/scene/model.h"
 #include "render/scene/schedule.h"
 #include "render/scene/transfer_function.h"
+#include "render/scene/visible.h"
+#include "render/volume/mask.h"
 #include "render/volume/volume.h"
 
 namespace pdr {
@@ -30,6 +32,7 @@ Result<void> check(const HuWindow& window);
 
 struct Scene {
     std::shared_ptr<const Volume> volume;  ///< never null in a scene that is rendered
+    std::shared_ptr<const Mask> mask;      ///< what is seen of it: a volume of that size; null: all
     TransferFunction transferFunction;
     Model model = Model::singleScattering;
     Estimator estimator = Estimator::unbiased;
@@ -44,6 +47,7 @@ struct Scene {
     Environment environment;
     Camera camera;
     Clip clip;
+    Visible visible;         ///< what the mask was made for; no picture depends on it
     ivec2 film{512, 512};    ///< pixels; each in [1, 16384]
     int maxBounces = 1000;   ///< multiple scattering: events on a path, at most; what is cut is counted; [1, 100000]
     std::uint64_t seed = 1;  ///< any

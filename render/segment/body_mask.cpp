@@ -96,7 +96,8 @@ Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
         body[i] = body[i] && !foreign[i];
     if (!progress(0.8, kStep))
         return cancelled();
-    const Cells outline = withHolesFilled(body, grid);
+    mask.body = withHolesFilled(body, grid);
+    const Cells& outline = mask.body;
     mask.shown = shownOf(outline, solid, grid);
     mask.box = boxOf(outline, grid);
     mask.rowEnds = rowEnds(outline, grid);

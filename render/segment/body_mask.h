@@ -19,6 +19,7 @@ namespace pdr::segment {
 struct BodyMask {
     CellGrid grid;
     Cells shown;                 ///< 0: outside the body, and nobody would miss it
+    Cells body;                  ///< itself, with all that it encloses
     CellBox box;                 ///< of the body itself
     std::vector<dvec3> rowEnds;  ///< of the body itself (outline.h)
     int parts = 0;               ///< bodies that do not touch

@@ -122,7 +122,7 @@ struct Autofocus {
         *distance = -1;
         for (int i = 0; float(i) * step < segment.ray.length; ++i) {
             const vec3 place = segment.ray.origin + segment.ray.direction * (float(i) * step);
-            if (!(opacity(scene.transferFunction, hounsfield(scene.volume, place)) > 0))
+            if (!(extinction(scene, place) > 0))
                 continue;
             *distance = float(i) * step;
             return;

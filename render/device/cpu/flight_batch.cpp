@@ -3,8 +3,9 @@
 namespace pdr {
 
 /// The batch as a list of rays for lanes.
+template <bool Masked>
 struct FlightBatch::InLanes {
-    using Walk = FreeFlight<FloatLanes>;
+    using Walk = FreeFlight<FloatLanes, Masked>;
     FlightBatch& batch;
 
     int size() const { return batch.size_; }
@@ -20,10 +21,15 @@ struct FlightBatch::InLanes {
     }
 };
 
+template <bool Masked>
+void FlightBatch::flyInLanes(const FlatScene& scene) {
+    InLanes<Masked> rays{*this};
+    walkInLanes<FreeFlight<FloatLanes, Masked>>(rays, scene);
+}
+
 void FlightBatch::fly(const FlatScene& scene) {
-    InLanes rays{*this};
     if (lanesCanRead(scene.volume))
-        return walkInLanes<FreeFlight<FloatLanes>>(rays, scene);
+        return isMasked(scene) ? flyInLanes<true>(scene) : flyInLanes<false>(scene);
     for (int row = 0; row < size_; ++row) {
         const Flight flight = freeFlight(scene, rays_.at(row), depth_[row]);
         distance_[row] = flight.distance;

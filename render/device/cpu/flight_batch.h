@@ -29,7 +29,10 @@ class FlightBatch {
     void fly(const FlatScene& scene);
 
   private:
+    template <bool Masked>
     struct InLanes;
+    template <bool Masked>
+    void flyInLanes(const FlatScene& scene);
 
     alignas(64) RayColumns<kCapacity> rays_;
     alignas(64) std::array<float, kCapacity> depth_, distance_, passed_;

@@ -16,9 +16,9 @@ RayResult<float> laneOf(const RayResult<FloatLanes>& lanes, int lane) {
 }  // namespace
 
 /// The batch as a list of rays for lanes.
-template <FlatModel Model>
+template <FlatModel Model, bool Masked>
 struct ProjectionBatch::InLanes {
-    using Walk = RayWalk<FloatLanes, Model>;
+    using Walk = RayWalk<FloatLanes, Model, Masked>;
     ProjectionBatch& batch;
 
     int size() const { return batch.size_; }
@@ -32,11 +32,18 @@ struct ProjectionBatch::InLanes {
     }
 };
 
+template <FlatModel Model, bool Masked>
+void ProjectionBatch::projectInLanes(const FlatScene& scene) {
+    InLanes<Model, Masked> rays{*this};
+    walkInLanes<RayWalk<FloatLanes, Model, Masked>>(rays, scene);
+}
+
 template <FlatModel Model>
 void ProjectionBatch::project(const FlatScene& scene) {
-    InLanes<Model> rays{*this};
-    if (lanesCanRead(scene.volume))
-        walkInLanes<RayWalk<FloatLanes, Model>>(rays, scene);
+    if (lanesCanRead(scene.volume) && isMasked(scene))
+        projectInLanes<Model, true>(scene);
+    else if (lanesCanRead(scene.volume))
+        projectInLanes<Model, false>(scene);
     else
         for (int row = 0; row < size_; ++row)
             result_[row] = pdr::project<Model>(scene, rays_.at(row), behind_[row]);

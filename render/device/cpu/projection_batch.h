@@ -29,8 +29,10 @@ class ProjectionBatch {
     const Projected& result(int ray) const { return result_[ray]; }
 
   private:
-    template <FlatModel Model>
+    template <FlatModel Model, bool Masked>
     struct InLanes;
+    template <FlatModel Model, bool Masked>
+    void projectInLanes(const FlatScene& scene);
     template <FlatModel Model>
     void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums);
     template <FlatModel Model>

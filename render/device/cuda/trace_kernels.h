@@ -17,8 +17,12 @@ std::array<TraceLaunch<CudaGpu>, kMasksPerFile> pathLaunchesFrom();
 template <>
 TraceLaunch<CudaGpu> pathLaunch<CudaGpu>(std::uint32_t needed);
 template <>
-void launchCamera<CudaGpu>(CudaGpu& gpu, const CameraKernel& kernel, std::int64_t samples);
+void launchCamera(CudaGpu& gpu, const CameraKernel<false>& kernel, std::int64_t samples);
 template <>
-void launchShadow<CudaGpu>(CudaGpu& gpu, const ShadowKernel& kernel, std::int64_t samples);
+void launchCamera(CudaGpu& gpu, const CameraKernel<true>& kernel, std::int64_t samples);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<false>& kernel, std::int64_t samples);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<true>& kernel, std::int64_t samples);
 
 }  // namespace pdr

@@ -32,15 +32,18 @@ struct BuildMajorantsKernel {
     const HuRange* ranges;
     FlatTransferFunction function;
     float highestOfCurve;
-    bool highestHu;  ///< for maximumIntensity: the highest HU, lifted by kMipBias
+    bool highestHu;  ///< for maximumIntensity
+    FlatMask mask;
+    ivec3 volume;  ///< voxels
     ivec3 coarseGrid;
     float *fine, *coarse;
     BoundsSummary* summary;
 
-    PDR_HD float bound(HuRange range) const {
+    PDR_HD float bound(HuRange range, ivec3 cell) const {
         if (highestHu)
-            return range.empty() ? 0.0f : float(range.highest + kMipBias);
-        return extinctionBound(function.extinctionPerMm, highestOpacity(function, range), highestOfCurve);
+            return highestHuBound(range, mask, volume, cell);
+        const float whole = extinctionBound(function.extinctionPerMm, highestOpacity(function, range), highestOfCurve);
+        return whole > 0 && mask.voxels != nullptr ? maskedBound(whole, highestWeight(mask, volume, cell)) : whole;
     }
 
     PDR_HD void operator()(std::int64_t index) const {
@@ -50,7 +53,7 @@ struct BuildMajorantsKernel {
         for (int n = 0; n < 64; ++n) {
             const ivec3 cell = first + ivec3(n & 3, (n >> 2) & 3, n >> 4);
             const std::int64_t at = cellIndex(cell, fineGrid);
-            const float here = bound(ranges[at]);
+            const float here = bound(ranges[at], cell);
             fine[at] = here;
             if (!(here > 0))
                 continue;

@@ -44,6 +44,7 @@ class GpuScene {
     Result<void> room(const PreparedScene& scene, std::size_t needed) const;
     Result<void> takeVolume(const PreparedScene& scene);
     Result<void> takeTexture(const PreparedScene& scene);
+    Result<void> takeMask(const PreparedScene& scene);
     void sendTables(const PreparedScene& scene);
     void sendEnvironment(const PreparedScene& scene);
     Result<void> bound(const PreparedScene& scene);
@@ -56,6 +57,8 @@ class GpuScene {
 
     GpuArray<G, std::int16_t> voxels_{gpu_};
     GpuTexture<G> texture_{gpu_};
+    std::shared_ptr<const Mask> mask_;
+    GpuArray<G, std::int16_t> weights_{gpu_};
     GpuArray<G, HuRange> ranges_{gpu_};
     GpuArray<G, float> fine_{gpu_}, coarse_{gpu_};
     GpuArray<G, BoundsSummary> summary_{gpu_};
@@ -96,8 +99,11 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
             return fits;
     if (Result<void> fits = takeTexture(*scene); !fits)
         return fits;
+    if (Result<void> fits = takeMask(*scene); !fits)
+        return fits;
     const FlatMajorants bounds = flat_.majorants;
     flat_ = scene->flat;
+    flat_.mask.voxels = weights_.data();
     flat_.volume.voxels = voxels_.data();
     flat_.volume.texture = texture_.handle();
     sendTables(*scene);
@@ -172,6 +178,24 @@ Result<void> GpuScene<G>::takeTexture(const PreparedScene& scene) {
     return takeStatus(gpu_);
 }
 
+/// It is kept as long as it is the scene's.
+template <Gpu G>
+Result<void> GpuScene<G>::takeMask(const PreparedScene& scene) {
+    if (mask_ == scene.mask)
+        return {};
+    mask_ = nullptr;
+    weights_.free();
+    if (!scene.mask)
+        return {};
+    if (Result<void> fits = room(scene, scene.mask->weights().size() * sizeof(std::int16_t)); !fits)
+        return fits;
+    weights_.assign(scene.mask->weights());
+    if (Result<void> sent = takeStatus(gpu_); !sent)
+        return sent;
+    mask_ = scene.mask;
+    return {};
+}
+
 template <Gpu G>
 void GpuScene<G>::sendTables(const PreparedScene& scene) {
     pieces_.update(scene.tables.pieces);
@@ -225,9 +249,10 @@ Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
     if (summaryHere_.size() == 1)
         *summaryHere_.data() = {};
     summary_.copyFrom(summaryHere_.data());
-    gpu_.launch(BuildMajorantsKernel{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
-                                     coarse, fine_.data(), coarse_.data(), summary_.data()},
-                std::int64_t(coarse_.size()), GpuStream::compute);
+    gpu_.launch(
+        BuildMajorantsKernel{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
+                             flat_.mask, scene.volume->size(), coarse, fine_.data(), coarse_.data(), summary_.data()},
+        std::int64_t(coarse_.size()), GpuStream::compute);
     summary_.copyTo(summaryHere_.data());
     gpu_.awaitAll();
     if (Result<void> done = takeStatus(gpu_); !done) {
@@ -279,6 +304,7 @@ void GpuScene<G>::forget() {
     lightNodes_.forget();
     planes_.forget();
     sobol_.forget();
+    mask_ = nullptr;
     environment_ = nullptr;
 }
 
@@ -290,6 +316,7 @@ Result<void> GpuScene<G>::close() {
     flat_ = {};
     forget();
     texture_.free();
+    weights_.free();
     voxels_.free();
     ranges_.free();
     fine_.free();

@@ -2,9 +2,9 @@
 /// Samples of paths, cut into kernels that do one thing each, so that 32 threads in step do the same, and in few
 /// registers.
 ///
-/// - CameraKernel: a sample's camera ray and first flight. A queue: lanes take the next when one has ended.
+/// - CameraKernel<Masked>: a sample's camera ray and first flight. A queue: lanes take the next when one has ended.
 /// - ShadeKernel<F>: what is at the end of that flight (endSegment). A thread for each.
-/// - ShadowKernel: from there to the lights. A queue likewise.
+/// - ShadowKernel<Masked>: from there to the lights. A queue likewise.
 /// - OnwardKernel<F>: all that is behind, segment by segment, of paths that go on. A queue.
 ///
 /// They hand on records in lists, in the order in which they come. No picture depends on it: each record knows its
@@ -46,6 +46,8 @@ struct PathLists {
     Counts* counts;
 };
 
+/// Masked: see PieceWalk.
+template <bool Masked>
 struct CameraKernel {
     static constexpr const char* kName = "camera";
     FlatScene scene;
@@ -54,7 +56,7 @@ struct CameraKernel {
     std::int64_t first;  ///< index of the first of these samples in the launch
 
     struct Walk {
-        FreeFlight<float> flight;
+        FreeFlight<float, Masked> flight;
         std::int32_t slot;
     };
 
@@ -119,6 +121,7 @@ struct ShadeKernel {
     }
 };
 
+template <bool Masked>
 struct ShadowKernel {
     static constexpr const char* kName = "shadow";
     FlatScene scene;
@@ -126,7 +129,7 @@ struct ShadowKernel {
     PathLists lists;
 
     struct Walk {
-        FreeFlight<float> flight;
+        FreeFlight<float, Masked> flight;
         std::int32_t vertex;
         int light;
     };

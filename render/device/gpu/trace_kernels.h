@@ -152,14 +152,14 @@ struct MarchSampler {
 };
 
 /// A sum along the ray.
-template <FlatModel Model>
+template <FlatModel Model, bool Masked>
 struct ProjectionSampler {
     PDR_HD static Projected sample(const FlatScene& scene, const SampleAddress& from) {
         const vec2 depths = depthBounds(scene, from.pixel);
         if (isBackgroundOnly(scene, depths))
             return projectedMiss<Model>(scene, backdrop<Model>(scene, PathSegment{}));
         const PathSegment segment = startPath(scene, from.pixel, from.sample, depths).segment;
-        return project<Model>(scene, segment.ray, backdrop<Model>(scene, segment));
+        return projectAlong<Model, Masked>(scene, segment.ray, backdrop<Model>(scene, segment));
     }
 };
 

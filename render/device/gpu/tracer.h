@@ -20,31 +20,40 @@ void launchTrace(G& gpu, const FlatScene& scene, const TraceTarget& target, Path
     gpu.launchQueued(TraceKernel<Take>{scene, target}, target.grid.count(), GpuStream::compute);
 }
 
-/// The two kernels of paths that are the same for all effects. Specialised where the compiler takes long over them:
+/// The kernels of paths that are the same for all effects. Specialised where the compiler takes long over them:
 /// cuda/.
-template <Gpu G>
-void launchCamera(G& gpu, const CameraKernel& kernel, std::int64_t samples) {
+template <Gpu G, bool Masked>
+void launchCamera(G& gpu, const CameraKernel<Masked>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
-template <Gpu G>
-void launchShadow(G& gpu, const ShadowKernel& kernel, std::int64_t samples) {
+template <Gpu G, bool Masked>
+void launchShadow(G& gpu, const ShadowKernel<Masked>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 
-template <Gpu G, std::uint32_t F>
-void launchPaths(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
+/// Masked: of the scene, see isMasked().
+template <Gpu G, std::uint32_t F, bool Masked>
+void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
     const std::int64_t all = target.grid.count(), most = G::kPathsTogether;
     const bool onward = has(F, kBounces) && scene.maxBounces > 1;
     for (std::int64_t first = 0; first < all; first += most) {
         const std::int64_t samples = std::min(all - first, most);
         const PathLists lists = memory.emptied(samples, onward);
-        launchCamera(gpu, CameraKernel{scene, target, lists, first}, samples);
+        launchCamera(gpu, CameraKernel<Masked>{scene, target, lists, first}, samples);
         gpu.launch(ShadeKernel<F>{scene, target, lists}, samples, GpuStream::compute);
-        launchShadow(gpu, ShadowKernel{scene, target, lists}, samples);
+        launchShadow(gpu, ShadowKernel<Masked>{scene, target, lists}, samples);
         if constexpr (has(F, kBounces))
             if (onward)
                 gpu.launchQueued(OnwardKernel<F>{scene, target, lists}, samples, GpuStream::compute);
     }
+}
+
+template <Gpu G, std::uint32_t F>
+void launchPaths(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
+    if (isMasked(scene))
+        launchPathsOf<G, F, true>(gpu, scene, target, memory);
+    else
+        launchPathsOf<G, F, false>(gpu, scene, target, memory);
 }
 
 /// The program for a scene that calls for `needed`: effects that are not told apart are always in it, and change
@@ -65,17 +74,23 @@ TraceLaunch<G> pathLaunch(std::uint32_t needed) {
     return kPaths[needed];
 }
 
+template <Gpu G, FlatModel Model>
+TraceLaunch<G> projectionLaunch(const FlatScene& scene) {
+    return isMasked(scene) ? launchTrace<G, ProjectionSampler<Model, true>>
+                           : launchTrace<G, ProjectionSampler<Model, false>>;
+}
+
 template <Gpu G>
 TraceLaunch<G> traceLaunchFor(const FlatScene& scene) {
     switch (scene.optics.model) {
         case FlatModel::absorption:
-            return launchTrace<G, ProjectionSampler<FlatModel::absorption>>;
+            return projectionLaunch<G, FlatModel::absorption>(scene);
         case FlatModel::emission:
-            return launchTrace<G, ProjectionSampler<FlatModel::emission>>;
+            return projectionLaunch<G, FlatModel::emission>(scene);
         case FlatModel::emissionAbsorption:
-            return launchTrace<G, ProjectionSampler<FlatModel::emissionAbsorption>>;
+            return projectionLaunch<G, FlatModel::emissionAbsorption>(scene);
         case FlatModel::maximumIntensity:
-            return launchTrace<G, ProjectionSampler<FlatModel::maximumIntensity>>;
+            return projectionLaunch<G, FlatModel::maximumIntensity>(scene);
         case FlatModel::scattering:
             break;
     }

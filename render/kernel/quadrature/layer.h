@@ -13,7 +13,7 @@
 /// exp(a (1 - 2 w)) = sinh(a) / a, and ln(sinh(a) / a) <= a^2 / 6 makes it at most (D / 8) (1 - exp(-D)).
 
 #include "render/kernel/attenuation.h"
-#include "render/kernel/walk/optics.h"
+#include "render/kernel/walk/masked_optics.h"
 
 namespace pdr {
 
@@ -39,12 +39,34 @@ PDR_HD_INLINE Real bendOf(const OpticsAlong<Real>& along) {
     return 0.75f * max(abs(d1), abs(d2)) + (7.0f / 32) * abs(fraction.b3 - fraction.b0) * uneven;
 }
 
+/// Where in the piece the source of a way is.
 template <class Real>
-PDR_HD_INLINE Layer<Real> layerAlong(const OpticsAlong<Real>& along, Real depth) {
+struct SourceAlong {
+    Real fraction;  ///< each place counts as much as it extinguishes
+    Real bend;      ///< see above
+};
+
+template <class Real>
+PDR_HD_INLINE SourceAlong<Real> sourceAlong(const OpticsAlong<Real>& along) {
+    return {extinctionWeightedFraction(along), bendOf(along)};
+}
+
+/// The same of a way of which some may be hidden; there |s - w| <= 1.
+template <class Real>
+PDR_HD_INLINE SourceAlong<Real> sourceAlong(const OpticsAlong<Real>& along, const Cubic<Real>& weight) {
+    const SeenAlong<Real> seen = seenAlong(along, weight);
+    const Cubic<Real>& fraction = along.fraction;
+    const Real most = max(max(fraction.b0, fraction.b1), max(fraction.b2, fraction.b3));
+    const Real least = min(min(fraction.b0, fraction.b1), min(fraction.b2, fraction.b3));
+    const Real whole = bendOf(along);
+    return {seenFraction(along, weight, seen), seen.partly ? 2.0f * (most - least) : whole};
+}
+
+template <class Real>
+PDR_HD_INLINE Layer<Real> layerAlong(const OpticsAlong<Real>& along, Real depth, const SourceAlong<Real>& source) {
     const Attenuation<Real> behind = attenuation(depth);
     const Real early = (along.fraction.b3 - along.fraction.b0) * absorbedBeforeMiddle(depth, behind);
-    return {behind, extinctionWeightedFraction(along) - (depth > 0.0f ? early : Real{}),
-            bendOf(along) * min(0.25f * depth, Real{} + 2.0f)};
+    return {behind, source.fraction - (depth > 0.0f ? early : Real{}), source.bend * min(0.25f * depth, Real{} + 2.0f)};
 }
 
 }  // namespace pdr

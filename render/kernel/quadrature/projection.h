@@ -8,16 +8,16 @@
 namespace pdr {
 
 /// One ray of a model, or several in step: start, going, step, take, result.
-template <class Real, FlatModel Model>
+template <class Real, FlatModel Model, bool Masked>
 struct RayWalkOf {
-    using Type = RayIntegral<Real, Model>;
+    using Type = RayIntegral<Real, Model, Masked>;
 };
-template <class Real>
-struct RayWalkOf<Real, FlatModel::maximumIntensity> {
-    using Type = RayMaximum<Real>;
+template <class Real, bool Masked>
+struct RayWalkOf<Real, FlatModel::maximumIntensity, Masked> {
+    using Type = RayMaximum<Real, Masked>;
 };
-template <class Real, FlatModel Model>
-using RayWalk = typename RayWalkOf<Real, Model>::Type;
+template <class Real, FlatModel Model, bool Masked>
+using RayWalk = typename RayWalkOf<Real, Model, Masked>::Type;
 
 struct Projected {
     vec3 radiance;         ///< linear Rec. 709
@@ -74,14 +74,20 @@ PDR_HD inline Projected projectedMiss(const FlatScene& scene, vec3 behind) {
 }
 
 /// One ray to its end.
-template <FlatModel Model>
-PDR_HD inline Projected project(const FlatScene& scene, const Ray& ray, vec3 behind) {
-    RayWalk<float, Model> walk;
+template <FlatModel Model, bool Masked>
+PDR_HD inline Projected projectAlong(const FlatScene& scene, const Ray& ray, vec3 behind) {
+    RayWalk<float, Model, Masked> walk;
     walk.start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
                ray.length);
     while (walk.going())
         walk.step(scene);
     return projected<Model>(scene, walk.result(), behind);
+}
+
+template <FlatModel Model>
+PDR_HD inline Projected project(const FlatScene& scene, const Ray& ray, vec3 behind) {
+    return isMasked(scene) ? projectAlong<Model, true>(scene, ray, behind)
+                           : projectAlong<Model, false>(scene, ray, behind);
 }
 
 }  // namespace pdr

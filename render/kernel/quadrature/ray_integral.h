@@ -22,7 +22,8 @@ struct RayResult {
     Real exceeded{};            ///< 1: a step could not be made short enough for the tolerance
 };
 
-template <class Real, FlatModel Model>
+/// Masked: see PieceWalk.
+template <class Real, FlatModel Model, bool Masked>
 class RayIntegral {
   public:
     using Int = typename SimdTraits<Real>::Int;
@@ -45,7 +46,7 @@ class RayIntegral {
 
     PDR_HD_INLINE void step(const FlatScene& scene) {
         Mask gone{};
-        walk_.step(scene, [&](const PieceOfWay<Real>& way, Mask ready, Mask forced) {
+        walk_.step(scene, [&](const Way& way, Mask ready, Mask forced) {
             gone = add(scene.optics, way, ready, forced);
             return gone;
         });
@@ -68,16 +69,21 @@ class RayIntegral {
     }
 
   private:
+    using Way = typename PieceWalk<Real, Masked>::Way;
+
     /// Adds a way through one piece where `ready` holds. Result: where it was added; elsewhere it must be halved.
-    PDR_HD_INLINE Mask add(const FlatOptics& optics, const PieceOfWay<Real>& way, Mask ready, Mask forced) {
+    PDR_HD_INLINE Mask add(const FlatOptics& optics, const Way& way, Mask ready, Mask forced) {
         const OpticsPiece<Real>& piece = way.piece;
         const OpticsAlong<Real> along = opticsAlong(optics, piece, way.hu);
-        const Real depth = along.meanExtinction * way.length;
+        Real meanExtinction = along.meanExtinction;
+        if constexpr (Masked)
+            meanExtinction = seenAlong(along, way.weight).meanExtinction;
+        const Real depth = meanExtinction * way.length;
         if constexpr (Model == FlatModel::absorption) {
             depth_ = ready ? depth_ + depth : depth_;
             return ready;
         } else if constexpr (Model == FlatModel::emission) {
-            const Real fraction = extinctionWeightedFraction(along);
+            const Real fraction = sourceOn(along, way).fraction;
             for (int channel = 0; channel < 3; ++channel) {
                 const Source source = sourceOf(optics, piece, channel);
                 const Real more = sum_.value[channel] + depth * (source.begin + source.rise * fraction);
@@ -85,7 +91,7 @@ class RayIntegral {
             }
             return ready;
         } else {
-            return addAttenuated(optics, piece, along, depth, ready, forced);
+            return addAttenuated(optics, piece, layerAlong(along, depth, sourceOn(along, way)), ready, forced);
         }
     }
 
@@ -97,9 +103,15 @@ class RayIntegral {
                 opticsColumn<Real>(optics, int(OpticsColumn::sourceRise) + channel, piece.index)};
     }
 
-    PDR_HD_INLINE Mask addAttenuated(const FlatOptics& optics, const OpticsPiece<Real>& piece,
-                                     const OpticsAlong<Real>& along, Real depth, Mask ready, Mask forced) {
-        const Layer<Real> layer = layerAlong(along, depth);
+    PDR_HD_INLINE static SourceAlong<Real> sourceOn(const OpticsAlong<Real>& along, const Way& way) {
+        if constexpr (Masked)
+            return sourceAlong(along, way.weight);
+        else
+            return sourceAlong(along);
+    }
+
+    PDR_HD_INLINE Mask addAttenuated(const FlatOptics& optics, const OpticsPiece<Real>& piece, const Layer<Real>& layer,
+                                     Mask ready, Mask forced) {
         const Real taken = sum_.left * layer.behind.taken;
         Real radiance[3], bound[3];
         Mask close = ready;
@@ -126,7 +138,7 @@ class RayIntegral {
         return dark & (sum_.left * optics.brightest.z <= optics.cutOff * sum_.value[2]);
     }
 
-    PieceWalk<Real> walk_;
+    PieceWalk<Real, Masked> walk_;
     RayResult<Real> sum_;
     Real bound_[3]{};  ///< on the error of what was gathered
     Real depth_{};     ///< optical depth (absorption)

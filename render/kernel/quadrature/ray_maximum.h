@@ -1,7 +1,10 @@
 #pragma once
 /// The highest HU along a ray: exact, cell by cell, from the cubic polynomial that trilinear interpolation is along a
-/// line. Cells that cannot beat what was found already are passed.
+/// line. Cells that cannot beat what was found already are passed. Of a volume with a mask, what is seen by less than
+/// half counts as not there; in a cell where that changes, five places along the way are looked at, so that what lies
+/// within a quarter of a cell of the edge may be missed.
 
+#include "render/kernel/bounds/mask_bound.h"
 #include "render/kernel/quadrature/ray_integral.h"
 
 namespace pdr {
@@ -9,7 +12,18 @@ namespace pdr {
 /// What maximumIntensity adds to the HU in FlatMajorants, so that 0 stands for cells outside the volume.
 inline constexpr int kMipBias = 32769;
 
-template <class Real>
+/// Of weights, from where on something is seen.
+inline constexpr float kSeenFrom = 0.5f;
+
+/// What maximumIntensity keeps of a fine cell: its highest HU, lifted by kMipBias; 0 where nothing is seen.
+PDR_HD inline float highestHuBound(HuRange range, const FlatMask& mask, ivec3 volume, ivec3 cell) {
+    const bool seen = !range.empty() &&
+                      (mask.voxels == nullptr || float(highestWeight(mask, volume, cell)) >= kSeenFrom * float(kSeen));
+    return seen ? float(range.highest + kMipBias) : 0.0f;
+}
+
+/// Masked: see PieceWalk.
+template <class Real, bool Masked = false>
 class RayMaximum {
   public:
     using Int = typename SimdTraits<Real>::Int;
@@ -30,12 +44,15 @@ class RayMaximum {
 
     /// One step of every lane that is going.
     PDR_HD_INLINE void step(const FlatScene& scene) {
-        HuAlong<Real> way{};
+        std::conditional_t<Masked, MaskedHuAlong<Real>, HuAlong<Real>> way{};
         Mask met = walk_.step(scene, going(), bar(), way);
         met = met & (way.hu.highest() > highest_);
         if (!any(met))
             return;
-        highest_ = met ? max(highest_, way.hu.maximum()) : highest_;
+        Real found = way.hu.maximum();
+        if constexpr (Masked)
+            found = seenMaximum(way, found);
+        highest_ = met ? max(highest_, found) : highest_;
         walk_.stop(met & (highest_ >= scene.optics.windowHigh));  // white: nothing shows more
     }
 
@@ -46,6 +63,21 @@ class RayMaximum {
     }
 
   private:
+    /// The highest HU that is seen on a way whose highest is `whole`.
+    PDR_HD_INLINE Real seenMaximum(const MaskedHuAlong<Real>& way, Real whole) const {
+        constexpr int kPlaces = 5;
+        const Mask partly = way.weight.lowest() < kSeenFrom;
+        if (!any(partly))
+            return whole;
+        Real seen = highest_;
+        for (int i = 0; i < kPlaces; ++i) {
+            const Real s = Real{} + float(i) / (kPlaces - 1);
+            const Mask counts = way.weight.at(s) >= kSeenFrom;
+            seen = counts ? max(seen, way.hu.at(s)) : seen;
+        }
+        return partly ? seen : whole;
+    }
+
     /// Voxels are whole numbers, so a cell can bring more only if its highest voxel is above this one.
     PDR_HD_INLINE Real bar() const {
         const Int towardsZero = toInt(highest_);

@@ -31,15 +31,21 @@ PDR_HD inline float surfaceProbability(const FlatScene& scene, float opacity, fl
     return opacity * attenuation(scene.surfaceFactor * steepness).taken;
 }
 
+/// Whether what is seen begins or ends at a place: there the gradient of the HU is that of the tissue within, or of its
+/// noise, and not that of the edge which light meets.
+PDR_HD inline bool isAtMaskedEdge(const FlatScene& scene, vec3 position) {
+    return isMasked(scene) && weightAt(scene, position) < 1;
+}
+
 PDR_HD inline vec3 facing(vec3 wo, vec3 normal) {
     return glm::dot(normal, wo) < 0 ? -normal : normal;
 }
 
-/// No gradient, no surface. Its probability is never above the opacity, so the gradient, which costs 64 voxels, is
-/// looked at only where the number lies below that.
+/// No gradient, no surface, and none where a mask has its edge. Its probability is never above the opacity, so the
+/// gradient, which costs 64 voxels, is looked at only where the number lies below that.
 PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
     const float most = opacity(scene.transferFunction, hu);
-    if (u >= most)
+    if (u >= most || isAtMaskedEdge(scene, position))
         return vec3(0);
     const vec3 gradient = hounsfieldGradient(scene.volume, position);
     const float steepness = glm::length(gradient);

@@ -30,8 +30,8 @@ struct DepthPassed {
     PDR_HD_INLINE Real slopeAt(Real s) const { return extinction.at(s); }
 };
 
-/// One ray, or several in step.
-template <class Real>
+/// One ray, or several in step. Masked: see PieceWalk.
+template <class Real, bool Masked = false>
 class FreeFlight {
   public:
     using Int = typename SimdTraits<Real>::Int;
@@ -57,12 +57,12 @@ class FreeFlight {
 
     PDR_HD_INLINE void step(const FlatScene& scene) {
         Mask ended{};
-        walk_.step(scene, [&](const PieceOfWay<Real>& way, Mask ready, Mask) {
+        walk_.step(scene, [&](const Way& way, Mask ready, Mask) {
             const OpticsAlong<Real> along = opticsAlong(scene.optics, way.piece, way.hu);
-            const Real passed = this->passed + along.meanExtinction * way.length;
+            const Real passed = this->passed + meanExtinction(along, way) * way.length;
             ended = ready & (passed > depth_);
             if (any(ended))
-                distance = ended ? way.begin + way.length * endOf(along, way.length, ended) : distance;
+                distance = ended ? way.begin + way.length * endOn(along, way, ended) : distance;
             this->passed = ready ? passed : this->passed;
             return ready;
         });
@@ -78,6 +78,36 @@ class FreeFlight {
     }
 
   private:
+    using Way = typename PieceWalk<Real, Masked>::Way;
+
+    PDR_HD_INLINE static Real meanExtinction(const OpticsAlong<Real>& along, const Way& way) {
+        if constexpr (Masked)
+            return seenAlong(along, way.weight).meanExtinction;
+        else
+            return along.meanExtinction;
+    }
+
+    PDR_HD_INLINE Real endOn(const OpticsAlong<Real>& along, const Way& way, Mask ended) const {
+        if constexpr (Masked)
+            return endOnSeen(along, way, ended);
+        else
+            return endOf(along, way.length, ended);
+    }
+
+    /// The same on a way of which some may be hidden.
+    PDR_HD_INLINE Real endOnSeen(const OpticsAlong<Real>& along, const Way& way, Mask ended) const {
+        const SeenAlong<Real> seen = seenAlong(along, way.weight);
+        const Mask partly = ended & seen.partly;
+        Real end = endOf(along, way.length, ended & !seen.partly);
+        if (any(partly)) {
+            const SeenDepthPassed<Real> depth{along, way.weight, 1.0f / seen.meanExtinction};
+            const Real wanted = (depth_ - passed) * depth.scale / way.length;
+            const Real found = whereMonotoneIs(depth, wanted, Real{}, Real{} + 1.0f, partly);
+            end = partly ? found : end;
+        }
+        return end;
+    }
+
     /// The fraction of a way of that length after which the depth has been passed; it is before its end.
     PDR_HD_INLINE Real endOf(const OpticsAlong<Real>& along, Real length, Mask ended) const {
         const Real scale = 1.0f / along.meanExtinction;
@@ -90,7 +120,7 @@ class FreeFlight {
         return whereMonotoneIs(depth, wanted, Real{}, Real{} + 1.0f, ended);
     }
 
-    PieceWalk<Real> walk_;
+    PieceWalk<Real, Masked> walk_;
     Real depth_{};
 };
 
@@ -100,12 +130,17 @@ struct Flight {
     float passed;
 };
 
-PDR_HD inline Flight freeFlight(const FlatScene& scene, const Ray& ray, float depth) {
-    FreeFlight<float> flight;
+template <bool Masked>
+PDR_HD inline Flight freeFlightOf(const FlatScene& scene, const Ray& ray, float depth) {
+    FreeFlight<float, Masked> flight;
     flight.start(scene, ray, depth);
     while (flight.going())
         flight.step(scene);
     return {flight.distance, flight.passed};
+}
+
+PDR_HD inline Flight freeFlight(const FlatScene& scene, const Ray& ray, float depth) {
+    return isMasked(scene) ? freeFlightOf<true>(scene, ray, depth) : freeFlightOf<false>(scene, ray, depth);
 }
 
 }  // namespace pdr

@@ -115,6 +115,8 @@ class MajorantTraversal {
             if (Dense && any(happened & here.voxelMajorant))
                 hu = here.voxelMajorant ? trilinear(here.voxels, fractionsIn(here.voxels, position)) : hu;
             collision.extinction = extinctionOf(scene.transferFunction, hu);
+            if (isMasked(scene))
+                collision.extinction = collision.extinction * weightAt(scene, position);
             Real u, decision;
             random_.pair(happened, u, decision);
             depth_ = happened ? negativeLog(u) : depth_;

@@ -24,7 +24,7 @@ PDR_HD inline UnshadowedPlace unshadowedAt(const FlatScene& scene, vec3 position
     const float steepness = glm::length(gradient);
     UnshadowedPlace seen{material.emission};
     float surface = 0;
-    if (steepness > 0) {
+    if (steepness > 0 && !isAtMaskedEdge(scene, position)) {
         seen.normal = gradient * ((glm::dot(gradient, wo) < 0 ? -1 : 1) / steepness);
         surface = surfaceProbability(scene, opacity(scene.transferFunction, hu), steepness);
     }

@@ -2,8 +2,10 @@
 /// A ray on its way through the cells between voxel centres. Cells that cannot matter are passed many at a time: a
 /// coarse cell (16 voxels) or a fine one (4 voxels) whose bound does not exceed a bar. See FlatMajorants and GridRay.
 
+#include <type_traits>
+
 #include "render/kernel/grid_ray.h"
-#include "render/kernel/walk/hounsfield_along.h"
+#include "render/kernel/walk/weight_along.h"
 
 namespace pdr {
 
@@ -12,6 +14,12 @@ template <class Real>
 struct HuAlong {
     Cubic<Real> hu;
     Real length;  ///< mm
+};
+
+/// The same where some of the volume is hidden.
+template <class Real>
+struct MaskedHuAlong : HuAlong<Real> {
+    Cubic<Real> weight;  ///< in [0, 1]
 };
 
 template <class Real>
@@ -42,7 +50,9 @@ class CellWalk {
 
     /// Takes the lanes of `mask`, all walking, through one cell of the largest size whose bound is at most `bar`, or
     /// through one cell between voxels. Result: where it was the latter; `way` is then what was passed.
-    PDR_HD_INLINE Mask step(const FlatScene& scene, Mask mask, Real bar, HuAlong<Real>& way) {
+    /// Way: HuAlong, or MaskedHuAlong for scenes with a mask.
+    template <class Way>
+    PDR_HD_INLINE Mask step(const FlatScene& scene, Mask mask, Real bar, Way& way) {
         const FlatMajorants& grid = scene.majorants;
         Mask met = mask & (gather(grid.coarse, ray_.template cellIndex<16>(grid.coarseSize, mask)) > bar);
         Int within = met ? Int{} + 3 : Int{} + 15;
@@ -53,7 +63,7 @@ class CellWalk {
         const Vec3<Real> borders = ray_.borders(within);
         const Real leave = max(min(nearest(borders), end_), t_);
         if (any(met))
-            read(scene.volume, met, leave, way);
+            read(scene, met, leave, way);
         ray_.advance(mask, within, borders, leave);
         t_ = mask ? leave : t_;
         prefetchNext(scene);
@@ -68,15 +78,15 @@ class CellWalk {
         prefetchCell(scene.volume, nearestCorner(scene.volume, ray_.voxel(), walking()));
     }
 
-    PDR_HD_INLINE void read(const FlatVolume& volume, Mask mask, Real leave, HuAlong<Real>& way) const {
+    template <class Way>
+    PDR_HD_INLINE void read(const FlatScene& scene, Mask mask, Real leave, Way& way) const {
         // In the half cells outside the first and last centres the fractions stay at 0 or 1: constant, as clamped.
-        const VoxelCell<Real> cell = nearestCell(volume, ray_.voxel(), mask);
-        const auto place = [&](Real t) { return fractionsIn(cell, ray_.at(t)); };
-        const Cubic<Real> hu = hounsfieldAlong(cell, place(t_), place(leave));
-        way.hu.b0 = mask ? hu.b0 : way.hu.b0;
-        way.hu.b1 = mask ? hu.b1 : way.hu.b1;
-        way.hu.b2 = mask ? hu.b2 : way.hu.b2;
-        way.hu.b3 = mask ? hu.b3 : way.hu.b3;
+        const auto corner = nearestCorner(scene.volume, ray_.voxel(), mask);
+        const VoxelCell<Real> cell = cellAt(scene.volume, corner);
+        const Vec3<Real> from = fractionsIn(cell, ray_.at(t_)), to = fractionsIn(cell, ray_.at(leave));
+        way.hu.take(mask, hounsfieldAlong(cell, from, to));
+        if constexpr (std::is_same_v<Way, MaskedHuAlong<Real>>)
+            way.weight.take(mask, weightAlong(scene.mask, corner, from, to));
         way.length = mask ? leave - t_ : way.length;
     }
 

@@ -46,6 +46,14 @@ struct Cubic {
     using Mask = typename SimdTraits<Real>::Mask;
     Real b0, b1, b2, b3;
 
+    /// Where `mask` holds it becomes `other`.
+    PDR_HD_INLINE void take(Mask mask, const Cubic& other) {
+        b0 = mask ? other.b0 : b0;
+        b1 = mask ? other.b1 : b1;
+        b2 = mask ? other.b2 : b2;
+        b3 = mask ? other.b3 : b3;
+    }
+
     PDR_HD_INLINE Real lowest() const { return min(min(b0, b1), min(b2, b3)); }
     PDR_HD_INLINE Real highest() const { return max(max(b0, b1), max(b2, b3)); }
     PDR_HD_INLINE Real mean() const { return 0.25f * ((b0 + b1) + (b2 + b3)); }

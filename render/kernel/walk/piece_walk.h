@@ -3,8 +3,10 @@
 /// borders are met exactly: there is no step length. On each way that it passes the HU are a cubic polynomial, and
 /// extinction and source are linear in them.
 
+#include <type_traits>
+
 #include "render/kernel/walk/cell_walk.h"
-#include "render/kernel/walk/optics.h"
+#include "render/kernel/walk/masked_optics.h"
 
 namespace pdr {
 
@@ -17,11 +19,19 @@ struct PieceOfWay {
     Real length;  ///< mm
 };
 
+/// The same where some of the volume is hidden.
 template <class Real>
+struct MaskedPieceOfWay : PieceOfWay<Real> {
+    Cubic<Real> weight;  ///< in [0, 1]
+};
+
+/// Masked: for scenes with a mask. Without it nothing of that is there.
+template <class Real, bool Masked>
 class PieceWalk {
   public:
     using Int = typename SimdTraits<Real>::Int;
     using Mask = typename SimdTraits<Real>::Mask;
+    using Way = std::conditional_t<Masked, MaskedPieceOfWay<Real>, PieceOfWay<Real>>;
 
     PDR_HD_INLINE void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
                              Real length) {
@@ -65,6 +75,8 @@ class PieceWalk {
         const Mask clear =
             (inCell_.hu.highest() < scene.optics.clearUpTo) | (inCell_.hu.lowest() >= scene.optics.clearFrom);
         inCell_.length = (met & clear) ? Real{} : inCell_.length;
+        if constexpr (Masked)
+            inCell_.length = (met & !(inCell_.weight.highest() > 0.0f)) ? Real{} : inCell_.length;
     }
 
     /// The next way through the cell where the ray is.
@@ -88,20 +100,27 @@ class PieceWalk {
         exceeded_ = (inCell & (reach_ <= kShortest)) ? Real{} + 1.0f : exceeded_;
         const Mask ready = inCell & (fits | crosses | exceeded());
         const Real length = inCell_.length * reach;
-        const Mask gone =
-            ready & pass(PieceOfWay<Real>{piece, before, cells_.reached() - inCell_.length, length}, ready, exceeded());
+        Way way{};
+        way.piece = piece;
+        way.hu = before;
+        way.begin = cells_.reached() - inCell_.length;
+        way.length = length;
+        [[maybe_unused]] Cubic<Real> weightBehind{};
+        if constexpr (Masked)
+            inCell_.weight.split(reach, way.weight, weightBehind);
+        const Mask gone = ready & pass(way, ready, exceeded());
         reach_ = inCell ? (gone ? Real{} + 1.0f : 0.5f * reach) : reach_;
         reach_ = max(reach_, Real{} + kShortest);
         const Mask split = gone & (reach < 1.0f);
-        inCell_.hu.b0 = split ? behind.b0 : inCell_.hu.b0;
-        inCell_.hu.b1 = split ? behind.b1 : inCell_.hu.b1;
-        inCell_.hu.b2 = split ? behind.b2 : inCell_.hu.b2;
-        inCell_.hu.b3 = split ? behind.b3 : inCell_.hu.b3;
+        inCell_.hu.take(split, behind);
+        if constexpr (Masked)
+            inCell_.weight.take(split, weightBehind);
         inCell_.length = gone ? inCell_.length - length : inCell_.length;
     }
 
     CellWalk<Real> cells_;
-    HuAlong<Real> inCell_{};      ///< what is left of the way through the cell where the ray is
+    std::conditional_t<Masked, MaskedHuAlong<Real>, HuAlong<Real>>
+        inCell_{};                ///< what is left of the way through the cell where the ray is
     Real reach_ = Real{} + 1.0f;  ///< fraction of it that is tried next
     Real exceeded_{};             ///< 1: it was made as short as it can be
 };

@@ -80,6 +80,7 @@ void describe(Visit& visit, Look& look) {
     visit.object({"surface", "how readily an edge reflects like a surface"}, surface);
     visit.object({"lights", "the rig of lights, and the environment"}, rig);
     visit({"exposure", "radiance that is shown as 1 - 1/e", {0, 1e30f, false}}, look.display.exposure);
+    visit.object({"visible", "which part of the patient is shown"}, look.visible);
 }
 
 template <class Visit>

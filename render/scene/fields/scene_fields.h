@@ -4,6 +4,7 @@
 #include "render/scene/fields/camera_fields.h"
 #include "render/scene/fields/clip_fields.h"
 #include "render/scene/fields/tissue_fields.h"
+#include "render/scene/fields/visible_fields.h"
 #include "render/scene/scene.h"
 
 namespace pdr {
@@ -65,6 +66,7 @@ void describe(Visit& visit, Scene& scene) {
     visit.object({"surface", "how readily an edge reflects like a surface"}, surface);
     visit.object({"camera", "from where it is seen", {}, kRequired}, scene.camera);
     visit.object({"clip", "what is cut away"}, scene.clip);
+    visit.object({"visible", "which part of the patient is shown"}, scene.visible);
     visit.object({"film", "the size of the picture"}, film);
     visit({"maxBounces",
            "`multipleScattering`: events on a path, at most; paths that are cut there are counted and reported",

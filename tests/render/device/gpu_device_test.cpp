@@ -7,6 +7,7 @@
 #include "render/device/gpu_device.h"
 #include "render/film/tone_map.h"
 #include "tests/support/faulty_gpu.h"
+#include "tests/support/masks.h"
 #include "tests/support/pictures.h"
 #include "tests/support/processor_time.h"
 #include "tests/support/scenes.h"
@@ -60,6 +61,23 @@ class GpuDeviceTest : public QObject {
                     continue;
                 const Film theirs = test::render(scene, 70, *cpu), ours = test::render(scene, 70, *gpu, 23, 32);
                 QVERIFY2(same(theirs, ours), modelName(model));
+            }
+    }
+
+    void everyModelGivesTheCpusSumsOfWhatIsSeen() {
+        const auto gpu = hostDevice();
+        const auto cpu = makeCpuDevice();
+        for (const Model model : kModels)
+            for (const unsigned seed : {1u, 2u}) {
+                Scene scene = bumpyScene();
+                scene.model = model;
+                scene.mask = test::anyMask(*scene.volume, seed);
+                const Film theirs = test::render(scene, 20, *cpu);
+                QVERIFY2(same(theirs, test::render(scene, 20, *gpu, 23, 32)), modelName(model));
+                QVERIFY2(same(theirs, *lived(*gpu, scene, 20, 20)), modelName(model));
+                scene.mask = nullptr;
+                ++scene.revision;
+                QVERIFY2(!same(theirs, test::render(scene, 20, *gpu)), "all of it is seen again");
             }
     }
 

@@ -131,7 +131,7 @@ class LayerTest : public QObject {
                 seen += here * x, taken += here, passed += part;
                 weighted += part * x, total += part;
             }
-            const Layer<float> layer = layerAlong(way, depth);
+            const Layer<float> layer = layerAlong(way, depth, sourceAlong(way));
             const double off = std::fabs(layer.fraction - seen / taken);
             QVERIFY2(off <= layer.bound * 1.001 + 1e-5, qPrintable(QString("%1, bound %2").arg(off).arg(layer.bound)));
             if (layer.bound > 1e-3 && depth > 0.1f)

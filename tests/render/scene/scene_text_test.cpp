@@ -83,6 +83,7 @@ std::string tableOf(const std::string& name) {
            : is("rectangle")   ? FieldTable::of<RectangleLight>()
            : is("sphere")      ? FieldTable::of<SphereLight>()
            : is("environment") ? FieldTable::of<EnvironmentFields>()
+           : is("visible")     ? FieldTable::of<Visible>()
            : is("clip")        ? FieldTable::of<Clip>()
            : is("box")         ? FieldTable::of<ClipBox>()
            : is("plane")       ? FieldTable::of<ClipPlane>()

@@ -1,0 +1,25 @@
+#pragma once
+/// Telling parts of the body apart beside the window.
+
+#include <memory>
+
+#include "app/background_job.h"
+#include "render/scene/visible.h"
+#include "render/volume/mask.h"
+
+namespace pdr::app {
+
+class MaskJob : public BackgroundJob {
+    Q_OBJECT
+
+  public slots:
+    /// The mask of what `visible` shows of `volume`; ends with made() or refused().
+    void make(const std::shared_ptr<const pdr::Volume>& volume, const pdr::Visible& visible);
+
+  signals:
+    void made(const pdr::Visible& visible, const std::shared_ptr<const pdr::Mask>& mask);
+    /// It cannot be told from the rest of this scan.
+    void refused(const pdr::Visible& visible, const pdr::Error& error);
+};
+
+}  // namespace pdr::app

@@ -1,0 +1,31 @@
+#pragma once
+/// How much of the tissue at a place is seen: a weight that multiplies its extinction. Kernels that may meet a mask ask
+/// isMasked() first; the weights are interpolated as HU are.
+
+#include "render/kernel/volume_sampling.h"
+
+namespace pdr {
+
+inline constexpr float kPerWeight = 1.0f / kSeen;  // a power of two: nothing is rounded
+
+PDR_HD inline bool isMasked(const FlatScene& scene) {
+    return scene.mask.voxels != nullptr;
+}
+
+/// At `position` (index space of the volume), in [0, 1]. `scene` has a mask.
+template <class Real>
+PDR_HD_INLINE Real weightAt(const FlatScene& scene, const Vec3<Real>& position) {
+    const auto node = [](Real place, float last, float nodes) {
+        return nodes * min(max(place, Real{}), Real{} + last);
+    };
+    const vec3 last = scene.volume.lastIndex, nodes = scene.mask.nodesPerVoxel;
+    const Vec3<Real> place{node(position.x, last.x, nodes.x), node(position.y, last.y, nodes.y),
+                           node(position.z, last.z, nodes.z)};
+    return min(trilinearAt(scene.mask, place) * kPerWeight, Real{} + 1.0f);
+}
+
+PDR_HD inline float weightAt(const FlatScene& scene, vec3 position) {
+    return weightAt(scene, Vec3<float>{position.x, position.y, position.z});
+}
+
+}  // namespace pdr

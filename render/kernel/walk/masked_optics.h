@@ -1,0 +1,86 @@
+#pragma once
+/// A way through one piece of the curve of which some may be hidden: its extinction is that of the tissue times a
+/// weight. HU, and with them extinction and source, are cubic polynomials of the way, and so is the weight. Products of
+/// three of them are of degree nine, whose integral Gauss's rule of five places knows exactly. Where all of a way is
+/// seen the numbers are those of a scene without a mask, bit by bit.
+
+#include "render/kernel/walk/optics.h"
+
+namespace pdr {
+
+/// Gauss-Legendre on [0, 1]: sum of share * f(place) is the integral of f up to degree nine.
+struct GaussPlace {
+    float place, share;
+};
+inline constexpr int kGaussPlaces = 5;
+PDR_HD inline GaussPlace gaussPlace(int i) {
+    constexpr GaussPlace kPlaces[kGaussPlaces] = {{0.0469100770f, 0.1184634425f},
+                                                  {0.2307653449f, 0.2393143352f},
+                                                  {0.5f, 0.2844444444f},
+                                                  {0.7692346551f, 0.2393143352f},
+                                                  {0.9530899230f, 0.1184634425f}};
+    return kPlaces[i];
+}
+
+/// Extinction at the fraction `s` of a way [1/mm].
+template <class Real>
+PDR_HD_INLINE Real extinctionAt(const OpticsAlong<Real>& along, Real s) {
+    return max(along.extinction + along.extinctionRise * along.fraction.at(s), Real{});
+}
+
+/// What counts of a way.
+template <class Real>
+struct SeenAlong {
+    typename SimdTraits<Real>::Mask partly;  ///< some of it is hidden
+    Real meanExtinction;                     ///< along the way, times the weight [1/mm]
+};
+
+template <class Real>
+PDR_HD_INLINE SeenAlong<Real> seenAlong(const OpticsAlong<Real>& along, const Cubic<Real>& weight) {
+    SeenAlong<Real> seen{weight.lowest() < 1.0f, along.meanExtinction};
+    if (!any(seen.partly))
+        return seen;
+    Real mean{};
+    for (int i = 0; i < kGaussPlaces; ++i) {
+        const Real s = Real{} + gaussPlace(i).place;
+        mean = mean + gaussPlace(i).share * (extinctionAt(along, s) * max(weight.at(s), Real{}));
+    }
+    seen.meanExtinction = seen.partly ? mean : seen.meanExtinction;
+    return seen;
+}
+
+/// extinctionWeightedFraction() where the extinction is that of `seen`.
+template <class Real>
+PDR_HD_INLINE Real seenFraction(const OpticsAlong<Real>& along, const Cubic<Real>& weight,
+                                const SeenAlong<Real>& seen) {
+    const Real whole = extinctionWeightedFraction(along);
+    if (!any(seen.partly))
+        return whole;
+    Real sum{};
+    for (int i = 0; i < kGaussPlaces; ++i) {
+        const Real s = Real{} + gaussPlace(i).place;
+        const Real extinction = extinctionAt(along, s) * max(weight.at(s), Real{});
+        sum = sum + gaussPlace(i).share * (extinction * along.fraction.at(s));
+    }
+    const Real partly = seen.meanExtinction > 0.0f ? sum / seen.meanExtinction : along.meanFraction;
+    return seen.partly ? max(min(partly, Real{} + 1.0f), Real{}) : whole;
+}
+
+/// The optical depth that is passed on the way from 0 to s in [0, 1] of a way that is partly seen, in units of the
+/// whole.
+template <class Real>
+struct SeenDepthPassed {
+    const OpticsAlong<Real>& along;
+    const Cubic<Real>& weight;
+    Real scale;  ///< 1 / SeenAlong::meanExtinction
+
+    PDR_HD_INLINE Real at(Real s) const {
+        Real passed{};
+        for (int i = 0; i < kGaussPlaces; ++i)
+            passed = passed + gaussPlace(i).share * slopeAt(s * gaussPlace(i).place);
+        return s * passed;
+    }
+    PDR_HD_INLINE Real slopeAt(Real s) const { return extinctionAt(along, s) * max(weight.at(s), Real{}) * scale; }
+};
+
+}  // namespace pdr

@@ -1,0 +1,188 @@
+/// Which part of the patient is shown: an edit of the look, whose mask is made beside the window.
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QImage>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/mask_job.h"
+#include "dicom/export.h"
+#include "tests/support/desktop_trial.h"
+#include "tests/support/lying_patients.h"
+#include "tests/support/masks.h"
+#include "tests/support/program_run.h"
+#include "tests/support/told_document.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr Visible kLungs{BodyPart::lungs, 0};
+constexpr Visible kPeeled{BodyPart::everything, 7};
+
+/// A document, and what it wanted masks of.
+struct Wanting : Told {
+    std::vector<Visible> wanted;
+    std::shared_ptr<const Mask> mask = test::evenMask(*cube(), kSeen / 2);
+
+    Wanting() {
+        QObject::connect(&document, &Document::maskWanted,
+                         [this](const std::shared_ptr<const Volume>& volume, const Visible& visible) {
+                             QVERIFY(volume == document.scene().volume);
+                             wanted.push_back(visible);
+                         });
+    }
+};
+
+}  // namespace
+
+class VisibleTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() {
+        series_ = folder_.filePath("series");
+        const dicom::ExportFacts facts{"Phantom^Trunk", "TRUNK", "Test", "Trunk", "Made from formulas."};
+        const auto patient = test::lying(test::trunk, {64, 48, 24}, dvec3(2.5));
+        const auto written = dicom::writeSeries(*patient.volume, facts, ui::fromQt(series_), noProgress);
+        QVERIFY2(written, written ? "" : written.error().text().c_str());
+    }
+
+    void theMaskComesAfterTheChoice() {
+        Wanting told;
+        told.document.setVisible(kLungs);
+        QCOMPARE(told.wanted, std::vector<Visible>{kLungs});
+        QVERIFY(told.document.scene().mask == nullptr && told.document.scene().visible == kLungs);
+        const std::uint64_t before = told.document.scene().revision;
+        told.document.setMask(kLungs, told.mask);
+        QVERIFY(told.document.scene().mask == told.mask && told.document.scene().revision > before);
+        QVERIFY(told.document.scene().check());
+        told.document.setVisible(kPeeled);
+        QVERIFY(told.document.scene().mask == told.mask);  // until the new one is there
+        QCOMPARE(told.wanted.size(), std::size_t(2));
+    }
+
+    void undoBringsBackTheMaskThatIsKnown() {
+        Wanting told;
+        told.document.setVisible(kLungs);
+        told.document.setMask(kLungs, told.mask);
+        told.document.undo();
+        QVERIFY(told.document.scene().mask == nullptr && told.document.scene().visible.all());
+        told.document.redo();
+        QVERIFY(told.document.scene().mask == told.mask);
+        QCOMPARE(told.wanted.size(), std::size_t(1));
+    }
+
+    void aMaskThatComesTooLateIsKeptButNotShown() {
+        Wanting told;
+        told.document.setVisible(kLungs);
+        told.document.setVisible({});
+        told.document.setMask(kLungs, told.mask);
+        QVERIFY(told.document.scene().mask == nullptr);
+        told.document.setVisible(kLungs);
+        QVERIFY(told.document.scene().mask == told.mask);
+    }
+
+    void whatTheScanDoesNotHaveShowsAll() {
+        Wanting told;
+        told.document.setVisible(kLungs);
+        told.document.setMask(kLungs, nullptr);
+        QVERIFY(told.document.scene().mask == nullptr);
+        told.document.setView(StandardView::left);
+        QCOMPARE(told.wanted.size(), std::size_t(1));  // and it is not asked for again
+    }
+
+    void withoutAMaskTheChoiceIsWhatIsSeen() {
+        Wanting told;
+        told.document.setVisible(kPeeled);
+        told.document.setMask(kPeeled, told.mask);
+        told.document.setVisible(kLungs);
+        told.document.keepVisible();
+        QVERIFY(told.document.setup().look.visible == kPeeled && told.document.scene().mask == told.mask);
+    }
+
+    void anotherVolumeHasMasksOfItsOwn() {
+        Wanting told;
+        told.document.setVisible(kLungs);
+        told.document.setMask(kLungs, told.mask);
+        told.document.open(cube());
+        QVERIFY(told.document.scene().mask == nullptr);
+        QCOMPARE(told.wanted, (std::vector<Visible>{kLungs, kLungs}));
+    }
+
+    void theJobMakesMasksOrSaysWhyNot() {
+        MaskJob job;
+        QSignalSpy made(&job, &MaskJob::made), refused(&job, &MaskJob::refused);
+        const auto body = test::makeVolume(
+            {40, 40, 20}, dvec3(2), [](int i, int j, int) { return std::hypot(i - 19.5, j - 19.5) < 17 ? 40 : -1000; });
+        job.make(body, kPeeled);
+        QVERIFY(made.wait());
+        QVERIFY(made[0][0].value<Visible>() == kPeeled);
+        const auto mask = made[0][1].value<std::shared_ptr<const Mask>>();
+        QVERIFY(mask->at({19.5, 19.5, 10}) == 1 && mask->at({3.5, 19.5, 10}) == 0);
+        job.make(body, kLungs);
+        QVERIFY(refused.wait());
+        QVERIFY(refused[0][1].value<Error>().kind == ErrorKind::refused);
+    }
+
+    /// Off the window's thread; said in the panel and in saved pictures; one step to undo.
+    void theWindowPeelsAndSaysSo() {
+        Trial trial;
+        trial.openAndWait(series_);
+        const Document& document = trial.desktop.parts().document;
+        ui::VisibleRow& row = trial.desktop.window().visible();
+        auto* peel = row.findChild<QDoubleSpinBox*>();
+        const auto says = [&row] {
+            for (const QLabel* label : row.findChildren<QLabel*>())
+                if (label->text().startsWith("Peeled 10 mm"))
+                    return !label->isHidden();
+            return false;
+        };
+        peel->setValue(10);
+        QTRY_VERIFY_WITH_TIMEOUT(document.scene().mask != nullptr, test::kPatience);
+        QVERIFY(says());
+        trial.waitForNewest();
+        trial.desktop.window().undoRequested();
+        QVERIFY(document.scene().mask == nullptr && peel->value() == 0 && !says());
+        trial.desktop.window().redoRequested();
+        QVERIFY(document.scene().mask != nullptr && peel->value() == 10);
+    }
+
+    /// All is shown, and the window says why.
+    void theWindowSaysWhatTheScanDoesNotHave() {
+        Trial trial;
+        trial.openAndWait(series_);
+        auto* part = trial.desktop.window().visible().findChild<QComboBox*>();
+        part->setCurrentIndex(part->findText("Lungs"));
+        emit part->activated(part->currentIndex());
+        QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("150 ml"), test::kPatience);
+        QVERIFY(trial.desktop.parts().document.scene().mask == nullptr);
+        trial.waitForNewest();
+    }
+
+    void theCommandLinePeelsAndRefuses() {
+        const QString file = folder_.filePath("picture.png");
+        const auto run = [&](const QStringList& more) {
+            return test::runProgram(
+                "pdrender-cli", QStringList{"render", series_, "-o", file, "--samples", "1", "--size", "32x32"} + more);
+        };
+        QCOMPARE(run({"--peel", "10"}).code, 0);
+        QVERIFY(QImage(file).text("pdrender/notShown").startsWith("Peeled 10 mm"));
+        QVERIFY(QImage(file).text("pdrender/effects").contains("hidden parts"));
+        QCOMPARE(run({}).code, 0);
+        QVERIFY(QImage(file).text("pdrender/notShown").isEmpty());
+        QVERIFY(run({"--show", "lungs"}).err.contains("150 ml"));
+        QVERIFY(run({"--show", "liver"}).err.contains("withoutBones"));
+        QVERIFY(run({"--peel", "51"}).code != 0);
+    }
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::VisibleTest)
+#include "visible_test.moc"

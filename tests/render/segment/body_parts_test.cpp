@@ -1,0 +1,187 @@
+/// Parts of a patient that can be shown alone: patients made from formulas, and what a mask shows of them.
+
+#include <QTest>
+
+#include "render/base/errors.h"
+#include "render/scene/visible_mask.h"
+#include "render/segment/body_parts.h"
+#include "tests/support/lying_patients.h"
+
+using namespace pdr;
+using namespace pdr::test;
+
+namespace {
+
+constexpr dvec3 kSpacingMm{1.5, 1.5, 2.5};
+constexpr ivec3 kSize{128, 96, 48};
+
+/// HU of a place [mm] from the middle of the grid.
+using Density = std::function<int(dvec3 place)>;
+
+std::shared_ptr<const Volume> patient(const Density& density) {
+    const dvec3 middle = dvec3(kSize) * kSpacingMm * 0.5;
+    return makeVolume(kSize, kSpacingMm,
+                      [&](int i, int j, int k) { return density((dvec3(i, j, k) + 0.5) * kSpacingMm - middle); });
+}
+
+bool inBall(dvec3 place, dvec3 centre, double radius) {
+    return glm::distance(place, centre) < radius;
+}
+
+int trunkHu(dvec3 place) {
+    return trunk(place) == Matter::body ? kTissueHu : kAirHu;
+}
+
+/// The weight at a place [mm] from the middle of the grid.
+double at(const Mask& mask, dvec3 place) {
+    return mask.at((place / kSpacingMm) + dvec3(kSize) * 0.5 - 0.5);
+}
+
+std::string refusal(const segment::PartMask& mask) {
+    return !mask && mask.error().kind == ErrorKind::refused ? mask.error().what : std::string();
+}
+
+}  // namespace
+
+class BodyPartsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    /// Half of the edge lies as deep as asked for, within half a cell, and what is seen grows inwards.
+    void whatIsPeeledIsAsDeepAsWasAsked() {
+        const auto volume = patient(trunkHu);
+        for (const double depth : {3.0, 7.0, 20.0}) {
+            const auto mask = segment::peeled(*volume, depth, noProgress);
+            QVERIFY(mask);
+            for (const dvec3 way : {dvec3(0, -1, 0), dvec3(0, 1, 0)}) {
+                double before = -1;
+                for (double below = 0; below < 40; below += 0.25) {
+                    const double weight = at(**mask, way * (45 - below));
+                    QVERIFY(weight >= before - 1e-9);
+                    before = weight;
+                    if (below < depth - 2.5)
+                        QCOMPARE(weight, 0.0);
+                    if (below > depth + 2.5)
+                        QCOMPARE(weight, 1.0);
+                }
+            }
+            // Slices at the ends of the scan are no surface.
+            QCOMPARE(at(**mask, {0, 0, -59}), 1.0);
+        }
+    }
+
+    /// As a curved surface is peeled evenly: the steps of the cells do not show.
+    void peeledSurfacesHaveNoSteps() {
+        const auto volume = patient([](dvec3 p) { return inTube(p, {0, 0}, 60) ? kTissueHu : kAirHu; });
+        const auto mask = segment::peeled(*volume, 12, noProgress);
+        QVERIFY(mask);
+        double nearest = 1e9, farthest = 0;
+        for (int degrees = 0; degrees < 360; ++degrees) {
+            const double angle = glm::radians(double(degrees));
+            double radius = 60;
+            while (at(**mask, {radius * std::cos(angle), radius * std::sin(angle), 3.3}) < 0.5)
+                radius -= 0.05;
+            nearest = std::min(nearest, radius);
+            farthest = std::max(farthest, radius);
+        }
+        QVERIFY2(std::abs(nearest - 48) < 1.2 && std::abs(farthest - 48) < 1.2,
+                 qPrintable(QString("%1 to %2").arg(nearest).arg(farthest)));
+        QVERIFY2(farthest - nearest < 1, qPrintable(QString("%1 to %2").arg(nearest).arg(farthest)));
+    }
+
+    /// With the vessels in them, and without what lies near the pleura; bowel gas is no lung.
+    void theLungsAreShownWithTheirVessels() {
+        const auto lung = [](dvec3 p) { return inTube(p, {-28, 0}, 24) && std::abs(p.z) < 50; };
+        const auto gas = [](dvec3 p) { return inTube(p, {28, 0}, 24) && std::abs(p.z) < 50; };
+        const auto volume = patient([&](dvec3 p) {
+            if (inTube(p, {-28, 0}, 3))
+                return kTissueHu;
+            return lung(p) ? -850 : gas(p) ? -1000 : trunkHu(p);
+        });
+        const auto mask = segment::lungs(*volume, noProgress);
+        QVERIFY2(mask, mask ? "" : mask.error().text().c_str());
+        QCOMPARE(at(**mask, {-28, 0, 0}), 1.0);    // a vessel
+        QCOMPARE(at(**mask, {-28, 15, 10}), 1.0);  // beside it
+        QCOMPARE(at(**mask, {-28, 22, 10}), 0.0);  // at the pleura
+        QCOMPARE(at(**mask, {28, 0, 0}), 0.0);     // gas
+        QCOMPARE(at(**mask, {0, 30, 0}), 0.0);     // muscle
+        QVERIFY((*mask)->hidden().find("5 mm at the pleura") != std::string::npos);
+    }
+
+    /// Marrow and blood have the same HU: what is enclosed by dense bone is bone.
+    void marrowIsBoneAndBloodIsNot() {
+        const auto volume = patient([](dvec3 p) {
+            if (inBall(p, {-25, 0, 0}, 14))
+                return inBall(p, {-25, 0, 0}, 9) ? 300 : 900;  // marrow in its cortex
+            return inTube(p, {25, 0}, 12) ? 420 : trunkHu(p);  // an aorta
+        });
+        const auto shown = segment::bones(*volume, segment::Bones::shown, noProgress);
+        const auto hidden = segment::bones(*volume, segment::Bones::hidden, noProgress);
+        QVERIFY(shown && hidden);
+        for (const auto& [place, bone] : {std::pair(dvec3(-25, 0, 0), 1.0), std::pair(dvec3(-25, 0, 12), 1.0),
+                                          std::pair(dvec3(25, 0, 0), 0.0), std::pair(dvec3(0, 30, 10), 0.0)}) {
+            QCOMPARE(at(**shown, place), bone);
+            QCOMPARE(at(**hidden, place), 1 - bone);
+        }
+        QVERIFY((*shown)->hidden() != (*hidden)->hidden());
+    }
+
+    /// Chalk in a vessel's wall is dense, but little.
+    void chalkIsNoBone() {
+        const auto volume = patient([](dvec3 p) {
+            if (inBall(p, {25, 12, 0}, 3.5))
+                return 1000;
+            if (inBall(p, {-25, 0, 0}, 10))
+                return 1000;
+            return inTube(p, {25, 0}, 12) ? 420 : trunkHu(p);
+        });
+        const auto hidden = segment::bones(*volume, segment::Bones::hidden, noProgress);
+        QVERIFY(hidden);
+        QCOMPARE(at(**hidden, {25, 12, 0}), 1.0);
+        QCOMPARE(at(**hidden, {-25, 0, 0}), 0.0);
+    }
+
+    void whatIsNotThereIsRefusedWithAReason() {
+        const auto volume = patient(trunkHu);
+        QVERIFY(refusal(segment::lungs(*volume, noProgress)).find("150 ml") != std::string::npos);
+        QVERIFY(refusal(segment::bones(*volume, segment::Bones::shown, noProgress)).find("dense") != std::string::npos);
+        const auto thin = patient([](dvec3 p) { return std::abs(p.y) < 5 ? kTissueHu : kAirHu; });
+        QVERIFY(refusal(segment::peeled(*thin, 5, noProgress)).find("20 mm") != std::string::npos);
+    }
+
+    void aChoiceMakesTheMaskOfBoth() {
+        const auto volume = patient([](dvec3 p) { return inBall(p, {-25, 0, 0}, 30) ? 900 : trunkHu(p); });
+        QCOMPARE(*visibleMask(*volume, {}, noProgress), nullptr);
+        const auto both = visibleMask(*volume, {BodyPart::bones, 15}, noProgress);
+        QVERIFY(both);
+        QCOMPARE(at(**both, {-25, 0, 0}), 1.0);
+        QCOMPARE(at(**both, {-25, 28, 0}), 0.0);  // bone that is peeled off
+        QCOMPARE(at(**both, {20, 0, 0}), 0.0);    // deep, but no bone
+        const std::string& text = (*both)->hidden();
+        QVERIFY(text.find("Only bones") != std::string::npos && text.find("Peeled 15 mm") != std::string::npos);
+    }
+
+    void allCanBeCancelled() {
+        const auto volume = patient([](dvec3 p) { return inBall(p, {0, 0, 0}, 20) ? 900 : trunkHu(p); });
+        for (const Visible& visible : {Visible{BodyPart::lungs, 0}, Visible{BodyPart::bones, 0},
+                                       Visible{BodyPart::everything, 5}, Visible{BodyPart::withoutBones, 5}}) {
+            int calls = 0;
+            double last = 0;
+            const auto all = visibleMask(*volume, visible, [&](double fraction, std::string_view) {
+                ++calls;
+                const bool grows = fraction >= last && fraction <= 1;
+                last = fraction;
+                return grows;
+            });
+            QVERIFY(all || all.error().kind == ErrorKind::refused);
+            for (int until = 0; until < calls; ++until) {
+                int left = until;
+                const auto mask = visibleMask(*volume, visible, [&](double, std::string_view) { return left-- > 0; });
+                QVERIFY(!mask && mask.error().kind == ErrorKind::cancelled);
+            }
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(BodyPartsTest)
+#include "body_parts_test.moc"

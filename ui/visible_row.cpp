@@ -1,0 +1,54 @@
+#include "ui/visible_row.h"
+
+#include <QFormLayout>
+#include <QSignalBlocker>
+
+namespace pdr::ui {
+
+VisibleRow::VisibleRow(QWidget* parent) : QWidget(parent) {
+    part_.addItem(tr("Everything"), int(BodyPart::everything));
+    part_.addItem(tr("Lungs"), int(BodyPart::lungs));
+    part_.addItem(tr("Bones"), int(BodyPart::bones));
+    part_.addItem(tr("All but bones"), int(BodyPart::withoutBones));
+    part_.setAccessibleName(tr("Part that is shown"));
+    part_.setToolTip(tr("The part of the patient that is shown; the scan itself is not changed"));
+    connect(&part_, &QComboBox::activated, this, &VisibleRow::choose);
+
+    peel_.setAccessibleName(tr("Peeled off"));
+    peel_.setToolTip(tr("So much is taken off all around the body, such as skin [mm]"));
+    peel_.setRange(0, 50);
+    peel_.setDecimals(1);
+    peel_.setSingleStep(1);
+    peel_.setSuffix(tr(" mm"));
+    peel_.setKeyboardTracking(false);  // typing 12 does not mean 1 first
+    connect(&peel_, &QDoubleSpinBox::valueChanged, this, &VisibleRow::choose);
+
+    notShown_.setWordWrap(true);
+    notShown_.setForegroundRole(QPalette::PlaceholderText);
+    notShown_.hide();
+
+    part_.setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
+
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(10, 0, 10, 8);
+    form->addRow(tr("S&how"), &part_);
+    form->addRow(tr("&Peel"), &peel_);
+    form->addRow(&notShown_);
+}
+
+void VisibleRow::setChoice(const Visible& visible) {
+    const QSignalBlocker noPart(part_), noPeel(peel_);
+    part_.setCurrentIndex(part_.findData(int(visible.part)));
+    peel_.setValue(visible.peelMm);
+}
+
+void VisibleRow::setNotShown(const QString& sentences) {
+    notShown_.setText(sentences);
+    notShown_.setVisible(!sentences.isEmpty());
+}
+
+void VisibleRow::choose() {
+    emit chosen({BodyPart(part_.currentData().toInt()), peel_.value()});
+}
+
+}  // namespace pdr::ui
