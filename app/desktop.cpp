@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/show_scan.h"
 #include "app/keep_looks.h"
+#include "app/show_scan.h"
 #include "app/wiring.h"
 #include "render/device/device_list.h"
 #include "ui/status_text.h"
@@ -36,7 +36,9 @@ void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
 }  // namespace
 
 Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
-    : settings_(settingsFile), document_(std::move(looks)), bridge_(std::move(device), threads),
+    : settings_(settingsFile),
+      document_(std::move(looks)),
+      bridge_(std::move(device), threads),
       ownLooks_(settingsFile.isEmpty() ? OwnLooks::usualFolder() : QFileInfo(settingsFile).path() + "/looks") {
     offerDevices(window_.rendering(), bridge_.firstDevice());
     window_.rendering().setPace(settings_.pace());

@@ -13,7 +13,8 @@ constexpr int kLargestFilm = 16384;  ///< pixels along a side that a Scene takes
 
 }  // namespace
 
-Document::Document(std::vector<NamedLook> looks) : drawnLooks_(std::move(looks)), looks_(drawnLooks_), brightness_(looks_.size()) {
+Document::Document(std::vector<NamedLook> looks)
+    : drawnLooks_(std::move(looks)), looks_(drawnLooks_), brightness_(looks_.size()) {
     assert(!looks_.empty());
     setup_ = withNamedLook(setup_, looks_.front(), {});
     setup_.clip = {};

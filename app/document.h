@@ -134,11 +134,11 @@ class Document : public QObject {
     std::vector<NamedLook> looks_;       ///< as they are for this volume
     std::optional<segment::Findings> findings_;
     std::vector<std::optional<double>> brightness_;  ///< [stops], of each look, where it is known
-    std::shared_ptr<const Volume> volume_;  ///< as it was read
-    segment::HiddenTable table_;            ///< of it
-    PictureSetup setup_;                    ///< all that undo brings back
-    std::deque<PartMask> masks_;            ///< of the volume, the newest last
-    PartMask shown_;                        ///< what the scene shows
+    std::shared_ptr<const Volume> volume_;           ///< as it was read
+    segment::HiddenTable table_;                     ///< of it
+    PictureSetup setup_;                             ///< all that undo brings back
+    std::deque<PartMask> masks_;                     ///< of the volume, the newest last
+    PartMask shown_;                                 ///< what the scene shows
     bool smoothed_ = true;
     ivec2 film_ = Scene{}.film;
     Scene scene_;  ///< of the volume, with or without its table, setup and film

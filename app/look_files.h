@@ -8,8 +8,8 @@
 
 namespace pdr::app {
 
-/// A look from ".json" (ours), ".vp.json" or ".vp" (Slicer's). What Slicer's files do not say, lights and brightness, is
-/// that of `base`; their look is called as the file. Errors: the file cannot be read; what it holds cannot be used.
+/// A look from ".json" (ours), ".vp.json" or ".vp" (Slicer's). What Slicer's files do not say, lights and brightness,
+/// is that of `base`; their look is called as the file. Errors: the file cannot be read; what it holds cannot be used.
 Result<NamedLook> readLookFile(const QString& path, const NamedLook& base = {});
 
 /// The other way round, by the ending of `path`. The file appears whole or not at all.

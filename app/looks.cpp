@@ -16,9 +16,8 @@ constexpr const char* kNames[] = {"bone",          "bone_beside_contrast",
                                   "thin_bone",     "muscles_and_skull",
                                   "heart",         "muscles",
                                   "organs",        "vessels_and_bone",
-                                  "vessels",       "lung_vessels",
-                                  "mip_lungs",     "mip",
-                                  "mip_contrast",  "xray",
+                                  "lung_vessels",  "mip_lungs",
+                                  "mip",           "xray",
                                   "fluoroscopy",   "implants",
                                   "skin_and_bone", "skin"};
 

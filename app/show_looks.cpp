@@ -37,8 +37,8 @@ QList<ui::LookCard> cardsOf(const Document& document) {
     for (int i = 0; i < int(document.looks().size()); ++i) {
         const NamedLook& look = document.looks()[std::size_t(i)];
         cards << ui::LookCard{QString::fromStdString(look.name), groupText(look.group),
-                              QString::fromStdString(look.doesNotShow),
-                              QString::fromStdString(document.whyUnsuited(i)), look.group == LookGroup::own};
+                              QString::fromStdString(look.doesNotShow), QString::fromStdString(document.whyUnsuited(i)),
+                              look.group == LookGroup::own};
     }
     return cards;
 }

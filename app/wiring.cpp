@@ -31,11 +31,10 @@ void wireImport(const DesktopParts& parts) {
     QObject::connect(&import, &ImportJob::failed, &window, [parts](const Error& error) { showFailure(parts, error); });
     QObject::connect(&import, &ImportJob::scanned, &window,
                      [parts](const dicom::ScanResult& scan, const QString& folder) { showScan(parts, scan, folder); });
-    QObject::connect(&import, &ImportJob::loaded, &window,
-                     [parts](std::shared_ptr<const Volume> volume, int index, const segment::HiddenTable& table,
-                             const segment::Findings& findings) {
-                         showVolume(parts, std::move(volume), index, table, findings);
-                     });
+    QObject::connect(
+        &import, &ImportJob::loaded, &window,
+        [parts](std::shared_ptr<const Volume> volume, int index, const segment::HiddenTable& table,
+                const segment::Findings& findings) { showVolume(parts, std::move(volume), index, table, findings); });
 }
 
 /// 2. The hand edits the document.
@@ -144,10 +143,9 @@ void wireScreen(const DesktopParts& parts) {
 void wireLooks(const DesktopParts& parts) {
     QObject::connect(&parts.document, &Document::sceneChanged, &parts.looks,
                      [parts](const Scene&, bool moving) { orderLookPictures(parts, moving); });
-    QObject::connect(&parts.looks, &LookPictures::made, &parts.window,
-                     [parts](int look, const QImage& picture, double stops) {
-                         showLookPicture(parts, look, picture, stops);
-                     });
+    QObject::connect(
+        &parts.looks, &LookPictures::made, &parts.window,
+        [parts](int look, const QImage& picture, double stops) { showLookPicture(parts, look, picture, stops); });
     const ui::LookMenu& menu = parts.window.look().menu();
     QObject::connect(&menu, &ui::LookMenu::saveWanted, &parts.window,
                      [parts](const QString& name) { saveLook(parts, name); });

@@ -30,8 +30,8 @@ class LookGallery : public QWidget {
 
     explicit LookGallery(QWidget* parent = nullptr);
 
-    /// Looks that make no sense of this scan stand under a heading of their own, last. What is folded stays so. Pictures
-    /// of looks that stay are kept.
+    /// Looks that make no sense of this scan stand under a heading of their own, last. What is folded stays so.
+    /// Pictures of looks that stay are kept.
     void setLooks(const QList<LookCard>& looks);
     const QList<LookCard>& looks() const { return looks_; }
     /// -1: none of them is shown. Its group unfolds.

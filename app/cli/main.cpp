@@ -1,4 +1,5 @@
-/// pdrender-cli: info, looks, render, accuracy, effects, replay, example. Exit codes: 0, 1 for an error, 2 for wrong usage.
+/// pdrender-cli: info, looks, render, accuracy, effects, replay, example. Exit codes: 0, 1 for an error, 2 for wrong
+/// usage.
 
 #include <QCoreApplication>
 #include <QStringList>

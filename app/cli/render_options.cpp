@@ -44,7 +44,11 @@ void describeScene(QCommandLineParser& parser) {
          "PART"},
         {"peel", "Take so much off all around the body, such as skin; up to 50.", "MM"},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
-        {"exposure", "Radiance that PNG shows as 63 % of white; default: the look's, or 1.", "L"},
+        {"exposure",
+         "Radiance that PNG shows as 63 % of white, or auto: so that the tissue is neither dark nor blown out; "
+         "default: "
+         "the look's, or 1.",
+         "L"},
         {"model",
          "Optical model: absorption, emission, emissionAbsorption, singleScattering, multipleScattering or "
          "maximumIntensity.",
@@ -244,7 +248,9 @@ SceneInput readScene(const QCommandLineParser& parser, const QString& command) {
     scene.table = readTable(reader);
     scene.part = readPart(reader);
     scene.peelMm = reader.number("peel", {0, 50});
-    scene.exposure = reader.number("exposure", {0, 1e30, false});
+    scene.autoExposure = reader.text("exposure") == "auto";
+    if (!scene.autoExposure)
+        scene.exposure = reader.number("exposure", {0, 1e30, false});
     scene.seed = reader.whole("seed", 0, UINT64_MAX);
     scene.look = readLook(reader);
     scene.model = readModel(reader);

@@ -1,6 +1,7 @@
 #include "app/cli/scene_input.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include "app/environment_picture.h"
 #include "app/looks.h"
 #include "app/scene_volume.h"
+#include "render/device/device.h"
+#include "render/film/exposure.h"
 #include "render/prepare/flatten.h"
 #include "render/prepare/focus.h"
 #include "render/scene/fit_view.h"
@@ -18,6 +21,8 @@ namespace {
 
 constexpr ivec2 kFolderFilm{1024, 1024};
 constexpr double kFilled = 0.95;  ///< fraction of the picture
+constexpr int kTrialPixels = 96;  ///< along the longer edge of a picture that tells the exposure
+constexpr std::uint32_t kTrialSamples = 16;
 
 bool isFile(const SceneInput& input) {
     std::error_code ignored;
@@ -100,6 +105,23 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const Progress& pr
     return {};
 }
 
+/// Brings the tissue into the middle of the display.
+Result<void> expose(LoadedScene& work) {
+    Scene small = work.scene;
+    small.film = glm::max(ivec2(1), small.film * kTrialPixels / std::max(small.film.x, small.film.y));
+    const std::unique_ptr<Device> device = makeCpuDevice();
+    const auto film = startFilm(*device, small);
+    if (!film)
+        return film.error();
+    if (auto ok = (*film)->accumulate(kTrialSamples, {}); !ok)
+        return ok;
+    const auto known = (*film)->film();
+    if (!known)
+        return known.error();
+    work.display.exposure *= float(std::exp2(-stopsFor(**known, double(work.display.exposure))));
+    return {};
+}
+
 Result<void> focus(Scene& scene, ivec2 pixel) {
     if (pixel.x >= scene.film.x || pixel.y >= scene.film.y)
         return Error{"lies outside the picture of " + std::to_string(scene.film.x) + " x " +
@@ -150,6 +172,9 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         return ok.error();
     if (auto ok = hide(work, input, partOf(progress, 0.9, 1)); !ok)
         return ok.error();
+    if (input.autoExposure)
+        if (auto ok = expose(work); !ok)
+            return ok.error();
     if (input.focusAt)
         if (auto ok = focus(work.scene, *input.focusAt); !ok)
             return ok.error();

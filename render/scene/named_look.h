@@ -52,8 +52,8 @@ std::string lookText(NamedLook look);
 /// Why it makes no sense of a scan, in a clause: "no lungs are in this scan". Empty: it does.
 std::string whyUnsuited(const NamedLook& look, const segment::Findings& findings);
 
-/// `look` for blood of `bloodHu`, which is kept in [100, 1000]: nodes and window below 60 HU and above 1500 stay, between
-/// them they are stretched so that blood looks as it was drawn. The look as it is where that does not matter.
+/// `look` for blood of `bloodHu`, which is kept in [100, 1000]: nodes and window below 60 HU and above 1500 stay,
+/// between them they are stretched so that blood looks as it was drawn. The look as it is where that does not matter.
 NamedLook fittedTo(NamedLook look, float bloodHu);
 
 /// The plane of `cut` through a body in `bodyBox`.

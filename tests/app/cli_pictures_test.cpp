@@ -97,8 +97,8 @@ class CliPicturesTest : public QObject {
     }
 
     void aLensIsFocusedOnWhatAPixelShows() {
-        QCOMPARE(BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--look", "Bone",
-                                 "--aperture", "10", "--focus", "32,24"})
+        QCOMPARE(BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--look", "Bone", "--aperture",
+                                 "10", "--focus", "32,24"})
                      .code,
                  0);
         const ProgramRun nothing = BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--look",
@@ -112,9 +112,7 @@ class CliPicturesTest : public QObject {
     }
 
     void surroundingsAreReadFromOpenExr() {
-        QVERIFY(
-            BallScene::run({"render", scene(), "-o", at("sky.exr"), "--samples", "2", "--look", "Bone"}).code ==
-            0);
+        QVERIFY(BallScene::run({"render", scene(), "-o", at("sky.exr"), "--samples", "2", "--look", "Bone"}).code == 0);
         QFile file(scene());
         QVERIFY(file.open(QIODevice::ReadOnly));
         QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();

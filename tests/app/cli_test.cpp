@@ -225,9 +225,8 @@ class CliTest : public QObject {
     }
 
     void aSampleIsToldEventByEvent() {
-        const ProgramRun told =
-            BallScene::run({"replay", scene(), "--look", "Bone", "--model", "multipleScattering", "--size",
-                            "40x40", "--pixel", "20,20", "--sample", "3"});
+        const ProgramRun told = BallScene::run({"replay", scene(), "--look", "Bone", "--model", "multipleScattering",
+                                                "--size", "40x40", "--pixel", "20,20", "--sample", "3"});
         QVERIFY2(told.code == 0, told.err.constData());
         QVERIFY(told.out.contains("pixel 20,20 sample 3 seed"));
         QVERIFY(told.out.contains("event after") && told.out.contains("HU, extinction") &&

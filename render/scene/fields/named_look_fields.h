@@ -18,15 +18,13 @@ inline constexpr Words<LookGroup, 11> kLookGroupWords{{{"head", LookGroup::head}
                                                        {"implants", LookGroup::implants},
                                                        {"own", LookGroup::own}}};
 
-inline constexpr Words<CutHint::Plane, 3> kCutWords{{{"coronal", CutHint::Plane::coronal},
-                                                     {"sagittal", CutHint::Plane::sagittal},
-                                                     {"axial", CutHint::Plane::axial}}};
+inline constexpr Words<CutHint::Plane, 3> kCutWords{
+    {{"coronal", CutHint::Plane::coronal}, {"sagittal", CutHint::Plane::sagittal}, {"axial", CutHint::Plane::axial}}};
 
 template <class Visit>
 void describe(Visit& visit, CutHint& cut) {
-    visit.word(
-        {"plane", "what goes: all in front of the plane, on the left of it, or above it", {}, kRequired}, cut.plane,
-        kCutWords);
+    visit.word({"plane", "what goes: all in front of the plane, on the left of it, or above it", {}, kRequired},
+               cut.plane, kCutWords);
     visit({"at", "how much of the body's box goes", kFraction, kRequired}, cut.at);
 }
 

@@ -8,10 +8,10 @@
 namespace pdr::slicer {
 namespace {
 
-constexpr double kOpaque = 0.995;        ///< what counts as 1, whose extinction would be infinite
-constexpr float kLongestStep = 0.25f;    ///< of opacity between two points of extinction
-constexpr float kShadedEdges = 3;        ///< gradient factor of what Slicer shades
-constexpr double kDielectric = 0.2;      ///< reflectance of Slicer's specular 1: its 0.2 is that of tissue, 0.04
+constexpr double kOpaque = 0.995;      ///< what counts as 1, whose extinction would be infinite
+constexpr float kLongestStep = 0.25f;  ///< of opacity between two points of extinction
+constexpr float kShadedEdges = 3;      ///< gradient factor of what Slicer shades
+constexpr double kDielectric = 0.2;    ///< reflectance of Slicer's specular 1: its 0.2 is that of tissue, 0.04
 
 double linear(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);

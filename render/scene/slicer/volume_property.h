@@ -23,8 +23,8 @@ struct VolumeProperty {
 };
 
 /// `property` in the light and at the brightness of `base`. Between two points an opacity stands for a bent extinction,
-/// which gets points of its own. What is simplified, the look says. Errors: no points, points that do not ascend, values
-/// out of range.
+/// which gets points of its own. What is simplified, the look says. Errors: no points, points that do not ascend,
+/// values out of range.
 Result<NamedLook> lookOf(const VolumeProperty& property, const std::string& name, const NamedLook& base);
 
 /// The other way round. What Slicer does not know is lost: lights, cut, model, emission.

@@ -47,8 +47,8 @@ class Lines {
         const double told = values[0];
         values.erase(values.begin());
         if (told != double(values.size()))
-            throw VpError{{"says it holds " + numberText(told) + " values and holds " + std::to_string(values.size()),
-                           what, ""}};
+            throw VpError{
+                {"says it holds " + numberText(told) + " values and holds " + std::to_string(values.size()), what, ""}};
         if (values.size() % width != 0)
             throw VpError{{"holds points of " + std::to_string(width) + " numbers, and one is not whole", what, ""}};
         return values;

@@ -88,7 +88,8 @@ class NamedLookTest : public QObject {
                 QVERIFY(check(fitted.look));
                 QVERIFY(look.bloodHu || fitted == look);
                 for (std::size_t i = 0; i < look.look.transferFunction.nodes.size(); ++i)
-                    if (const TransferNode& node = look.look.transferFunction.nodes[i]; node.hu <= 60 || node.hu >= 1500)
+                    if (const TransferNode& node = look.look.transferFunction.nodes[i];
+                        node.hu <= 60 || node.hu >= 1500)
                         QVERIFY(fitted.look.transferFunction.nodes[i] == node);
             }
         const NamedLook look = lookNamed("vessels_and_bone");
