@@ -20,7 +20,8 @@ class Desktop {
     ~Desktop();
 
     DesktopParts parts() {
-        return {import_, document_, bridge_, window_, settings_, study_, tissue_, picture_, masks_, looks_, ownLooks_};
+        return {import_, document_, bridge_,  window_, settings_, study_,
+                tissue_, light_,    picture_, masks_,  looks_,    ownLooks_};
     }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
@@ -31,6 +32,7 @@ class Desktop {
     ui::MainWindow window_;
     Document document_;
     TissueEdits tissue_{document_};
+    LightEdits light_{document_};
     TissueStudy study_;
     RenderBridge bridge_;
     ImportJob import_;

@@ -3,6 +3,7 @@
 
 #include "app/document.h"
 #include "app/import_job.h"
+#include "app/light_edits.h"
 #include "app/look_pictures.h"
 #include "app/mask_job.h"
 #include "app/own_looks.h"
@@ -24,6 +25,7 @@ struct DesktopParts {
     Settings& settings;
     TissueStudy& study;
     TissueEdits& tissue;
+    LightEdits& light;
     PictureJob& picture;
     MaskJob& masks;
     LookPictures& looks;

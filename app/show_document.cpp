@@ -18,6 +18,7 @@ void showDocument(const DesktopParts& parts) {
     const auto& mask = document.scene().mask;
     parts.window.visible().setNotShown(mask ? QString::fromStdString(mask->hidden()) : QString());
     parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
+    parts.window.light().setLighting(parts.light.lighting(), document.setup().camera);
     parts.window.rendering().setEstimator(document.setup().estimator);
     parts.window.rendering().setSchedule(document.setup().schedule);
     parts.window.setSmoothed(document.smoothed());

@@ -66,6 +66,8 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&window.viewport(), &ui::Viewport::tissuePicked, &window,
                      [parts](QPointF place) { pickTissue(parts, place); });
     QObject::connect(&parts.study, &TissueStudy::tissueFound, &parts.tissue, &TissueEdits::addBell);
+    QObject::connect(&window.light(), &ui::LightPanel::lightingEdited, &parts.light, &LightEdits::setLighting);
+    QObject::connect(&window.viewport(), &ui::Viewport::lightDragged, &parts.light, &LightEdits::turn);
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }

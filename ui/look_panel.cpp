@@ -38,11 +38,16 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     tissue_.setToolTip(tr("Curves and colours over Hounsfield units (F5)"));
     connect(&tissue_, &QPushButton::clicked, this, &LookPanel::tissueWanted);
 
+    light_.setText(tr("&Light..."));
+    light_.setAccessibleName(tr("Edit the light"));
+    light_.setToolTip(tr("Where the light comes from (F8)"));
+    connect(&light_, &QPushButton::clicked, this, &LookPanel::lightWanted);
+
     auto* brightnessLabel = new QLabel(tr("&Brightness"));
     brightnessLabel->setBuddy(&brightness_);
 
     // A click leaves the keyboard with the picture, so that Space goes on to mean pause; Tab still reaches everything.
-    for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &brightness_, &pause_})
+    for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &light_, &brightness_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
     auto* scroll = new QScrollArea;
@@ -61,12 +66,15 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
     auto* edits = new QHBoxLayout;
-    edits->addWidget(&menu_);
     edits->addWidget(&tissue_);
+    edits->addWidget(&light_);
     column->addLayout(edits);
-    column->addWidget(&pause_);
+    auto* rest = new QHBoxLayout;
+    rest->addWidget(&menu_);
+    rest->addWidget(&pause_);
+    column->addLayout(rest);
     QWidget* before = &gallery_;
-    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &menu_, &tissue_, &pause_}) {
+    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &tissue_, &light_, &menu_, &pause_}) {
         setTabOrder(before, control);
         before = control;
     }

@@ -35,6 +35,8 @@ class LookPanel : public QWidget {
     void pauseChosen(bool paused);
     /// The curves and colours behind the looks are to be edited, or not any more.
     void tissueWanted();
+    /// The same of the lights.
+    void lightWanted();
 
   private:
     LookGallery gallery_;
@@ -42,6 +44,7 @@ class LookPanel : public QWidget {
     QSlider brightness_;
     LookMenu menu_;
     QPushButton tissue_;
+    QPushButton light_;
     QPushButton pause_;
 };
 

@@ -37,6 +37,7 @@ MainWindow::MainWindow()
       look_(new LookPanel),
       visible_(new VisibleRow),
       tissue_(new TissuePanel),
+      light_(new LightPanel),
       rendering_(new RenderPanel),
       effects_(new EffectLedger),
       foot_(new Foot),
@@ -44,7 +45,7 @@ MainWindow::MainWindow()
       message_(new MessageBar),
       keys_(new KeysOverlay(this)),
       docks_(new WindowDocks(*this, *viewport_,
-                             {series_, stacked(look_, visible_), tissue_, rendering_, accuracy_, effects_})),
+                             {series_, stacked(look_, visible_), tissue_, light_, rendering_, accuracy_, effects_})),
       actions_(fillMenus(*menuBar(), docks_->toggles())) {
     auto* middle = new QWidget;
     auto* column = new QVBoxLayout(middle);
@@ -73,6 +74,7 @@ MainWindow::MainWindow()
     connect(region_, &RegionBox::notDrawn, actions_.boxFirst, [this] { actions_.boxFirst->setChecked(false); });
     connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
     connect(look_, &LookPanel::tissueWanted, docks_->toggleTissue(), &QAction::trigger);
+    connect(look_, &LookPanel::lightWanted, docks_->toggleLight(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::textClicked, docks_->toggleAccuracy(), &QAction::trigger);
 
     setAcceptDrops(true);

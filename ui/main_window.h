@@ -10,6 +10,7 @@
 #include "ui/effect_ledger.h"
 #include "ui/foot.h"
 #include "ui/keys_overlay.h"
+#include "ui/light/light_panel.h"
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
 #include "ui/picture_order.h"
@@ -35,6 +36,7 @@ class MainWindow : public QMainWindow {
     LookPanel& look() { return *look_; }
     VisibleRow& visible() { return *visible_; }
     TissuePanel& tissue() { return *tissue_; }
+    LightPanel& light() { return *light_; }
     RenderPanel& rendering() { return *rendering_; }
     EffectLedger& effects() { return *effects_; }
     Foot& foot() { return *foot_; }
@@ -115,6 +117,7 @@ class MainWindow : public QMainWindow {
     LookPanel* look_;
     VisibleRow* visible_;
     TissuePanel* tissue_;
+    LightPanel* light_;
     RenderPanel* rendering_;
     EffectLedger* effects_;
     Foot* foot_;

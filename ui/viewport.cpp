@@ -150,7 +150,7 @@ Viewport::Gesture Viewport::gestureOf(const QMouseEvent& event) {
         case Qt::MiddleButton:
             return Gesture::pan;
         case Qt::RightButton:
-            return Gesture::zoom;
+            return shift ? Gesture::light : Gesture::zoom;
         default:
             return Gesture::none;
     }
@@ -178,6 +178,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
             return edit(zoomed(*camera_, std::pow(kZoomPerHeight, -drag.y)));
         case Gesture::tissue:
             return dragTissue(event->position());
+        case Gesture::light:
+            return emit lightDragged({drag.x, drag.y}, true);
         case Gesture::none:
             return;
     }
@@ -186,8 +188,11 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     if (event->buttons() != Qt::NoButton)
         return;
-    if (std::exchange(gesture_, Gesture::none) == Gesture::tissue)
+    const Gesture ended = std::exchange(gesture_, Gesture::none);
+    if (ended == Gesture::tissue)
         endTissue(event->position());
+    if (ended == Gesture::light)
+        emit lightDragged({0, 0}, false);
     rest();
 }
 

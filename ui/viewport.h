@@ -47,6 +47,8 @@ class Viewport : public QWidget {
     void cameraEdited(const pdr::Camera& camera, bool moving);
     /// A drag with Ctrl: how far it has come, in fractions of the view's height. `moving` as above.
     void tissueDragged(QPointF drag, bool moving);
+    /// A drag with Shift and the right button: how far it has come since the last, in fractions of the view's height.
+    void lightDragged(QPointF drag, bool moving);
     /// A click with Ctrl, or the one that was asked for: at `place`, in fractions of the picture's width and height.
     void tissuePicked(QPointF place);
     /// The mouse rests on the picture: at `place`, in fractions of its width and height.
@@ -68,7 +70,7 @@ class Viewport : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Gesture { none, orbit, pan, zoom, tissue };
+    enum class Gesture { none, orbit, pan, zoom, tissue, light };
     static Gesture gestureOf(const QMouseEvent& event);
 
     void edit(const Camera& camera);

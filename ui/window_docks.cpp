@@ -41,21 +41,25 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       series_(add(tr("Series"), panels.series, Qt::LeftDockWidgetArea, Qt::Key_F2)),
       look_(add(tr("Look"), panels.look, Qt::RightDockWidgetArea, Qt::Key_F3)),
       tissue_(add(tr("Tissue"), scrolled(panels.tissue), Qt::RightDockWidgetArea, Qt::Key_F5)),
+      light_(add(tr("Light"), scrolled(panels.light), Qt::RightDockWidgetArea, Qt::Key_F8)),
       rendering_(add(tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
       accuracy_(add(tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
       effects_(add(tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)) {
-    for (QDockWidget* folded : {tissue_, accuracy_, effects_})
+    for (QDockWidget* folded : {tissue_, light_, accuracy_, effects_})
         folded->hide();
     makeRoomBeside(accuracy_, effects_);
     makeRoomBeside(effects_, accuracy_);
-    connect(toggleTissue(), &QAction::triggered, this, &WindowDocks::giveTissueItsPart);
+    editors_ = {{tissue_, panels.tissue}, {light_, panels.light}};
+    for (const Editor& editor : std::as_const(editors_))
+        connect(editor.dock->toggleViewAction(), &QAction::triggered, this,
+                [this, editor](bool shown) { giveItsPart(editor, shown); });
     connect(toggleAccuracy(), &QAction::triggered, this, &WindowDocks::giveAccuracyItsPart);
     connect(effects_, &QDockWidget::visibilityChanged, this, &WindowDocks::effectsShown);
 }
 
 QList<QAction*> WindowDocks::toggles() const {
     QList<QAction*> actions;
-    for (const QDockWidget* dock : {series_, look_, tissue_, rendering_, accuracy_, effects_})
+    for (const QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_})
         actions << dock->toggleViewAction();
     return actions;
 }
@@ -66,7 +70,7 @@ void WindowDocks::setAway(bool away) {
         return;
     }
     stateBefore_ = window_.saveState();
-    for (QDockWidget* dock : {series_, look_, tissue_, rendering_, accuracy_, effects_})
+    for (QDockWidget* dock : {series_, look_, tissue_, light_, rendering_, accuracy_, effects_})
         dock->hide();
 }
 
@@ -91,8 +95,8 @@ void WindowDocks::makeRoomBeside(QDockWidget* opened, QDockWidget* other) {
 }
 
 /// The right-hand column; what is chosen once gives way where less than this fraction of the window is left for the
-/// picture.
-void WindowDocks::giveTissueItsPart(bool shown) {
+/// picture, and the other editors always do.
+void WindowDocks::giveItsPart(const Editor& editor, bool shown) {
     constexpr int kColumn = 316;
     constexpr double kPicture = 0.6;
     if (!shown) {
@@ -100,19 +104,22 @@ void WindowDocks::giveTissueItsPart(bool shown) {
             dock->show();
         return;
     }
+    for (const Editor& other : std::as_const(editors_))
+        if (other.dock != editor.dock)
+            other.dock->hide();
     const int left = series_->isVisible() ? series_->width() : 0;
     QList<QDockWidget*> inTheWay{rendering_};
     if (double(window_.width() - left - kColumn) * picture_.height() < kPicture * window_.width() * window_.height())
         inTheWay << series_;
-    if (picture_.height() < panels_.look->minimumSizeHint().height() + panels_.tissue->minimumSizeHint().height())
+    if (picture_.height() < panels_.look->minimumSizeHint().height() + editor.panel->minimumSizeHint().height())
         inTheWay << look_;
     for (QDockWidget* dock : std::as_const(inTheWay))
         if (dock->isVisible()) {
             dock->hide();
             gaveWay_ << dock;
         }
-    window_.resizeDocks({tissue_}, {kColumn}, Qt::Horizontal);
-    window_.resizeDocks({look_, tissue_}, {1, window_.height()}, Qt::Vertical);
+    window_.resizeDocks({editor.dock}, {kColumn}, Qt::Horizontal);
+    window_.resizeDocks({look_, editor.dock}, {1, window_.height()}, Qt::Vertical);
 }
 
 /// Of the window's height: the picture keeps most of it.

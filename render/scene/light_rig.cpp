@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "render/scene/field_check.h"
+#include "render/scene/fields/rig_fields.h"
 #include "render/scene/orbit.h"
 
 namespace pdr {
@@ -19,6 +21,10 @@ RectangleLight placed(const RigPanel& panel, const VolumeGeometry& geometry, con
 }
 
 }  // namespace
+
+Result<void> check(const RigPanel& panel) {
+    return FieldCheck::check(panel);
+}
 
 std::vector<RigPanel> standardPanels(float key, float fill, float rim) {
     return {{"Key", {-0.9, 1.0, 0.9}, 3.0, 1.4, key, {1.12f, 0.99f, 0.80f}},

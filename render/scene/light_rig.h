@@ -15,14 +15,18 @@ namespace pdr {
 
 /// A square that faces the volume's centre.
 struct RigPanel {
+    static constexpr double kBrightest = 1e6;
     std::string name;      ///< what the user calls it; panels of one name are one lamp
     dvec3 from{0, 0, 1};   ///< where it stands, seen from the centre: right, up, towards the viewer; any length but 0
     double distance = 3;   ///< of its centre from the volume's; [1, 100]
     double edge = 1;       ///< [1e-3, 100]
-    float radiance = 1;    ///< scale of `colour`; [0, 1e6]; 0: there is no such panel
+    float radiance = 1;    ///< scale of `colour`; [0, kBrightest]; 0: there is no such panel
     vec3 colour{1, 1, 1};  ///< linear Rec. 709; each in [0, 1000]
     bool operator==(const RigPanel&) const = default;
 };
+
+/// The ranges above, with the field's name in `where`.
+Result<void> check(const RigPanel& panel);
 
 /// The standard panels: key upper left, fill on the other side, rim behind. Radiance scales.
 std::vector<RigPanel> standardPanels(float key, float fill, float rim);

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <vector>
+
+#include "render/scene/lamp.h"
 
 namespace pdr {
 namespace {
@@ -32,14 +33,14 @@ std::vector<RigPanel> operatingLamp() {
     return lamp;
 }
 
-/// A rig of strength 1, and the light from all around that goes with it.
-struct Lighting {
+/// A rig of strength 1, and the radiance from all around that goes with it.
+struct Unit {
     std::vector<RigPanel> panels;
     vec3 zenith;
     std::optional<vec3> nadir;
 };
 
-Lighting lightingOf(NamedRig name) {
+Unit unitOf(NamedRig name) {
     constexpr vec3 kFaint(0.004f);
     switch (name) {
         case NamedRig::headlight:
@@ -84,40 +85,37 @@ bool standsAs(const RigPanel& panel, RigPanel other) {
     return other == panel;
 }
 
-Environment around(Environment environment, const Lighting& lighting, float strength) {
-    environment.radiance = strength * lighting.zenith;
-    environment.nadir = lighting.nadir ? std::optional(strength * *lighting.nadir) : std::nullopt;
+Environment around(Environment environment, const Unit& unit, float strength) {
+    environment.radiance = strength * unit.zenith;
+    environment.nadir = unit.nadir ? std::optional(strength * *unit.nadir) : std::nullopt;
     environment.image.reset();
     return environment;
 }
 
 }  // namespace
 
-double strengthOf(const Look& look) {
-    std::map<std::string, double> lamps;
-    for (const RigPanel& panel : look.rig.panels)
-        lamps[panel.name] += irradianceOf(panel);
-    double strongest = strengthOf(look.environment);
-    for (const auto& [name, irradiance] : lamps)
-        strongest = std::max(strongest, irradiance);
+double strengthOf(const Lighting& lighting) {
+    double strongest = strengthOf(lighting.environment);
+    for (const Lamp& lamp : lampsOf(lighting.rig))
+        strongest = std::max(strongest, lamp.irradiance);
     return strongest;
 }
 
-Look litBy(Look look, NamedRig name) {
-    const double before = strengthOf(look);
-    const Lighting lighting = lightingOf(name);
-    look.rig.panels = lighting.panels;
-    look.environment = around(look.environment, lighting, 1);
-    const auto factor = float((before > 0 ? before : 1) / strengthOf(look));
-    for (RigPanel& panel : look.rig.panels)
+Lighting litBy(Lighting lighting, NamedRig name) {
+    const Unit unit = unitOf(name);
+    const double before = strengthOf(lighting);
+    lighting.rig.panels = unit.panels;
+    lighting.environment = around(lighting.environment, unit, 1);
+    const auto factor = float((before > 0 ? before : 1) / strengthOf(lighting));
+    for (RigPanel& panel : lighting.rig.panels)
         panel.radiance *= factor;
-    look.environment = around(look.environment, lighting, factor);
-    return look;
+    lighting.environment = around(lighting.environment, unit, factor);
+    return lighting;
 }
 
-std::optional<NamedRig> rigOf(const Look& look) {
+std::optional<NamedRig> nameOf(const LightRig& rig) {
     for (const NamedRig name : kNamedRigs)
-        if (std::ranges::equal(lightingOf(name).panels, look.rig.panels, standsAs))
+        if (std::ranges::equal(unitOf(name).panels, rig.panels, standsAs))
             return name;
     return std::nullopt;
 }

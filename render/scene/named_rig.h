@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "render/scene/look.h"
+#include "render/scene/light_rig.h"
 
 namespace pdr {
 
@@ -19,15 +19,22 @@ enum class NamedRig {
 inline constexpr NamedRig kNamedRigs[] = {NamedRig::headlight, NamedRig::threePoint, NamedRig::operatingLamp,
                                           NamedRig::rim,       NamedRig::softBox,    NamedRig::sky};
 
-/// `look` with that rig, about as bright as before: its lights are as strong as strengthOf() said. What the rig follows
-/// and what is seen behind the volume stays.
-Look litBy(Look look, NamedRig name);
+/// All that lights a volume.
+struct Lighting {
+    LightRig rig;
+    Environment environment;
+    bool operator==(const Lighting&) const = default;
+};
 
-/// The rig whose panels these are, how strong they may be; none where one has been moved, or another stands there.
-std::optional<NamedRig> rigOf(const Look& look);
+/// That rig instead of the one there, about as bright: its lights are as strong as strengthOf() said. What the rig
+/// follows and what is seen behind the volume stays.
+Lighting litBy(Lighting lighting, NamedRig name);
 
-/// How bright a look's lights are: the irradiance that its strongest lamp brings to the volume's centre, or what light
-/// from all around is worth beside it.
-double strengthOf(const Look& look);
+/// The rig whose panels these are, however strong; none where one has been moved, or another stands there.
+std::optional<NamedRig> nameOf(const LightRig& rig);
+
+/// The irradiance that the strongest lamp brings to the volume's centre, or what light from all around is worth beside
+/// it.
+double strengthOf(const Lighting& lighting);
 
 }  // namespace pdr

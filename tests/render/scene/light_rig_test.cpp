@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render/scene/lamp.h"
 #include "render/scene/named_look.h"
 #include "render/scene/named_rig.h"
 #include "render/scene/orbit.h"
@@ -118,33 +119,62 @@ class LightRigTest : public QObject {
 
     void namedRigsAreKnownAgainAndAsBright() {
         const Look look = lookOf(R"({"key": 54, "fill": 2, "rim": 5, "ambient": 0.05})");
-        QVERIFY(!rigOf(look));
+        const Lighting before{look.rig, look.environment};
+        QVERIFY(!nameOf(look.rig));
         for (const NamedRig name : kNamedRigs) {
-            Look lit = litBy(look, name);
-            QVERIFY(check(lit));
-            QVERIFY(rigOf(lit) == name);
-            QVERIFY(std::abs(strengthOf(lit) / strengthOf(look) - 1) < 1e-5);
-            QVERIFY(lit.rig.follows == look.rig.follows && lit.environment.visible == look.environment.visible);
+            Lighting lit = litBy(before, name);
+            QVERIFY(nameOf(lit.rig) == name);
+            QVERIFY(std::abs(strengthOf(lit) / strengthOf(before) - 1) < 1e-5);
+            QVERIFY(!lit.environment.visible && check(lit.environment));
+            QVERIFY(apart(tiedTo(tiedTo(lit.rig, LightRig::Follows::patient, obliqueCamera()),
+                                 LightRig::Follows::camera, obliqueCamera()),
+                          lit.rig, obliqueCamera()) < 1e-9);
             lit.rig.panels[0].radiance *= 3;
-            QVERIFY(rigOf(lit) == name);
+            QVERIFY(nameOf(lit.rig) == name);
             lit.rig.panels[0].from.x += 0.01;
-            QVERIFY(!rigOf(lit));
+            QVERIFY(!nameOf(lit.rig));
         }
     }
 
-    void aDarkLookIsLitAllTheSame() {
-        Look look = lookOf(R"({"key": 0, "fill": 0, "rim": 0, "ambient": 0})");
-        QCOMPARE(strengthOf(look), 0.0);
-        QVERIFY(std::abs(strengthOf(litBy(look, NamedRig::sky)) - 1) < 1e-5);
+    void withoutLightARigOfItsOwnStrengthIsTaken() {
+        Lighting dark{{standardPanels(0, 0, 0)}, {vec3(0)}};
+        QCOMPARE(strengthOf(dark), 0.0);
+        QVERIFY(std::abs(strengthOf(litBy(dark, NamedRig::sky)) - 1) < 1e-5);
     }
 
-    void theOperatingLampIsOneLampOfSeveralPanels() {
-        const Look lamp = litBy(Look{}, NamedRig::operatingLamp);
-        QVERIFY(lamp.rig.panels.size() > 3);
-        for (const RigPanel& panel : lamp.rig.panels)
-            QCOMPARE(panel.name, lamp.rig.panels[0].name);
-        for (const RigPanel& panel : lamp.rig.panels)
-            QVERIFY(glm::normalize(panel.from).y > 0.4);  // from above
+    void theOperatingLampIsOneLampFromAbove() {
+        const LightRig rig = litBy({}, NamedRig::operatingLamp).rig;
+        QVERIFY(rig.panels.size() > 3);
+        QCOMPARE(lampsOf(rig).size(), std::size_t(1));
+        for (const RigPanel& panel : rig.panels)
+            QVERIFY(glm::normalize(panel.from).y > 0.4);
+    }
+
+    /// All panels of it, as they stand to each other.
+    void aLampMovesAsAWhole() {
+        LightRig rig = litBy({}, NamedRig::operatingLamp).rig;
+        rig.panels.push_back({"Other", {0, 0, -1}});
+        const dvec3 place = glm::normalize(dvec3(0.3, -0.8, -0.2));
+        const LightRig moved = withLampFrom(rig, "Lamp", place);
+        QVERIFY(glm::length(lampsOf(moved)[0].from - place) < 1e-9);
+        QVERIFY(moved.panels.back() == rig.panels.back());
+        for (std::size_t i = 1; i + 1 < rig.panels.size(); ++i)
+            QVERIFY(std::abs(glm::dot(moved.panels[i].from, moved.panels[0].from) -
+                             glm::dot(rig.panels[i].from, rig.panels[0].from)) < 1e-9);
+        const LightRig across = withLampFrom(rig, "Other", {0, 0, 1});  // half a turn, about whichever axis
+        QVERIFY(glm::length(lampsOf(across)[1].from - dvec3(0, 0, 1)) < 1e-9);
+        QVERIFY(withLampFrom(rig, "nobody", place) == rig);
+    }
+
+    void aLampIsAsStrongAndAsLargeAsWasAsked() {
+        LightRig rig = litBy({}, NamedRig::operatingLamp).rig;
+        rig = withLampStrength(rig, "Lamp", 20);
+        QVERIFY(std::abs(lampsOf(rig)[0].irradiance - 20) < 1e-4);
+        rig = withLampEdge(rig, "Lamp", 2);
+        QCOMPARE(lampsOf(rig)[0].edge, 2.0);
+        QVERIFY(std::abs(lampsOf(rig)[0].irradiance - 20) < 1e-4);  // no brighter for being larger
+        rig = withLampStrength(withLampStrength(rig, "Lamp", 0), "Lamp", 5);
+        QVERIFY(std::abs(lampsOf(rig)[0].irradiance - 5) < 1e-4);
     }
 };
 

@@ -1,0 +1,117 @@
+/// The lights in the whole window: edits on the panel and on the picture change the picture, each gesture is one step,
+/// undo brings back the same bits, and the handles stay with what the lights are tied to.
+
+#include <QTest>
+
+#include "tests/support/desktop_trial.h"
+#include "tests/support/phantom_series.h"
+#include "tests/support/pictures.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+/// Presses there, moves on in two steps, and lets go.
+static void drag(QWidget& widget, Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(&widget, button, keys, from);
+    for (const QPoint place : {(from + to) / 2, to}) {
+        QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, button, keys);
+        QCoreApplication::sendEvent(&widget, &move);
+    }
+    QTest::mouseRelease(&widget, button, keys, to);
+}
+
+/// What the renderer makes of the document's scene, small.
+static Film rendered(const Document& document) {
+    Scene scene = document.scene();
+    scene.film = {48, 40};
+    return test::sampled(Flattener().prepare(scene), 4);
+}
+
+/// A window with the phantom in it.
+struct LightTrial : Trial {
+    explicit LightTrial(const QString& series) { openAndWait(series); }
+    Document& document = desktop.parts().document;
+    ui::LightPanel& panel = desktop.window().light();
+};
+
+class TestLightInWindow : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { QVERIFY(writePhantomSeries(ui::fromQt(series()))); }
+    void aDragOnTheBallIsOneStepAndUndoBringsTheSameBits();
+    void aDragOnThePictureTurnsAllLights();
+    void aRigIsOneStep();
+    void handlesStayWithWhatTheLightsAreTiedTo();
+
+  private:
+    QString series() const { return folder_.filePath("series"); }
+
+    QTemporaryDir folder_;
+};
+
+void TestLightInWindow::aDragOnTheBallIsOneStepAndUndoBringsTheSameBits() {
+    LightTrial trial(series());
+    const Look before = trial.document.setup().look;
+    const Film picture = rendered(trial.document);
+    ui::LightSphere& sphere = trial.panel.sphere();
+    sphere.resize(180, 180);
+    const QPoint handle = sphere.handleOf(sphere.lamp().from).toPoint();
+    drag(sphere, Qt::LeftButton, handle, handle + QPoint(60, 30));
+    QVERIFY(trial.document.setup().look.rig != before.rig);
+    QVERIFY(!test::sameBits(rendered(trial.document), picture));
+    trial.waitForNewest();
+    QVERIFY(trial.desktop.parts().bridge.lastFrame()->error.empty());
+    trial.document.undo();
+    QVERIFY(!trial.document.canUndo());
+    QVERIFY(trial.document.setup().look == before);
+    QVERIFY(test::sameBits(rendered(trial.document), picture));
+    QVERIFY((sphere.handleOf(sphere.lamp().from).toPoint() - handle).manhattanLength() <= 1);
+}
+
+void TestLightInWindow::aDragOnThePictureTurnsAllLights() {
+    LightTrial trial(series());
+    const PictureSetup before = trial.document.setup();
+    ui::Viewport& viewport = trial.desktop.window().viewport();
+    const QPoint middle = viewport.rect().center();
+    drag(viewport, Qt::RightButton, middle, middle + QPoint(viewport.height() / 4, 0), Qt::ShiftModifier);
+    QVERIFY(trial.document.setup().camera == before.camera);
+    const LightRig turned = pdr::turned(before.look.rig, {0.25, 0}, before.camera);
+    for (std::size_t i = 0; i < turned.panels.size(); ++i)
+        QVERIFY(glm::length(trial.document.setup().look.rig.panels[i].from - turned.panels[i].from) < 0.02);
+    trial.document.undo();
+    QVERIFY(!trial.document.canUndo());
+    QVERIFY(trial.document.setup() == before);
+}
+
+void TestLightInWindow::aRigIsOneStep() {
+    LightTrial trial(series());
+    const Lighting before = trial.panel.lighting();
+    for (QPushButton* button : trial.panel.findChildren<QPushButton*>())
+        if (button->text() == "Sky")
+            button->click();
+    QVERIFY(nameOf(trial.document.setup().look.rig) == NamedRig::sky);
+    QVERIFY(trial.document.setup().look.environment.nadir.has_value());
+    trial.document.undo();
+    QVERIFY(!trial.document.canUndo());
+    QVERIFY(trial.panel.lighting() == before);
+}
+
+void TestLightInWindow::handlesStayWithWhatTheLightsAreTiedTo() {
+    LightTrial trial(series());
+    ui::LightSphere& sphere = trial.panel.sphere();
+    const dvec3 key = sphere.lamp().from;
+    trial.document.setView(StandardView::left);
+    QVERIFY(glm::length(sphere.lamp().from - key) < 1e-9);  // the view's
+    Lighting tied = trial.panel.lighting();
+    tied.rig = tiedTo(tied.rig, LightRig::Follows::patient, trial.document.setup().camera);
+    trial.desktop.parts().light.setLighting(tied, false);
+    QVERIFY(glm::length(sphere.lamp().from - key) < 1e-9);
+    trial.document.setView(StandardView::right);
+    QVERIFY(glm::length(sphere.lamp().from - dvec3(-key.x, key.y, -key.z)) < 1e-9);
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestLightInWindow)
+#include "light_in_window_test.moc"

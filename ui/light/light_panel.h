@@ -1,0 +1,71 @@
+#pragma once
+/// What lights the volume, to see and to edit: a rig by its name, its lamps on a ball, the chosen lamp's strength and
+/// size, light from all around, and what the lamps move with; folded away, all numbers. Setters are silent.
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QToolButton>
+#include <QWidget>
+
+#include "render/scene/camera.h"
+#include "render/scene/lamp.h"
+#include "render/scene/named_rig.h"
+#include "ui/light/light_sphere.h"
+#include "ui/light/panel_table.h"
+
+namespace pdr::ui {
+
+class LightPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit LightPanel(QWidget* parent = nullptr);
+
+    /// `camera` is what the volume is seen with. Another lighting than the hand has made ends what it does.
+    void setLighting(const Lighting& lighting, const Camera& camera);
+
+    const Lighting& lighting() const { return lighting_; }
+    LightSphere& sphere() { return sphere_; }
+    PanelTable& table() { return table_; }
+
+    QSize sizeHint() const override { return {316, QWidget::sizeHint().height()}; }
+
+  signals:
+    /// `moving`: the gesture goes on; the last edit of a gesture comes with false.
+    void lightingEdited(const pdr::Lighting& lighting, bool moving);
+
+  private:
+    void describeControls();
+    void layOut();
+    void connectParts();
+    QWidget* rigButtons();
+    void showLighting();
+    void showLamp();
+    void apply(const Lighting& lighting, bool moving);
+    void chooseRig(NamedRig name);
+    void moveLamp(int index, dvec3 from, bool moving);
+    void turnAll(dvec2 drag, bool moving);
+    void slideStrength();
+    void slideSize();
+    void slideAmbient();
+    void tie(int index);
+    const Lamp* lamp() const;
+
+    Lighting lighting_;
+    Camera camera_;
+    std::vector<Lamp> lamps_;  ///< of the rig, as the sphere has them
+    QButtonGroup rigs_;
+    LightSphere sphere_;
+    QLabel place_;
+    QSlider strength_{Qt::Horizontal};
+    QSlider size_{Qt::Horizontal};
+    QSlider ambient_{Qt::Horizontal};
+    QComboBox follows_;
+    QToolButton expert_;
+    PanelTable table_;
+};
+
+}  // namespace pdr::ui
