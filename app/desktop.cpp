@@ -2,10 +2,12 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFileInfo>
 #include <QScreen>
 #include <algorithm>
 #include <utility>
 
+#include "app/keep_looks.h"
 #include "app/show_scan.h"
 #include "app/wiring.h"
 #include "render/device/device_list.h"
@@ -45,12 +47,11 @@ QString exampleFolder() {
 
 }  // namespace
 
-Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
-    : settings_(settingsFile), document_(std::move(presets)), bridge_(std::move(device), threads) {
-    QStringList names;
-    for (const Preset& preset : document_.presets())
-        names << QString::fromStdString(preset.name);
-    window_.look().setPresets(names);
+Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
+    : settings_(settingsFile),
+      document_(std::move(looks)),
+      bridge_(std::move(device), threads),
+      ownLooks_(settingsFile.isEmpty() ? OwnLooks::usualFolder() : QFileInfo(settingsFile).path() + "/looks") {
     offerDevices(window_.rendering(), bridge_.firstDevice());
     window_.rendering().setPace(settings_.pace());
     bridge_.setPace(window_.rendering().pace());
@@ -63,6 +64,7 @@ Desktop::Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, co
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());
     wire(parts());
+    offerOwnLooks(parts());
     bridge_.setTarget(settings_.target());
     showNothing(parts());
     showRecentFolders(parts());

@@ -11,16 +11,17 @@ namespace pdr::app {
 
 class Desktop {
   public:
-    /// `presets` holds at least one. `settingsFile`: where to keep the settings; empty: the user's own place.
+    /// `looks` holds at least one. `settingsFile`: where to keep the settings, with the
+    /// user's looks beside them; empty: the user's own place.
     /// `threads`: of the CPU, when another device is left for it; 0 = one per core.
-    Desktop(std::vector<Preset> presets, std::unique_ptr<Device> device, const QString& settingsFile = {},
+    Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile = {},
             int threads = 0);
     /// Keeps the window's geometry for the next time.
     ~Desktop();
 
     DesktopParts parts() {
-        return {import_, document_, bridge_, window_,     settings_, study_,
-                tissue_, cut_,      light_,  modelTrial_, picture_,  masks_};
+        return {import_, document_, bridge_,     window_,  settings_, study_, tissue_,
+                cut_,    light_,    modelTrial_, picture_, masks_,    looks_, ownLooks_};
     }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
@@ -39,6 +40,8 @@ class Desktop {
     ModelTrial modelTrial_;
     PictureJob picture_;
     MaskJob masks_;
+    LookPictures looks_;
+    OwnLooks ownLooks_;
 };
 
 }  // namespace pdr::app

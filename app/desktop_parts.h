@@ -5,8 +5,10 @@
 #include "app/document.h"
 #include "app/import_job.h"
 #include "app/light_edits.h"
+#include "app/look_pictures.h"
 #include "app/mask_job.h"
 #include "app/model_trial.h"
+#include "app/own_looks.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
@@ -30,6 +32,8 @@ struct DesktopParts {
     ModelTrial& modelTrial;
     PictureJob& picture;
     MaskJob& masks;
+    LookPictures& looks;
+    OwnLooks& ownLooks;
 };
 
 }  // namespace pdr::app

@@ -15,30 +15,89 @@ constexpr int kLargestFilm = 16384;  ///< pixels along a side that a Scene takes
 
 }  // namespace
 
-Document::Document(std::vector<Preset> presets) : presets_(std::move(presets)) {
-    assert(!presets_.empty());
-    setup_.look = presets_.front().look;
-    setup_.lookName = presets_.front().name;
+Document::Document(std::vector<NamedLook> looks)
+    : drawnLooks_(std::move(looks)), looks_(drawnLooks_), brightness_(looks_.size()) {
+    assert(!looks_.empty());
+    setup_ = withNamedLook(setup_, looks_.front(), {});
+    setup_.clip = {};
 }
 
-int Document::preset() const {
-    for (std::size_t i = 0; i < presets_.size(); ++i)
-        if (presets_[i].name == setup_.lookName && presets_[i].look == setup_.look)
+int Document::look() const {
+    for (std::size_t i = 0; i < looks_.size(); ++i)
+        if (looks_[i].name == setup_.lookName && looks_[i].look == setup_.look && looks_[i].model == setup_.model)
             return int(i);
     return -1;
 }
 
-void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table) {
-    forgetSteps();
-    masks_.clear();
-    shown_ = {};
+std::string Document::whyUnsuited(int look) const {
+    return findings_ ? pdr::whyUnsuited(looks_[std::size_t(look)], *findings_) : "";
+}
+
+void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table,
+                    const std::optional<segment::Findings>& findings) {
+    close();
     volume_ = std::move(volume);
     table_ = table;
     setup_.table = Table::hidden;
     setup_.clip = {};  // places in another patient
+    findings_ = findings;
+    takeLookThatSuits();
     setup_.camera = cameraOf(firstView(framed().box), {});
     show(false);
     emit displayChanged(display());
+}
+
+void Document::fitLooks() {
+    looks_ = drawnLooks_;
+    brightness_.assign(looks_.size(), std::nullopt);
+    if (findings_ && findings_->blood)
+        for (NamedLook& one : looks_)
+            one = fittedTo(std::move(one), *findings_->blood);
+}
+
+void Document::setLooks(std::vector<NamedLook> looks) {
+    assert(!looks.empty());
+    drawnLooks_ = std::move(looks);
+    fitLooks();
+    emit displayChanged(display());
+}
+
+/// A look that the user has changed stays as it is.
+void Document::takeLookThatSuits() {
+    int shown = look();
+    fitLooks();
+    if (shown < 0)
+        return;
+    for (int i = 0; i < int(looks_.size()) && !whyUnsuited(shown).empty(); ++i)
+        if (whyUnsuited(i).empty())
+            shown = i;
+    setup_ = withNamedLook(setup_, looks_[std::size_t(shown)], table_.bodyBox);
+    setup_.stops = 0;
+}
+
+void Document::suggestBrightness(int look, double stops) {
+    if (!hasVolume() || look < 0 || look >= int(looks_.size()) || brightness_[std::size_t(look)] ||
+        looks_[std::size_t(look)].group == LookGroup::own)  // whose brightness somebody has chosen
+        return;
+    brightness_[std::size_t(look)] = stops;
+    if (look == this->look() && setup_.stops == 0)
+        setBrightness(stops);
+}
+
+/// The setup without what the look, if it is one, has cut away.
+PictureSetup Document::withoutCutOf(int look) const {
+    PictureSetup setup = setup_;
+    if (look >= 0 && looks_[std::size_t(look)].cut && hasVolume())
+        std::erase(setup.clip.planes, planeOf(*looks_[std::size_t(look)].cut, table_.bodyBox));
+    return setup;
+}
+
+PictureSetup Document::setupWith(int look) const {
+    PictureSetup setup = withNamedLook(withoutCutOf(this->look()), looks_[std::size_t(look)], table_.bodyBox);
+    setup.stops = brightness_[std::size_t(look)].value_or(0);
+    if (!hasVolume())
+        setup.clip = {};  // it is cut when it is there
+    return setup;
 }
 
 void Document::open(std::shared_ptr<const Volume> volume) {
@@ -48,6 +107,7 @@ void Document::open(std::shared_ptr<const Volume> volume) {
 }
 
 void Document::close() {
+    setup_ = withoutCutOf(look());
     forgetSteps();
     volume_.reset();
     table_ = {};
@@ -114,14 +174,10 @@ void Document::setTable(Table table) {
     edit(std::move(setup));
 }
 
-void Document::setPreset(int index) {
-    if (index < 0 || index >= int(presets_.size()))
+void Document::chooseLook(int index) {
+    if (index < 0 || index >= int(looks_.size()))
         return;
-    PictureSetup setup = setup_;
-    setup.look = presets_[std::size_t(index)].look;
-    setup.lookName = presets_[std::size_t(index)].name;
-    setup.stops = 0;
-    edit(std::move(setup));
+    edit(setupWith(index));
     emit displayChanged(display());
 }
 
@@ -130,7 +186,7 @@ void Document::setLook(const Look& look, bool moving) {
         return rest(Gesture::look);
     PictureSetup setup = setup_;
     setup.look = look;
-    setup.lookName = nameOf(look);
+    setup.lookName = nameOf(setup);
     edit(std::move(setup), Gesture::look, moving);
     emit displayChanged(display());
 }
@@ -171,7 +227,7 @@ void Document::keepVisible() {
     if (shown_.visible == setup_.look.visible)
         return;
     setup_.look.visible = shown_.visible;
-    setup_.lookName = nameOf(setup_.look);
+    setup_.lookName = nameOf(setup_);
     if (hasVolume())
         show(false);
 }
@@ -180,17 +236,17 @@ void Document::setSetup(const PictureSetup& setup) {
     if (setup == setup_)
         return;
     PictureSetup named = setup;
-    named.lookName = nameOf(setup.look);
+    named.lookName = nameOf(setup);
     edit(std::move(named));
     emit displayChanged(display());
 }
 
-/// A picture must not bear the name of a preset that it does not show.
-std::string Document::nameOf(const Look& look) const {
+/// A picture must not bear the name of a look that it does not show.
+std::string Document::nameOf(const PictureSetup& setup) const {
     const std::string changed = tr(" (changed)").toStdString();
-    for (const Preset& preset : presets_)
-        if (preset.look == look)
-            return preset.name;
+    for (const NamedLook& one : looks_)
+        if (one.look == setup.look && one.model == setup.model)
+            return one.name;
     return setup_.lookName.ends_with(changed) ? setup_.lookName : setup_.lookName + changed;
 }
 

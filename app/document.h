@@ -10,8 +10,8 @@
 
 #include "app/step_name.h"
 #include "render/scene/fit_view.h"
+#include "render/scene/named_look.h"
 #include "render/scene/picture_setup.h"
-#include "render/scene/preset.h"
 #include "render/segment/hidden_table.h"
 
 namespace pdr::app {
@@ -20,18 +20,29 @@ class Document : public QObject {
     Q_OBJECT
 
   public:
-    /// `presets` holds at least one.
-    explicit Document(std::vector<Preset> presets);
+    /// `looks` holds at least one.
+    explicit Document(std::vector<NamedLook> looks);
 
-    const std::vector<Preset>& presets() const { return presets_; }
+    /// As they are for the volume that is shown: curves for contrast lie where its blood does.
+    const std::vector<NamedLook>& looks() const { return looks_; }
+    /// The same as they were drawn.
+    const std::vector<NamedLook>& drawnLooks() const { return drawnLooks_; }
+    /// Why a look makes no sense of the volume; empty: it does, or nothing is known of it.
+    std::string whyUnsuited(int look) const;
+    /// What choosing a look would set up.
+    PictureSetup setupWith(int look) const;
+    /// What is rendered of the scan under any look.
+    const std::shared_ptr<const Volume>& seen() const;
+    /// The part of the scan's grid that the body fills.
+    const VolumeGeometry& bodyBox() const { return table_.bodyBox; }
     const PictureSetup& setup() const { return setup_; }
     bool hasVolume() const { return volume_ != nullptr; }
     /// What is rendered; of no volume it holds nothing that counts.
     const Scene& scene() const { return scene_; }
     /// Whether there is a table, or what else is hidden with it, to show or hide.
     bool hasTable() const { return table_.body != nullptr; }
-    /// The preset whose look this is; -1: the user has changed it.
-    int preset() const;
+    /// The look that is shown; -1: the user has changed it.
+    int look() const;
     Display display() const;
     /// Whether the picture is shown without its noise.
     bool smoothed() const { return smoothed_; }
@@ -45,8 +56,10 @@ class Document : public QObject {
 
   public slots:
     /// Shows `volume` without what is known to be its table, from the side that a scan is seen from first, uncut,
-    /// with the preset as it is. There is no way back to the volume before.
-    void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table);
+    /// with the look as it is, or where that makes no sense of it, the first that does. There is no way back to the
+    /// volume before. `findings`: what the volume holds, as far as it is known.
+    void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table,
+              const std::optional<pdr::segment::Findings>& findings = {});
     /// The same of one that nothing is hidden of.
     void open(std::shared_ptr<const pdr::Volume> volume);
     /// Shows nothing.
@@ -64,7 +77,13 @@ class Document : public QObject {
     void setBackground(const std::optional<pdr::vec3>& radiance);
     void setTable(pdr::Table table);
     void setModel(pdr::Model model);
-    void setPreset(int index);
+    /// With its model and its cut, at its own brightness: one step to undo. The cut of the look before goes.
+    void chooseLook(int index);
+    /// Others to choose from; what is shown stays. `looks` holds at least one.
+    void setLooks(std::vector<pdr::NamedLook> looks);
+    /// The brightness that suits this volume under a look, which it gets when it is chosen. The first one counts; where
+    /// the look is shown and its brightness untouched it is set at once: one step to undo.
+    void suggestBrightness(int look, double stops);
     /// The user's own; one gesture is one step to undo, as well.
     void setLook(const pdr::Look& look, bool moving = false);
     /// One gesture is one step to undo, as well.
@@ -118,19 +137,24 @@ class Document : public QObject {
     void forgetSteps();
     void show(bool moving);
     void rest(Gesture gesture);
-    std::string nameOf(const Look& look) const;
+    std::string nameOf(const PictureSetup& setup) const;
     Scene made();
     void show(Scene scene, bool moving);
-    const std::shared_ptr<const Volume>& seen() const;
     Framed framed() const;
     Camera cameraOf(StandardView view, const Camera& lens) const;
+    PictureSetup withoutCutOf(int look) const;
+    void fitLooks();
+    void takeLookThatSuits();
 
-    std::vector<Preset> presets_;
-    std::shared_ptr<const Volume> volume_;  ///< as it was read
-    segment::HiddenTable table_;            ///< of it
-    PictureSetup setup_;                    ///< all that undo brings back
-    std::deque<PartMask> masks_;            ///< of the volume, the newest last
-    PartMask shown_;                        ///< what the scene shows
+    std::vector<NamedLook> drawnLooks_;  ///< as they were drawn
+    std::vector<NamedLook> looks_;       ///< as they are for this volume
+    std::optional<segment::Findings> findings_;
+    std::vector<std::optional<double>> brightness_;  ///< [stops], of each look, where it is known
+    std::shared_ptr<const Volume> volume_;           ///< as it was read
+    segment::HiddenTable table_;                     ///< of it
+    PictureSetup setup_;                             ///< all that undo brings back
+    std::deque<PartMask> masks_;                     ///< of the volume, the newest last
+    PartMask shown_;                                 ///< what the scene shows
     bool smoothed_ = true;
     ivec2 film_ = Scene{}.film;
     Scene scene_;  ///< of the volume, with or without its table, setup and film

@@ -50,10 +50,11 @@ void ImportJob::loadSeries(int index) {
         auto table = segment::hideTable(*volume, partOf(progress, 0.9, 1));
         if (!table)
             return failure(table.error());
-        return [this, index, volume, notes, table = *std::move(table)] {
+        const segment::Findings findings = segment::findingsOn(table->body ? *table->body : *volume, table->bodyBox);
+        return [this, index, volume, notes, table = *std::move(table), findings] {
             loadNotes_ = notes;
             lastLoaded_ = {volume, table.body};
-            emit loaded(volume, index, table);
+            emit loaded(volume, index, table, findings);
         };
     });
 }

@@ -7,6 +7,7 @@
 
 #include "app/background_job.h"
 #include "dicom/series.h"
+#include "render/segment/findings.h"
 #include "render/segment/hidden_table.h"
 
 namespace pdr::app {
@@ -30,8 +31,9 @@ class ImportJob : public BackgroundJob {
 
   signals:
     void scanned(const pdr::dicom::ScanResult& scan, const QString& folder);
-    /// `table`: what the patient lies on, and the scan without it.
-    void loaded(std::shared_ptr<const pdr::Volume> volume, int index, const pdr::segment::HiddenTable& table);
+    /// `table`: what the patient lies on, and the scan without it. `findings`: of that.
+    void loaded(std::shared_ptr<const pdr::Volume> volume, int index, const pdr::segment::HiddenTable& table,
+                const pdr::segment::Findings& findings);
 
   private:
     dicom::ScanResult scan_;

@@ -5,7 +5,7 @@
 
 namespace pdr::app {
 
-/// Everything that follows the document: the camera that the user turns, preset, brightness, undo.
+/// Everything that follows the document: the camera that the user turns, look, brightness, undo.
 void showDocument(const DesktopParts& parts);
 /// What the effects cost, as far as it is known.
 void showEffects(const DesktopParts& parts);

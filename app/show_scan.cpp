@@ -33,6 +33,7 @@ void showNothing(const DesktopParts& parts) {
     parts.bridge.setRegion(std::nullopt);
     parts.window.setRegion(std::nullopt);
     parts.study.setVolume(nullptr);
+    parts.looks.forget();
     parts.window.tissue().setHistogram(nullptr);
     showNoPicture(parts, {});
     parts.window.setStartShown(true);
@@ -66,7 +67,7 @@ void showReading(const DesktopParts& parts, int index) {
 }
 
 void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index,
-                const segment::HiddenTable& table) {
+                const segment::HiddenTable& table, const segment::Findings& findings) {
     const dicom::Series& series = parts.import.scan().series[std::size_t(index)];
     parts.window.message().clear();
     if (const QString notes = notesOn(series, parts.import.loadNotes(), table); !notes.isEmpty())
@@ -78,7 +79,7 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
     parts.window.setStartShown(false);
     showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::windowSubject(series)));
     parts.study.setVolume(table.body ? table.body : volume);
-    parts.document.open(std::move(volume), table);
+    parts.document.open(std::move(volume), table, findings);
 }
 
 void showProgress(const DesktopParts& parts, double fraction, const QString& step) {

@@ -37,6 +37,8 @@ const auto kNames = std::to_array<StepName>({
      QT_TRANSLATE_NOOP("StepName", "Redo editing the tissue")},
     {Change::light, QT_TRANSLATE_NOOP("StepName", "Undo changing the light"),
      QT_TRANSLATE_NOOP("StepName", "Redo changing the light")},
+    {Change::visible, QT_TRANSLATE_NOOP("StepName", "Undo choosing what is seen"),
+     QT_TRANSLATE_NOOP("StepName", "Redo choosing what is seen")},
     {Change::brightness, QT_TRANSLATE_NOOP("StepName", "Undo changing the brightness"),
      QT_TRANSLATE_NOOP("StepName", "Redo changing the brightness")},
     {Change::cut, QT_TRANSLATE_NOOP("StepName", "Undo cutting"), QT_TRANSLATE_NOOP("StepName", "Redo cutting")},
@@ -79,12 +81,15 @@ bool another(const std::string& before, const std::string& after) {
 }
 
 Change changeOf(const Look& before, const Look& after) {
-    Look tissue = before, light = before;
+    Look tissue = before, light = before, visible = before;
     tissue.transferFunction = after.transferFunction;
     light.rig = after.rig;
     light.environment = after.environment;
+    visible.visible = after.visible;
     if (tissue == after)
         return Change::tissue;
+    if (visible == after)
+        return Change::visible;
     return light == after ? Change::light : Change::lookChosen;
 }
 

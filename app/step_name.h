@@ -18,6 +18,7 @@ enum class Change {
     lookChosen,
     tissue,
     light,
+    visible,
     brightness,
     cut,
     model,

@@ -1,9 +1,11 @@
 #include "app/wiring.h"
 
 #include "app/copied_picture.h"
+#include "app/keep_looks.h"
 #include "app/requests.h"
 #include "app/show_document.h"
 #include "app/show_frame.h"
+#include "app/show_looks.h"
 #include "app/show_message.h"
 #include "app/show_scan.h"
 
@@ -29,10 +31,10 @@ void wireImport(const DesktopParts& parts) {
     QObject::connect(&import, &ImportJob::failed, &window, [parts](const Error& error) { showFailure(parts, error); });
     QObject::connect(&import, &ImportJob::scanned, &window,
                      [parts](const dicom::ScanResult& scan, const QString& folder) { showScan(parts, scan, folder); });
-    QObject::connect(&import, &ImportJob::loaded, &window,
-                     [parts](std::shared_ptr<const Volume> volume, int index, const segment::HiddenTable& table) {
-                         showVolume(parts, std::move(volume), index, table);
-                     });
+    QObject::connect(
+        &import, &ImportJob::loaded, &window,
+        [parts](std::shared_ptr<const Volume> volume, int index, const segment::HiddenTable& table,
+                const segment::Findings& findings) { showVolume(parts, std::move(volume), index, table, findings); });
 }
 
 /// 2. The hand edits the document.
@@ -49,7 +51,7 @@ void wireEdits(const DesktopParts& parts) {
                      [&document](bool shown) { document.setTable(shown ? Table::shown : Table::hidden); });
     QObject::connect(&window.message(), &ui::MessageBar::offerTaken, &document,
                      [&document] { document.setTable(Table::shown); });
-    QObject::connect(&window.look(), &ui::LookPanel::presetChosen, &document, &Document::setPreset);
+    QObject::connect(&window.look(), &ui::LookPanel::lookChosen, &document, &Document::chooseLook);
     QObject::connect(&window.look(), &ui::LookPanel::brightnessChosen, &document, &Document::setBrightness);
     QObject::connect(&window.visible(), &ui::VisibleRow::chosen, &document,
                      [&document](const Visible& visible) { document.setVisible(visible); });
@@ -167,7 +169,27 @@ void wireScreen(const DesktopParts& parts) {
     QObject::connect(&parts.document, &Document::displayChanged, &window, [parts] { showDocument(parts); });
 }
 
-/// 5. A picture that is made beside all this goes to a file.
+/// 5. Small pictures of the looks follow the view and come back to the gallery.
+void wireLooks(const DesktopParts& parts) {
+    QObject::connect(&parts.document, &Document::sceneChanged, &parts.looks,
+                     [parts](const Scene&, bool moving) { orderLookPictures(parts, moving); });
+    QObject::connect(
+        &parts.looks, &LookPictures::made, &parts.window,
+        [parts](int look, const QImage& picture, double stops) { showLookPicture(parts, look, picture, stops); });
+    const ui::LookMenu& menu = parts.window.look().menu();
+    QObject::connect(&menu, &ui::LookMenu::saveWanted, &parts.window,
+                     [parts](const QString& name) { saveLook(parts, name); });
+    QObject::connect(&menu, &ui::LookMenu::renameWanted, &parts.window,
+                     [parts](const QString& from, const QString& to) { renameLook(parts, from, to); });
+    QObject::connect(&menu, &ui::LookMenu::deleteWanted, &parts.window,
+                     [parts](const QString& name) { deleteLook(parts, name); });
+    QObject::connect(&menu, &ui::LookMenu::importWanted, &parts.window,
+                     [parts](const QString& file) { importLook(parts, file); });
+    QObject::connect(&menu, &ui::LookMenu::exportWanted, &parts.window,
+                     [parts](const QString& file) { exportLook(parts, file); });
+}
+
+/// 6. A picture that is made beside all this goes to a file.
 void wirePicture(const DesktopParts& parts) {
     PictureJob& picture = parts.picture;
     ui::MainWindow& window = parts.window;
@@ -187,7 +209,7 @@ void wirePicture(const DesktopParts& parts) {
                      [parts](const Error& error) { showFailure(parts, error); });
 }
 
-/// 6. What was chosen for this machine is kept.
+/// 7. What was chosen for this machine is kept.
 void wireSettings(const DesktopParts& parts) {
     QObject::connect(&parts.window, &ui::MainWindow::rememberFoldersChosen, &parts.window, [parts](bool remembered) {
         parts.settings.keepRemembersFolders(remembered);
@@ -229,6 +251,7 @@ void wire(const DesktopParts& parts) {
     wireMasks(parts);
     wireRendering(parts);
     wireScreen(parts);
+    wireLooks(parts);
     wirePicture(parts);
     wireSettings(parts);
 }

@@ -67,6 +67,28 @@ QString askForFolder(QWidget* parent, const QString& start) {
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
+QString askForLook(QWidget* parent) {
+    ForgetfulDialog dialog(parent, translated("Import a look"));
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    dialog.setNameFilter(translated("Looks, also of 3D Slicer (*.json *.vp)"));
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+QString askWhereToShare(QWidget* parent, const QString& name) {
+    const QString ours = translated("Look (*.json)");
+    const QString slicer = translated("3D Slicer, curves only (*.vp.json)");
+    const QString old = translated("3D Slicer before 5.9, curves only (*.vp)");
+    ForgetfulDialog dialog(parent, translated("Export the look"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({ours, slicer, old});
+    dialog.setDefaultSuffix("json");
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& filter) {
+        dialog.setDefaultSuffix(filter == ours ? "json" : filter == slicer ? "vp.json" : "vp");
+    });
+    dialog.selectFile(QString(name).replace('/', '-'));
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, QSize view, const StopRule& stop) {
     const QString png = translated("PNG picture (*.png)");
     const QString exr = translated("OpenEXR with the error of every pixel (*.exr)");

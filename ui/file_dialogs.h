@@ -19,4 +19,10 @@ QString askForFolder(QWidget* parent, const QString& start);
 /// that was thought of for one patient must not go to the next.
 std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, QSize view, const StopRule& stop);
 
+/// Asks for a file with a look: ours (.json) or 3D Slicer's (.vp.json, .vp); empty: the user cancelled.
+QString askForLook(QWidget* parent);
+
+/// Asks where a look called `name` goes, in one of these formats; empty: the user cancelled.
+QString askWhereToShare(QWidget* parent, const QString& name);
+
 }  // namespace pdr::ui

@@ -1,7 +1,8 @@
 #include "ui/look_panel.h"
 
-#include <QLabel>
+#include <QScrollArea>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <cmath>
 
 namespace pdr::ui {
@@ -12,9 +13,10 @@ constexpr int kStops = 4;
 
 }  // namespace
 
-LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBoxLayout), brightness_(Qt::Horizontal) {
-    presetColumn_->setSpacing(4);
-    connect(&presets_, &QButtonGroup::idClicked, this, &LookPanel::presetChosen);
+LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizontal) {
+    connect(&gallery_, &LookGallery::lookChosen, this, &LookPanel::lookChosen);
+    doesNotShow_.setWordWrap(true);
+    doesNotShow_.setAccessibleName(tr("What this look does not show"));
 
     brightness_.setAccessibleName(tr("Brightness"));
     brightness_.setToolTip(tr("Brighter to the right. It changes what is shown, not what is computed."));
@@ -53,39 +55,44 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), presetColumn_(new QVBox
     for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &light_, &camera_, &brightness_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(&gallery_);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    gallery_.layout()->setAlignment(Qt::AlignTop);
+
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(10, 8, 10, 10);
+    column->setContentsMargins(8, 6, 8, 10);
     column->setSpacing(8);
-    column->addLayout(presetColumn_);
-    column->addWidget(&tissue_);
-    auto* around = new QHBoxLayout;
-    around->addWidget(&light_);
-    around->addWidget(&camera_);
-    column->addLayout(around);
-    column->addSpacing(14);
+    column->addWidget(scroll, 1);
+    column->addWidget(&doesNotShow_);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
-    column->addStretch(1);
-    column->addWidget(&pause_);
-}
-
-void LookPanel::setPresets(const QStringList& names) {
-    qDeleteAll(presets_.buttons());
-    for (int i = 0; i < names.size(); ++i) {
-        auto* button = new QPushButton(names[i]);
-        button->setAccessibleName(tr("Preset %1").arg(names[i]));
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::TabFocus);
-        presets_.addButton(button, i);
-        presetColumn_->addWidget(button);
+    auto* edits = new QHBoxLayout;
+    edits->addWidget(&tissue_);
+    edits->addWidget(&light_);
+    edits->addWidget(&camera_);
+    column->addLayout(edits);
+    auto* rest = new QHBoxLayout;
+    rest->addWidget(&menu_);
+    rest->addWidget(&pause_);
+    column->addLayout(rest);
+    QWidget* before = &gallery_;
+    for (QWidget* control :
+         std::initializer_list<QWidget*>{&brightness_, &tissue_, &light_, &camera_, &menu_, &pause_}) {
+        setTabOrder(before, control);
+        before = control;
     }
 }
 
-void LookPanel::setPreset(int index) {
-    presets_.setExclusive(false);  // so that none may be chosen
-    for (QAbstractButton* button : presets_.buttons())
-        button->setChecked(presets_.id(button) == index);
-    presets_.setExclusive(true);
+void LookPanel::setLook(int index) {
+    gallery_.setLook(index);
+    const bool known = index >= 0 && index < gallery_.looks().size();
+    doesNotShow_.setText(known ? gallery_.looks()[index].doesNotShow : QString());
+    doesNotShow_.setHidden(doesNotShow_.text().isEmpty());
+    menu_.setLook(known ? gallery_.looks()[index].name : QString(), known && gallery_.looks()[index].own);
 }
 
 void LookPanel::setBrightness(double stops) {

@@ -1,11 +1,14 @@
 #pragma once
-/// How the volume looks: presets and brightness; and whether the rendering holds. Setters are silent.
+/// How the volume looks: the gallery of looks, what the chosen one does not show, and brightness; and whether the
+/// rendering holds. Setters are silent.
 
-#include <QButtonGroup>
+#include <QLabel>
 #include <QPushButton>
 #include <QSlider>
-#include <QVBoxLayout>
 #include <QWidget>
+
+#include "ui/look_gallery.h"
+#include "ui/look_menu.h"
 
 namespace pdr::ui {
 
@@ -15,21 +18,22 @@ class LookPanel : public QWidget {
   public:
     explicit LookPanel(QWidget* parent = nullptr);
 
-    void setPresets(const QStringList& names);
+    LookGallery& gallery() { return gallery_; }
+    LookMenu& menu() { return menu_; }
     /// -1: none of them is shown.
-    void setPreset(int index);
-    /// In stops: one more is twice as bright; 0 = as the preset says. Kept in [-4, 4].
+    void setLook(int index);
+    /// In stops: one more is twice as bright; 0 = as the look says. Kept in [-4, 4].
     void setBrightness(double stops);
     void setPaused(bool paused);
 
-    QSize sizeHint() const override { return {220, 400}; }
+    QSize sizeHint() const override { return {230, 400}; }
 
   signals:
-    void presetChosen(int index);
+    void lookChosen(int index);
     /// `moving`: the slider is still held; the last one of a gesture comes with false.
     void brightnessChosen(double stops, bool moving);
     void pauseChosen(bool paused);
-    /// The curves and colours behind the presets are to be edited, or not any more.
+    /// The curves and colours behind the looks are to be edited, or not any more.
     void tissueWanted();
     /// The same of the lights.
     void lightWanted();
@@ -37,9 +41,10 @@ class LookPanel : public QWidget {
     void cameraWanted();
 
   private:
-    QVBoxLayout* presetColumn_;
-    QButtonGroup presets_;
+    LookGallery gallery_;
+    QLabel doesNotShow_;
     QSlider brightness_;
+    LookMenu menu_;
     QPushButton tissue_;
     QPushButton light_;
     QPushButton camera_;

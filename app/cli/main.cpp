@@ -1,4 +1,5 @@
-/// pdrender-cli: info, render, accuracy, effects, replay, example. Exit codes: 0, 1 for an error, 2 for wrong usage.
+/// pdrender-cli: info, looks, render, accuracy, effects, replay, example. Exit codes: 0, 1 for an error, 2 for wrong
+/// usage.
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -9,6 +10,7 @@
 #include "app/cli/effects_command.h"
 #include "app/cli/example_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/looks_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/replay_command.h"
 #include "app/program/program.h"
@@ -21,6 +23,7 @@ constexpr const char* kHelp =
     "pdrender-cli: volume rendering of CT that says how right the picture is. Not for diagnostic use.\n"
     "\n"
     "  pdrender-cli info FOLDER [--json]                      list the series in a folder of DICOM files\n"
+    "  pdrender-cli looks                                     list how a scan can look\n"
     "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render a picture (.png, .exr)\n"
     "  pdrender-cli accuracy FOLDER|SCENE.json -o DIR ...     measure what accuracy costs in time\n"
     "  pdrender-cli effects FOLDER|SCENE.json ...             list what the picture needs, why, and at what cost\n"
@@ -46,6 +49,8 @@ int run(QStringList arguments) {
     }
     if (command == "info")
         return runInfo(arguments);
+    if (command == "looks")
+        return runLooks(arguments);
     if (command == "render")
         return runRender(arguments);
     if (command == "accuracy")

@@ -3,7 +3,8 @@
 #include <QRegularExpression>
 
 #include "app/cli/option_reader.h"
-#include "app/presets.h"
+#include "app/look_files.h"
+#include "app/looks.h"
 
 namespace pdr::app {
 namespace {
@@ -25,8 +26,10 @@ void describeScene(QCommandLineParser& parser) {
     parser.addOptions({
         {{"h", "help"}, "Show this text."},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
-        {"preset",
-         "Look: \"CT bone\" (default), \"CT soft tissue\", \"CT angio\", \"CT lung\", or a preset file (.json).",
+        {{"look", "preset"},
+         "How it looks: a name that `pdrender-cli looks` lists, or a file of a look: .json, or "
+         "Slicer's .vp.json and .vp. Default: of a folder the "
+         "first look that makes sense of it.",
          "NAME"},
         {"view",
          "Look from anterior (default, but of few slices the side that they face), posterior, left, right, superior or "
@@ -41,7 +44,11 @@ void describeScene(QCommandLineParser& parser) {
          "PART"},
         {"peel", "Take so much off all around the body, such as skin; up to 50.", "MM"},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
-        {"exposure", "Radiance that PNG shows as 63 % of white; default: the preset's, or 1.", "L"},
+        {"exposure",
+         "Radiance that PNG shows as 63 % of white, or auto: so that the tissue is neither dark nor blown out; "
+         "default: "
+         "the look's, or 1.",
+         "L"},
         {"model",
          "Optical model: absorption, emission, emissionAbsorption, singleScattering, multipleScattering or "
          "maximumIntensity.",
@@ -180,27 +187,29 @@ std::optional<StandardView> readView(const Reader& reader) {
     usageError("--view", "must be one of: " + known);
 }
 
-std::optional<Preset> readPreset(const Reader& reader) {
-    const auto text = reader.text("preset");
+std::optional<NamedLook> readLook(const Reader& reader) {
+    const auto text = reader.text("look");
     if (!text)
         return std::nullopt;
-    if (text->endsWith(".json")) {
-        const auto preset = readPresetFile(*text);
-        if (!preset)
-            throw preset.error();
-        return *preset;
+    if (text->endsWith(".json") || text->endsWith(".vp")) {
+        const auto bundled = bundledLooks();
+        if (!bundled)
+            throw bundled.error();
+        const auto look = readLookFile(*text, bundled->front());
+        if (!look)
+            throw look.error();
+        return *look;
     }
-    const auto presets = bundledPresets();
-    if (!presets)
-        throw presets.error();
+    const auto looks = bundledLooks();
+    if (!looks)
+        throw looks.error();
     std::string known;
-    for (const Preset& preset : *presets) {
-        const QString name = QString::fromStdString(preset.name);
-        if (name.compare(*text, Qt::CaseInsensitive) == 0 || name.compare("CT " + *text, Qt::CaseInsensitive) == 0)
-            return preset;
-        known += (known.empty() ? "" : ", ") + preset.name;
+    for (const NamedLook& look : *looks) {
+        if (QString::fromStdString(look.name).compare(*text, Qt::CaseInsensitive) == 0)
+            return look;
+        known += (known.empty() ? "" : ", ") + look.name;
     }
-    usageError("--preset", "there is no preset \"" + text->toStdString() + "\"", "There are: " + known + ".");
+    usageError("--look", "there is no look \"" + text->toStdString() + "\"", "There are: " + known + ".");
 }
 
 std::vector<std::filesystem::path> readOutputs(const QCommandLineParser& parser) {
@@ -239,9 +248,11 @@ SceneInput readScene(const QCommandLineParser& parser, const QString& command) {
     scene.table = readTable(reader);
     scene.part = readPart(reader);
     scene.peelMm = reader.number("peel", {0, 50});
-    scene.exposure = reader.number("exposure", {0, 1e30, false});
+    scene.autoExposure = reader.text("exposure") == "auto";
+    if (!scene.autoExposure)
+        scene.exposure = reader.number("exposure", {0, 1e30, false});
     scene.seed = reader.whole("seed", 0, UINT64_MAX);
-    scene.preset = readPreset(reader);
+    scene.look = readLook(reader);
     scene.model = readModel(reader);
     scene.estimator = readEstimator(reader);
     scene.apertureMm = reader.number("aperture", {0, 200});

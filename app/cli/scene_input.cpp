@@ -1,12 +1,16 @@
 #include "app/cli/scene_input.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "app/cli/progress_line.h"
 #include "app/environment_picture.h"
-#include "app/presets.h"
+#include "app/looks.h"
 #include "app/scene_volume.h"
+#include "render/device/device.h"
+#include "render/film/exposure.h"
 #include "render/prepare/flatten.h"
 #include "render/prepare/focus.h"
 #include "render/scene/fit_view.h"
@@ -17,6 +21,8 @@ namespace {
 
 constexpr ivec2 kFolderFilm{1024, 1024};
 constexpr double kFilled = 0.95;  ///< fraction of the picture
+constexpr int kTrialPixels = 96;  ///< along the longer edge of a picture that tells the exposure
+constexpr std::uint32_t kTrialSamples = 16;
 
 bool isFile(const SceneInput& input) {
     std::error_code ignored;
@@ -50,14 +56,34 @@ Result<SceneFile> readInput(const SceneInput& input) {
     return file;
 }
 
-/// The preset that was asked for; a folder, which has no look of its own, gets the first one.
-Result<std::optional<Preset>> chosenPreset(const SceneInput& input) {
-    if (input.preset || isFile(input))
-        return input.preset;
-    auto presets = bundledPresets();
-    if (!presets)
-        return presets.error();
-    return std::optional(presets->front());
+/// The look that was asked for; a folder, which has none of its own, gets the first that makes sense of it.
+Result<std::optional<NamedLook>> chosenLook(const SceneInput& input, const segment::Findings& findings) {
+    if (input.look || isFile(input))
+        return input.look;
+    auto looks = bundledLooks();
+    if (!looks)
+        return looks.error();
+    const auto suits = [&](const NamedLook& look) { return whyUnsuited(look, findings).empty(); };
+    const auto first = std::ranges::find_if(*looks, suits);
+    return std::optional(first == looks->end() ? looks->front() : *first);
+}
+
+/// Takes what the look says, for the blood of this scan and through this body.
+Result<void> dress(LoadedScene& work, const SceneInput& input, const WantedVolume& wanted) {
+    const segment::Findings findings = segment::findingsOn(*wanted.volume, wanted.framed.box);
+    auto chosen = chosenLook(input, findings);
+    if (!chosen)
+        return chosen.error();
+    if (!*chosen)
+        return {};
+    const NamedLook look = findings.blood ? fittedTo(**std::move(chosen), *findings.blood) : **std::move(chosen);
+    if (const std::string why = whyUnsuited(look, findings); !why.empty())
+        work.notes.push_back("The look \"" + look.name + "\" is not meant for this scan: " + why + ".");
+    work.display = look.look.display;
+    work.scene = withNamedLook(std::move(work.scene), look);
+    if (look.cut && work.scene.clip.empty())
+        work.scene.clip.planes = {planeOf(*look.cut, wanted.framed.box)};
+    return {};
 }
 
 /// Hides what is not to be seen. What only the look wants, of a scan that does not have it, is told and left out.
@@ -76,6 +102,23 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const Progress& pr
     work.scene.mask = *mask;
     if (*mask)
         work.notes.push_back((*mask)->hidden());
+    return {};
+}
+
+/// Brings the tissue into the middle of the display.
+Result<void> expose(LoadedScene& work) {
+    Scene small = work.scene;
+    small.film = glm::max(ivec2(1), small.film * kTrialPixels / std::max(small.film.x, small.film.y));
+    const std::unique_ptr<Device> device = makeCpuDevice();
+    const auto film = startFilm(*device, small);
+    if (!film)
+        return film.error();
+    if (auto ok = (*film)->accumulate(kTrialSamples, {}); !ok)
+        return ok;
+    const auto known = (*film)->film();
+    if (!known)
+        return known.error();
+    work.display.exposure *= float(std::exp2(-stopsFor(**known, double(work.display.exposure))));
     return {};
 }
 
@@ -99,9 +142,6 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     auto file = readInput(input);
     if (!file)
         return file.error();
-    const auto preset = chosenPreset(input);
-    if (!preset)
-        return preset.error();
     auto volume = fetchVolume(file->source, partOf(progress, 0, 0.9));
     if (!volume)
         return volume.error();
@@ -121,10 +161,8 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     if (input.view || !isFile(input))
         work.scene.camera = fittedView(input.view.value_or(firstView(wanted.framed.box)), wanted.framed,
                                        double(work.scene.film.x) / double(work.scene.film.y), kFilled);
-    if (*preset) {
-        work.display = (*preset)->look.display;
-        work.scene = withPreset(std::move(work.scene), **preset);
-    }
+    if (auto ok = dress(work, input, wanted); !ok)
+        return ok.error();
     if (input.exposure)
         work.display.exposure = float(*input.exposure);
     work.scene.model = input.model.value_or(work.scene.model);
@@ -134,6 +172,9 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         return ok.error();
     if (auto ok = hide(work, input, partOf(progress, 0.9, 1)); !ok)
         return ok.error();
+    if (input.autoExposure)
+        if (auto ok = expose(work); !ok)
+            return ok.error();
     if (input.focusAt)
         if (auto ok = focus(work.scene, *input.focusAt); !ok)
             return ok.error();

@@ -11,7 +11,7 @@
 #include "render/base/result.h"
 #include "render/film/display.h"
 #include "render/scene/camera.h"
-#include "render/scene/preset.h"
+#include "render/scene/named_look.h"
 #include "render/scene/scene.h"
 #include "render/scene/table.h"
 #include "render/scene/visible.h"
@@ -21,13 +21,14 @@ namespace pdr::app {
 struct SceneInput {
     std::filesystem::path path;        ///< a DICOM folder or a scene file
     std::string seriesUid;             ///< empty: the first that can be loaded
-    std::optional<Preset> preset;      ///< absent: CT bone for a folder, the file's own look for a scene
+    std::optional<NamedLook> look;     ///< absent: the first that suits a folder, the file's own for a scene
     std::optional<StandardView> view;  ///< absent: firstView() for a folder, the file's own camera for a scene
     std::optional<ivec2> size;         ///< absent: 1024 x 1024 for a folder, the file's own film for a scene
     std::optional<Table> table;        ///< absent: hidden for a folder, as the file says for a scene
     std::optional<BodyPart> part;      ///< absent: as the look says, or the scene file
     std::optional<double> peelMm;      ///< likewise
     std::optional<double> exposure;
+    bool autoExposure = false;  ///< as the window sets it: by the tissue of a small picture
     std::optional<std::uint64_t> seed;
     std::optional<Model> model;
     std::optional<Estimator> estimator;
@@ -43,8 +44,8 @@ struct LoadedScene {
     std::vector<std::filesystem::path> files;  ///< that it was read from, but those of a DICOM folder
 };
 
-/// Errors: those of scene files, presets and the import, nothing under the pixel to
-/// focus on, and a part of the body that was asked for and cannot be told from the rest.
+/// Errors: those of scene files, looks and the import, nothing under the pixel to focus on, and
+/// a part of the body that was asked for and cannot be told from the rest.
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress);
 /// The same with a progress line and the notes on standard error.
 Result<LoadedScene> loadSceneShown(const SceneInput& input);

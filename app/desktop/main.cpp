@@ -13,7 +13,7 @@
 #include "app/desktop.h"
 #include "app/desktop/application.h"
 #include "app/desktop/options.h"
-#include "app/presets.h"
+#include "app/looks.h"
 #include "app/program/program.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
@@ -53,9 +53,9 @@ Result<std::unique_ptr<Device>> deviceFor(const DesktopOptions& options) {
 }
 
 int run(const DesktopOptions& options) {
-    auto presets = bundledPresets();
-    if (!presets) {
-        std::cerr << "pdrender: " << presets.error().text() << '\n';
+    auto looks = bundledLooks();
+    if (!looks) {
+        std::cerr << "pdrender: " << looks.error().text() << '\n';
         return 1;
     }
     auto device = deviceFor(options);
@@ -63,7 +63,7 @@ int run(const DesktopOptions& options) {
         std::cerr << "pdrender: " << device.error().text() << '\n';
         return 1;
     }
-    Desktop desktop(*std::move(presets), *std::move(device), {}, options.threads);
+    Desktop desktop(*std::move(looks), *std::move(device), {}, options.threads);
     desktop.window().show();
     if (!options.folder.isEmpty())
         QTimer::singleShot(0, &desktop.window(), [&] { desktop.open(options.folder); });  // where exceptions end

@@ -1,5 +1,5 @@
 #pragma once
-/// The fields of scene files, presets and sessions. Each struct that stands in a file is described once, in
+/// The fields of scene files, looks and sessions. Each struct that stands in a file is described once, in
 /// fields/, by
 ///     template <class Visit> void describe(Visit& visit, TransferNode& node) {
 ///         visit({"hu", "Hounsfield units", {-32768, 32767}, kRequired}, node.hu);

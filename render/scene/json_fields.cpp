@@ -222,13 +222,25 @@ void JsonFields::finish() const {
             fail(name, "is no field here", "Known here: " + listed(known_) + ".");
 }
 
-Result<void> readJson(std::string_view text, std::string_view where, std::string_view format,
-                      const std::function<void(JsonFields&)>& read) {
+Result<void> readForeignJson(std::string_view text, std::string_view where,
+                             const std::function<void(JsonFields&)>& read) {
     if (auto ok = checkAmount(text); !ok)
         return inFile(where, ok.error());
     try {
         const json document = json::parse(text, TwinGuard());
         JsonFields fields(document, "");
+        read(fields);
+        return {};
+    } catch (const FieldError& failure) {
+        return inFile(where, failure.error);
+    } catch (const json::exception& failure) {
+        return Error{"is no JSON that can be read (" + parserMessage(failure) + ")", std::string(where), ""};
+    }
+}
+
+Result<void> readJson(std::string_view text, std::string_view where, std::string_view format,
+                      const std::function<void(JsonFields&)>& read) {
+    return readForeignJson(text, where, [&](JsonFields& fields) {
         std::string found;
         int version = 0;
         fields.required("format", found);
@@ -239,12 +251,7 @@ Result<void> readJson(std::string_view text, std::string_view where, std::string
             fields.fail("version", "is " + std::to_string(version) + ", this program reads version 1");
         read(fields);
         fields.finish();
-        return {};
-    } catch (const FieldError& failure) {
-        return inFile(where, failure.error);
-    } catch (const json::exception& failure) {
-        return Error{"is no JSON that can be read (" + parserMessage(failure) + ")", std::string(where), ""};
-    }
+    });
 }
 
 }  // namespace pdr

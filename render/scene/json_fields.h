@@ -77,5 +77,9 @@ class JsonFields {
 /// JSON, becomes an error with `where` put before the field.
 Result<void> readJson(std::string_view text, std::string_view where, std::string_view format,
                       const std::function<void(JsonFields&)>& read);
+/// The same of files that others define: there is no format or version to check, and fields that are never asked for
+/// are left alone.
+Result<void> readForeignJson(std::string_view text, std::string_view where,
+                             const std::function<void(JsonFields&)>& read);
 
 }  // namespace pdr

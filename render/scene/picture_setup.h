@@ -14,7 +14,7 @@ namespace pdr {
 
 struct PictureSetup {
     Look look;
-    std::string lookName;  ///< what the user calls it: the preset's name
+    std::string lookName;  ///< what the user calls it: the name of a look
     double stops = 0;      ///< brightness against the look's; one more is twice as bright; [-64, 64]
     Camera camera;
     std::optional<vec3> background;  ///< as in Scene

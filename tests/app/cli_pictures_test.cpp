@@ -67,7 +67,7 @@ class CliPicturesTest : public QObject {
         for (const char* model : {"absorption", "emission", "emissionAbsorption", "singleScattering",
                                   "multipleScattering", "maximumIntensity"}) {
             const ProgramRun result = BallScene::run({"render", scene(), "-o", at("m.png"), "--samples", "4", "--size",
-                                                      "30x30", "--preset", "CT bone", "--model", model, "--json"});
+                                                      "30x30", "--look", "Bone", "--model", model, "--json"});
             QVERIFY2(result.code == 0, result.err.constData());
             const QJsonObject health = QJsonDocument::fromJson(result.out).object()["health"].toObject();
             QCOMPARE(health.size(), pdr::kFaults);
@@ -81,7 +81,7 @@ class CliPicturesTest : public QObject {
     }
 
     void theBiasedEstimatorIsThereToBeComparedWith() {
-        const QStringList common{"render", scene(), "--samples", "4", "--size", "30x30", "--preset", "CT bone"};
+        const QStringList common{"render", scene(), "--samples", "4", "--size", "30x30", "--look", "Bone"};
         QCOMPARE(BallScene::run(common + QStringList{"-o", at("u.png")}).code, 0);
         const ProgramRun marched = BallScene::run(common + QStringList{"-o", at("k.png"), "--estimator", "kroesMarch"});
         QVERIFY2(marched.code == 0, marched.err.constData());
@@ -97,12 +97,12 @@ class CliPicturesTest : public QObject {
     }
 
     void aLensIsFocusedOnWhatAPixelShows() {
-        QCOMPARE(BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset", "CT bone",
-                                 "--aperture", "10", "--focus", "32,24"})
+        QCOMPARE(BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--look", "Bone", "--aperture",
+                                 "10", "--focus", "32,24"})
                      .code,
                  0);
-        const ProgramRun nothing = BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--preset",
-                                                   "CT bone", "--aperture", "10", "--focus", "0,0"});
+        const ProgramRun nothing = BallScene::run({"render", scene(), "-o", at("l.png"), "--samples", "2", "--look",
+                                                   "Bone", "--aperture", "10", "--focus", "0,0"});
         QCOMPARE(nothing.code, 1);
         QVERIFY(nothing.err.contains("nothing to focus on under pixel 0,0"));
         const ProgramRun outside =
@@ -112,9 +112,7 @@ class CliPicturesTest : public QObject {
     }
 
     void surroundingsAreReadFromOpenExr() {
-        QVERIFY(
-            BallScene::run({"render", scene(), "-o", at("sky.exr"), "--samples", "2", "--preset", "CT bone"}).code ==
-            0);
+        QVERIFY(BallScene::run({"render", scene(), "-o", at("sky.exr"), "--samples", "2", "--look", "Bone"}).code == 0);
         QFile file(scene());
         QVERIFY(file.open(QIODevice::ReadOnly));
         QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();

@@ -60,7 +60,7 @@ class CliTest : public QObject {
         row("effects without input", {"effects"}, "needs one folder");
         row("effects of two", {"effects", "a", "b"}, "needs one folder");
         row("effects do not stop", {"effects", "a", "--samples", "3"}, "samples");
-        row("preset", {"render", "a", "-o", "a.png", "--preset", "MR brain"}, "CT soft tissue");
+        row("look", {"render", "a", "-o", "a.png", "--look", "MR brain"}, "Heart and great vessels");
     }
 
     void wrongUsageIsTwo() {
@@ -132,7 +132,7 @@ class CliTest : public QObject {
 
     void optionsOverruleTheScene() {
         const ProgramRun result =
-            BallScene::run({"render", scene(), "-o", at("b.png"), "--samples", "64", "--size", "30x20", "--preset",
+            BallScene::run({"render", scene(), "-o", at("b.png"), "--samples", "64", "--size", "30x20", "--look",
                             "bone", "--view", "left", "--seed", "9", "--json"});
         QVERIFY2(result.code == 0, result.err.constData());
         QCOMPARE(QImage(at("b.png")).size(), QSize(30, 20));
@@ -149,7 +149,7 @@ class CliTest : public QObject {
         for (const char* column : {"share", "mean change", "95 % below", "time without"})
             QVERIFY2(plain.out.contains(column), column);
         QVERIFY(!QRegularExpression(" -[0-9]").match(plain.out).hasMatch());  // no cost is negative
-        const ProgramRun lit = BallScene::run({"effects", scene(), "--preset", "CT bone", "--json"});
+        const ProgramRun lit = BallScene::run({"effects", scene(), "--look", "Bone", "--json"});
         QCOMPARE(lit.code, 0);
         const QJsonObject ledger = QJsonDocument::fromJson(lit.out).object();
         QCOMPARE(ledger["models"].toArray().size(), 6);
@@ -225,9 +225,8 @@ class CliTest : public QObject {
     }
 
     void aSampleIsToldEventByEvent() {
-        const ProgramRun told =
-            BallScene::run({"replay", scene(), "--preset", "CT bone", "--model", "multipleScattering", "--size",
-                            "40x40", "--pixel", "20,20", "--sample", "3"});
+        const ProgramRun told = BallScene::run({"replay", scene(), "--look", "Bone", "--model", "multipleScattering",
+                                                "--size", "40x40", "--pixel", "20,20", "--sample", "3"});
         QVERIFY2(told.code == 0, told.err.constData());
         QVERIFY(told.out.contains("pixel 20,20 sample 3 seed"));
         QVERIFY(told.out.contains("event after") && told.out.contains("HU, extinction") &&

@@ -104,7 +104,7 @@ class TestCutInWindow : public QObject {
 
     /// Places in one patient mean nothing in another.
     void anotherVolumeIsUncut() {
-        Document document(*bundledPresets());
+        Document document(*bundledLooks());
         QVERIFY(!document.uncut());
         document.open(test::bumpyVolume({20, 20, 20}, dvec3(1), 1));
         document.setClip(withCutOff({}, *document.uncut(), 0, 5));

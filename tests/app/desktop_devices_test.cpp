@@ -118,13 +118,13 @@ void TestDesktopDevices::theDeviceAndThePaceAreKept() {
     const QTemporaryDir kept;
     const QString file = kept.filePath("settings.ini");
     {
-        Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
+        Desktop desktop(*bundledLooks(), makeCpuDevice(1), file);
         QCOMPARE(Settings(file).device(), "auto");
         QVERIFY(desktop.window().rendering().pace() == FrameBudget{.automatic = true});
         emit desktop.window().rendering().deviceChosen("cpu");
         emit desktop.window().rendering().paceChosen({false, 12, 3.5});
     }
-    Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
+    Desktop desktop(*bundledLooks(), makeCpuDevice(1), file);
     QCOMPARE(Settings(file).device(), "cpu");
     QVERIFY((desktop.window().rendering().pace() == FrameBudget{false, 12, 3.5}));
 }

@@ -60,7 +60,7 @@ class TestDesktop : public QObject {
     void aFolderBecomesAPictureThatGrowsBetter();
     void theWindowNeverWaitsForReadingOrRendering();
     void aDragIsSeenWhileTheHandMoves();
-    void aPresetChangesThePicture();
+    void aLookChangesThePicture();
     void brightnessWorksWithoutARestart();
     void aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne();
     void linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone();
@@ -116,7 +116,7 @@ void TestDesktop::theWindowNeverWaitsForReadingOrRendering() {
             QTest::qWait(10);
         }
         trial.desktop.window().resize(800 + 50 * attempt, 450);
-        trial.desktop.parts().document.setPreset(1);
+        trial.desktop.parts().document.chooseLook(1);
         QTest::qWait(500);
         best = std::min(best, watch.longestMs());
     }
@@ -152,7 +152,7 @@ void TestDesktop::aDragIsSeenWhileTheHandMoves() {
     QVERIFY(trial.frames.back()->size == trial.desktop.parts().document.scene().film);
 }
 
-void TestDesktop::aPresetChangesThePicture() {
+void TestDesktop::aLookChangesThePicture() {
     Trial trial;
     trial.openAndWait(series_);
     // The mean colour of the picture: after some samples its noise is far below a display level.
@@ -167,7 +167,7 @@ void TestDesktop::aPresetChangesThePicture() {
         return sum / (double(rgba.size()) / 4);
     };
     const dvec3 bone = colour();
-    trial.desktop.parts().document.setPreset(1);
+    trial.desktop.parts().document.chooseLook(1);
     const double change = glm::length(colour() - bone);
     QVERIFY2(glm::length(bone) > 0 && change > 1,
              qPrintable(QString("skin instead of bone changes %1 levels").arg(change)));
@@ -362,7 +362,7 @@ void TestDesktop::onlyTheWindowIsKept() {
     const QTemporaryDir kept;
     const QString file = kept.filePath("settings.ini");
     {
-        Desktop desktop(*bundledPresets(), makeCpuDevice(1), file);
+        Desktop desktop(*bundledLooks(), makeCpuDevice(1), file);
         desktop.window().show();
         desktop.open(series_);
         QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), test::kPatience);

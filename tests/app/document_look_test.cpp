@@ -1,4 +1,4 @@
-/// Looks in the document: presets, the user's own, and where their lights stand.
+/// Looks in the document: those to choose, the user's own, and where their lights stand.
 
 #include <QTest>
 
@@ -11,27 +11,27 @@ class TestDocumentLook : public QObject {
     Q_OBJECT
 
   private slots:
-    void undoOfAPresetBringsItsLookBack();
+    void undoOfAChoiceBringsTheLookBack();
     void theLightsFollowTheCamera();
     void theLightsOfAPatientStay();
     void anEditedLookSurvivesTheNextOrbit();
-    void aChangedLookIsNotCalledAsThePreset();
+    void aChangedLookIsNotCalledAsTheOneItWas();
     void aDragOfTheLookIsOneStep();
     void anotherModelLeavesTheWaysThatDoNotKnowIt();
     void aBackgroundIsPartOfThePicture();
 };
 
-void TestDocumentLook::undoOfAPresetBringsItsLookBack() {
+void TestDocumentLook::undoOfAChoiceBringsTheLookBack() {
     Told told;
     told.document.setBrightness(1);
-    told.document.setPreset(1);
+    told.document.chooseLook(1);
     QCOMPARE(told.displays.back().exposure, 8.f);
     QCOMPARE(told.scenes.back().phaseG, 0.5f);
     told.document.undo();
-    QCOMPARE(told.document.preset(), 0);
+    QCOMPARE(told.document.look(), 0);
     QCOMPARE(told.document.setup().stops, 1.0);
     QCOMPARE(told.displays.back().exposure, 1.f);
-    QVERIFY(told.scenes.back().transferFunction == twoPresets()[0].look.transferFunction);
+    QVERIFY(told.scenes.back().transferFunction == twoLooks()[0].look.transferFunction);
 }
 
 void TestDocumentLook::theLightsFollowTheCamera() {
@@ -67,23 +67,23 @@ void TestDocumentLook::anEditedLookSurvivesTheNextOrbit() {
     QVERIFY(scene.lights == panelsOf(look.rig, scene.volume->geometry(), scene.camera));
     told.document.undo();
     told.document.undo();
-    QVERIFY(told.document.setup().look == twoPresets()[0].look);
+    QVERIFY(told.document.setup().look == twoLooks()[0].look);
 }
 
-void TestDocumentLook::aChangedLookIsNotCalledAsThePreset() {
+void TestDocumentLook::aChangedLookIsNotCalledAsTheOneItWas() {
     Told told;
     QCOMPARE(told.scenes.back().lookName, std::string("first"));
-    QCOMPARE(told.document.preset(), 0);
+    QCOMPARE(told.document.look(), 0);
     Look look = told.document.setup().look;
     for (int i = 1; i <= 2; ++i) {
         look.rig.panels[1].radiance = float(i);
         told.document.setLook(look);
         QCOMPARE(told.scenes.back().lookName, std::string("first (changed)"));
-        QCOMPARE(told.document.preset(), -1);
+        QCOMPARE(told.document.look(), -1);
     }
-    told.document.setLook(twoPresets()[1].look);
+    told.document.setLook(twoLooks()[1].look);
     QCOMPARE(told.scenes.back().lookName, std::string("second"));
-    QCOMPARE(told.document.preset(), 1);
+    QCOMPARE(told.document.look(), 1);
 }
 
 void TestDocumentLook::aDragOfTheLookIsOneStep() {
@@ -97,7 +97,7 @@ void TestDocumentLook::aDragOfTheLookIsOneStep() {
     told.document.setLook(look, false);  // let go
     QVERIFY(!told.lastMoves);
     told.document.undo();
-    QVERIFY(told.document.setup().look == twoPresets()[0].look);
+    QVERIFY(told.document.setup().look == twoLooks()[0].look);
     QVERIFY(!told.document.canUndo());
 }
 
@@ -119,7 +119,7 @@ void TestDocumentLook::aBackgroundIsPartOfThePicture() {
     told.document.setBackground(vec3(0.5f));
     QVERIFY(told.scenes.back().background == vec3(0.5f) && !showsEnvironment(told.scenes.back()));
     QCOMPARE(told.document.preset(), 0);
-    told.document.setPreset(1);
+    told.document.chooseLook(1);
     QVERIFY(told.scenes.back().background == vec3(0.5f));
     told.document.setBackground(std::nullopt);
     QVERIFY(showsEnvironment(told.scenes.back()));

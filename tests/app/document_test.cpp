@@ -11,7 +11,7 @@ class TestDocument : public QObject {
     Q_OBJECT
 
   private slots:
-    void anOpenedVolumeIsSeenFromTheFrontWithTheFirstPreset();
+    void anOpenedVolumeIsSeenFromTheFrontWithTheFirstLook();
     void everySceneHasItsOwnGrowingRevision();
     void everySceneCanBeRendered();
     void aWholeGestureIsOneStepBack();
@@ -33,21 +33,21 @@ class TestDocument : public QObject {
     void aDragOfTheBrightnessIsOneStep();
 };
 
-void TestDocument::anOpenedVolumeIsSeenFromTheFrontWithTheFirstPreset() {
+void TestDocument::anOpenedVolumeIsSeenFromTheFrontWithTheFirstLook() {
     Told told;
     QCOMPARE(told.scenes.size(), std::size_t(1));
     const Scene& scene = told.scenes.front();
     QVERIFY(glm::length(scene.camera.forward() - dvec3(0, 1, 0)) < 1e-12);
     QVERIFY(scene.camera.targetMm == dvec3(0, 100, 200));
     QVERIFY(scene.film == ivec2(400, 200));
-    QVERIFY(scene.transferFunction == twoPresets()[0].look.transferFunction);
+    QVERIFY(scene.transferFunction == twoLooks()[0].look.transferFunction);
     QCOMPARE(told.displays.back().exposure, 2.f);
     QVERIFY(!told.document.canUndo());
 }
 
 void TestDocument::everySceneHasItsOwnGrowingRevision() {
     Told told;
-    told.document.setPreset(1);
+    told.document.chooseLook(1);
     told.document.setView(StandardView::left);
     told.document.setViewSize({300, 300});
     told.document.undo();
@@ -59,7 +59,7 @@ void TestDocument::everySceneHasItsOwnGrowingRevision() {
 
 void TestDocument::everySceneCanBeRendered() {
     Told told;
-    told.document.setPreset(1);
+    told.document.chooseLook(1);
     told.document.setView(StandardView::superior);
     told.document.setViewSize({0, 0});
     for (const Scene& scene : told.scenes) {
@@ -126,7 +126,7 @@ void TestDocument::theEstimatorIsAnEditLikeOthers() {
     told.document.setEstimator(Estimator::kroesMarch);
     QVERIFY(told.scenes.back().estimator == Estimator::kroesMarch);
     QVERIFY(told.scenes.back().revision > told.scenes.front().revision);
-    told.document.setPreset(1);
+    told.document.chooseLook(1);
     QVERIFY(told.scenes.back().estimator == Estimator::kroesMarch);
     told.document.undo();
     told.document.undo();
@@ -134,7 +134,7 @@ void TestDocument::theEstimatorIsAnEditLikeOthers() {
     told.document.redo();
     QVERIFY(told.scenes.back().estimator == Estimator::kroesMarch);
 
-    Document empty(twoPresets());  // the choice waits for a volume
+    Document empty(twoLooks());  // the choice waits for a volume
     empty.setEstimator(Estimator::kroesMarch);
     QVERIFY(!empty.canUndo());
     empty.open(cube());
@@ -169,9 +169,9 @@ void TestDocument::theRawPictureIsAChoiceForTheEye() {
     QVERIFY(!told.displays.back().smoothed);
     QCOMPARE(told.scenes.size(), std::size_t(1));  // nothing is computed anew
     QVERIFY(!told.document.canUndo());
-    told.document.setPreset(1);
+    told.document.chooseLook(1);
     QVERIFY(!told.displays.back().smoothed);
-    QCOMPARE(told.document.preset(), 1);
+    QCOMPARE(told.document.look(), 1);
     told.document.setSmoothed(true);
     QVERIFY(told.displays.back().smoothed);
 }
@@ -212,7 +212,7 @@ void TestDocument::theScheduleIsAnEditLikeOthers() {
     const Schedule k1{.kind = Schedule::Kind::kroes};
     told.document.setSchedule(k1);
     QVERIFY(told.scenes.back().schedule == k1);
-    told.document.setPreset(1);
+    told.document.chooseLook(1);
     QVERIFY(told.scenes.back().schedule == k1);
     told.document.undo();
     told.document.undo();
@@ -230,31 +230,31 @@ void TestDocument::theWindowsSizeIsNotUndone() {
 
 void TestDocument::aNewVolumeHasNoWayBack() {
     Told told;
-    told.document.setPreset(1);
+    told.document.chooseLook(1);
     told.document.setView(StandardView::left);
     const auto second = cube();
     told.document.open(second);
     QVERIFY(!told.document.canUndo() && !told.document.canRedo());
     QVERIFY(told.scenes.back().volume == second);
-    QCOMPARE(told.document.preset(), 1);
-    QVERIFY(told.scenes.back().transferFunction == twoPresets()[1].look.transferFunction);
+    QCOMPARE(told.document.look(), 1);
+    QVERIFY(told.scenes.back().transferFunction == twoLooks()[1].look.transferFunction);
 }
 
 void TestDocument::withoutVolumeEditsWait() {
-    Document document(twoPresets());
+    Document document(twoLooks());
     int scenes = 0;
     connect(&document, &Document::sceneChanged, this, [&] { ++scenes; });
     document.setViewSize({100, 100});
     document.setView(StandardView::left);
     document.setCamera({}, true);
-    document.setPreset(1);
-    document.setPreset(7);
+    document.chooseLook(1);
+    document.chooseLook(7);
     document.undo();
     document.redo();
     QCOMPARE(scenes, 0);
     document.open(cube());
     QCOMPARE(scenes, 1);
-    QVERIFY(document.scene().transferFunction == twoPresets()[1].look.transferFunction);
+    QVERIFY(document.scene().transferFunction == twoLooks()[1].look.transferFunction);
     document.close();
     QVERIFY(!document.hasVolume());
 }

@@ -64,7 +64,7 @@ void TestEffectsPanel::whatNobodySeesIsLeftOutInOneStepThatCanBeUndone() {
     QVERIFY(told.scenes[1].lights == told.scenes[0].lights);
     QVERIFY(QString::fromStdString(told.document.setup().lookName).contains("(changed)"));
     told.document.undo();
-    QCOMPARE(told.document.preset(), 0);
+    QCOMPARE(told.document.look(), 0);
     Scene back = told.scenes.back();
     back.revision = told.scenes[0].revision;
     QVERIFY(back == told.scenes[0] && !told.document.canUndo());

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "app/desktop.h"
-#include "app/presets.h"
+#include "app/looks.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
 
@@ -28,7 +28,7 @@ class TestImportNotes : public QObject {
         QVERIFY(bool(writePhantomSeries(series)));
         if (withCopy)
             std::filesystem::copy_file(series / "slice00003.dcm", series / "again.dcm");
-        Desktop desktop(*bundledPresets(), makeCpuDevice(1), folder.filePath("settings.ini"), 1);
+        Desktop desktop(*bundledLooks(), makeCpuDevice(1), folder.filePath("settings.ini"), 1);
         desktop.open(folder.filePath("series"));
         QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), test::kPatience);
         const QString text = desktop.window().message().text();

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "app/document.h"
+#include "app/looks.h"
 #include "app/picture_job.h"
-#include "app/presets.h"
 #include "render/device/device_list.h"
 #include "render/film/image_file.h"
 #include "render/film/tone_map.h"
@@ -24,7 +24,7 @@ namespace pdr::app {
 
 /// Of a head, wider than high.
 static PictureTask task(const QString& file, std::uint64_t samples) {
-    Document document(*bundledPresets());
+    Document document(*bundledLooks());
     document.open(std::make_shared<const Volume>(headPhantom({32, 32, 32}, dvec3(6))));
     PictureTask task;
     task.scene = document.scene();

@@ -70,7 +70,7 @@ void TestPictureOnScreen::initTestCase() {
 
 void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere_data() {
     QTest::addColumn<int>("edit");
-    const char* edits[] = {"view", "reset", "undo", "redo", "preset", "estimator", "turned"};
+    const char* edits[] = {"view", "reset", "undo", "redo", "look", "estimator", "turned"};
     for (int i = 0; i < 7; ++i)
         QTest::newRow(edits[i]) << i;
 }
@@ -100,7 +100,7 @@ void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
             document.redo();
             break;
         case 4:
-            document.setPreset(1);
+            document.chooseLook(1);
             break;
         case 5:
             document.setEstimator(Estimator::kroesMarch);
@@ -133,13 +133,13 @@ void TestPictureOnScreen::theLettersAreThoseOfTheFrame() {
         for (timer.start(); timer.elapsed() < ms; QTest::qWait(5))
             compare();
     };
-    int preset = 0;
+    int look = 0;
     for (const StandardView view : {StandardView::posterior, StandardView::left, StandardView::superior}) {
         document.setView(view);
         wait(60);
         QTest::keyClick(&viewport, Qt::Key_Right);
         wait(30);
-        document.setPreset(++preset % 2);
+        document.chooseLook(++look % 2);
         wait(100);
         document.undo();
         trial.waitForNewest();
@@ -277,7 +277,7 @@ void TestPictureOnScreen::aClosedPatientIsFreedAndNotRenderedOn() {
     auto mishaps = std::make_shared<test::Mishaps>();
     Trial trial(test::failing(mishaps));
     trial.openAndWait(series_);
-    trial.desktop.parts().document.setPreset(1);  // it is in the steps to undo, too
+    trial.desktop.parts().document.chooseLook(1);  // it is in the steps to undo, too
     trial.waitForNewest();
     const std::weak_ptr<const Volume> volume = trial.desktop.parts().document.scene().volume;
     QVERIFY(!volume.expired());

@@ -44,7 +44,7 @@ void TestStepName::eachEditHasItsName_data() {
         camera.apertureMm = 3;
         d.setCamera(camera, false);
     });
-    row("Undo choosing a look", [](Document& d) { d.setPreset(1); });
+    row("Undo choosing a look", [](Document& d) { d.chooseLook(1); });
     row("Undo changing the brightness", [](Document& d) { d.setBrightness(1); });
     row("Undo editing the tissue", [](Document& d) {
         Look look = d.setup().look;
@@ -100,7 +100,7 @@ void TestStepName::aGestureIsCalledByAllOfIt() {
 
 void TestStepName::aStepKeepsItsNameBackAndForth() {
     Told told;
-    told.document.setPreset(1);
+    told.document.chooseLook(1);
     told.document.setView(StandardView::left);
     told.document.setBrightness(2);
     const auto names = [&] { return std::pair(told.document.undoable(), told.document.redoable()); };
@@ -124,7 +124,7 @@ void TestStepName::aChangedLookIsNotAChosenOne() {
     told.document.setLook(first);
     QCOMPARE(told.document.undoable(), Change::tissue);
     told.document.setBrightness(1);
-    told.document.setPreset(1);  // which brings its own brightness
+    told.document.chooseLook(1);  // which brings its own brightness
     QCOMPARE(told.document.undoable(), Change::lookChosen);
 }
 

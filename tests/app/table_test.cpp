@@ -78,8 +78,8 @@ class TestTable : public QObject {
     void undoBringsBackTheSamePicture() {
         const auto patient = patientOnTable();
         const auto table = *segment::hideTable(*patient.volume, noProgress);
-        std::vector<Preset> presets = *bundledPresets();
-        Document document(presets);
+        std::vector<NamedLook> looks = *bundledLooks();
+        Document document(looks);
         document.setViewSize({40, 30});
         document.open(patient.volume, table);
         const Film before = test::render(document.scene(), 4);
@@ -94,7 +94,7 @@ class TestTable : public QObject {
     void theViewIsFilledByWhatIsSeen() {
         const auto patient = patientOnTable();
         const auto table = *segment::hideTable(*patient.volume, noProgress);
-        Document document(*bundledPresets());
+        Document document(*bundledLooks());
         document.setViewSize({400, 300});
         document.open(patient.volume, table);
         const Camera near = document.setup().camera;
@@ -113,7 +113,7 @@ class TestTable : public QObject {
     void theNextScanIsShownWithoutItsTable() {
         const auto patient = patientOnTable();
         const auto table = *segment::hideTable(*patient.volume, noProgress);
-        Document document(*bundledPresets());
+        Document document(*bundledLooks());
         document.setTable(Table::shown);  // of nothing
         document.open(patient.volume, table);
         document.setTable(Table::shown);
@@ -129,7 +129,7 @@ class TestTable : public QObject {
         const auto patient = patientOnTable();
         auto table = *segment::hideTable(*patient.volume, noProgress);
         const std::weak_ptr<const Volume> copy = table.body;
-        Document document(*bundledPresets());
+        Document document(*bundledLooks());
         document.open(patient.volume, table);
         table = {};
         QVERIFY(!copy.expired());

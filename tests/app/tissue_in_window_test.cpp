@@ -62,7 +62,7 @@ void TestTissueInWindow::anEditedNodeIsOneStepAndUndoBringsTheSameBits() {
     drag(editor, place, place + QPoint(20, 40), {});
     QVERIFY(document.setup().look != before);
     QVERIFY(document.setup().look.transferFunction.check());
-    QCOMPARE(document.preset(), -1);
+    QCOMPARE(document.look(), -1);
     QVERIFY(!test::sameBits(rendered(document), picture));
     trial.waitForNewest();
     QVERIFY(trial.desktop.parts().bridge.lastFrame()->error.empty());

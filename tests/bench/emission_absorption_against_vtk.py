@@ -155,7 +155,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--size", type=int, default=512)
     options = parser.parse_args()
-    with open(os.path.join(ROOT, "resources/presets/ct_bone.json")) as file:
+    with open(os.path.join(ROOT, "app/bench/paper/bone_look.json")) as file:
         function = json.load(file)["transferFunction"]
     try:
         from vtkmodules.vtkCommonCore import vtkVersion

@@ -16,7 +16,7 @@
 #include <cstdio>
 
 #include "app/desktop.h"
-#include "app/presets.h"
+#include "app/looks.h"
 #include "render/film/tone_map.h"
 #include "ui/theme.h"
 
@@ -26,7 +26,7 @@ namespace {
 constexpr std::array<double, 3> kSeconds{0.1, 1, 10};
 
 struct Plan {
-    QString folder, out, preset;
+    QString folder, out, look;
     int reference, threads;
 };
 
@@ -153,7 +153,7 @@ std::shared_ptr<const Film> referenceOf(Scene scene, const Plan& plan) {
 
 int run(const Plan& plan) {
     QTemporaryDir settings;
-    Desktop desktop(*bundledPresets(), makeCpuDevice(plan.threads), settings.filePath("settings.ini"), plan.threads);
+    Desktop desktop(*bundledLooks(), makeCpuDevice(plan.threads), settings.filePath("settings.ini"), plan.threads);
     const DesktopParts parts = desktop.parts();
     desktop.window().show();
     desktop.open(plan.folder);
@@ -161,9 +161,9 @@ int run(const Plan& plan) {
         std::printf("no picture of %s\n", qPrintable(plan.folder));
         return 1;
     }
-    for (std::size_t i = 0; i < parts.document.presets().size(); ++i)
-        if (QString::fromStdString(parts.document.presets()[i].name).contains(plan.preset))
-            parts.document.setPreset(int(i));
+    for (std::size_t i = 0; i < parts.document.looks().size(); ++i)
+        if (QString::fromStdString(parts.document.looks()[i].name).contains(plan.look))
+            parts.document.chooseLook(int(i));
     QTest::qWait(2000);
     const auto smoothed = shownAfterEdit(desktop);
     parts.document.setSmoothed(false);
@@ -180,7 +180,7 @@ int run(const Plan& plan) {
     QString about = QString("reference: %1 samples, smoothed").arg(plan.reference);
     if (const auto error = SmoothingJudgement::of(*film)->overAll(display.exposure))
         about += QString("\nwithin ±%1, at most ±%2").arg(error->levels, 0, 'f', 1).arg(error->levelsAtMost, 0, 'f', 1);
-    std::printf("%s, %s: view of %d x %d pixels\n%s\n", qPrintable(plan.folder), qPrintable(plan.preset), scene.film.x,
+    std::printf("%s, %s: view of %d x %d pixels\n%s\n", qPrintable(plan.folder), qPrintable(plan.look), scene.film.x,
                 scene.film.y, about.toUtf8().constData());
     std::vector<Trial> trials;
     for (const auto& [kind, shown] : {std::pair("raw", &raw), std::pair("smoothed", &smoothed)})
@@ -201,13 +201,13 @@ int main(int argc, char** argv) {
     QCommandLineParser parser;
     parser.addPositionalArgument("FOLDER", "a folder with a CT");
     parser.addOption({"o", "draw all pictures on this sheet", "FILE"});
-    parser.addOption({"preset", "part of its name", "NAME", "bone"});
+    parser.addOption({"look", "part of its name", "NAME", "Bone"});
     parser.addOption({"reference", "samples of the reference", "N", "256"});
     parser.addOption({"threads", "0: one per core", "N", "0"});
     parser.addHelpOption();
     parser.process(application);
     if (parser.positionalArguments().size() != 1)
         parser.showHelp(2);
-    return pdr::app::run({parser.positionalArguments()[0], parser.value("o"), parser.value("preset"),
+    return pdr::app::run({parser.positionalArguments()[0], parser.value("o"), parser.value("look"),
                           parser.value("reference").toInt(), parser.value("threads").toInt()});
 }

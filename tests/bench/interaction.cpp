@@ -2,7 +2,7 @@
 /// first picture that knows of it.
 ///   interaction FOLDER [--seconds S] [--threads N]
 /// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse tells them, 125 a second: a
-/// drag that turns, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and presets,
+/// drag that turns, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and looks,
 /// one after a rest of a second. Prints a line each: events that were answered, milliseconds (median, 99 in 100, most),
 /// pictures a second, the median of their widths, and the processor time of the whole program to the time of the clock;
 /// and below it for how long single events kept the window busy, by the clock and by its own processor time.
@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "app/desktop.h"
-#include "app/presets.h"
+#include "app/looks.h"
 #include "tests/support/event_times.h"
 #include "ui/theme.h"
 
@@ -175,13 +175,13 @@ void edits(Desktop& desktop, Stopwatch& watch, double seconds) {
     watch.repeat(seconds, 1000, [&](int i) { document.setView(StandardView(i % 2 ? 0 : 1 + i / 2 % 5)); });
     watch.report("a view, at rest");
     watch.begin();
-    watch.repeat(seconds, 1000, [&](int i) { document.setPreset(1 + i % 2); });
-    watch.report("a preset, at rest");
+    watch.repeat(seconds, 1000, [&](int i) { document.chooseLook(1 + i % 2); });
+    watch.report("a look, at rest");
 }
 
 int run(const QString& folder, double seconds, int threads) {
     QTemporaryDir settings;
-    Desktop desktop(*bundledPresets(), makeCpuDevice(threads), settings.filePath("settings.ini"), threads);
+    Desktop desktop(*bundledLooks(), makeCpuDevice(threads), settings.filePath("settings.ini"), threads);
     Stopwatch watch(desktop);
     desktop.window().show();
     emit desktop.window().look().tissueWanted();  // opens the panel

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One picture of a CT series under every optical model (rows) and every preset (columns), to be looked at.
+# One picture of a CT series under every optical model (rows) and four looks (columns), to be looked at.
 #   tests/looks/contact_sheet.sh FOLDER OUT.jpg [SIZE [SAMPLES [SECONDS]]]
 # SIZE: pixels of each picture's edge; SAMPLES per pixel, but no longer than SECONDS each. Needs ./bootstrap build and
 # ImageMagick.
@@ -20,11 +20,11 @@ for model in absorption emission emissionAbsorption singleScattering multipleSca
         emission) exposure=(--exposure 20) count=16 ;;
         maximumIntensity) exposure=(--exposure 1) count=16 ;;
     esac
-    for preset in "CT bone" "CT soft tissue" "CT angio" "CT lung"; do
-        picture="$scratch/$model-${preset// /-}.png"
-        build/release/bin/pdrender-cli render "$folder" -o "$picture" --preset "$preset" --model "$model" \
+    for look in "Bone" "Thin bone" "Muscles and skull" "Skin over bone"; do
+        picture="$scratch/$model-${look// /-}.png"
+        build/release/bin/pdrender-cli render "$folder" -o "$picture" --look "$look" --model "$model" \
             --size "${size}x${size}" --samples "$count" --seconds "$seconds" "${exposure[@]}" >/dev/null 2>&1
-        pictures+=(-label "$model, ${preset#CT }" "$picture")
+        pictures+=(-label "$model, $look" "$picture")
     done
 done
 montage -font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "${pictures[@]}" -tile 4x -geometry "+3+3" -background '#202020' -fill '#c0c0c0' -pointsize 12 "$out"

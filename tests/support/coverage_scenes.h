@@ -1,7 +1,7 @@
 #pragma once
 /// Scenes whose light is easy to find and hard to find: what is stated of a picture's error is held against them.
 
-#include "render/scene/preset.h"
+#include "render/scene/named_look.h"
 #include "tests/support/tissue_scene.h"
 
 namespace pdr::test {

@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "app/desktop.h"
-#include "app/presets.h"
+#include "app/looks.h"
 #include "tests/support/patience.h"
 
 namespace pdr::app {
 
 struct Trial {
     explicit Trial(std::unique_ptr<Device> device = makeCpuDevice(1))
-        : desktop(*bundledPresets(), std::move(device), folder.filePath("settings.ini"), 1) {
+        : desktop(*bundledLooks(), std::move(device), folder.filePath("settings.ini"), 1) {
         QObject::connect(&desktop.parts().bridge, &RenderBridge::frameReady,
                          [this](const std::shared_ptr<const Frame>& frame) { frames.push_back(frame); });
         desktop.window().resize(900, 500);

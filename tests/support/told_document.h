@@ -8,16 +8,16 @@
 
 namespace pdr::app {
 
-inline std::vector<Preset> twoPresets() {
-    std::vector<Preset> presets(2);
-    presets[0].name = "first";
-    presets[0].look.transferFunction.nodes = {{0, 0}, {300, 1}};
-    presets[0].look.display.exposure = 2;
-    presets[1].name = "second";
-    presets[1].look.transferFunction.nodes = {{-500, 0.5f}};
-    presets[1].look.phaseG = 0.5f;
-    presets[1].look.display.exposure = 8;
-    return presets;
+inline std::vector<NamedLook> twoLooks() {
+    std::vector<NamedLook> looks(2);
+    looks[0].name = "first";
+    looks[0].look.transferFunction.nodes = {{0, 0}, {300, 1}};
+    looks[0].look.display.exposure = 2;
+    looks[1].name = "second";
+    looks[1].look.transferFunction.nodes = {{-500, 0.5f}};
+    looks[1].look.phaseG = 0.5f;
+    looks[1].look.display.exposure = 8;
+    return looks;
 }
 
 inline std::shared_ptr<const Volume> cube() {
@@ -26,7 +26,7 @@ inline std::shared_ptr<const Volume> cube() {
 }
 
 struct Told {
-    Told() : document(twoPresets()) {
+    Told() : document(twoLooks()) {
         QObject::connect(&document, &Document::sceneChanged, [this](const Scene& scene, bool moving) {
             scenes.push_back(scene);
             lastMoves = moving;

@@ -177,32 +177,33 @@ void TestPanels::seriesSettersAreSilent() {
     QCOMPARE(chosen.count(), 0);
 }
 
+static const QList<LookCard> kLooks{{"Bone", "Bones", "No skin.", ""}, {"Heart", "Chest", "No fat.", ""}};
+
 void TestPanels::lookControlsEmitWhatTheHandChose() {
     LookPanel panel;
-    panel.setPresets({"CT bone", "CT lung"});
-    QSignalSpy preset(&panel, &LookPanel::presetChosen), brightness(&panel, &LookPanel::brightnessChosen);
+    panel.gallery().setLooks(kLooks);
+    QSignalSpy look(&panel, &LookPanel::lookChosen), brightness(&panel, &LookPanel::brightnessChosen);
     QSignalSpy pause(&panel, &LookPanel::pauseChosen);
-    for (QPushButton* button : panel.findChildren<QPushButton*>()) {
-        if (button->text() == "CT lung" || button->text() == "Pause")
-            QTest::mouseClick(button, Qt::LeftButton);
-    }
+    for (QAbstractButton* button : panel.findChildren<QAbstractButton*>())
+        if (button->text() == "Heart" || button->text() == "Pause")
+            button->click();
     panel.findChild<QSlider*>()->setValue(15);
-    QCOMPARE(preset.count(), 1);
-    QCOMPARE(preset.first().first().toInt(), 1);
+    QCOMPARE(look.count(), 1);
+    QCOMPARE(look.first().first().toInt(), 1);
     QCOMPARE(brightness.first().first().toDouble(), 1.5);
     QCOMPARE(pause.first().first().toBool(), true);
 }
 
 void TestPanels::lookSettersAreSilent() {
     LookPanel panel;
-    QSignalSpy preset(&panel, &LookPanel::presetChosen), brightness(&panel, &LookPanel::brightnessChosen);
+    QSignalSpy look(&panel, &LookPanel::lookChosen), brightness(&panel, &LookPanel::brightnessChosen);
     QSignalSpy pause(&panel, &LookPanel::pauseChosen);
-    panel.setPresets({"CT bone", "CT lung"});
-    panel.setPreset(1);
+    panel.gallery().setLooks(kLooks);
+    panel.setLook(1);
     panel.setBrightness(-1.3);
     panel.setPaused(true);
     QCOMPARE(panel.findChild<QSlider*>()->value(), -13);
-    QCOMPARE(preset.count() + brightness.count() + pause.count(), 0);
+    QCOMPARE(look.count() + brightness.count() + pause.count(), 0);
 }
 
 void TestPanels::brightnessBeyondTheSliderIsKeptAtItsEnd() {
@@ -310,7 +311,7 @@ void TestPanels::anOfferIsTakenOnceAndGoesWithItsMessage() {
 void TestPanels::everyControlHasAnAccessibleName() {
     SeriesPanel series;
     LookPanel look;
-    look.setPresets({"CT bone"});
+    look.gallery().setLooks(kLooks);
     RenderPanel rendering;
     StatusLine status;
     MessageBar message;

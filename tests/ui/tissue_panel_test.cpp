@@ -53,7 +53,7 @@ void TestTissuePanel::aDragIsOneGesture() {
     QCOMPARE(hand.rests, 1);
 }
 
-/// Undo, or a preset, while the mouse is held.
+/// Undo, or a look, while the mouse is held.
 void TestTissuePanel::whatComesFromOutsideEndsTheDrag() {
     TissueHand hand;
     QTest::mousePress(&hand.panel.editor(), Qt::LeftButton, {}, hand.at(400, 0.8));

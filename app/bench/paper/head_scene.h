@@ -15,8 +15,8 @@ struct ShownScene {
     std::string description;  ///< for the report
 };
 
-/// A head from the front, with the look of the preset "CT bone", single scattering. Of as many voxels as the paper's
-/// (256 x 230 x 256; its own, Manix, is not free) where no other number is given.
+/// A head from the front, with the look "CT bone" of bone_look.json, single scattering. Of as many voxels as the
+/// paper's (256 x 230 x 256; its own, Manix, is not free) where no other number is given.
 Result<ShownScene> headScene(ivec3 voxels = kHeadPhantomSize, dvec3 spacingMm = kHeadPhantomSpacingMm);
 
 }  // namespace pdr::bench::paper

@@ -43,7 +43,7 @@ Result<std::vector<PredictionScene>> predictionScenes() {
         scenes.push_back({name, std::move(scene)});
     };
     add("head", [](Scene&) {});
-    scenes.push_back({"bone preset", bone->scene, bone->display.exposure});
+    scenes.push_back({"bone look", bone->scene, bone->display.exposure});
     add("lens", [](Scene& scene) { scene.camera.apertureMm = 30; });
     add("forward fog", makeFog);
     add("small bright lamp", makeLamp);

@@ -16,7 +16,7 @@ struct PredictionScene {
 };
 
 /// A lit head, skin and bone: as it is, through a wide lens, as forward-scattering fog, under a small bright lamp, and
-/// with many bounces; and the same head with the preset "CT bone".
+/// with many bounces; and the same head with the look "CT bone".
 Result<std::vector<PredictionScene>> predictionScenes();
 
 }  // namespace pdr::bench

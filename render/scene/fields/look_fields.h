@@ -1,11 +1,10 @@
 #pragma once
-/// What the fields of presets and sessions are called, which range they have, and what they mean.
+/// What the fields of looks and sessions are called, which range they have, and what they mean.
 
 #include "render/scene/fields/rig_fields.h"
 #include "render/scene/fields/scene_fields.h"
 #include "render/scene/fields/volume_fields.h"
 #include "render/scene/picture_setup.h"
-#include "render/scene/preset.h"
 
 namespace pdr {
 
@@ -21,12 +20,6 @@ void describe(Visit& visit, Look& look) {
     visit.object({"lights", "the rig of lights, and the environment"}, rig);
     visit({"exposure", "radiance that is shown as 1 - 1/e", {0, 1e30f, false}}, look.display.exposure);
     visit.object({"visible", "which part of the patient is shown"}, look.visible);
-}
-
-template <class Visit>
-void describe(Visit& visit, Preset& preset) {
-    visit({"name", "for the menu", {}, kRequired}, preset.name);
-    describe(visit, preset.look);
 }
 
 template <class Visit>

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "render/scene/lamp.h"
+#include "render/scene/named_look.h"
 #include "render/scene/named_rig.h"
 #include "render/scene/orbit.h"
-#include "render/scene/preset.h"
 
 using namespace pdr;
 
@@ -21,17 +21,17 @@ Camera obliqueCamera() {
 }
 
 Look lookOf(const std::string& lights) {
-    const std::string text = R"({"format": "pdrender-preset", "version": 1, "name": "x",
+    const std::string text = R"({"format": "pdrender-look", "version": 1, "name": "x",
         "transferFunction": {"extinctionPerMm": 1, "nodes": [{"hu": 0, "opacity": 1}]}, "lights": )";
-    const Result<Preset> preset = presetFromJson(text + lights + "}", "x");
-    return preset ? preset->look : Look{};
+    const Result<NamedLook> look = lookFromJson(text + lights + "}", "x");
+    return look ? look->look : Look{};
 }
 
 std::string errorOf(const std::string& lights) {
-    const std::string text = R"({"format": "pdrender-preset", "version": 1, "name": "x",
+    const std::string text = R"({"format": "pdrender-look", "version": 1, "name": "x",
         "transferFunction": {"extinctionPerMm": 1, "nodes": [{"hu": 0, "opacity": 1}]}, "lights": )";
-    const Result<Preset> preset = presetFromJson(text + lights + "}", "x");
-    return preset ? "none" : preset.error().where;
+    const Result<NamedLook> look = lookFromJson(text + lights + "}", "x");
+    return look ? "none" : look.error().where;
 }
 
 /// Where a light stands from the centre [radii of the body].

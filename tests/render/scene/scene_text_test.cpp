@@ -6,7 +6,7 @@
 #include "render/scene/field_check.h"
 #include "render/scene/field_table.h"
 #include "render/scene/fields/light_fields.h"
-#include "render/scene/fields/look_fields.h"
+#include "render/scene/fields/named_look_fields.h"
 #include "render/scene/fields/scene_fields.h"
 #include "render/scene/fields/volume_fields.h"
 #include "tests/support/places.h"
@@ -70,7 +70,7 @@ bool comesBack(const SceneFile& file, std::string& why) {
 
 std::string tableOf(const std::string& name) {
     Scene scene;
-    Preset preset;
+    NamedLook look;
     const auto is = [&](const char* other) { return name == other; };
     return is("scene")         ? FieldTable::of(scene)
            : is("volume")      ? FieldTable::of<VolumeFields>()
@@ -92,15 +92,17 @@ std::string tableOf(const std::string& name) {
            : is("camera")      ? FieldTable::of<Camera>()
            : is("schedule")    ? FieldTable::of<Schedule>()
            : is("film")        ? FieldTable::of(FilmField{scene.film})
-           : is("preset")      ? FieldTable::of(preset)
+           : is("look")        ? FieldTable::of(look)
+           : is("suits")       ? FieldTable::of<Suits>()
+           : is("cut")         ? FieldTable::of<CutHint>()
            : is("panel")       ? FieldTable::of<RigPanel>()
-           : is("rig")         ? FieldTable::of(RigFields{preset.look.rig, preset.look.environment})
+           : is("rig")         ? FieldTable::of(RigFields{look.look.rig, look.look.environment})
                                : "there is no table of this name\n";
 }
 
 }  // namespace
 
-/// Scenes, presets and sessions are written from the description that they are read by.
+/// Scenes, looks and sessions are written from the description that they are read by.
 class SceneTextTest : public QObject {
     Q_OBJECT
 
@@ -138,18 +140,35 @@ class SceneTextTest : public QObject {
         QVERIFY(sceneText(file).find("\"g\": 0.3\n") != std::string::npos);
     }
 
-    void presetsComeBack() {
-        int presets = 0;
-        for (QDirIterator each(QStringLiteral(PDR_SOURCE_DIR "/resources/presets"), {"*.json"}, QDir::Files);
-             each.hasNext(); ++presets) {
+    void looksComeBack() {
+        int looks = 0;
+        for (QDirIterator each(QStringLiteral(PDR_SOURCE_DIR "/resources/looks"), {"*.json"}, QDir::Files);
+             each.hasNext(); ++looks) {
             QFile file(each.next());
             QVERIFY(file.open(QIODevice::ReadOnly));
-            const Result<Preset> preset = presetFromJson(file.readAll().toStdString(), "a test");
-            QVERIFY2(preset, preset ? "" : preset.error().text().c_str());
-            const Result<Preset> again = presetFromJson(presetText(*preset), "a test");
-            QVERIFY2(again && *again == *preset, presetText(*preset).c_str());
+            const Result<NamedLook> look = lookFromJson(file.readAll().toStdString(), "a test");
+            QVERIFY2(look, look ? "" : look.error().text().c_str());
+            const Result<NamedLook> again = lookFromJson(lookText(*look), "a test");
+            QVERIFY2(again && *again == *look, lookText(*look).c_str());
         }
-        QVERIFY(presets >= 4);
+        QVERIFY(looks >= 12);
+    }
+
+    void anyLookComesBack() {
+        test::RandomFields random(2);
+        for (int i = 0; i < 300;) {
+            NamedLook look;
+            describe(random, look);
+            std::ranges::sort(look.look.transferFunction.nodes, {}, &TransferNode::hu);
+            if (look.look.window.lowHu > look.look.window.highHu)
+                std::swap(look.look.window.lowHu, look.look.window.highHu);
+            if (!check(look.look))
+                continue;
+            ++i;
+            const Result<NamedLook> again = lookFromJson(lookText(look), "a test");
+            QVERIFY2(again, again ? "" : again.error().text().c_str());
+            QVERIFY2(*again == look, lookText(look).c_str());
+        }
     }
 
     void anySessionComesBack() {

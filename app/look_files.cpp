@@ -1,0 +1,65 @@
+#include "app/look_files.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <string_view>
+
+#include "render/scene/slicer/vp_json.h"
+#include "render/scene/slicer/vp_text.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr qint64 kMostBytes = qint64(16) << 20;
+
+/// The file's name without its ending.
+std::string plainName(const QString& path) {
+    QString name = QFileInfo(path).fileName();
+    for (const char* ending : {".json", ".vp"})
+        if (name.endsWith(QLatin1String(ending), Qt::CaseInsensitive))
+            name.chop(int(qstrlen(ending)));
+    return name.isEmpty() ? "Slicer" : name.toStdString();
+}
+
+Result<NamedLook> fromSlicer(const Result<slicer::VolumeProperty>& property, const QString& path,
+                             const NamedLook& base) {
+    if (!property)
+        return property.error();
+    auto look = slicer::lookOf(*property, plainName(path), base);
+    return look ? look : Result<NamedLook>(look.error().in(path.toStdString()));
+}
+
+}  // namespace
+
+Result<NamedLook> readLookFile(const QString& path, const NamedLook& base) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{"this look cannot be read: " + file.errorString().toStdString(), path.toStdString(),
+                     "Check the name and the permissions."};
+    if (file.size() > kMostBytes)
+        return Error{"is too large for a look", path.toStdString(), ""};
+    const QByteArray bytes = file.readAll();
+    const std::string_view text(bytes.constData(), std::size_t(bytes.size()));
+    const std::string where = path.toStdString();
+    if (path.endsWith(".vp.json", Qt::CaseInsensitive))
+        return fromSlicer(slicer::propertyFromJson(text, where), path, base);
+    if (path.endsWith(".vp", Qt::CaseInsensitive))
+        return fromSlicer(slicer::propertyFromText(text, where), path, base);
+    return lookFromJson(text, where);
+}
+
+Result<void> writeLookFile(const NamedLook& look, const QString& path) {
+    const std::string text = path.endsWith(".vp.json", Qt::CaseInsensitive) ? slicer::jsonOf(slicer::propertyOf(look))
+                             : path.endsWith(".vp", Qt::CaseInsensitive)    ? slicer::textOf(slicer::propertyOf(look))
+                                                                            : lookText(look);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), qint64(text.size())) != qint64(text.size()) ||
+        !file.commit())
+        return Error{"this look cannot be written: " + file.errorString().toStdString(), path.toStdString(),
+                     "Choose another place."};
+    return {};
+}
+
+}  // namespace pdr::app

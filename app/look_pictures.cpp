@@ -1,0 +1,107 @@
+#include "app/look_pictures.h"
+
+#include <QElapsedTimer>
+
+#include "render/device/device.h"
+#include "render/film/exposure.h"
+#include "render/film/tone_map.h"
+#include "render/scene/fit_view.h"
+#include "render/scene/visible_mask.h"
+#include "render/volume/coarser.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr double kEdgeMm = 2.5;         ///< of the coarse voxels: a pixel shows 2 to 5 mm
+constexpr std::uint32_t kSamples = 16;  ///< of each pixel
+constexpr double kFilled = 0.94;        ///< of the picture
+constexpr qint64 kRestMs = 600;         ///< before pictures are made anew
+constexpr qint64 kRestsPerWork = 2;     ///< while they are
+
+/// Returns false if it was stopped.
+bool waitFor(qint64 ms, const std::stop_token& stop) {
+    for (; ms > 0 && !stop.stop_requested(); ms -= 10)
+        QThread::msleep(10);
+    return !stop.stop_requested();
+}
+
+Progress goOnUnless(const std::stop_token& stop) {
+    return [stop](double, std::string_view) { return !stop.stop_requested(); };
+}
+
+struct LookPicture {
+    QImage image;
+    double stops = 0;
+};
+
+Result<LookPicture> pictureOf(const LookTask& task, const std::shared_ptr<const Volume>& volume,
+                              const VolumeGeometry& body, Device& device, const std::stop_token& stop) {
+    PictureSetup setup = task.setup;
+    setup.camera = fittedView(setup.camera, body, 1, kFilled);
+    Scene scene = sceneOf(setup, volume, ivec2(LookPictures::kSize));
+    if (const auto mask = visibleMask(*volume, scene.visible, goOnUnless(stop)))
+        scene.mask = *mask;  // else all is shown, as in the large picture
+    scene.revision = std::uint64_t(task.look) + 1;
+    const auto film = startFilm(device, scene);
+    if (!film)
+        return film.error();
+    if (auto ok = (*film)->accumulate(kSamples, stop); !ok)
+        return ok.error();
+    const auto known = (*film)->film();
+    if (!known || stop.stop_requested())
+        return known ? Error{"", "", ""} : known.error();
+    setup.stops = stopsFor(**known, double(displayOf(setup).exposure));
+    Display display = displayOf(setup);
+    display.smoothed = canBeSmoothed(scene);
+    const Picture picture = pdr::pictureOf(**known, display, stop);
+    const QImage bytes(picture.rgba.data(), LookPictures::kSize, LookPictures::kSize, QImage::Format_RGBX8888);
+    return LookPicture{bytes.copy(), setup.stops};
+}
+
+}  // namespace
+
+void LookPictures::make(const std::shared_ptr<const Volume>& volume, const VolumeGeometry& body,
+                        const std::vector<LookTask>& tasks) {
+    const bool first = volume_.lock() != volume;
+    if (!first && tasks == tasks_)
+        return;
+    if (first)
+        coarse_.reset();
+    volume_ = volume;
+    tasks_ = tasks;
+    start([this, first, volume = coarse_ ? nullptr : volume, coarse = coarse_, body, tasks](
+              const Progress&, const std::stop_token& stop) mutable -> std::function<void()> {
+        if (!first && !waitFor(kRestMs, stop))
+            return [] {};
+        if (!coarse)
+            coarse = std::make_shared<const Volume>(coarser(*volume, kEdgeMm));
+        volume.reset();
+        const std::unique_ptr<Device> device = makeCpuDevice(1);
+        for (const LookTask& task : tasks) {
+            QElapsedTimer clock;
+            clock.start();
+            const auto picture = pictureOf(task, coarse, body, *device, stop);
+            if (stop.stop_requested())
+                return [] {};
+            if (picture)
+                QMetaObject::invokeMethod(this, [this, stop, coarse, look = task.look, picture = *picture] {
+                    if (stop.stop_requested())
+                        return;
+                    coarse_ = coarse;
+                    emit made(look, picture.image, picture.stops);
+                });
+            if (!first && !waitFor(kRestsPerWork * clock.elapsed(), stop))
+                return [] {};
+        }
+        return [] {};
+    });
+}
+
+void LookPictures::forget() {
+    cancel();
+    volume_.reset();
+    tasks_.clear();
+    coarse_.reset();
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,45 @@
+#pragma once
+/// Small pictures of one volume under many looks, made beside the session on one thread of the processor, of a coarser
+/// copy of the volume: some 30 ms each.
+
+#include <QImage>
+#include <memory>
+#include <vector>
+
+#include "app/background_job.h"
+#include "render/scene/named_look.h"
+
+namespace pdr::app {
+
+struct LookTask {
+    int look = 0;        ///< what the answer is of
+    PictureSetup setup;  ///< with the camera's direction; the distance is so that all of the body is seen
+    bool operator==(const LookTask&) const = default;
+};
+
+class LookPictures : public BackgroundJob {
+    Q_OBJECT
+
+  public:
+    static constexpr int kSize = 96;  ///< pixels along an edge
+
+  public slots:
+    /// Ends with a made() for each of the tasks, in their order, unless others come first. The same again do nothing.
+    /// The first ones of a volume come as fast as they can; later ones begin when nothing has come for a while, and
+    /// take a third of the time. `body`: the part of its grid that the pictures are filled with.
+    void make(const std::shared_ptr<const pdr::Volume>& volume, const pdr::VolumeGeometry& body,
+              const std::vector<pdr::app::LookTask>& tasks);
+    /// No volume: what runs ends, and nothing of one is kept.
+    void forget();
+
+  signals:
+    /// `stops`: the brightness that the picture is shown at, which suits it.
+    void made(int look, const QImage& picture, double stops);
+
+  private:
+    std::weak_ptr<const Volume> volume_;  ///< of the newest tasks
+    std::vector<LookTask> tasks_;
+    std::shared_ptr<const Volume> coarse_;  ///< of that volume, once it is there
+};
+
+}  // namespace pdr::app

@@ -1,0 +1,38 @@
+#include "app/looks.h"
+
+#include <QString>
+
+#include "app/look_files.h"
+
+/// Qt's macro must stand outside of any namespace; without it the linker drops the resources of a static library.
+static void keepResources() {
+    Q_INIT_RESOURCE(resources);
+}
+
+namespace pdr::app {
+namespace {
+
+constexpr const char* kNames[] = {"bone",          "bone_beside_contrast",
+                                  "thin_bone",     "muscles_and_skull",
+                                  "heart",         "muscles",
+                                  "organs",        "vessels_and_bone",
+                                  "lung_vessels",  "mip_lungs",
+                                  "mip",           "xray",
+                                  "fluoroscopy",   "implants",
+                                  "skin_and_bone", "skin"};
+
+}  // namespace
+
+Result<std::vector<NamedLook>> bundledLooks() {
+    keepResources();
+    std::vector<NamedLook> looks;
+    for (const char* name : kNames) {
+        Result<NamedLook> look = readLookFile(QStringLiteral(":/looks/%1.json").arg(QLatin1String(name)));
+        if (!look)
+            return look.error();
+        looks.push_back(*std::move(look));
+    }
+    return looks;
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,15 @@
+#pragma once
+/// The looks that the programs carry inside them.
+
+#include <vector>
+
+#include "render/base/result.h"
+#include "render/scene/named_look.h"
+
+namespace pdr::app {
+
+/// In the order in which they are offered. The first one that makes sense of a scan is its default: Bone, or where
+/// there is contrast in the blood, bone beside it.
+Result<std::vector<NamedLook>> bundledLooks();
+
+}  // namespace pdr::app

@@ -1,0 +1,76 @@
+#include "app/own_looks.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <QUrl>
+
+#include "app/look_files.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr std::size_t kLongestName = 60;
+
+Result<void> checkName(const std::string& name) {
+    if (QString::fromStdString(name).trimmed().isEmpty())
+        return Error{"a look needs a name", "", ""};
+    if (name.size() > kLongestName)
+        return Error{"this name is too long", name, "Take one of at most 60 letters."};
+    return {};
+}
+
+}  // namespace
+
+QString OwnLooks::usualFolder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/looks";
+}
+
+/// Every name makes a name of a file, on every system.
+QString OwnLooks::fileOf(const std::string& name) const {
+    return folder_ + "/" + QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(name), " ", ".~")) +
+           ".json";
+}
+
+OwnLooks::Read OwnLooks::read() const {
+    Read all;
+    const QDir folder(folder_);
+    for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Name)) {
+        auto look = readLookFile(folder.filePath(name));
+        if (look) {
+            look->group = LookGroup::own;
+            all.looks.push_back(*std::move(look));
+        } else {
+            all.problems.push_back(look.error());
+        }
+    }
+    return all;
+}
+
+Result<void> OwnLooks::save(NamedLook look) {
+    if (auto ok = checkName(look.name); !ok)
+        return ok;
+    if (!QDir().mkpath(folder_))
+        return Error{"the folder for your looks cannot be made", folder_.toStdString(), "Check its permissions."};
+    look.group = LookGroup::own;
+    return writeLookFile(look, fileOf(look.name));
+}
+
+Result<void> OwnLooks::rename(const std::string& from, const std::string& to) {
+    auto look = readLookFile(fileOf(from));
+    if (!look)
+        return look.error();
+    look->name = to;
+    if (auto ok = save(*look); !ok)
+        return ok;
+    return fileOf(from) == fileOf(to) ? Result<void>() : remove(from);
+}
+
+Result<void> OwnLooks::remove(const std::string& name) {
+    QFile file(fileOf(name));
+    if (!file.remove())
+        return Error{"this look cannot be deleted: " + file.errorString().toStdString(), name, ""};
+    return {};
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,78 @@
+#include "app/show_looks.h"
+
+namespace pdr::app {
+namespace {
+
+QString groupText(LookGroup group) {
+    switch (group) {
+        case LookGroup::head:
+            return ui::LookGallery::tr("Head");
+        case LookGroup::chest:
+            return ui::LookGallery::tr("Chest");
+        case LookGroup::abdomen:
+            return ui::LookGallery::tr("Abdomen");
+        case LookGroup::vessels:
+            return ui::LookGallery::tr("Vessels");
+        case LookGroup::bones:
+            return ui::LookGallery::tr("Bones");
+        case LookGroup::lungs:
+            return ui::LookGallery::tr("Lungs");
+        case LookGroup::skin:
+            return ui::LookGallery::tr("Skin (identifies the patient)");
+        case LookGroup::xray:
+            return ui::LookGallery::tr("X-ray");
+        case LookGroup::mip:
+            return ui::LookGallery::tr("MIP");
+        case LookGroup::implants:
+            return ui::LookGallery::tr("Implants");
+        case LookGroup::own:
+            break;
+    }
+    return ui::LookGallery::tr("My looks");
+}
+
+/// In the document's order.
+QList<ui::LookCard> cardsOf(const Document& document) {
+    QList<ui::LookCard> cards;
+    for (int i = 0; i < int(document.looks().size()); ++i) {
+        const NamedLook& look = document.looks()[std::size_t(i)];
+        cards << ui::LookCard{QString::fromStdString(look.name), groupText(look.group),
+                              QString::fromStdString(look.doesNotShow), QString::fromStdString(document.whyUnsuited(i)),
+                              look.group == LookGroup::own};
+    }
+    return cards;
+}
+
+/// Those first that make sense of the scan.
+std::vector<LookTask> tasksOf(const Document& document) {
+    std::vector<LookTask> tasks;
+    for (const bool suited : {true, false})
+        for (int i = 0; i < int(document.looks().size()); ++i)
+            if (document.whyUnsuited(i).empty() == suited) {
+                tasks.push_back({i, document.setupWith(i)});
+                tasks.back().setup.stops = 0;  // the picture finds its own
+            }
+    return tasks;
+}
+
+}  // namespace
+
+void showLooks(const DesktopParts& parts) {
+    parts.window.look().gallery().setLooks(cardsOf(parts.document));
+    parts.window.look().setLook(parts.document.look());
+}
+
+void orderLookPictures(const DesktopParts& parts, bool moving) {
+    const Document& document = parts.document;
+    if (moving)
+        parts.looks.cancel();
+    else if (document.hasVolume())
+        parts.looks.make(document.seen(), document.bodyBox(), tasksOf(document));
+}
+
+void showLookPicture(const DesktopParts& parts, int look, const QImage& picture, double stops) {
+    parts.window.look().gallery().setPicture(look, picture);
+    parts.document.suggestBrightness(look, stops);
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,119 @@
+#include "render/scene/named_look.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/scene/field_check.h"
+#include "render/scene/field_reader.h"
+#include "render/scene/field_writer.h"
+#include "render/scene/fields/named_look_fields.h"
+
+namespace pdr {
+namespace {
+
+constexpr std::string_view kFormat = "pdrender-look";
+constexpr double kTrunkMm = 260, kLungMl = 500, kMetalMl = 1;
+constexpr float kSoftHu = 60, kDenseHu = 1500;  ///< what contrast moves lies between
+
+Result<void> check(const NamedLook& named) {
+    if (auto ok = FieldCheck::check(named); !ok)
+        return ok;
+    if (named.name.empty())
+        return Error{"must not be empty", "name", ""};
+    return check(named.look);
+}
+
+/// Where `hu` lies when blood lies at `wanted` instead of `drawn`: piecewise linear and ascending.
+float moved(float hu, float drawn, float wanted) {
+    if (hu <= kSoftHu || hu >= kDenseHu)
+        return hu;
+    if (hu <= drawn)
+        return kSoftHu + (hu - kSoftHu) * (wanted - kSoftHu) / (drawn - kSoftHu);
+    return kDenseHu - (kDenseHu - hu) * (kDenseHu - wanted) / (kDenseHu - drawn);
+}
+
+/// Away from the patient's middle, towards what is cut away: front, left, head.
+dvec3 directionOf(CutHint::Plane plane) {
+    switch (plane) {
+        case CutHint::Plane::coronal:
+            return {0, -1, 0};
+        case CutHint::Plane::sagittal:
+            return {1, 0, 0};
+        case CutHint::Plane::axial:
+            break;
+    }
+    return {0, 0, 1};
+}
+
+}  // namespace
+
+Result<NamedLook> lookFromJson(std::string_view json, std::string_view where) {
+    NamedLook named;
+    const auto read = [&](JsonFields& fields) {
+        FieldReader reader(fields);
+        describe(reader, named);
+        if (auto ok = check(named); !ok)
+            throw FieldError{ok.error()};
+    };
+    if (auto ok = readJson(json, where, kFormat, read); !ok)
+        return ok.error();
+    return named;
+}
+
+std::string lookText(NamedLook look) {
+    return jsonText(kFormat, FieldWriter::written(look));
+}
+
+std::string whyUnsuited(const NamedLook& look, const segment::Findings& findings) {
+    const auto wants = [](std::optional<bool> wanted, bool there) { return wanted && *wanted != there; };
+    const Suits& suits = look.suits;
+    if (wants(suits.trunk, findings.widthMm > kTrunkMm))
+        return *suits.trunk ? "this body is no wider than a head" : "this body is wider than a head";
+    if (wants(suits.lungs, findings.lungMl > kLungMl))
+        return *suits.lungs ? "no lungs are in this scan" : "lungs are in this scan";
+    if (wants(suits.contrast, findings.blood.has_value()))
+        return *suits.contrast ? "no contrast was found in the blood" : "there is contrast in the blood";
+    if (wants(suits.metal, findings.metalMl > kMetalMl))
+        return *suits.metal ? "no metal is in this body" : "metal is in this body";
+    return "";
+}
+
+NamedLook fittedTo(NamedLook look, float bloodHu) {
+    if (!look.bloodHu)
+        return look;
+    const float drawn = *look.bloodHu, wanted = std::clamp(bloodHu, 100.0f, 1000.0f);
+    for (TransferNode& node : look.look.transferFunction.nodes)
+        node.hu = moved(node.hu, drawn, wanted);
+    look.look.window.lowHu = moved(look.look.window.lowHu, drawn, wanted);
+    look.look.window.highHu = moved(look.look.window.highHu, drawn, wanted);
+    look.bloodHu = wanted;
+    return look;
+}
+
+ClipPlane planeOf(const CutHint& cut, const VolumeGeometry& bodyBox) {
+    const dvec3 away = directionOf(cut.plane);
+    double reach = 0;  // of the box from its middle
+    for (int axis = 0; axis < 3; ++axis)
+        reach += 0.5 * bodyBox.size[axis] * std::abs(glm::dot(away, dvec3(bodyBox.patientFromIndex[axis])));
+    return {bodyBox.centreMm() + away * (reach * (1 - 2 * double(cut.at))), away};
+}
+
+PictureSetup withNamedLook(PictureSetup setup, const NamedLook& look, const VolumeGeometry& bodyBox) {
+    setup.look = look.look;
+    setup.lookName = look.name;
+    setup.model = look.model;
+    if (setup.model != Model::singleScattering)
+        setup.estimator = Estimator::unbiased;  // the other knows no other model
+    if (look.cut && setup.clip.empty())
+        setup.clip.planes = {planeOf(*look.cut, bodyBox)};
+    return setup;
+}
+
+Scene withNamedLook(Scene scene, const NamedLook& look) {
+    scene = withLook(std::move(scene), look.look);
+    scene.lookName = look.name;
+    scene.model = look.model;
+    return scene;
+}
+
+}  // namespace pdr

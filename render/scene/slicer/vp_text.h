@@ -1,0 +1,17 @@
+#pragma once
+/// Slicer's older text file of a volume property, `.vp`: a line each of interpolation, shade, diffuse, ambient,
+/// specular, power, then opacity, opacity by gradient and colour as the number of values and the values themselves.
+/// Source: 3D Slicer's developer guide, "Format of Volume Property (.vp) file".
+
+#include <string>
+#include <string_view>
+
+#include "render/scene/slicer/volume_property.h"
+
+namespace pdr::slicer {
+
+/// `where` is used in error texts, beside the line's name.
+Result<VolumeProperty> propertyFromText(std::string_view text, std::string_view where);
+std::string textOf(const VolumeProperty& property);
+
+}  // namespace pdr::slicer

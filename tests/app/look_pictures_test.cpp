@@ -1,0 +1,90 @@
+/// The small pictures of looks: made beside the session, of this volume, again when it is seen from elsewhere.
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/look_pictures.h"
+#include "app/looks.h"
+#include "render/volume/phantom.h"
+#include "tests/support/patience.h"
+
+namespace pdr::app {
+
+class TestLookPictures : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void eachLookGetsItsPicture();
+    void theSameAgainIsNothingNew();
+    void anotherViewIsAnotherPicture();
+    void theVolumeIsLetGoOf();
+
+  private:
+    static std::vector<LookTask> tasks(StandardView view, const Volume& volume) {
+        std::vector<LookTask> tasks;
+        PictureSetup setup;
+        setup.camera = standardView(view, volume.geometry().centreMm(), volume.geometry().radiusMm(), 1);
+        const auto looks = *bundledLooks();
+        for (const int look : {14, 0})  // in the order that is asked for
+            tasks.push_back({look, withNamedLook(setup, looks[std::size_t(look)], volume.geometry())});
+        return tasks;
+    }
+    std::shared_ptr<const Volume> head_ = std::make_shared<const Volume>(headPhantom({64, 57, 64}, {3.9, 4.9, 3.9}));
+};
+
+void TestLookPictures::eachLookGetsItsPicture() {
+    LookPictures pictures;
+    QSignalSpy made(&pictures, &LookPictures::made);
+    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, test::kPatience);
+    QCOMPARE(made[0][0].toInt(), 14);
+    QCOMPARE(made[1][0].toInt(), 0);
+    for (const auto& one : made) {
+        const auto picture = one[1].value<QImage>();
+        QCOMPARE(picture.size(), QSize(LookPictures::kSize, LookPictures::kSize));
+        int seen = 0;
+        for (int i = 0; i < LookPictures::kSize; ++i)
+            seen += qGray(picture.pixel(LookPictures::kSize / 2, i)) > 20;
+        QVERIFY2(seen > 40, qPrintable(QString::number(seen)));  // the head fills it
+        QVERIFY(std::abs(one[2].toDouble()) <= 4);
+    }
+    QVERIFY(made[0][1].value<QImage>() != made[1][1].value<QImage>());
+}
+
+void TestLookPictures::theSameAgainIsNothingNew() {
+    LookPictures pictures;
+    QSignalSpy made(&pictures, &LookPictures::made);
+    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, test::kPatience);
+    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    QVERIFY(!pictures.isRunning());
+}
+
+void TestLookPictures::anotherViewIsAnotherPicture() {
+    LookPictures pictures;
+    QSignalSpy made(&pictures, &LookPictures::made);
+    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, test::kPatience);
+    pictures.make(head_, head_->geometry(), tasks(StandardView::left, *head_));
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 4, test::kPatience);
+    QVERIFY(made[0][1].value<QImage>() != made[2][1].value<QImage>());
+    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 6, test::kPatience);
+    QVERIFY(made[0][1].value<QImage>() == made[4][1].value<QImage>());  // to the bit
+}
+
+/// A series waits for the one before to leave the memory.
+void TestLookPictures::theVolumeIsLetGoOf() {
+    LookPictures pictures;
+    auto head = std::make_shared<const Volume>(headPhantom({64, 57, 64}, {3.9, 4.9, 3.9}));
+    const std::weak_ptr<const Volume> kept = head;
+    pictures.make(head, head->geometry(), tasks(StandardView::anterior, *head));
+    head.reset();
+    pictures.forget();
+    QTRY_VERIFY_WITH_TIMEOUT(kept.expired(), test::kPatience);
+}
+
+}  // namespace pdr::app
+
+QTEST_GUILESS_MAIN(pdr::app::TestLookPictures)
+#include "look_pictures_test.moc"
