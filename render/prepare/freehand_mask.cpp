@@ -37,8 +37,9 @@ bool isSame(const VolumeGeometry& a, const VolumeGeometry& b) {
 std::shared_ptr<const Mask> freehandMask(const std::vector<FreehandCut>& cuts, const VolumeGeometry& geometry) {
     if (cuts.empty())
         return nullptr;
+    constexpr double kNodeMm = 2;  // a little coarser than other masks: the picture waits for it
     const std::vector<Cut> all(cuts.begin(), cuts.end());
-    return maskOf(MaskGrid::over(geometry), "", [&](dvec3 place) {
+    return maskOf(MaskGrid::over(geometry, kNodeMm), "", [&](dvec3 place) {
         const dvec3 placeMm(geometry.patientFromIndex * dvec4(place, 1));
         double depth = 1e9;
         for (const Cut& cut : all)

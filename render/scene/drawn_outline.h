@@ -26,7 +26,7 @@ class OutlineDistance {
     double gridStep() const { return step_; }
 
   private:
-    static constexpr int kCells = 512;  ///< along the outline's longer side
+    static constexpr int kCells = 256;  ///< along the outline's longer side
 
     float node(int i, int j) const { return distance_[std::size_t(j) * std::size_t(size_.x) + std::size_t(i)]; }
 

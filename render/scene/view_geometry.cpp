@@ -11,18 +11,22 @@ constexpr double kNearestMm = 1e-3;
 }  // namespace
 
 ViewGeometry::ViewGeometry(const Camera& camera, double aspect)
-    : camera_(camera), aspect_(aspect), forward_(camera.forward()), right_(camera.right()), up_(camera.imageUp()) {}
+    : camera_(camera),
+      aspect_(aspect),
+      heightPerDepth_(2 * std::tan(glm::radians(camera.fovDegrees) / 2)),
+      forward_(camera.forward()),
+      right_(camera.right()),
+      up_(camera.imageUp()) {}
 
 double ViewGeometry::depth(dvec3 placeMm) const {
     return glm::dot(placeMm - camera_.eyeMm, forward_);
 }
 
 double ViewGeometry::heightMm(dvec3 placeMm) const {
-    if (depth(placeMm) < kNearestMm)
+    const double depth = this->depth(placeMm);
+    if (depth < kNearestMm)
         return 0;
-    if (camera_.type == Camera::Type::orthographic)
-        return camera_.heightMm;
-    return 2 * depth(placeMm) * std::tan(glm::radians(camera_.fovDegrees) / 2);
+    return camera_.type == Camera::Type::orthographic ? camera_.heightMm : heightPerDepth_ * depth;
 }
 
 std::optional<dvec2> ViewGeometry::at(dvec3 placeMm) const {

@@ -35,6 +35,7 @@ class ViewGeometry {
 
     Camera camera_;
     double aspect_;
+    double heightPerDepth_;  ///< perspective
     dvec3 forward_, right_, up_;
 };
 

@@ -51,7 +51,7 @@ class TestCameraPanel : public QObject {
     Q_OBJECT
 
   private slots:
-    void initTestCase() { applyDarkTheme(*qApp); }
+    void initTestCase() { applyTheme(*qApp, ThemeChoice::dark); }
     void settersAreSilent();
     void projectionAndFieldOfViewAreThoseOfTheLens();
     void theApertureSaysWhatIsSharp();

@@ -38,7 +38,7 @@ class DrawnOutlineTest : public QObject {
                 worst = std::max(worst, std::fabs(distance.at(place + dvec2(0.1, -0.2)) - truth));
         }
         QVERIFY2(worst < distance.gridStep(), qPrintable(QString::number(worst)));
-        QVERIFY(distance.gridStep() < 1.01 * 0.5 / 512);
+        QVERIFY(distance.gridStep() < 1.01 * 0.5 / 256);
         QVERIFY(distance.at({5, 5}) < -4 && distance.at({0.1, 3}) < -2.9);
     }
 
