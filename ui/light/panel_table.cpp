@@ -133,7 +133,7 @@ void PanelTable::fill() {
             else if (column == colour)
                 item->setFlags(item->flags() & ~Qt::ItemIsEditable);
             else
-                item->setText(QString::number(numberOf(panel, column), 'g', 5));
+                item->setText(QString::number(numberOf(panel, column), 'g', 4));
             cells_.setItem(row, column, item);
         }
         cells_.item(row, colour)->setBackground(shownColour(panel.colour));
