@@ -29,9 +29,9 @@ const QStringList& languages() {
     return codes;
 }
 
+/// Each in its own words, for those who cannot read the others.
 QString languageName(const QString& code) {
-    const QString name = QLocale(code).nativeLanguageName();
-    return name.section(' ', -1).left(1).toUpper() + name.section(' ', -1).mid(1);  // "American English"
+    return code == "de" ? "Deutsch" : code == "es" ? QString::fromUtf8("Español") : "English";
 }
 
 QString languageFor(const QString& chosen) {

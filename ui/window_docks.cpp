@@ -192,7 +192,7 @@ double WindowDocks::pictureShare(const QList<QDockWidget*>& panels) const {
 QByteArray WindowDocks::wantedState() {
     for (QDockWidget* dock : std::as_const(gaveWay_))
         dock->show();
-    const QByteArray state = window_.saveState();
+    QByteArray state = window_.saveState();
     for (QDockWidget* dock : std::as_const(gaveWay_))
         dock->hide();
     return state;

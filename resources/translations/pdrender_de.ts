@@ -185,6 +185,22 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>%1° down</source>
+        <translation>%1° unten</translation>
+    </message>
+    <message>
+        <source>%1° left</source>
+        <translation>%1° links</translation>
+    </message>
+    <message>
+        <source>%1° right</source>
+        <translation>%1° rechts</translation>
+    </message>
+    <message>
+        <source>%1° up</source>
+        <translation>%1° oben</translation>
+    </message>
     <message numerus="yes">
         <source>%n point(s)</source>
         <translation><numerusform>%n Punkt</numerusform><numerusform>%n Punkte</numerusform></translation>

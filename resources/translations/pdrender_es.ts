@@ -185,6 +185,22 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>%1° down</source>
+        <translation>%1° abajo</translation>
+    </message>
+    <message>
+        <source>%1° left</source>
+        <translation>%1° a la izquierda</translation>
+    </message>
+    <message>
+        <source>%1° right</source>
+        <translation>%1° a la derecha</translation>
+    </message>
+    <message>
+        <source>%1° up</source>
+        <translation>%1° arriba</translation>
+    </message>
     <message numerus="yes">
         <source>%n point(s)</source>
         <translation><numerusform>%n punto</numerusform><numerusform>%n puntos</numerusform></translation>

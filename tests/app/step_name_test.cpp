@@ -53,7 +53,7 @@ void TestStepName::eachEditHasItsName_data() {
     });
     row("Undo changing the light", [](Document& d) {
         Look look = d.setup().look;
-        look.rig.key = 3;
+        look.rig.panels = standardPanels(3, 0.3f, 0.5f);
         d.setLook(look);
     });
     row("Undo cutting", [](Document& d) {

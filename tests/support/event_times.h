@@ -2,6 +2,7 @@
 /// How long the window's thread is busy with single events.
 
 #include <QApplication>
+#include <QThread>
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -16,7 +17,7 @@ struct EventTime {
     std::string what;  ///< the receiver's class and the event's number
 };
 
-/// Times each event that the event loop delivers; what an event sends in turn belongs to it.
+/// Times each event that the window's thread is given; what an event sends in turn belongs to it.
 class TimedApplication : public QApplication {
   public:
     using QApplication::QApplication;
@@ -24,7 +25,7 @@ class TimedApplication : public QApplication {
     std::vector<EventTime> times;
 
     bool notify(QObject* receiver, QEvent* event) override {
-        if (depth_ > 0)
+        if (QThread::currentThread() != thread() || depth_ > 0)  // other threads have events of their own
             return QApplication::notify(receiver, event);
         const std::string what =
             std::string(receiver->metaObject()->className()) + " " + std::to_string(int(event->type()));

@@ -148,8 +148,8 @@ void TestMainWindow::coloursAreChosenInTheMenu() {
     QSignalSpy chosen(&window, &MainWindow::themeChosen);
     window.setTheme(ThemeChoice::system);
     QVERIFY(actionCalled(window, "As the system")->isChecked() && chosen.isEmpty());
-    actionCalled(window, "Light")->trigger();
-    QCOMPARE(chosen.value(0).value(0).value<ThemeChoice>(), ThemeChoice::light);
+    actionCalled(window, "Dark")->trigger();
+    QCOMPARE(chosen.value(0).value(0).value<ThemeChoice>(), ThemeChoice::dark);
     QVERIFY(!actionCalled(window, "As the system")->isChecked());
 }
 

@@ -60,8 +60,11 @@ QString lampText(const SphereLamp& lamp) {
     const bool behind = lamp.from.z < 0;
     const double sideways = glm::degrees(std::atan2(lamp.from.x, std::abs(lamp.from.z)));
     const double upwards = glm::degrees(std::asin(std::clamp(lamp.from.y, -1.0, 1.0)));
-    QStringList parts{degreesText(sideways, "%1° right", "%1° left"), degreesText(upwards, "%1° up", "%1° down"),
-                      behind ? Texts::tr("from behind") : QString()};
+    QStringList parts{
+        degreesText(sideways, QT_TRANSLATE_NOOP("LightPanel", "%1° right"),
+                    QT_TRANSLATE_NOOP("LightPanel", "%1° left")),
+        degreesText(upwards, QT_TRANSLATE_NOOP("LightPanel", "%1° up"), QT_TRANSLATE_NOOP("LightPanel", "%1° down")),
+        behind ? Texts::tr("from behind") : QString()};
     parts.removeAll({});
     return lamp.name + ": " + (parts.isEmpty() ? Texts::tr("beside the eye") : parts.join(", "));
 }
