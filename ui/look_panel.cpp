@@ -61,6 +61,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 6, 8, 10);
     column->setSpacing(8);
+    column->addWidget(&menu_);
     column->addWidget(scroll, 1);
     column->addWidget(&doesNotShow_);
     column->addWidget(brightnessLabel);
@@ -69,15 +70,8 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     edits->addWidget(&tissue_);
     edits->addWidget(&light_);
     column->addLayout(edits);
-    auto* rest = new QHBoxLayout;
-    rest->addWidget(&menu_);
-    rest->addWidget(&pause_);
-    column->addLayout(rest);
-    QWidget* before = &gallery_;
-    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &tissue_, &light_, &menu_, &pause_}) {
-        setTabOrder(before, control);
-        before = control;
-    }
+    column->addWidget(&pause_);
+    gallery_.setNeighbours(&menu_, {&brightness_, &tissue_, &light_, &pause_});
 }
 
 void LookPanel::setLook(int index) {

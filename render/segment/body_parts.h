@@ -4,8 +4,8 @@
 ///   peeled   all that lies deeper below the body's surface than so many mm
 ///   lungs    air inside the body, at least 150 ml and not pure gas as in bowel, with the vessels in it (closed by
 ///            8 mm), without the outermost 5 mm, where fat and pleura shine through
-///   bones    what holds dense bone, above 600 HU and 0.5 ml, grown by up to 8 mm through what is above 200 HU, closed
-///            by 4 mm: it parts marrow from blood of the same HU, which no curve can
+///   bones    what hangs together with dense bone and is no blood with contrast medium (bone_cells.h): marrow and blood
+///            may have the same HU, so that no curve parts them
 /// Errors are those of bodyMask() and, of kind refused, why a part cannot be told. Else cancelled().
 
 #include <memory>

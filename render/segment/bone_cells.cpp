@@ -1,46 +1,74 @@
 #include "render/segment/bone_cells.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
+#include "render/segment/cell_values.h"
 #include "render/segment/distance.h"
 #include "render/segment/pieces.h"
 
 namespace pdr::segment {
 namespace {
 
-constexpr int kDenseHu = 600;     ///< what is denser, on the mean of a cell, is bone
-constexpr int kMarrowHu = 200;    ///< what is denser may be
-constexpr double kReachMm = 8;    ///< so near to dense bone
-constexpr double kClosedMm = 4;   ///< trabeculae and thin cortex leave gaps
-constexpr double kLeastMl = 0.5;  ///< less dense bone in one piece is chalk in a vessel's wall, or noise
+constexpr int kEvenFromHu = 300, kEvenToHu = 1200;  ///< blood with contrast medium; beyond is metal or enamel
+constexpr double kEvenHu = 40;                      ///< standard deviation of cells' means, noise included ...
+constexpr double kEvenShare = 0.08;                 ///< ... or that share of them: undiluted it is less even
+constexpr double kPoolMl = 5;                       ///< of even blood; in less marrow is as even
+constexpr int kVesselHu = 200;                      ///< of a vessel's rim
+constexpr double kVesselRimMm = 4;
+constexpr int kDenseHu = 600;
+constexpr double kLeastMl = 0.3;
+constexpr int kMarrowHu = 150;
+constexpr double kReachMm = 12;
+constexpr double kClosedMm = 4;
 
-/// The pieces of `cells` of at least so many cells.
-Cells largePieces(const Cells& cells, const CellGrid& grid, double leastCells) {
-    const Pieces pieces = piecesOf(cells, grid);
-    std::vector<std::size_t> sizes(std::size_t(pieces.count) + 1);
-    for (const std::int32_t piece : pieces.of)
-        ++sizes[std::size_t(piece)];
-    Cells large(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        large[i] = cells[i] && double(sizes[std::size_t(pieces.of[i])]) >= leastCells;
-    return large;
+/// Whether the 27 cells around a cell inside the grid hold even blood.
+bool isEven(const std::vector<std::int16_t>& mean, const CellGrid& grid, ivec3 at) {
+    constexpr int kCells = 27;
+    std::int64_t sum = 0, squares = 0;
+    for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x) {
+                const int hu = mean[grid.index(at.x + x, at.y + y, at.z + z)];
+                if (hu < kEvenFromHu || hu > kEvenToHu)
+                    return false;
+                sum += hu;
+                squares += std::int64_t(hu) * hu;
+            }
+    const double most = std::max(kEvenHu * kCells, kEvenShare * double(sum));
+    return double(squares) * kCells - double(sum) * double(sum) < most * most;
 }
 
-/// The pieces of `cells` in which some of `seeds` is set.
-Cells piecesWith(const Cells& seeds, const Cells& cells, const CellGrid& grid) {
+/// The pieces of `cells` that hold at least `least` cells of `seeds`.
+Cells piecesWith(const Cells& seeds, double least, const Cells& cells, const CellGrid& grid) {
     const Pieces pieces = piecesOf(cells, grid);
-    Cells holds(std::size_t(pieces.count) + 1);
+    std::vector<std::size_t> held(std::size_t(pieces.count) + 1);
     for (std::size_t i = 0; i < cells.size(); ++i)
-        if (seeds[i] && cells[i])
-            holds[std::size_t(pieces.of[i])] = 1;
+        held[std::size_t(pieces.of[i])] += seeds[i];
     Cells kept(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
-        kept[i] = cells[i] && holds[std::size_t(pieces.of[i])];
+        kept[i] = cells[i] && double(held[std::size_t(pieces.of[i])]) >= least;
     return kept;
 }
 
-}  // namespace
+Cells bloodCells(const std::vector<std::int16_t>& mean, const CellGrid& grid) {
+    Cells blood(mean.size());
+    tbb::parallel_for(1, std::max(grid.size.z - 1, 1), [&](int z) {
+        for (int y = 1; y < grid.size.y - 1; ++y)
+            for (int x = 1; x < grid.size.x - 1; ++x) {
+                const std::size_t at = grid.index(x, y, z);
+                blood[at] = mean[at] >= kEvenFromHu && isEven(mean, grid, {x, y, z});
+            }
+    });
+    blood = piecesWith(blood, kPoolMl / grid.cellMl(), blood, grid);
+    const std::vector<float> distances = squaredDistances(blood, 1, grid, kVesselRimMm);
+    for (std::size_t i = 0; i < blood.size(); ++i)
+        blood[i] = mean[i] > kVesselHu && atMost(distances[i], kVesselRimMm);
+    return blood;
+}
 
+/// `cells` with all gaps that a ball of `radiusMm` does not fit into.
 Cells closed(const Cells& cells, const CellGrid& grid, double radiusMm) {
     std::vector<float> distances = squaredDistances(cells, 1, grid, radiusMm);
     Cells wide(cells.size());
@@ -52,13 +80,24 @@ Cells closed(const Cells& cells, const CellGrid& grid, double radiusMm) {
     return wide;
 }
 
+}  // namespace
+
 Cells boneCells(const Volume& volume, const CellGrid& grid) {
-    const Cells dense = largePieces(cellsAbove(kDenseHu, volume, grid), grid, kLeastMl / grid.cellMl());
-    Cells near = cellsAbove(kMarrowHu, volume, grid);
+    const CellValues values = cellValues(volume, grid);
+    const Cells blood = bloodCells(values.mean, grid);
+    const double least = kLeastMl / grid.cellMl();
+    Cells dense(blood.size());
+    for (std::size_t i = 0; i < dense.size(); ++i)
+        dense[i] = values.highest[i] > kDenseHu && values.mean[i] > kMarrowHu && !blood[i];
+    dense = piecesWith(dense, least, dense, grid);
+    Cells bone(blood.size());
     const std::vector<float> distances = squaredDistances(dense, 1, grid, kReachMm);
-    for (std::size_t i = 0; i < near.size(); ++i)
-        near[i] = near[i] && atMost(distances[i], kReachMm);
-    return closed(piecesWith(dense, near, grid), grid, kClosedMm);
+    for (std::size_t i = 0; i < bone.size(); ++i)
+        bone[i] = values.mean[i] > kMarrowHu && !blood[i] && atMost(distances[i], kReachMm);
+    bone = closed(piecesWith(dense, 1, bone, grid), grid, kClosedMm);
+    for (std::size_t i = 0; i < bone.size(); ++i)
+        bone[i] = bone[i] && !blood[i];
+    return bone;
 }
 
 }  // namespace pdr::segment

@@ -1,5 +1,10 @@
 #pragma once
-/// Which cells are bone; see body_parts.h.
+/// Which cells are bone. Blood with contrast medium may have the HU of marrow, and undiluted in a vein those of cortex,
+/// but it is even, and bone is not:
+///   1. blood is what is even over 6 mm, above 300 HU, in pools of at least 5 ml, and what is above 200 HU within 4 mm
+///      of those
+///   2. bone begins where a voxel is above 600 HU, in pieces of at least 0.3 ml: less is chalk in a vessel's wall
+///   3. and goes on as far as what is above 150 HU, and no blood, hangs together within 12 mm, gaps of 8 mm closed
 
 #include "render/segment/cell_grid.h"
 
@@ -7,8 +12,5 @@ namespace pdr::segment {
 
 /// None where nothing is as dense as bone.
 Cells boneCells(const Volume& volume, const CellGrid& grid);
-
-/// `cells` with all gaps that a ball of `radiusMm` does not fit into.
-Cells closed(const Cells& cells, const CellGrid& grid, double radiusMm);
 
 }  // namespace pdr::segment

@@ -222,7 +222,7 @@ class SceneTextTest : public QObject {
             at = end + closing.size();
         }
         wanted += text.substr(at);
-        QCOMPARE(tables, 22);
+        QCOMPARE(tables, 23);
         if (qEnvironmentVariableIsSet("PDR_WRITE_MANUAL")) {
             QVERIFY(manual.open(QIODevice::WriteOnly));
             manual.write(QByteArray::fromStdString(wanted));
