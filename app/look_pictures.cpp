@@ -2,6 +2,7 @@
 
 #include <QElapsedTimer>
 
+#include "app/looks.h"
 #include "render/device/device.h"
 #include "render/film/exposure.h"
 #include "render/film/tone_map.h"
@@ -50,7 +51,8 @@ Result<LookPicture> pictureOf(const LookTask& task, const std::shared_ptr<const 
     const auto known = (*film)->film();
     if (!known || stop.stop_requested())
         return known ? Error{"", "", ""} : known.error();
-    setup.stops = stopsFor(**known, double(displayOf(setup).exposure));
+    if (followsTissue(scene.model))
+        setup.stops = stopsFor(**known, double(displayOf(setup).exposure));
     Display display = displayOf(setup);
     display.smoothed = canBeSmoothed(scene);
     const Picture picture = pdr::pictureOf(**known, display, stop);

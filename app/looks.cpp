@@ -35,4 +35,8 @@ Result<std::vector<NamedLook>> bundledLooks() {
     return looks;
 }
 
+bool followsTissue(Model model) {
+    return model != Model::absorption && model != Model::maximumIntensity;
+}
+
 }  // namespace pdr::app

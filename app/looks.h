@@ -12,4 +12,8 @@ namespace pdr::app {
 /// there is contrast in the blood, bone beside it.
 Result<std::vector<NamedLook>> bundledLooks();
 
+/// Whether the brightness of the model's pictures is to follow the tissue; an X-ray on a bright ground and the window
+/// of a maximum say themselves what is white.
+bool followsTissue(Model model);
+
 }  // namespace pdr::app

@@ -63,9 +63,10 @@ void LookGallery::setLooks(const QList<LookCard>& looks) {
 
 /// As the eye reads, and all before what follows the gallery.
 void LookGallery::orderTabs() {
-    QWidget* before = this;
+    QWidget* before = leader_;
     const auto next = [&](QWidget* widget) {
-        setTabOrder(before, widget);
+        if (before)
+            setTabOrder(before, widget);
         before = widget;
     };
     for (int i = 0; i + 1 < column_->count(); i += 2) {
@@ -74,6 +75,8 @@ void LookGallery::orderTabs() {
         for (int card = 0; card < cards.count(); ++card)
             next(cards.itemAt(card)->widget());
     }
+    for (QWidget* follower : followers_)
+        next(follower);
 }
 
 /// Later, as one of them may be at work.

@@ -34,6 +34,11 @@ class LookGallery : public QWidget {
     /// Pictures of looks that stay are kept.
     void setLooks(const QList<LookCard>& looks);
     const QList<LookCard>& looks() const { return looks_; }
+    /// What Tab reaches before the first look, and after the last, in that order.
+    void setNeighbours(QWidget* leader, const QList<QWidget*>& followers) {
+        leader_ = leader;
+        followers_ = followers;
+    }
     /// -1: none of them is shown. Its group unfolds.
     void setLook(int index);
     /// A null image: none yet.
@@ -55,6 +60,8 @@ class LookGallery : public QWidget {
     void unfold(const QString& group, bool open);
 
     QList<LookCard> looks_;
+    QWidget* leader_ = nullptr;
+    QList<QWidget*> followers_;
     QVBoxLayout* column_;
     QButtonGroup buttons_;
     QHash<QString, Group> groups_;

@@ -66,6 +66,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 6, 8, 10);
     column->setSpacing(8);
+    column->addWidget(&menu_);
     column->addWidget(scroll, 1);
     column->addWidget(&doesNotShow_);
     column->addWidget(brightnessLabel);
@@ -75,16 +76,8 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     edits->addWidget(&light_);
     edits->addWidget(&camera_);
     column->addLayout(edits);
-    auto* rest = new QHBoxLayout;
-    rest->addWidget(&menu_);
-    rest->addWidget(&pause_);
-    column->addLayout(rest);
-    QWidget* before = &gallery_;
-    for (QWidget* control :
-         std::initializer_list<QWidget*>{&brightness_, &tissue_, &light_, &camera_, &menu_, &pause_}) {
-        setTabOrder(before, control);
-        before = control;
-    }
+    column->addWidget(&pause_);
+    gallery_.setNeighbours(&menu_, {&brightness_, &tissue_, &light_, &camera_, &pause_});
 }
 
 void LookPanel::setLook(int index) {

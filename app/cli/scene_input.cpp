@@ -172,7 +172,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         return ok.error();
     if (auto ok = hide(work, input, partOf(progress, 0.9, 1)); !ok)
         return ok.error();
-    if (input.autoExposure)
+    if (input.autoExposure && followsTissue(work.scene.model))
         if (auto ok = expose(work); !ok)
             return ok.error();
     if (input.focusAt)

@@ -28,10 +28,10 @@ Result<std::shared_ptr<const Mask>> visibleMask(const Volume& volume, const Visi
                                                 const Progress& progress) {
     try {
         const double half = visible.peelMm > 0 ? 0.5 : 1;
-        segment::PartMask part = maskOfPart(volume, visible.part, partOf(progress, 0, half));
+        const segment::PartMask part = maskOfPart(volume, visible.part, partOf(progress, 0, half));
         if (!part || !(visible.peelMm > 0))
             return part;
-        segment::PartMask within = segment::peeled(volume, visible.peelMm, partOf(progress, half, 1));
+        const segment::PartMask within = segment::peeled(volume, visible.peelMm, partOf(progress, half, 1));
         return within ? combined(*part, *within) : within;
     } catch (const std::bad_alloc&) {
         return notEnoughMemory(" to tell parts of the body apart", "", "Close other programs, or show everything.");

@@ -120,11 +120,10 @@ PartMask bones(const Volume& volume, Bones wanted, const Progress& progress) {
     if (!progress(0.9, kStep))
         return cancelled();
     if (wanted == Bones::hidden)
-        return beyond(
-            away, kAroundBoneMm, volume,
-            "Bones are not shown, nor is what lies within 2 mm of them; dense veins may be missing with them.");
-    return maskOf(MaskGrid::over(volume.geometry()),
-                  "Only bones are shown; thin ones may be missing, and dense veins may be there.",
+        return beyond(away, kAroundBoneMm, volume,
+                      "Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with "
+                      "them.");
+    return maskOf(MaskGrid::over(volume.geometry()), "Only bones are shown, as far as they hold dense bone.",
                   [&](dvec3 place) { return edgeWeight(kAroundBoneMm - away.at(place)); });
 }
 
