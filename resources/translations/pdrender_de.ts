@@ -182,8 +182,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1, vor dem Glätten</translation>
     </message>
     <message>
+        <source>%1, tilted by %2°</source>
+        <translation>%1, um %2° gekippt</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 cut off</source>
+        <translation>%1: %2 abgeschnitten</translation>
+    </message>
+    <message>
+        <source>%1: %2 from the middle</source>
+        <translation>%1: %2 von der Mitte</translation>
     </message>
     <message>
         <source>%1° down</source>
@@ -230,6 +242,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Helligkeit</translation>
     </message>
     <message>
+        <source>&amp;Camera...</source>
+        <translation>&amp;Kamera...</translation>
+    </message>
+    <message>
         <source>&amp;Caption on previews</source>
         <translation>&amp;Beschriftung auf Vorschauen</translation>
     </message>
@@ -242,6 +258,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
+        <source>&amp;Cut</source>
+        <translation>&amp;Schnitt</translation>
+    </message>
+    <message>
         <source>&amp;Dark</source>
         <translation>&amp;Dunkel</translation>
     </message>
@@ -250,8 +270,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Vorgabe</translation>
     </message>
     <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
         <source>&amp;Density</source>
         <translation>&amp;Dichte</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a line</source>
+        <translation>Linie &amp;zeichnen</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -260,6 +288,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Edit keys...</source>
         <translation>Tasten &amp;ändern...</translation>
+    </message>
+    <message>
+        <source>&amp;Export this look...</source>
+        <translation>Diese Darstellung &amp;exportieren...</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -282,8 +314,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
+        <source>&amp;Handles of box and planes</source>
+        <translation>&amp;Griffe von Quader und Ebenen</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Import...</source>
+        <translation>&amp;Importieren...</translation>
     </message>
     <message>
         <source>&amp;Iterations per picture</source>
@@ -302,6 +342,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Licht...</translation>
     </message>
     <message>
+        <source>&amp;My looks</source>
+        <translation>&amp;Eigene Darstellungen</translation>
+    </message>
+    <message>
         <source>&amp;No key</source>
         <translation>&amp;Keine Taste</translation>
     </message>
@@ -318,6 +362,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Pause</translation>
     </message>
     <message>
+        <source>&amp;Peel</source>
+        <translation>S&amp;chälen</translation>
+    </message>
+    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
     </message>
@@ -330,8 +378,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ordner &amp;merken</translation>
     </message>
     <message>
+        <source>&amp;Rename...</source>
+        <translation>&amp;Umbenennen...</translation>
+    </message>
+    <message>
         <source>&amp;Save picture...</source>
         <translation>Bild &amp;speichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Save this look...</source>
+        <translation>Diese Darstellung &amp;sichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Shadows of what was cut</source>
+        <translation>&amp;Schatten des Weggeschnittenen</translation>
     </message>
     <message>
         <source>&amp;Smoothed</source>
@@ -352,6 +412,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Undo all cuts</source>
+        <translation>Alle Schnitte &amp;aufheben</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -386,6 +450,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>1/√t</translation>
     </message>
     <message>
+        <source>3D Slicer before 5.9, curves only (*.vp)</source>
+        <translation>3D Slicer vor 5.9, nur Kurven (*.vp)</translation>
+    </message>
+    <message>
+        <source>3D Slicer, curves only (*.vp.json)</source>
+        <translation>3D Slicer, nur Kurven (*.vp.json)</translation>
+    </message>
+    <message>
         <source>95 % interval, grey levels of 255</source>
         <translation>95-%-Intervall, Graustufen von 255</translation>
     </message>
@@ -414,12 +486,36 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Eine Lochkamera, die nirgends scharf stellt</translation>
     </message>
     <message>
+        <source>A plane between front and back</source>
+        <translation>Eine Ebene zwischen vorn und hinten</translation>
+    </message>
+    <message>
+        <source>A plane between head and feet</source>
+        <translation>Eine Ebene zwischen Kopf und Füßen</translation>
+    </message>
+    <message>
+        <source>A plane between left and right</source>
+        <translation>Eine Ebene zwischen links und rechts</translation>
+    </message>
+    <message>
+        <source>A plane that faces you, through the middle</source>
+        <translation>Eine Ebene, die zu Ihnen zeigt, durch die Mitte</translation>
+    </message>
+    <message>
+        <source>A sample takes about %1 times as long as with “%2”; 95 % of the picture changes by at most %3 of 255 levels.</source>
+        <translation>Eine Stichprobe dauert etwa %1-mal so lange wie mit „%2“; 95 % des Bildes ändern sich um höchstens %3 von 255 Stufen.</translation>
+    </message>
+    <message>
         <source>A small lamp beside the eye: few shadows, and light in every recess</source>
         <translation>Eine kleine Lampe neben dem Auge: wenig Schatten und Licht in jeder Vertiefung</translation>
     </message>
     <message>
         <source>A small lamp from the side that shows form, a weak one against it, and one behind</source>
         <translation>Eine kleine Lampe von der Seite, die Form zeigt, eine schwache dagegen und eine dahinter</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Bauch</translation>
     </message>
     <message>
         <source>About PD-Render</source>
@@ -446,12 +542,24 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Hinzufügen</translation>
     </message>
     <message>
+        <source>Add a &amp;plane that faces you</source>
+        <translation>Eine zugewandte &amp;Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a plane: %1</source>
+        <translation>Ebene hinzufügen: %1</translation>
+    </message>
+    <message>
         <source>Adds a panel like the chosen one, as a lamp of its own</source>
         <translation>Fügt eine Fläche wie die gewählte hinzu, als eigene Lampe</translation>
     </message>
     <message>
         <source>All aroun&amp;d</source>
         <translation>&amp;Rundum</translation>
+    </message>
+    <message>
+        <source>All but bones</source>
+        <translation>Alles außer Knochen</translation>
     </message>
     <message>
         <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
@@ -464,6 +572,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>All sharp</source>
         <translation>Alles scharf</translation>
+    </message>
+    <message>
+        <source>All tissue glows through all other. Lights do not count.</source>
+        <translation>Alles Gewebe leuchtet durch alles andere. Lampen zählen nicht.</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>Anderes</translation>
     </message>
     <message>
         <source>Aperture</source>
@@ -498,6 +614,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Abstand</translation>
     </message>
     <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
         <source>Bac&amp;kground</source>
         <translation>Hinter&amp;grund</translation>
     </message>
@@ -526,6 +646,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Jede Iteration weichzeichnen</translation>
     </message>
     <message>
+        <source>Bones</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
         <translation>Nach rechts heller. Das ändert, was gezeigt wird, nicht, was berechnet wird.</translation>
     </message>
@@ -542,16 +666,24 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>CT-Serie %1</translation>
     </message>
     <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Cancel reading or a box, close a message</source>
-        <translation>Lesen oder Rahmen abbrechen, Meldung schließen</translation>
+        <source>Cancel a gesture, reading or a box, close a message</source>
+        <translation>Geste, Einlesen oder Kasten abbrechen, Meldung schließen</translation>
     </message>
     <message>
         <source>Cancel what runs</source>
         <translation>Laufendes abbrechen</translation>
+    </message>
+    <message>
+        <source>Chest</source>
+        <translation>Brustkorb</translation>
     </message>
     <message>
         <source>Choose an action, click below, and press its new key.</source>
@@ -606,6 +738,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Kopiert das Bild in die Zwischenablage, mit seiner Beschriftung und ohne Namen.</translation>
     </message>
     <message>
+        <source>Coronal</source>
+        <translation>Koronar</translation>
+    </message>
+    <message>
         <source>Ctrl+click on the picture</source>
         <translation>Strg+Klick ins Bild</translation>
     </message>
@@ -622,6 +758,46 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Kurven und Farben über Hounsfield-Einheiten (F5)</translation>
     </message>
     <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut away all but what lies behind the inside of the line (K)</source>
+        <translation>Alles wegschneiden außer dem, was hinter dem Inneren der Linie liegt (K)</translation>
+    </message>
+    <message>
+        <source>Cut away the other side</source>
+        <translation>Die andere Seite wegschneiden</translation>
+    </message>
+    <message>
+        <source>Cut away what lies behind the inside of the line (Del)</source>
+        <translation>Wegschneiden, was hinter dem Inneren der Linie liegt (Entf)</translation>
+    </message>
+    <message>
+        <source>Cut off at each side</source>
+        <translation>An jeder Seite abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Cut off at the side: %1</source>
+        <translation>Abgeschnitten an der Seite: %1</translation>
+    </message>
+    <message>
+        <source>Cut the other side</source>
+        <translation>Andere Seite schneiden</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies in front of a plane through the middle of the picture.</source>
+        <translation>Schneidet weg, was vor einer Ebene durch die Bildmitte liegt.</translation>
+    </message>
+    <message>
+        <source>Delete "%1"?</source>
+        <translation>„%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>Delete the look</source>
+        <translation>Darstellung löschen</translation>
+    </message>
+    <message>
         <source>Density at the top of the opacity curve</source>
         <translation>Dichte am höchsten Punkt der Opazitätskurve</translation>
     </message>
@@ -634,12 +810,24 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Durchmesser der Linse. Bei 0 ist alles scharf; je größer, desto weniger ist vor und hinter der Schärfeebene scharf</translation>
     </message>
     <message>
+        <source>Distance of the plane from the middle</source>
+        <translation>Abstand der Ebene von der Mitte</translation>
+    </message>
+    <message>
         <source>Double click</source>
         <translation>Doppelklick</translation>
     </message>
     <message>
+        <source>Double click on a handle</source>
+        <translation>Doppelklick auf einen Griff</translation>
+    </message>
+    <message>
         <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the picture, Shift and the right button do the same.</source>
         <translation>Ziehen Sie eine Lampe dorthin, woher das Licht kommen soll: Über der Kugel steht sie auf Ihrer Seite, im Ring darum hinter dem Patienten. Neben den Lampen dreht ein Zug sie alle. Im Bild tun Umschalt und die rechte Taste dasselbe.</translation>
+    </message>
+    <message>
+        <source>Drag a side of the box to cut off what lies outside, in millimetres.</source>
+        <translation>Eine Seite des Quaders ziehen, um abzuschneiden, was außerhalb liegt, in Millimetern.</translation>
     </message>
     <message>
         <source>Drag points; click the line to add one; wheel zooms, with Shift the values; double click fits</source>
@@ -650,12 +838,24 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Zeichnen Sie einen Rahmen ins Bild: Er erhält alle Abtastungen, bis er so gut ist wie gewünscht.</translation>
     </message>
     <message>
+        <source>Draw a closed line on the picture, then cut away what lies behind it, or all else (X)</source>
+        <translation>Eine geschlossene Linie ins Bild zeichnen, dann wegschneiden, was hinter ihr liegt, oder alles andere (X)</translation>
+    </message>
+    <message>
+        <source>Draw a closed line on the picture, then cut away what lies behind it, or all else.</source>
+        <translation>Eine geschlossene Linie ins Bild zeichnen, dann wegschneiden, was hinter ihr liegt, oder alles andere.</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Kante</translation>
     </message>
     <message>
         <source>Edit keys</source>
         <translation>Tasten ändern</translation>
+    </message>
+    <message>
+        <source>Edit the camera</source>
+        <translation>Kamera einstellen</translation>
     </message>
     <message>
         <source>Edit the light</source>
@@ -694,6 +894,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Schätzer</translation>
     </message>
     <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Export the look</source>
+        <translation>Darstellung exportieren</translation>
+    </message>
+    <message>
         <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the picture stays wrong. For comparison only.</source>
         <translation>Exposure Render zeichnet jede Iteration über 3 x 3 Pixel weich, bevor sie zählt. Das verbirgt Rauschen und mittelt sich nie heraus: Das Bild bleibt falsch. Nur zum Vergleich.</translation>
     </message>
@@ -712,6 +920,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Extinction at the top of the opacity curve: larger is denser tissue everywhere</source>
         <translation>Extinktion am höchsten Punkt der Opazitätskurve: größer heißt überall dichteres Gewebe</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>Zugewandt</translation>
     </message>
     <message>
         <source>Feet</source>
@@ -822,6 +1034,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Leuchten</translation>
     </message>
     <message>
+        <source>Glowing tissue</source>
+        <translation>Leuchtendes Gewebe</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Weiter</translation>
     </message>
@@ -902,6 +1118,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wie weit die Graustufen auf dem Bildschirm höchstens von denen des fertigen Bildes abweichen, für 95 % der Pixel, die Gewebe zeigen. Viermal so viele Abtastungen halbieren das mindestens. Ein geglättetes Bild hat einen eigenen Fehler, und feine Einzelheiten können fehlen: S zeigt das rohe. Ein Klick sagt mehr.</translation>
     </message>
     <message>
+        <source>How far the plane is from the middle of the body, towards the side that it cuts away</source>
+        <translation>Wie weit die Ebene von der Körpermitte entfernt ist, zu der Seite hin, die sie wegschneidet</translation>
+    </message>
+    <message>
         <source>How good the picture is</source>
         <translation>Wie gut das Bild ist</translation>
     </message>
@@ -930,8 +1150,24 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wie viele Bilder je Sekunde mindestens gezeigt werden, soweit das Gerät es kann.</translation>
     </message>
     <message>
+        <source>How much is cut off there; also by the handle in the picture (C)</source>
+        <translation>Wie viel dort abgeschnitten ist; auch mit dem Griff im Bild (C)</translation>
+    </message>
+    <message>
         <source>How much light the chosen lamp brings; at the left end it is off</source>
         <translation>Wie viel Licht die gewählte Lampe bringt; ganz links ist sie aus</translation>
+    </message>
+    <message>
+        <source>How much tissue lies one behind the other. Lights do not count.</source>
+        <translation>Wie viel Gewebe hintereinander liegt. Lampen zählen nicht.</translation>
+    </message>
+    <message>
+        <source>Implants</source>
+        <translation>Implantate</translation>
+    </message>
+    <message>
+        <source>Import a look</source>
+        <translation>Darstellung importieren</translation>
     </message>
     <message>
         <source>In the box: %1</source>
@@ -944,6 +1180,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Keep all</source>
         <translation>Alles behalten</translation>
+    </message>
+    <message>
+        <source>Keep inside</source>
+        <translation>Inneres behalten</translation>
     </message>
     <message>
         <source>Key of the chosen action</source>
@@ -1006,12 +1246,32 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Licht von allen Seiten, am meisten von kranial, und eine Sonne</translation>
     </message>
     <message>
+        <source>Light is scattered on and on: soft, with light in the shadows.</source>
+        <translation>Licht wird immer wieder gestreut: weich, mit Licht in den Schatten.</translation>
+    </message>
+    <message>
+        <source>Light is scattered once: crisp surfaces and dark shadows.</source>
+        <translation>Licht wird einmal gestreut: klare Oberflächen und dunkle Schatten.</translation>
+    </message>
+    <message>
+        <source>Light that seeps through tissue</source>
+        <translation>Licht, das durch Gewebe sickert</translation>
+    </message>
+    <message>
         <source>Lightens what lies in shadow; at the left end there is none</source>
         <translation>Hellt auf, was im Schatten liegt; ganz links gibt es keines</translation>
     </message>
     <message>
+        <source>Lines drawn: %1</source>
+        <translation>Gezeichnete Linien: %1</translation>
+    </message>
+    <message>
         <source>Lists the CT series of a folder and shows the first that can be shown.</source>
         <translation>Listet die CT-Serien eines Ordners auf und zeigt die erste darstellbare.</translation>
+    </message>
+    <message>
+        <source>Lit surfaces</source>
+        <translation>Beleuchtete Oberflächen</translation>
     </message>
     <message>
         <source>Log</source>
@@ -1020,6 +1280,30 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Logarithmic histogram</source>
         <translation>Logarithmisches Histogramm</translation>
+    </message>
+    <message>
+        <source>Look %1</source>
+        <translation>Darstellung %1</translation>
+    </message>
+    <message>
+        <source>Look (*.json)</source>
+        <translation>Darstellung (*.json)</translation>
+    </message>
+    <message>
+        <source>Looks, also of 3D Slicer (*.json *.vp)</source>
+        <translation>Darstellungen, auch von 3D Slicer (*.json *.vp)</translation>
+    </message>
+    <message>
+        <source>Looks: %1</source>
+        <translation>Darstellungen: %1</translation>
+    </message>
+    <message>
+        <source>Lungs</source>
+        <translation>Lungen</translation>
+    </message>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
     </message>
     <message>
         <source>Made anew, %1</source>
@@ -1036,6 +1320,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>March of 3 voxels (biased)</source>
         <translation>Schritte von 3 Voxeln (verzerrt)</translation>
+    </message>
+    <message>
+        <source>Maximum intensity</source>
+        <translation>Maximale Intensität</translation>
     </message>
     <message>
         <source>Measured %1, %2 s of calibration</source>
@@ -1066,8 +1354,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ansicht verschieben</translation>
     </message>
     <message>
+        <source>My looks</source>
+        <translation>Eigene Darstellungen</translation>
+    </message>
+    <message>
         <source>Name not given</source>
         <translation>Name nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
     </message>
     <message>
         <source>Next control</source>
@@ -1098,8 +1394,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nicht für die Diagnose</translation>
     </message>
     <message>
+        <source>Not for this scan</source>
+        <translation>Nicht für diese Aufnahme</translation>
+    </message>
+    <message>
         <source>Not measured any further: %1</source>
         <translation>Nicht weiter gemessen: %1</translation>
+    </message>
+    <message>
+        <source>Not offered: %1.</source>
+        <translation>Nicht angeboten: %1.</translation>
     </message>
     <message>
         <source>Nothing is known of the error yet</source>
@@ -1200,6 +1504,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Parallel</translation>
     </message>
     <message>
+        <source>Part that is shown</source>
+        <translation>Gezeigter Teil</translation>
+    </message>
+    <message>
         <source>Patient</source>
         <translation>Patient</translation>
     </message>
@@ -1210,6 +1518,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Peeled off</source>
+        <translation>Abgeschält</translation>
     </message>
     <message>
         <source>Percentiles</source>
@@ -1238,12 +1550,12 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Orte der Lampen</translation>
     </message>
     <message>
-        <source>Preparing the volume of %1...</source>
-        <translation>Das Volumen von %1 wird vorbereitet...</translation>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
     </message>
     <message>
-        <source>Preset %1</source>
-        <translation>Vorlage %1</translation>
+        <source>Preparing the volume of %1...</source>
+        <translation>Das Volumen von %1 wird vorbereitet...</translation>
     </message>
     <message>
         <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before smoothing, wanted ±%2</source>
@@ -1268,6 +1580,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Projection</source>
         <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Projection, focus and background (F7)</source>
+        <translation>Projektion, Schärfe und Hintergrund (F7)</translation>
     </message>
     <message>
         <source>R&amp;eset view</source>
@@ -1308,6 +1624,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Redo choosing an optical model</source>
         <translation>Wiederholen: Optisches Modell wählen</translation>
+    </message>
+    <message>
+        <source>Redo choosing what is seen</source>
+        <translation>Wiederherstellen: Sichtbares wählen</translation>
     </message>
     <message>
         <source>Redo cutting</source>
@@ -1354,12 +1674,36 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
+        <source>Remove inside</source>
+        <translation>Inneres entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the last line</source>
+        <translation>Letzte Linie entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the line that was drawn last</source>
+        <translation>Die zuletzt gezeichnete Linie entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the plane</source>
+        <translation>Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the plane (double click on its handle)</source>
+        <translation>Die Ebene entfernen (Doppelklick auf ihren Griff)</translation>
+    </message>
+    <message>
         <source>Remove the selected points</source>
         <translation>Gewählte Punkte entfernen</translation>
     </message>
     <message>
         <source>Remove the selected points (Del)</source>
         <translation>Gewählte Punkte entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Rename the look</source>
+        <translation>Darstellung umbenennen</translation>
     </message>
     <message>
         <source>Rendering</source>
@@ -1394,8 +1738,28 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Rauheit</translation>
     </message>
     <message>
+        <source>S&amp;how</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Save and share looks</source>
+        <translation>Darstellungen sichern und weitergeben</translation>
+    </message>
+    <message>
+        <source>Save the look as it is now, rename and delete your own, share them as files</source>
+        <translation>Die jetzige Darstellung sichern, eigene umbenennen und löschen, als Dateien weitergeben</translation>
+    </message>
+    <message>
         <source>Save the picture</source>
         <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Save this look</source>
+        <translation>Diese Darstellung sichern</translation>
     </message>
     <message>
         <source>Saved, copied and full-screen pictures say where they are not yet as good as was wanted.</source>
@@ -1458,6 +1822,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Zeigt alle Tasten und was sie tun.</translation>
     </message>
     <message>
+        <source>Shows all that was cut away; one step to undo.</source>
+        <translation>Zeigt alles Weggeschnittene wieder; ein Schritt zum Rückgängigmachen.</translation>
+    </message>
+    <message>
         <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
         <translation>Zeigt oder verbirgt, was fest ist, außerhalb des Körpers liegt und dünner als 20 mm ist.</translation>
     </message>
@@ -1494,12 +1862,20 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Größe:</translation>
     </message>
     <message>
+        <source>Skin (identifies the patient)</source>
+        <translation>Haut (macht erkennbar)</translation>
+    </message>
+    <message>
         <source>Sky</source>
         <translation>Himmel</translation>
     </message>
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
         <translation>Kleine Lampen werfen harte Schatten, große weiche; das Licht bleibt gleich stark</translation>
+    </message>
+    <message>
+        <source>So much is taken off all around the body, such as skin [mm]</source>
+        <translation>So viel wird rings um den Körper abgenommen, etwa die Haut [mm]</translation>
     </message>
     <message>
         <source>Soft box</source>
@@ -1530,8 +1906,16 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die gewählte Lampe</translation>
     </message>
     <message>
+        <source>The densest tissue on each line of sight; not which of two lies in front.</source>
+        <translation>Das dichteste Gewebe auf jedem Sehstrahl; nicht, was davon vorn liegt.</translation>
+    </message>
+    <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
         <translation>Die Höhe des Histogramms wächst mit dem Logarithmus der Voxel</translation>
+    </message>
+    <message>
+        <source>The part of the patient that is shown; the scan itself is not changed</source>
+        <translation>Der Teil des Patienten, der gezeigt wird; die Aufnahme selbst bleibt, wie sie ist</translation>
     </message>
     <message>
         <source>The patient's side that one looks at (%1)</source>
@@ -1578,6 +1962,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Tissue</source>
         <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Tissue in its own colours, without light or shadow.</source>
+        <translation>Gewebe in seinen eigenen Farben, ohne Licht und Schatten.</translation>
     </message>
     <message>
         <source>Turn the lights</source>
@@ -1628,6 +2016,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Rückgängig: Optisches Modell wählen</translation>
     </message>
     <message>
+        <source>Undo choosing what is seen</source>
+        <translation>Rückgängig: Sichtbares wählen</translation>
+    </message>
+    <message>
         <source>Undo cutting</source>
         <translation>Rückgängig: Schneiden</translation>
     </message>
@@ -1652,12 +2044,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Rückgängig: Tisch zeigen</translation>
     </message>
     <message>
+        <source>Undo that side or plane of the cut</source>
+        <translation>Diese Seite oder Ebene des Schnitts aufheben</translation>
+    </message>
+    <message>
         <source>Undo turning the view</source>
         <translation>Rückgängig: Ansicht drehen</translation>
     </message>
     <message>
         <source>Undo zooming</source>
         <translation>Rückgängig: Zoomen</translation>
+    </message>
+    <message>
+        <source>Unlit tissue</source>
+        <translation>Unbeleuchtetes Gewebe</translation>
     </message>
     <message>
         <source>Until:</source>
@@ -1674,6 +2074,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Value of the selected point</source>
         <translation>Wert des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
     </message>
     <message>
         <source>View from: %1</source>
@@ -1700,6 +2104,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Was scharf ist</translation>
     </message>
     <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What it shows and costs</source>
+        <translation>Was es zeigt und kostet</translation>
+    </message>
+    <message>
         <source>What lights it</source>
         <translation>Was es beleuchtet</translation>
     </message>
@@ -1718,6 +2130,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>What the seconds go to</source>
         <translation>Wofür die Sekunden gebraucht werden</translation>
+    </message>
+    <message>
+        <source>What this look does not show</source>
+        <translation>Was diese Darstellung nicht zeigt</translation>
     </message>
     <message>
         <source>Wheel, right drag, + and -</source>
@@ -1744,6 +2160,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Woher das Licht kommt (F8)</translation>
     </message>
     <message>
+        <source>Whether what box and planes cut away still throws its shadow</source>
+        <translation>Ob das, was Quader und Ebenen wegschneiden, noch Schatten wirft</translation>
+    </message>
+    <message>
         <source>Which limit comes first</source>
         <translation>Welche Grenze zuerst kommt</translation>
     </message>
@@ -1762,6 +2182,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgenbild</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -1792,6 +2216,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>beliebig lange</translation>
     </message>
     <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
         <source>beside the eye</source>
         <translation>neben dem Auge</translation>
     </message>
@@ -1806,6 +2234,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>bone</source>
         <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>box of %1 x %2 x %3 mm</source>
+        <translation>Quader von %1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>can be shown</source>
@@ -1840,6 +2272,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Fett</translation>
     </message>
     <message>
+        <source>feet</source>
+        <translation>Füße</translation>
+    </message>
+    <message>
         <source>fine detail below %1 % contrast is not shown yet</source>
         <translation>feine Einzelheiten unter %1 % Kontrast werden noch nicht gezeigt</translation>
     </message>
@@ -1850,6 +2286,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>from behind</source>
         <translation>von hinten</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
     </message>
     <message>
         <source>held after %1, with %2 samples</source>
@@ -1874,6 +2318,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>in the box 95 % of the tissue within ±%1</source>
         <translation>im Rahmen 95 % des Gewebes innerhalb ±%1</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
     </message>
     <message>
         <source>lung</source>
@@ -1926,6 +2374,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
         <translation>an einem Bild von %1 × %2 Pixeln auf der CPU (%3)</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
     </message>
     <message>
         <source>saved as %1</source>

@@ -182,8 +182,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1, antes de suavizar</translation>
     </message>
     <message>
+        <source>%1, tilted by %2°</source>
+        <translation>%1, inclinado %2°</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 cut off</source>
+        <translation>%1: %2 cortados</translation>
+    </message>
+    <message>
+        <source>%1: %2 from the middle</source>
+        <translation>%1: a %2 del centro</translation>
     </message>
     <message>
         <source>%1° down</source>
@@ -230,6 +242,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Brillo</translation>
     </message>
     <message>
+        <source>&amp;Camera...</source>
+        <translation>&amp;Cámara...</translation>
+    </message>
+    <message>
         <source>&amp;Caption on previews</source>
         <translation>Le&amp;yenda en vistas previas</translation>
     </message>
@@ -242,6 +258,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Copiar imagen</translation>
     </message>
     <message>
+        <source>&amp;Cut</source>
+        <translation>&amp;Corte</translation>
+    </message>
+    <message>
         <source>&amp;Dark</source>
         <translation>&amp;Oscuro</translation>
     </message>
@@ -250,8 +270,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Predeterminada</translation>
     </message>
     <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Borrar</translation>
+    </message>
+    <message>
         <source>&amp;Density</source>
         <translation>&amp;Densidad</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a line</source>
+        <translation>&amp;Dibujar una línea</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -260,6 +288,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Edit keys...</source>
         <translation>&amp;Editar teclas...</translation>
+    </message>
+    <message>
+        <source>&amp;Export this look...</source>
+        <translation>&amp;Exportar este aspecto...</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -282,8 +314,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Pan&amp;talla completa</translation>
     </message>
     <message>
+        <source>&amp;Handles of box and planes</source>
+        <translation>&amp;Tiradores de caja y planos</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>&amp;Import...</source>
+        <translation>&amp;Importar...</translation>
     </message>
     <message>
         <source>&amp;Iterations per picture</source>
@@ -302,6 +342,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Luz...</translation>
     </message>
     <message>
+        <source>&amp;My looks</source>
+        <translation>&amp;Mis aspectos</translation>
+    </message>
+    <message>
         <source>&amp;No key</source>
         <translation>&amp;Ninguna tecla</translation>
     </message>
@@ -318,6 +362,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Pausa</translation>
     </message>
     <message>
+        <source>&amp;Peel</source>
+        <translation>&amp;Pelar</translation>
+    </message>
+    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Salir</translation>
     </message>
@@ -330,8 +378,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Recordar carpetas</translation>
     </message>
     <message>
+        <source>&amp;Rename...</source>
+        <translation>&amp;Renombrar...</translation>
+    </message>
+    <message>
         <source>&amp;Save picture...</source>
         <translation>&amp;Guardar imagen...</translation>
+    </message>
+    <message>
+        <source>&amp;Save this look...</source>
+        <translation>&amp;Guardar este aspecto...</translation>
+    </message>
+    <message>
+        <source>&amp;Shadows of what was cut</source>
+        <translation>&amp;Sombras de lo cortado</translation>
     </message>
     <message>
         <source>&amp;Smoothed</source>
@@ -352,6 +412,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Undo all cuts</source>
+        <translation>&amp;Deshacer todos los cortes</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -386,6 +450,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>1/√t</translation>
     </message>
     <message>
+        <source>3D Slicer before 5.9, curves only (*.vp)</source>
+        <translation>3D Slicer anterior a 5.9, solo curvas (*.vp)</translation>
+    </message>
+    <message>
+        <source>3D Slicer, curves only (*.vp.json)</source>
+        <translation>3D Slicer, solo curvas (*.vp.json)</translation>
+    </message>
+    <message>
         <source>95 % interval, grey levels of 255</source>
         <translation>Intervalo del 95 %, niveles de gris de 255</translation>
     </message>
@@ -414,12 +486,36 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Una cámara estenopeica, que no enfoca ningún punto</translation>
     </message>
     <message>
+        <source>A plane between front and back</source>
+        <translation>Un plano entre delante y detrás</translation>
+    </message>
+    <message>
+        <source>A plane between head and feet</source>
+        <translation>Un plano entre cabeza y pies</translation>
+    </message>
+    <message>
+        <source>A plane between left and right</source>
+        <translation>Un plano entre izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>A plane that faces you, through the middle</source>
+        <translation>Un plano de frente a usted, por el centro</translation>
+    </message>
+    <message>
+        <source>A sample takes about %1 times as long as with “%2”; 95 % of the picture changes by at most %3 of 255 levels.</source>
+        <translation>Una muestra tarda unas %1 veces lo que con «%2»; el 95 % de la imagen cambia como mucho %3 de 255 niveles.</translation>
+    </message>
+    <message>
         <source>A small lamp beside the eye: few shadows, and light in every recess</source>
         <translation>Una lámpara pequeña junto al ojo: pocas sombras y luz en cada hueco</translation>
     </message>
     <message>
         <source>A small lamp from the side that shows form, a weak one against it, and one behind</source>
         <translation>Una lámpara pequeña desde el lado que muestra la forma, una débil enfrente y otra detrás</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
     </message>
     <message>
         <source>About PD-Render</source>
@@ -446,12 +542,24 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Añadir</translation>
     </message>
     <message>
+        <source>Add a &amp;plane that faces you</source>
+        <translation>Añadir un &amp;plano de frente</translation>
+    </message>
+    <message>
+        <source>Add a plane: %1</source>
+        <translation>Añadir un plano: %1</translation>
+    </message>
+    <message>
         <source>Adds a panel like the chosen one, as a lamp of its own</source>
         <translation>Añade un panel como el elegido, como lámpara propia</translation>
     </message>
     <message>
         <source>All aroun&amp;d</source>
         <translation>Alrede&amp;dor</translation>
+    </message>
+    <message>
+        <source>All but bones</source>
+        <translation>Todo menos los huesos</translation>
     </message>
     <message>
         <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
@@ -464,6 +572,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>All sharp</source>
         <translation>Todo nítido</translation>
+    </message>
+    <message>
+        <source>All tissue glows through all other. Lights do not count.</source>
+        <translation>Todo tejido brilla a través de los demás. Las luces no cuentan.</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>Otro</translation>
     </message>
     <message>
         <source>Aperture</source>
@@ -498,6 +614,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Distancia</translation>
     </message>
     <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
         <source>Bac&amp;kground</source>
         <translation>&amp;Fondo</translation>
     </message>
@@ -526,6 +646,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Desenfocar cada iteración</translation>
     </message>
     <message>
+        <source>Bones</source>
+        <translation>Huesos</translation>
+    </message>
+    <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
         <translation>Más claro hacia la derecha. Cambia lo que se muestra, no lo que se calcula.</translation>
     </message>
@@ -542,16 +666,24 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Serie de TC %1</translation>
     </message>
     <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Cancel reading or a box, close a message</source>
-        <translation>Cancelar la lectura o un recuadro, cerrar un mensaje</translation>
+        <source>Cancel a gesture, reading or a box, close a message</source>
+        <translation>Cancelar un gesto, la lectura o un recuadro, cerrar un mensaje</translation>
     </message>
     <message>
         <source>Cancel what runs</source>
         <translation>Cancelar lo que está en curso</translation>
+    </message>
+    <message>
+        <source>Chest</source>
+        <translation>Tórax</translation>
     </message>
     <message>
         <source>Choose an action, click below, and press its new key.</source>
@@ -606,6 +738,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Copia la imagen al portapapeles, con su leyenda y sin nombre.</translation>
     </message>
     <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
         <source>Ctrl+click on the picture</source>
         <translation>Ctrl+clic en la imagen</translation>
     </message>
@@ -622,6 +758,46 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Curvas y colores sobre unidades Hounsfield (F5)</translation>
     </message>
     <message>
+        <source>Cut</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Cut away all but what lies behind the inside of the line (K)</source>
+        <translation>Corta todo salvo lo que queda detrás del interior de la línea (K)</translation>
+    </message>
+    <message>
+        <source>Cut away the other side</source>
+        <translation>Corta el otro lado</translation>
+    </message>
+    <message>
+        <source>Cut away what lies behind the inside of the line (Del)</source>
+        <translation>Corta lo que queda detrás del interior de la línea (Supr)</translation>
+    </message>
+    <message>
+        <source>Cut off at each side</source>
+        <translation>Cortado en cada lado</translation>
+    </message>
+    <message>
+        <source>Cut off at the side: %1</source>
+        <translation>Cortado en el lado: %1</translation>
+    </message>
+    <message>
+        <source>Cut the other side</source>
+        <translation>Cortar el otro lado</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies in front of a plane through the middle of the picture.</source>
+        <translation>Corta lo que queda delante de un plano por el centro de la imagen.</translation>
+    </message>
+    <message>
+        <source>Delete "%1"?</source>
+        <translation>¿Borrar «%1»?</translation>
+    </message>
+    <message>
+        <source>Delete the look</source>
+        <translation>Borrar el aspecto</translation>
+    </message>
+    <message>
         <source>Density at the top of the opacity curve</source>
         <translation>Densidad en lo más alto de la curva de opacidad</translation>
     </message>
@@ -634,12 +810,24 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Diámetro de la lente. Con 0 todo está nítido; cuanto mayor, menos nítido es lo que hay delante y detrás del foco</translation>
     </message>
     <message>
+        <source>Distance of the plane from the middle</source>
+        <translation>Distancia del plano al centro</translation>
+    </message>
+    <message>
         <source>Double click</source>
         <translation>Doble clic</translation>
     </message>
     <message>
+        <source>Double click on a handle</source>
+        <translation>Doble clic en un tirador</translation>
+    </message>
+    <message>
         <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the picture, Shift and the right button do the same.</source>
         <translation>Arrastre una lámpara hasta donde deba venir la luz: sobre la esfera está de su lado, en el anillo que la rodea detrás del paciente. Junto a las lámparas, arrastrar las gira todas. En la imagen, Mayús y el botón derecho hacen lo mismo.</translation>
+    </message>
+    <message>
+        <source>Drag a side of the box to cut off what lies outside, in millimetres.</source>
+        <translation>Arrastre un lado de la caja para cortar lo que queda fuera, en milímetros.</translation>
     </message>
     <message>
         <source>Drag points; click the line to add one; wheel zooms, with Shift the values; double click fits</source>
@@ -650,12 +838,24 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Dibuje un recuadro en la imagen: recibe todas las muestras hasta que sea tan bueno como se desea.</translation>
     </message>
     <message>
+        <source>Draw a closed line on the picture, then cut away what lies behind it, or all else (X)</source>
+        <translation>Dibuje una línea cerrada en la imagen y corte lo que queda detrás, o todo lo demás (X)</translation>
+    </message>
+    <message>
+        <source>Draw a closed line on the picture, then cut away what lies behind it, or all else.</source>
+        <translation>Dibuje una línea cerrada en la imagen y corte lo que queda detrás, o todo lo demás.</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Lado</translation>
     </message>
     <message>
         <source>Edit keys</source>
         <translation>Editar teclas</translation>
+    </message>
+    <message>
+        <source>Edit the camera</source>
+        <translation>Ajustar la cámara</translation>
     </message>
     <message>
         <source>Edit the light</source>
@@ -694,6 +894,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Estimador</translation>
     </message>
     <message>
+        <source>Everything</source>
+        <translation>Todo</translation>
+    </message>
+    <message>
+        <source>Export the look</source>
+        <translation>Exportar el aspecto</translation>
+    </message>
+    <message>
         <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the picture stays wrong. For comparison only.</source>
         <translation>Exposure Render desenfoca cada iteración sobre 3 x 3 píxeles antes de contarla. Eso oculta el ruido y nunca se promedia: la imagen sigue siendo errónea. Solo para comparar.</translation>
     </message>
@@ -712,6 +920,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Extinction at the top of the opacity curve: larger is denser tissue everywhere</source>
         <translation>Extinción en lo más alto de la curva de opacidad: mayor es tejido más denso en todas partes</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>De frente</translation>
     </message>
     <message>
         <source>Feet</source>
@@ -822,6 +1034,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Brillo propio</translation>
     </message>
     <message>
+        <source>Glowing tissue</source>
+        <translation>Tejido luminoso</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Continuar</translation>
     </message>
@@ -902,6 +1118,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cuánto distan como máximo los niveles de gris de la pantalla de los de la imagen terminada, para el 95 % de los píxeles que muestran tejido. Cuatro veces más muestras lo reducen al menos a la mitad. Una imagen suavizada tiene un error propio y puede carecer de detalles finos: S muestra la imagen sin suavizar. Un clic dice más.</translation>
     </message>
     <message>
+        <source>How far the plane is from the middle of the body, towards the side that it cuts away</source>
+        <translation>A qué distancia del centro del cuerpo está el plano, hacia el lado que corta</translation>
+    </message>
+    <message>
         <source>How good the picture is</source>
         <translation>Qué calidad tiene la imagen</translation>
     </message>
@@ -930,8 +1150,24 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cuántas imágenes por segundo se muestran como mínimo, si el dispositivo puede.</translation>
     </message>
     <message>
+        <source>How much is cut off there; also by the handle in the picture (C)</source>
+        <translation>Cuánto se corta allí; también con el tirador en la imagen (C)</translation>
+    </message>
+    <message>
         <source>How much light the chosen lamp brings; at the left end it is off</source>
         <translation>Cuánta luz aporta la lámpara elegida; en el extremo izquierdo está apagada</translation>
+    </message>
+    <message>
+        <source>How much tissue lies one behind the other. Lights do not count.</source>
+        <translation>Cuánto tejido hay uno tras otro. Las luces no cuentan.</translation>
+    </message>
+    <message>
+        <source>Implants</source>
+        <translation>Implantes</translation>
+    </message>
+    <message>
+        <source>Import a look</source>
+        <translation>Importar un aspecto</translation>
     </message>
     <message>
         <source>In the box: %1</source>
@@ -944,6 +1180,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Keep all</source>
         <translation>Mantener todo</translation>
+    </message>
+    <message>
+        <source>Keep inside</source>
+        <translation>Conservar el interior</translation>
     </message>
     <message>
         <source>Key of the chosen action</source>
@@ -1006,12 +1246,32 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Luz de todas partes, sobre todo desde la cabeza, y un sol</translation>
     </message>
     <message>
+        <source>Light is scattered on and on: soft, with light in the shadows.</source>
+        <translation>La luz se dispersa una y otra vez: suave, con luz en las sombras.</translation>
+    </message>
+    <message>
+        <source>Light is scattered once: crisp surfaces and dark shadows.</source>
+        <translation>La luz se dispersa una vez: superficies nítidas y sombras oscuras.</translation>
+    </message>
+    <message>
+        <source>Light that seeps through tissue</source>
+        <translation>Luz que se filtra por el tejido</translation>
+    </message>
+    <message>
         <source>Lightens what lies in shadow; at the left end there is none</source>
         <translation>Aclara lo que está en sombra; en el extremo izquierdo no hay ninguna</translation>
     </message>
     <message>
+        <source>Lines drawn: %1</source>
+        <translation>Líneas dibujadas: %1</translation>
+    </message>
+    <message>
         <source>Lists the CT series of a folder and shows the first that can be shown.</source>
         <translation>Lista las series de TC de una carpeta y muestra la primera que se pueda mostrar.</translation>
+    </message>
+    <message>
+        <source>Lit surfaces</source>
+        <translation>Superficies iluminadas</translation>
     </message>
     <message>
         <source>Log</source>
@@ -1020,6 +1280,30 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Logarithmic histogram</source>
         <translation>Histograma logarítmico</translation>
+    </message>
+    <message>
+        <source>Look %1</source>
+        <translation>Aspecto %1</translation>
+    </message>
+    <message>
+        <source>Look (*.json)</source>
+        <translation>Aspecto (*.json)</translation>
+    </message>
+    <message>
+        <source>Looks, also of 3D Slicer (*.json *.vp)</source>
+        <translation>Aspectos, también de 3D Slicer (*.json *.vp)</translation>
+    </message>
+    <message>
+        <source>Looks: %1</source>
+        <translation>Aspectos: %1</translation>
+    </message>
+    <message>
+        <source>Lungs</source>
+        <translation>Pulmones</translation>
+    </message>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
     </message>
     <message>
         <source>Made anew, %1</source>
@@ -1036,6 +1320,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>March of 3 voxels (biased)</source>
         <translation>Pasos de 3 vóxeles (sesgado)</translation>
+    </message>
+    <message>
+        <source>Maximum intensity</source>
+        <translation>Intensidad máxima</translation>
     </message>
     <message>
         <source>Measured %1, %2 s of calibration</source>
@@ -1066,8 +1354,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Mover la vista</translation>
     </message>
     <message>
+        <source>My looks</source>
+        <translation>Mis aspectos</translation>
+    </message>
+    <message>
         <source>Name not given</source>
         <translation>Nombre no indicado</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nombre:</translation>
     </message>
     <message>
         <source>Next control</source>
@@ -1098,8 +1394,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>No apto para diagnóstico</translation>
     </message>
     <message>
+        <source>Not for this scan</source>
+        <translation>No para este estudio</translation>
+    </message>
+    <message>
         <source>Not measured any further: %1</source>
         <translation>No se mide más: %1</translation>
+    </message>
+    <message>
+        <source>Not offered: %1.</source>
+        <translation>No se ofrece: %1.</translation>
     </message>
     <message>
         <source>Nothing is known of the error yet</source>
@@ -1200,6 +1504,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Paralela</translation>
     </message>
     <message>
+        <source>Part that is shown</source>
+        <translation>Parte que se muestra</translation>
+    </message>
+    <message>
         <source>Patient</source>
         <translation>Paciente</translation>
     </message>
@@ -1210,6 +1518,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Pause</source>
         <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Peeled off</source>
+        <translation>Pelado</translation>
     </message>
     <message>
         <source>Percentiles</source>
@@ -1238,12 +1550,12 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Lugares de las lámparas</translation>
     </message>
     <message>
-        <source>Preparing the volume of %1...</source>
-        <translation>Preparando el volumen de %1...</translation>
+        <source>Planes</source>
+        <translation>Planos</translation>
     </message>
     <message>
-        <source>Preset %1</source>
-        <translation>Preajuste %1</translation>
+        <source>Preparing the volume of %1...</source>
+        <translation>Preparando el volumen de %1...</translation>
     </message>
     <message>
         <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before smoothing, wanted ±%2</source>
@@ -1268,6 +1580,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Projection</source>
         <translation>Proyección</translation>
+    </message>
+    <message>
+        <source>Projection, focus and background (F7)</source>
+        <translation>Proyección, enfoque y fondo (F7)</translation>
     </message>
     <message>
         <source>R&amp;eset view</source>
@@ -1308,6 +1624,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Redo choosing an optical model</source>
         <translation>Rehacer: elegir un modelo óptico</translation>
+    </message>
+    <message>
+        <source>Redo choosing what is seen</source>
+        <translation>Rehacer: elegir lo visible</translation>
     </message>
     <message>
         <source>Redo cutting</source>
@@ -1354,12 +1674,36 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Quitar</translation>
     </message>
     <message>
+        <source>Remove inside</source>
+        <translation>Quitar el interior</translation>
+    </message>
+    <message>
+        <source>Remove the last line</source>
+        <translation>Quitar la última línea</translation>
+    </message>
+    <message>
+        <source>Remove the line that was drawn last</source>
+        <translation>Quita la línea dibujada en último lugar</translation>
+    </message>
+    <message>
+        <source>Remove the plane</source>
+        <translation>Quitar el plano</translation>
+    </message>
+    <message>
+        <source>Remove the plane (double click on its handle)</source>
+        <translation>Quita el plano (doble clic en su tirador)</translation>
+    </message>
+    <message>
         <source>Remove the selected points</source>
         <translation>Quitar los puntos elegidos</translation>
     </message>
     <message>
         <source>Remove the selected points (Del)</source>
         <translation>Quitar los puntos elegidos (Supr)</translation>
+    </message>
+    <message>
+        <source>Rename the look</source>
+        <translation>Renombrar el aspecto</translation>
     </message>
     <message>
         <source>Rendering</source>
@@ -1394,8 +1738,28 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rugosidad</translation>
     </message>
     <message>
+        <source>S&amp;how</source>
+        <translation>&amp;Mostrar</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
+    </message>
+    <message>
+        <source>Save and share looks</source>
+        <translation>Guardar y compartir aspectos</translation>
+    </message>
+    <message>
+        <source>Save the look as it is now, rename and delete your own, share them as files</source>
+        <translation>Guarde el aspecto actual, renombre y borre los suyos, compártalos como archivos</translation>
+    </message>
+    <message>
         <source>Save the picture</source>
         <translation>Guardar la imagen</translation>
+    </message>
+    <message>
+        <source>Save this look</source>
+        <translation>Guardar este aspecto</translation>
     </message>
     <message>
         <source>Saved, copied and full-screen pictures say where they are not yet as good as was wanted.</source>
@@ -1458,6 +1822,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Muestra todas las teclas y lo que hacen.</translation>
     </message>
     <message>
+        <source>Shows all that was cut away; one step to undo.</source>
+        <translation>Muestra todo lo cortado; un solo paso para deshacer.</translation>
+    </message>
+    <message>
         <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
         <translation>Muestra u oculta lo que es sólido, está fuera del cuerpo y tiene menos de 20 mm de grosor.</translation>
     </message>
@@ -1494,12 +1862,20 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Tamaño:</translation>
     </message>
     <message>
+        <source>Skin (identifies the patient)</source>
+        <translation>Piel (identifica al paciente)</translation>
+    </message>
+    <message>
         <source>Sky</source>
         <translation>Cielo</translation>
     </message>
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
         <translation>Las lámparas pequeñas dan sombras duras, las grandes suaves; la luz conserva su intensidad</translation>
+    </message>
+    <message>
+        <source>So much is taken off all around the body, such as skin [mm]</source>
+        <translation>Tanto se quita alrededor de todo el cuerpo, como la piel [mm]</translation>
     </message>
     <message>
         <source>Soft box</source>
@@ -1530,8 +1906,16 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>La lámpara elegida</translation>
     </message>
     <message>
+        <source>The densest tissue on each line of sight; not which of two lies in front.</source>
+        <translation>El tejido más denso en cada línea de visión; no cuál de dos está delante.</translation>
+    </message>
+    <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
         <translation>La altura del histograma crece con el logaritmo de los vóxeles</translation>
+    </message>
+    <message>
+        <source>The part of the patient that is shown; the scan itself is not changed</source>
+        <translation>La parte del paciente que se muestra; el estudio en sí no cambia</translation>
     </message>
     <message>
         <source>The patient's side that one looks at (%1)</source>
@@ -1578,6 +1962,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Tissue</source>
         <translation>Tejido</translation>
+    </message>
+    <message>
+        <source>Tissue in its own colours, without light or shadow.</source>
+        <translation>Tejido con sus propios colores, sin luz ni sombra.</translation>
     </message>
     <message>
         <source>Turn the lights</source>
@@ -1628,6 +2016,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Deshacer: elegir un modelo óptico</translation>
     </message>
     <message>
+        <source>Undo choosing what is seen</source>
+        <translation>Deshacer: elegir lo visible</translation>
+    </message>
+    <message>
         <source>Undo cutting</source>
         <translation>Deshacer: cortar</translation>
     </message>
@@ -1652,12 +2044,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Deshacer: mostrar la mesa</translation>
     </message>
     <message>
+        <source>Undo that side or plane of the cut</source>
+        <translation>Deshacer ese lado o plano del corte</translation>
+    </message>
+    <message>
         <source>Undo turning the view</source>
         <translation>Deshacer: girar la vista</translation>
     </message>
     <message>
         <source>Undo zooming</source>
         <translation>Deshacer: zoom</translation>
+    </message>
+    <message>
+        <source>Unlit tissue</source>
+        <translation>Tejido sin iluminar</translation>
     </message>
     <message>
         <source>Until:</source>
@@ -1674,6 +2074,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Value of the selected point</source>
         <translation>Valor del punto elegido</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Vasos</translation>
     </message>
     <message>
         <source>View from: %1</source>
@@ -1700,6 +2104,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Qué está nítido</translation>
     </message>
     <message>
+        <source>What is shown</source>
+        <translation>Qué se muestra</translation>
+    </message>
+    <message>
+        <source>What it shows and costs</source>
+        <translation>Qué muestra y qué cuesta</translation>
+    </message>
+    <message>
         <source>What lights it</source>
         <translation>Lo que lo ilumina</translation>
     </message>
@@ -1718,6 +2130,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>What the seconds go to</source>
         <translation>En qué se van los segundos</translation>
+    </message>
+    <message>
+        <source>What this look does not show</source>
+        <translation>Qué no muestra este aspecto</translation>
     </message>
     <message>
         <source>Wheel, right drag, + and -</source>
@@ -1744,6 +2160,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>De dónde viene la luz (F8)</translation>
     </message>
     <message>
+        <source>Whether what box and planes cut away still throws its shadow</source>
+        <translation>Si lo que cortan la caja y los planos sigue proyectando sombra</translation>
+    </message>
+    <message>
         <source>Which limit comes first</source>
         <translation>Qué límite llega primero</translation>
     </message>
@@ -1762,6 +2182,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Window</source>
         <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Radiografía</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -1792,6 +2216,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>cualquier tiempo</translation>
     </message>
     <message>
+        <source>back</source>
+        <translation>detrás</translation>
+    </message>
+    <message>
         <source>beside the eye</source>
         <translation>junto al ojo</translation>
     </message>
@@ -1806,6 +2234,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>bone</source>
         <translation>hueso</translation>
+    </message>
+    <message>
+        <source>box of %1 x %2 x %3 mm</source>
+        <translation>caja de %1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>can be shown</source>
@@ -1840,6 +2272,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>grasa</translation>
     </message>
     <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
         <source>fine detail below %1 % contrast is not shown yet</source>
         <translation>el detalle fino por debajo del %1 % de contraste aún no se muestra</translation>
     </message>
@@ -1850,6 +2286,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>from behind</source>
         <translation>desde detrás</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>delante</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>cabeza</translation>
     </message>
     <message>
         <source>held after %1, with %2 samples</source>
@@ -1874,6 +2318,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>in the box 95 % of the tissue within ±%1</source>
         <translation>en el recuadro, 95 % del tejido dentro de ±%1</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
     </message>
     <message>
         <source>lung</source>
@@ -1926,6 +2374,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
         <translation>en una imagen de %1 × %2 píxeles en la CPU (%3)</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
     </message>
     <message>
         <source>saved as %1</source>
