@@ -80,8 +80,13 @@ void Document::suggestBrightness(int look, double stops) {
         looks_[std::size_t(look)].group == LookGroup::own)  // whose brightness somebody has chosen
         return;
     brightness_[std::size_t(look)] = stops;
-    if (look == this->look() && setup_.stops == 0)
-        setBrightness(stops);
+    if (look != this->look() || setup_.stops != 0)
+        return;
+    for (PictureSetup& earlier : past_)  // so that undo does not lead back to a brightness that nobody chose
+        if (earlier.lookName == setup_.lookName && earlier.stops == 0)
+            earlier.stops = stops;
+    setup_.stops = stops;
+    emit displayChanged(display());
 }
 
 /// The setup without what the look, if it is one, has cut away.

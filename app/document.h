@@ -82,7 +82,7 @@ class Document : public QObject {
     /// Others to choose from; what is shown stays. `looks` holds at least one.
     void setLooks(std::vector<pdr::NamedLook> looks);
     /// The brightness that suits this volume under a look, which it gets when it is chosen. The first one counts; where
-    /// the look is shown and its brightness untouched it is set at once: one step to undo.
+    /// the look is shown and its brightness untouched it is set at once. No step to undo: it may come amid a gesture.
     void suggestBrightness(int look, double stops);
     /// The user's own; one gesture is one step to undo, as well.
     void setLook(const pdr::Look& look, bool moving = false);

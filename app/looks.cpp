@@ -12,14 +12,10 @@ static void keepResources() {
 namespace pdr::app {
 namespace {
 
-constexpr const char* kNames[] = {"bone",          "bone_beside_contrast",
-                                  "thin_bone",     "muscles_and_skull",
-                                  "heart",         "muscles",
-                                  "organs",        "vessels_and_bone",
-                                  "lung_vessels",  "mip_lungs",
-                                  "mip",           "xray",
-                                  "fluoroscopy",   "implants",
-                                  "skin_and_bone", "skin"};
+constexpr const char* kNames[] = {
+    "bone",        "bones_alone", "bone_beside_contrast", "thin_bone",    "muscles_and_skull", "heart", "muscles",
+    "organs",      "vessels",     "vessels_and_bone",     "lung_vessels", "mip_lungs",         "mip",   "xray",
+    "fluoroscopy", "implants",    "skin_and_bone",        "skin"};
 
 }  // namespace
 

@@ -172,7 +172,7 @@ int WindowDocks::middleHeight() const {
 
 int WindowDocks::widthOf(const QDockWidget& dock) const {
     if (editors_.contains(const_cast<QDockWidget*>(&dock)))
-        return kEditorColumn;
+        return std::max(kEditorColumn, dock.minimumSizeHint().width());
     if (&dock == look_ && column_ > 0)
         return column_;
     return dock.isVisible() ? dock.width() : dock.sizeHint().width();

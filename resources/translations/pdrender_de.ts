@@ -1627,7 +1627,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     </message>
     <message>
         <source>Redo choosing what is seen</source>
-        <translation>Wiederherstellen: Sichtbares wählen</translation>
+        <translation>Wiederholen: Sichtbares wählen</translation>
     </message>
     <message>
         <source>Redo cutting</source>

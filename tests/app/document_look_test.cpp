@@ -118,7 +118,7 @@ void TestDocumentLook::aBackgroundIsPartOfThePicture() {
     Told told;
     told.document.setBackground(vec3(0.5f));
     QVERIFY(told.scenes.back().background == vec3(0.5f) && !showsEnvironment(told.scenes.back()));
-    QCOMPARE(told.document.preset(), 0);
+    QCOMPARE(told.document.look(), 0);
     told.document.chooseLook(1);
     QVERIFY(told.scenes.back().background == vec3(0.5f));
     told.document.setBackground(std::nullopt);

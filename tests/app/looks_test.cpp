@@ -108,7 +108,7 @@ class LooksTest : public QObject {
             return std::string();
         };
         QCOMPARE(first({}), std::string("Bone"));
-        QCOMPARE(first({400, 3000, 5, 365.0f}), std::string("Bone beside contrast"));
+        QCOMPARE(first({400, 3000, 5, 365.0f}), std::string("Bones alone"));
     }
 };
 

@@ -256,26 +256,6 @@ void TestMainWindow::theKeyboardIsSeenOnThePicture() {
     QVERIFY(edge() > 200);
 }
 
-/// The right-hand column has one editor at a time.
-void TestMainWindow::editorsGiveWayToEachOther() {
-    MainWindow window;
-    activate(window);
-    const auto shown = [&] {
-        QString names;
-        for (const char* name : {"Tissue", "Light", "Camera"})
-            if (window.findChild<QDockWidget*>(name)->isVisible())
-                names += name;
-        return names;
-    };
-    QCOMPARE(shown(), QString());
-    for (const auto& [key, name] : {std::pair(Qt::Key_F5, "Tissue"), std::pair(Qt::Key_F7, "Camera"),
-                                    std::pair(Qt::Key_F8, "Light"), std::pair(Qt::Key_F8, "")}) {
-        QTest::keyClick(&window, key);
-        QTRY_COMPARE(shown(), QString(name));
-    }
-    QVERIFY(window.rendering().isVisible());  // what gave way to the first
-}
-
 void TestMainWindow::theKeysAreShownAndGoAwayAgain() {
     MainWindow window;
     activate(window);

@@ -71,7 +71,7 @@ void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow() {
     QTRY_VERIFY(editor());
     QTRY_VERIFY2(picture() >= 0.6 * size.width() * size.height(),
                  qPrintable(QString::number(picture() / (size.width() * size.height()))));
-    QVERIFY(window.look().isVisible());
+    QVERIFY(window.look().isVisible() || size.height() < 900);  // there is no room for both
     for (QToolButton* fold : window.findChildren<QToolButton*>())
         if (fold->accessibleName() == QString("Fold %1 away").arg(name))
             fold->click();
@@ -91,6 +91,9 @@ void TestWindowRoom::editorsGiveWayToEachOther() {
         return names;
     };
     QCOMPARE(shown(), QString());
+    window.resize(1600, 1000);
+    QTest::keyClick(&window, Qt::Key_F4);
+    QVERIFY(window.rendering().isVisible());
     for (const auto& [key, name] : {std::pair(Qt::Key_F5, "Tissue"), std::pair(Qt::Key_F7, "Camera"),
                                     std::pair(Qt::Key_F8, "Light"), std::pair(Qt::Key_F8, "")}) {
         QTest::keyClick(&window, key);

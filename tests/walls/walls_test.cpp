@@ -72,7 +72,7 @@ class WallsTest : public QObject {
         if (matches("^(Imf|Imath|OpenEXR|png)", include))
             return file != "render/film/image_file.cpp";
         if (matches("^nlohmann/", include))
-            return !matches("^(render/scene/(json_fields|field_writer)\\.|app/)", file);
+            return !matches("^(render/scene/(json_fields|field_writer|slicer/vp_json)\\.|app/)", file);
         if (matches("^cuda", include))
             return !matches("^(render/device/cuda/|render/base/portable.h)", file);
         return false;

@@ -51,7 +51,7 @@ CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLay
 
 /// Two sides that face each other in a row.
 QLayout* CutPanel::boxRows() {
-    constexpr double kFarthestMm = 1e4;
+    constexpr double kFarthestMm = 2e3;
     auto* grid = new QGridLayout;
     for (int face = 0; face < 6; ++face) {
         QDoubleSpinBox& side = sides_[std::size_t(face)];

@@ -33,7 +33,8 @@ void CutTools::nameActions() {
         action->setToolTip(toolTip);
     };
     name(handles_, "cutHandles", Qt::Key_C, tr("Drag a side of the box to cut off what lies outside, in millimetres."));
-    name(plane_, "cutPlane", Qt::Key_P, tr("Cuts away what lies in front of a plane through the middle of the picture."));
+    name(plane_, "cutPlane", Qt::Key_P,
+         tr("Cuts away what lies in front of a plane through the middle of the picture."));
     name(freehand_, "cutFreehand", Qt::Key_X,
          tr("Draw a closed line on the picture, then cut away what lies behind it, or all else."));
     name(uncut_, "uncut", {}, tr("Shows all that was cut away; one step to undo."));

@@ -226,7 +226,7 @@ class SceneTextTest : public QObject {
             at = end + closing.size();
         }
         wanted += text.substr(at);
-        QCOMPARE(tables, 23);
+        QCOMPARE(tables, 25);
         if (qEnvironmentVariableIsSet("PDR_WRITE_MANUAL")) {
             QVERIFY(manual.open(QIODevice::WriteOnly));
             manual.write(QByteArray::fromStdString(wanted));
