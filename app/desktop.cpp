@@ -39,7 +39,7 @@ void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
 QString exampleFolder() {
     const QDir programs(QCoreApplication::applicationDirPath());
     for (const char* name : {"cranium", "phantom"})
-        if (const QString folder = QDir::cleanPath(programs.filePath(QString("../../example/") + name));
+        if (QString folder = QDir::cleanPath(programs.filePath(QString("../../example/") + name));
             QDir(folder).exists())
             return folder;
     return {};

@@ -30,18 +30,26 @@ Progress goOnUnless(const std::stop_token& stop) {
     return [stop](double, std::string_view) { return !stop.stop_requested(); };
 }
 
+/// Told apart in the whole scan, since thin bone is lost in coarse voxels. Null: all is shown, as it is in the large
+/// picture where the parts cannot be told apart.
+std::shared_ptr<const Mask> maskFor(const Volume& coarse, const Volume& whole, const Visible& visible,
+                                    const std::stop_token& stop) {
+    const auto mask = visibleMask(whole, visible, goOnUnless(stop));
+    return mask && *mask ? carriedOver(**mask, whole.geometry(), coarse.geometry()) : nullptr;
+}
+
 struct LookPicture {
     QImage image;
     double stops = 0;
 };
 
 Result<LookPicture> pictureOf(const LookTask& task, const std::shared_ptr<const Volume>& volume,
-                              const VolumeGeometry& body, Device& device, const std::stop_token& stop) {
+                              const std::shared_ptr<const Mask>& mask, const VolumeGeometry& body, Device& device,
+                              const std::stop_token& stop) {
     PictureSetup setup = task.setup;
     setup.camera = fittedView(setup.camera, body, 1, kFilled);
     Scene scene = sceneOf(setup, volume, ivec2(LookPictures::kSize));
-    if (const auto mask = visibleMask(*volume, scene.visible, goOnUnless(stop)))
-        scene.mask = *mask;  // else all is shown, as in the large picture
+    scene.mask = mask;
     scene.revision = std::uint64_t(task.look) + 1;
     const auto film = startFilm(device, scene);
     if (!film)
@@ -62,27 +70,35 @@ Result<LookPicture> pictureOf(const LookTask& task, const std::shared_ptr<const 
 
 }  // namespace
 
+const std::shared_ptr<const Mask>& LookPictures::Coarse::maskOf(const Visible& visible, const Volume& whole,
+                                                                const std::stop_token& stop) {
+    for (const auto& [known, mask] : masks)
+        if (known == visible)
+            return mask;
+    return masks.emplace_back(visible, visible.all() ? nullptr : maskFor(*volume, whole, visible, stop)).second;
+}
+
 void LookPictures::make(const std::shared_ptr<const Volume>& volume, const VolumeGeometry& body,
                         const std::vector<LookTask>& tasks) {
     const bool first = volume_.lock() != volume;
     if (!first && tasks == tasks_)
         return;
     if (first)
-        coarse_.reset();
+        coarse_ = {};
     volume_ = volume;
     tasks_ = tasks;
-    start([this, first, volume = coarse_ ? nullptr : volume, coarse = coarse_, body, tasks](
+    start([this, first, volume, coarse = coarse_, body, tasks](
               const Progress&, const std::stop_token& stop) mutable -> std::function<void()> {
         if (!first && !waitFor(kRestMs, stop))
             return [] {};
-        if (!coarse)
-            coarse = std::make_shared<const Volume>(coarser(*volume, kEdgeMm));
-        volume.reset();
+        if (!coarse.volume)
+            coarse.volume = std::make_shared<const Volume>(coarser(*volume, kEdgeMm));
         const std::unique_ptr<Device> device = makeCpuDevice(1);
         for (const LookTask& task : tasks) {
             QElapsedTimer clock;
             clock.start();
-            const auto picture = pictureOf(task, coarse, body, *device, stop);
+            const auto& mask = coarse.maskOf(task.setup.look.visible, *volume, stop);
+            const auto picture = pictureOf(task, coarse.volume, mask, body, *device, stop);
             if (stop.stop_requested())
                 return [] {};
             if (picture)
@@ -103,7 +119,7 @@ void LookPictures::forget() {
     cancel();
     volume_.reset();
     tasks_.clear();
-    coarse_.reset();
+    coarse_ = {};
 }
 
 }  // namespace pdr::app

@@ -4,10 +4,12 @@
 
 #include <QImage>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "app/background_job.h"
 #include "render/scene/named_look.h"
+#include "render/volume/mask.h"
 
 namespace pdr::app {
 
@@ -37,9 +39,18 @@ class LookPictures : public BackgroundJob {
     void made(int look, const QImage& picture, double stops);
 
   private:
+    /// What is made of a volume once.
+    struct Coarse {
+        std::shared_ptr<const Volume> volume;
+        std::vector<std::pair<Visible, std::shared_ptr<const Mask>>> masks;
+
+        const std::shared_ptr<const Mask>& maskOf(const Visible& visible, const Volume& whole,
+                                                  const std::stop_token& stop);
+    };
+
     std::weak_ptr<const Volume> volume_;  ///< of the newest tasks
     std::vector<LookTask> tasks_;
-    std::shared_ptr<const Volume> coarse_;  ///< of that volume, once it is there
+    Coarse coarse_;  ///< of that volume, as far as it is there
 };
 
 }  // namespace pdr::app

@@ -12,8 +12,10 @@ constexpr double kStraight = 1e-6;  ///< of the largest value: some times the ro
 
 using Numbers = std::array<double, kNumbers>;
 
-constexpr std::array<NodeProperty, kNumbers> kOwners{kOpacity,  kAlbedo,   kAlbedo,   kAlbedo,   kEmission, kEmission,
-                                                     kEmission, kSpecular, kSpecular, kSpecular, kRoughness};
+constexpr std::array<NodeProperty::Bits, kNumbers> kOwners{
+    NodeProperty::opacity,  NodeProperty::albedo,   NodeProperty::albedo,   NodeProperty::albedo,
+    NodeProperty::emission, NodeProperty::emission, NodeProperty::emission, NodeProperty::specular,
+    NodeProperty::specular, NodeProperty::specular, NodeProperty::roughness};
 
 Numbers numbersOf(const TransferNode& node) {
     return {node.opacity,    node.albedo.x,   node.albedo.y,   node.albedo.z,   node.emission.x, node.emission.y,

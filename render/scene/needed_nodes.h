@@ -8,13 +8,8 @@
 namespace pdr {
 
 /// Properties of a node; several: A | B.
-enum NodeProperty : unsigned {
-    kOpacity = 1,
-    kAlbedo = 2,
-    kEmission = 4,
-    kSpecular = 8,
-    kRoughness = 16,
-    kAllProperties = 31
+struct NodeProperty {
+    enum Bits : unsigned { opacity = 1, albedo = 2, emission = 4, specular = 8, roughness = 16, all = 31 };
 };
 
 /// For each node whether one of `properties` (a sum of NodeProperty) changes when it is left out, with all others that

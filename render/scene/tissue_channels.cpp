@@ -19,16 +19,16 @@ vec3 scaledTo(vec3 colour, float value) {
     return strength > 0 ? glm::min(colour * (value / strength), vec3(value)) : vec3(value);
 }
 
-NodeProperty propertyOf(TissueChannel channel) {
+NodeProperty::Bits propertyOf(TissueChannel channel) {
     switch (channel) {
         case TissueChannel::specular:
-            return kSpecular;
+            return NodeProperty::specular;
         case TissueChannel::roughness:
-            return kRoughness;
+            return NodeProperty::roughness;
         case TissueChannel::emission:
-            return kEmission;
+            return NodeProperty::emission;
         default:
-            return kOpacity;
+            return NodeProperty::opacity;
     }
 }
 
@@ -52,10 +52,10 @@ TransferNode withValue(TransferNode node, TissueChannel channel, float value) {
 }
 
 /// Nodes that `property` needs; for opacity also those that none needs. At least one.
-std::vector<bool> pointsOf(const std::vector<TransferNode>& nodes, NodeProperty property) {
+std::vector<bool> pointsOf(const std::vector<TransferNode>& nodes, NodeProperty::Bits property) {
     std::vector<bool> points = neededBy(nodes, property);
-    if (property == kOpacity) {
-        const std::vector<bool> ofOthers = neededBy(nodes, kAllProperties & ~kOpacity);
+    if (property == NodeProperty::opacity) {
+        const std::vector<bool> ofOthers = neededBy(nodes, NodeProperty::all & ~NodeProperty::opacity);
         std::transform(points.begin(), points.end(), ofOthers.begin(), points.begin(),
                        [](bool needed, bool byOthers) { return needed || !byOthers; });
     }
@@ -65,10 +65,10 @@ std::vector<bool> pointsOf(const std::vector<TransferNode>& nodes, NodeProperty 
 }
 
 /// Where `property` is replaced, the nodes that stay because of what is not.
-std::vector<float> placesWithout(const std::vector<TransferNode>& nodes, NodeProperty property) {
-    std::vector<bool> stays = neededBy(nodes, kAllProperties & ~property);
-    if (property != kOpacity) {
-        const std::vector<bool> ofOpacity = pointsOf(nodes, kOpacity);
+std::vector<float> placesWithout(const std::vector<TransferNode>& nodes, NodeProperty::Bits property) {
+    std::vector<bool> stays = neededBy(nodes, NodeProperty::all & ~property);
+    if (property != NodeProperty::opacity) {
+        const std::vector<bool> ofOpacity = pointsOf(nodes, NodeProperty::opacity);
         std::transform(stays.begin(), stays.end(), ofOpacity.begin(), stays.begin(), std::logical_or());
     }
     std::vector<float> places;
@@ -142,7 +142,7 @@ TransferFunction withCurve(const TransferFunction& function, TissueChannel chann
 }
 
 std::vector<ColourStop> coloursOf(const TransferFunction& function) {
-    const std::vector<bool> points = pointsOf(function.nodes, kAlbedo);
+    const std::vector<bool> points = pointsOf(function.nodes, NodeProperty::albedo);
     std::vector<ColourStop> stops;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (points[i])
@@ -163,7 +163,8 @@ TransferFunction withColours(const TransferFunction& function, const std::vector
         node.albedo = other.albedo;
         return node;
     };
-    return {function.extinctionPerMm, joined(function, replacement, placesWithout(function.nodes, kAlbedo), take)};
+    return {function.extinctionPerMm,
+            joined(function, replacement, placesWithout(function.nodes, NodeProperty::albedo), take)};
 }
 
 TransferFunction withRoomFor(TransferFunction function, float extinctionPerMm) {

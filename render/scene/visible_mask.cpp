@@ -28,7 +28,7 @@ Result<std::shared_ptr<const Mask>> visibleMask(const Volume& volume, const Visi
                                                 const Progress& progress) {
     try {
         const double half = visible.peelMm > 0 ? 0.5 : 1;
-        const segment::PartMask part = maskOfPart(volume, visible.part, partOf(progress, 0, half));
+        segment::PartMask part = maskOfPart(volume, visible.part, partOf(progress, 0, half));
         if (!part || !(visible.peelMm > 0))
             return part;
         const segment::PartMask within = segment::peeled(volume, visible.peelMm, partOf(progress, half, 1));
