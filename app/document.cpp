@@ -1,8 +1,6 @@
 #include "app/document.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "render/scene/camera_edits.h"
@@ -15,22 +13,9 @@ constexpr int kLargestFilm = 16384;  ///< pixels along a side that a Scene takes
 
 }  // namespace
 
-Document::Document(std::vector<NamedLook> looks)
-    : drawnLooks_(std::move(looks)), looks_(drawnLooks_), brightness_(looks_.size()) {
-    assert(!looks_.empty());
-    setup_ = withNamedLook(setup_, looks_.front(), {});
+Document::Document(std::vector<NamedLook> looks) : looks_(std::move(looks)) {
+    setup_ = withNamedLook(setup_, looks_[0], {});
     setup_.clip = {};
-}
-
-int Document::look() const {
-    for (std::size_t i = 0; i < looks_.size(); ++i)
-        if (looks_[i].name == setup_.lookName && looks_[i].look == setup_.look && looks_[i].model == setup_.model)
-            return int(i);
-    return -1;
-}
-
-std::string Document::whyUnsuited(int look) const {
-    return findings_ ? pdr::whyUnsuited(looks_[std::size_t(look)], *findings_) : "";
 }
 
 void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table,
@@ -40,51 +25,35 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     table_ = table;
     setup_.table = Table::hidden;
     setup_.clip = {};  // places in another patient
-    findings_ = findings;
-    takeLookThatSuits();
+    fitLooksTo(findings);
     setup_.camera = cameraOf(firstView(framed().box), {});
     show(false);
     emit displayChanged(display());
 }
 
-void Document::fitLooks() {
-    looks_ = drawnLooks_;
-    brightness_.assign(looks_.size(), std::nullopt);
-    if (findings_ && findings_->blood)
-        for (NamedLook& one : looks_)
-            one = fittedTo(std::move(one), *findings_->blood);
-}
-
 void Document::setLooks(std::vector<NamedLook> looks) {
-    assert(!looks.empty());
-    drawnLooks_ = std::move(looks);
-    fitLooks();
+    looks_.replace(std::move(looks));
+    emit looksChanged();
     emit displayChanged(display());
 }
 
 /// A look that the user has changed stays as it is.
-void Document::takeLookThatSuits() {
-    int shown = look();
-    fitLooks();
+void Document::fitLooksTo(const std::optional<segment::Findings>& findings) {
+    const int shown = look();
+    looks_.fitTo(findings);
+    emit looksChanged();
     if (shown < 0)
         return;
-    for (int i = 0; i < int(looks_.size()) && !whyUnsuited(shown).empty(); ++i)
-        if (whyUnsuited(i).empty())
-            shown = i;
-    setup_ = withNamedLook(setup_, looks_[std::size_t(shown)], table_.bodyBox);
+    setup_ = withNamedLook(setup_, looks_[looks_.suitedOr(shown)], table_.bodyBox);
     setup_.stops = 0;
 }
 
 void Document::suggestBrightness(int look, double stops) {
-    if (!hasVolume() || look < 0 || look >= int(looks_.size()) || brightness_[std::size_t(look)] ||
-        looks_[std::size_t(look)].group == LookGroup::own)  // whose brightness somebody has chosen
+    if (!hasVolume() || !looks_.holds(look) || !looks_.suggestStops(look, stops))
         return;
-    brightness_[std::size_t(look)] = stops;
     if (look != this->look() || setup_.stops != 0)
         return;
-    for (PictureSetup& earlier : past_)  // so that undo does not lead back to a brightness that nobody chose
-        if (earlier.lookName == setup_.lookName && earlier.stops == 0)
-            earlier.stops = stops;
+    history_.brighten(setup_.lookName, stops);  // so that undo does not lead back to a brightness that nobody chose
     setup_.stops = stops;
     emit displayChanged(display());
 }
@@ -92,14 +61,14 @@ void Document::suggestBrightness(int look, double stops) {
 /// The setup without what the look, if it is one, has cut away.
 PictureSetup Document::withoutCutOf(int look) const {
     PictureSetup setup = setup_;
-    if (look >= 0 && looks_[std::size_t(look)].cut && hasVolume())
-        std::erase(setup.clip.planes, planeOf(*looks_[std::size_t(look)].cut, table_.bodyBox));
+    if (look >= 0 && looks_[look].cut && hasVolume())
+        std::erase(setup.clip.planes, planeOf(*looks_[look].cut, table_.bodyBox));
     return setup;
 }
 
 PictureSetup Document::setupWith(int look) const {
-    PictureSetup setup = withNamedLook(withoutCutOf(this->look()), looks_[std::size_t(look)], table_.bodyBox);
-    setup.stops = brightness_[std::size_t(look)].value_or(0);
+    PictureSetup setup = withNamedLook(withoutCutOf(this->look()), looks_[look], table_.bodyBox);
+    setup.stops = looks_.stops(look);
     if (!hasVolume())
         setup.clip = {};  // it is cut when it is there
     return setup;
@@ -113,7 +82,7 @@ void Document::open(std::shared_ptr<const Volume> volume) {
 
 void Document::close() {
     setup_ = withoutCutOf(look());
-    forgetSteps();
+    history_.forget();
     volume_.reset();
     table_ = {};
     masks_.clear();
@@ -123,19 +92,8 @@ void Document::close() {
 }
 
 void Document::setCamera(const Camera& camera, bool moving) {
-    if (!hasVolume())
-        return;
-    if (camera == setup_.camera && !moving)
-        return rest(Gesture::camera);
-    PictureSetup setup = setup_;
-    setup.camera = camera;
-    edit(std::move(setup), Gesture::camera, moving);
-}
-
-/// A gesture ends where it has led: no other scene. Where it was another gesture there is nothing new at all.
-void Document::rest(Gesture gesture) {
-    if (std::exchange(gesture_, Gesture::none) == gesture)
-        emit sceneChanged(scene_, false);
+    if (hasVolume())
+        setField(&PictureSetup::camera, camera, Gesture::camera, moving);
 }
 
 void Document::setView(StandardView view) {
@@ -156,62 +114,46 @@ void Document::setBackground(const std::optional<vec3>& radiance) {
     setup.background = radiance;
     if (!radiance)
         setup.look.environment.visible = true;
-    if (setup != setup_)
-        edit(std::move(setup));
+    edit(std::move(setup));
 }
 
 /// Exposure Render's ways know one event on a path only.
 void Document::setModel(Model model) {
-    if (model == setup_.model)
-        return;
     PictureSetup setup = setup_;
     setup.model = model;
-    if (model != Model::singleScattering)
+    if (model != setup_.model && model != Model::singleScattering)
         setup.estimator = Estimator::unbiased;
     edit(std::move(setup));
 }
 
 void Document::setTable(Table table) {
-    if (table == setup_.table || !hasTable())
-        return;
-    PictureSetup setup = setup_;
-    setup.table = table;
-    edit(std::move(setup));
+    if (hasTable())
+        setField(&PictureSetup::table, table);
 }
 
 void Document::chooseLook(int index) {
-    if (index < 0 || index >= int(looks_.size()))
+    if (!looks_.holds(index))
         return;
     edit(setupWith(index));
     emit displayChanged(display());
 }
 
 void Document::setLook(const Look& look, bool moving) {
-    if (look == setup_.look && !moving)
-        return rest(Gesture::look);
     PictureSetup setup = setup_;
     setup.look = look;
-    setup.lookName = nameOf(setup);
+    setup.lookName = looks_.nameOf(setup, setup_.lookName);
     edit(std::move(setup), Gesture::look, moving);
     emit displayChanged(display());
 }
 
 void Document::setClip(const Clip& clip, bool moving) {
-    if (!hasVolume())
-        return;
-    if (clip == setup_.clip && !moving)
-        return rest(Gesture::clip);
-    PictureSetup setup = setup_;
-    setup.clip = clip;
-    edit(std::move(setup), Gesture::clip, moving);
+    if (hasVolume())
+        setField(&PictureSetup::clip, clip, Gesture::clip, moving);
 }
 
 void Document::giveUpGesture() {
-    if (std::exchange(gesture_, Gesture::none) == Gesture::none || past_.empty())
-        return;
-    PictureSetup setup = std::move(past_.back());
-    past_.pop_back();
-    comeBackTo(std::move(setup));
+    if (std::optional<PictureSetup> begun = history_.giveUpGesture())
+        comeBackTo(std::move(*begun));
 }
 
 void Document::setVisible(const Visible& visible, bool moving) {
@@ -232,47 +174,28 @@ void Document::keepVisible() {
     if (shown_.visible == setup_.look.visible)
         return;
     setup_.look.visible = shown_.visible;
-    setup_.lookName = nameOf(setup_);
+    setup_.lookName = looks_.nameOf(setup_, setup_.lookName);
     if (hasVolume())
         show(false);
 }
 
 void Document::setSetup(const PictureSetup& setup) {
-    if (setup == setup_)
-        return;
     PictureSetup named = setup;
-    named.lookName = nameOf(setup);
+    named.lookName = looks_.nameOf(setup, setup_.lookName);
     edit(std::move(named));
     emit displayChanged(display());
 }
 
-/// A picture must not bear the name of a look that it does not show.
-std::string Document::nameOf(const PictureSetup& setup) const {
-    const std::string changed = tr(" (changed)").toStdString();
-    for (const NamedLook& one : looks_)
-        if (one.look == setup.look && one.model == setup.model)
-            return one.name;
-    return setup_.lookName.ends_with(changed) ? setup_.lookName : setup_.lookName + changed;
-}
-
 void Document::setEstimator(Estimator estimator) {
-    if (estimator == setup_.estimator)
-        return;
-    PictureSetup setup = setup_;
-    setup.estimator = estimator;
-    edit(std::move(setup));
+    setField(&PictureSetup::estimator, estimator);
 }
 
 void Document::setSchedule(const Schedule& schedule) {
-    if (schedule == setup_.schedule)
-        return;
-    PictureSetup setup = setup_;
-    setup.schedule = schedule;
-    edit(std::move(setup));
+    setField(&PictureSetup::schedule, schedule);
 }
 
 void Document::setBrightness(double stops, bool moving) {
-    if (stops == setup_.stops && gesture_ != Gesture::brightness)
+    if (stops == setup_.stops && history_.gesture() != Gesture::brightness)
         return;
     remember(Gesture::brightness, moving);
     setup_.stops = stops;
@@ -301,42 +224,35 @@ void Document::setViewSize(ivec2 pixels) {
 }
 
 void Document::undo() {
-    if (!canUndo())
-        return;
-    future_.push_back(setup_);
-    PictureSetup setup = std::move(past_.back());
-    past_.pop_back();
-    comeBackTo(std::move(setup));
+    if (canUndo())
+        comeBackTo(history_.undo(setup_));
 }
 
 void Document::redo() {
-    if (!canRedo())
-        return;
-    past_.push_back(setup_);
-    PictureSetup setup = std::move(future_.back());
-    future_.pop_back();
-    comeBackTo(std::move(setup));
+    if (canRedo())
+        comeBackTo(history_.redo(setup_));
 }
 
-/// What stands now becomes a step to undo, unless `gesture` goes on. Without a volume there is nothing to go back to.
+/// Without a volume there is nothing to go back to.
 void Document::remember(Gesture gesture, bool moving) {
-    const bool continues = gesture != Gesture::none && gesture == gesture_;
-    gesture_ = moving ? gesture : Gesture::none;
-    if (continues || !hasVolume())
-        return;
-    past_.push_back(setup_);
-    if (past_.size() > kSteps)
-        past_.pop_front();
-    future_.clear();
+    if (hasVolume())
+        history_.remember(setup_, gesture, moving);
 }
 
-void Document::forgetSteps() {
-    past_.clear();
-    future_.clear();
-    gesture_ = Gesture::none;
+template <typename Field>
+void Document::setField(Field PictureSetup::*field, const Field& value, Gesture gesture, bool moving) {
+    PictureSetup setup = setup_;
+    setup.*field = value;
+    edit(std::move(setup), gesture, moving);
 }
 
+/// A gesture ends where it has led: no other scene. Where it was another gesture there is nothing new at all.
 void Document::edit(PictureSetup setup, Gesture gesture, bool moving) {
+    if (setup == setup_ && !moving) {
+        if (history_.end(gesture))
+            emit sceneChanged(scene_, false);
+        return;
+    }
     remember(gesture, moving);
     setup_ = std::move(setup);
     show(moving);
@@ -344,7 +260,6 @@ void Document::edit(PictureSetup setup, Gesture gesture, bool moving) {
 
 /// The revision is not undone: an earlier setup comes back as a new scene, unless only what is shown was another.
 void Document::comeBackTo(PictureSetup setup) {
-    gesture_ = Gesture::none;
     setup_ = std::move(setup);
     Scene scene = made();
     scene.revision = scene_.revision;

@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/fitted_looks.h"
+#include "app/setup_history.h"
 #include "app/step_name.h"
 #include "render/scene/fit_view.h"
-#include "render/scene/named_look.h"
-#include "render/scene/picture_setup.h"
 #include "render/segment/hidden_table.h"
 
 namespace pdr::app {
@@ -23,12 +23,8 @@ class Document : public QObject {
     /// `looks` holds at least one.
     explicit Document(std::vector<NamedLook> looks);
 
-    /// As they are for the volume that is shown: curves for contrast lie where its blood does.
-    const std::vector<NamedLook>& looks() const { return looks_; }
-    /// The same as they were drawn.
-    const std::vector<NamedLook>& drawnLooks() const { return drawnLooks_; }
-    /// Why a look makes no sense of the volume; empty: it does, or nothing is known of it.
-    std::string whyUnsuited(int look) const;
+    /// What there is to choose from.
+    const FittedLooks& looks() const { return looks_; }
     /// What choosing a look would set up.
     PictureSetup setupWith(int look) const;
     /// What is rendered of the scan under any look.
@@ -42,17 +38,17 @@ class Document : public QObject {
     /// Whether there is a table, or what else is hidden with it, to show or hide.
     bool hasTable() const { return table_.body != nullptr; }
     /// The look that is shown; -1: the user has changed it.
-    int look() const;
+    int look() const { return looks_.indexOf(setup_); }
     Display display() const;
     /// Whether the picture is shown without its noise.
     bool smoothed() const { return smoothed_; }
     /// What there is to cut: the smallest box along the patient's axes around what is framed; nothing without a volume.
     std::optional<ClipBox> uncut() const;
-    bool canUndo() const { return !past_.empty(); }
-    bool canRedo() const { return !future_.empty(); }
+    bool canUndo() const { return history_.canUndo(); }
+    bool canRedo() const { return history_.canRedo(); }
     /// What the next step back brought, or the next one forth will bring; nothing where there is none.
-    Change undoable() const { return canUndo() ? changeOf(past_.back(), setup_) : Change::nothing; }
-    Change redoable() const { return canRedo() ? changeOf(setup_, future_.back()) : Change::nothing; }
+    Change undoable() const { return canUndo() ? changeOf(history_.previous(), setup_) : Change::nothing; }
+    Change redoable() const { return canRedo() ? changeOf(setup_, history_.next()) : Change::nothing; }
 
   public slots:
     /// Shows `volume` without what is known to be its table, from the side that a scan is seen from first, uncut,
@@ -111,6 +107,8 @@ class Document : public QObject {
     void redo();
 
   signals:
+    /// There are other looks to choose from, or the same for another volume.
+    void looksChanged();
     /// There is another scene to render. `moving`: more will follow at once.
     void sceneChanged(const pdr::Scene& scene, bool moving);
     void displayChanged(const pdr::Display& display);
@@ -126,41 +124,29 @@ class Document : public QObject {
     /// Masks that are kept for undo.
     static constexpr std::size_t kMasks = 4;
 
-    /// The gesture in progress.
-    enum class Gesture { none, camera, look, brightness, clip };
-    /// Steps that can be undone: more than anyone goes back, and little memory.
-    static constexpr std::size_t kSteps = 300;
-
     void remember(Gesture gesture = Gesture::none, bool moving = false);
+    template <typename Field>
+    void setField(Field PictureSetup::*field, const Field& value, Gesture gesture = Gesture::none, bool moving = false);
     void edit(PictureSetup setup, Gesture gesture = Gesture::none, bool moving = false);
     void comeBackTo(PictureSetup setup);
-    void forgetSteps();
     void show(bool moving);
-    void rest(Gesture gesture);
-    std::string nameOf(const PictureSetup& setup) const;
     Scene made();
     void show(Scene scene, bool moving);
     Framed framed() const;
     Camera cameraOf(StandardView view, const Camera& lens) const;
     PictureSetup withoutCutOf(int look) const;
-    void fitLooks();
-    void takeLookThatSuits();
+    void fitLooksTo(const std::optional<segment::Findings>& findings);
 
-    std::vector<NamedLook> drawnLooks_;  ///< as they were drawn
-    std::vector<NamedLook> looks_;       ///< as they are for this volume
-    std::optional<segment::Findings> findings_;
-    std::vector<std::optional<double>> brightness_;  ///< [stops], of each look, where it is known
-    std::shared_ptr<const Volume> volume_;           ///< as it was read
-    segment::HiddenTable table_;                     ///< of it
-    PictureSetup setup_;                             ///< all that undo brings back
-    std::deque<PartMask> masks_;                     ///< of the volume, the newest last
-    PartMask shown_;                                 ///< what the scene shows
+    FittedLooks looks_;
+    std::shared_ptr<const Volume> volume_;  ///< as it was read
+    segment::HiddenTable table_;            ///< of it
+    PictureSetup setup_;                    ///< all that undo brings back
+    SetupHistory history_;
+    std::deque<PartMask> masks_;  ///< of the volume, the newest last
+    PartMask shown_;              ///< what the scene shows
     bool smoothed_ = true;
     ivec2 film_ = Scene{}.film;
     Scene scene_;  ///< of the volume, with or without its table, setup and film
-    std::deque<PictureSetup> past_;
-    std::vector<PictureSetup> future_;
-    Gesture gesture_ = Gesture::none;
 };
 
 }  // namespace pdr::app

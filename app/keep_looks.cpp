@@ -9,19 +9,11 @@
 namespace pdr::app {
 namespace {
 
-/// The look that the setup began with, also where it was changed since; none: nothing of that name is there.
-const NamedLook* beginningOf(const Document& document) {
-    for (const NamedLook& look : document.looks())
-        if (document.setup().lookName.starts_with(look.name))
-            return &look;
-    return nullptr;
-}
-
 /// What is shown, with its brightness.
 NamedLook shownLook(const Document& document, const std::string& name) {
     const PictureSetup& setup = document.setup();
     NamedLook named;
-    if (const NamedLook* begun = beginningOf(document)) {
+    if (const NamedLook* begun = document.looks().beginningOf(setup.lookName)) {
         named.doesNotShow = begun->doesNotShow;
         named.bloodHu = begun->bloodHu;
         named.cut = begun->cut;
@@ -36,7 +28,7 @@ NamedLook shownLook(const Document& document, const std::string& name) {
 
 /// Those that the program carries.
 std::vector<NamedLook> carriedLooks(const Document& document) {
-    std::vector<NamedLook> looks = document.drawnLooks();
+    std::vector<NamedLook> looks = document.looks().drawn();
     std::erase_if(looks, [](const NamedLook& look) { return look.group == LookGroup::own; });
     return looks;
 }
@@ -53,9 +45,9 @@ void showChange(const DesktopParts& parts, const Result<void>& changed, const st
     if (!changed)
         return showFailure(parts, changed.error());
     offerOwnLooks(parts);
-    for (std::size_t i = 0; i < parts.document.looks().size(); ++i)
-        if (parts.document.looks()[i].name == name)
-            parts.document.chooseLook(int(i));
+    const auto& looks = parts.document.looks().fitted();
+    if (const auto look = std::ranges::find(looks, name, &NamedLook::name); look != looks.end())
+        parts.document.chooseLook(int(look - looks.begin()));
 }
 
 void keep(const DesktopParts& parts, const NamedLook& look) {
@@ -90,7 +82,7 @@ void deleteLook(const DesktopParts& parts, const QString& name) {
 }
 
 void importLook(const DesktopParts& parts, const QString& file) {
-    const auto look = readLookFile(file, parts.document.looks().front());
+    const auto look = readLookFile(file, parts.document.looks()[0]);
     if (!look)
         return showFailure(parts, look.error());
     keep(parts, *look);

@@ -2,7 +2,6 @@
 
 #include "app/background_colour.h"
 #include "app/ledger_content.h"
-#include "app/show_looks.h"
 
 namespace pdr::app {
 namespace {
@@ -24,7 +23,7 @@ void showDocument(const DesktopParts& parts) {
     if (document.setup().table == Table::shown)
         parts.window.message().withdraw();
     parts.window.setTable(document.setup().table == Table::shown, document.hasTable());
-    showLooks(parts);
+    parts.window.look().setLook(document.look());
     parts.window.look().setBrightness(document.setup().stops);
     parts.window.visible().setChoice(document.setup().look.visible);
     const auto& mask = document.scene().mask;

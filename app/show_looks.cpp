@@ -34,11 +34,11 @@ QString groupText(LookGroup group) {
 /// In the document's order.
 QList<ui::LookCard> cardsOf(const Document& document) {
     QList<ui::LookCard> cards;
-    for (int i = 0; i < int(document.looks().size()); ++i) {
-        const NamedLook& look = document.looks()[std::size_t(i)];
+    for (int i = 0; document.looks().holds(i); ++i) {
+        const NamedLook& look = document.looks()[i];
         cards << ui::LookCard{QString::fromStdString(look.name), groupText(look.group),
-                              QString::fromStdString(look.doesNotShow), QString::fromStdString(document.whyUnsuited(i)),
-                              look.group == LookGroup::own};
+                              QString::fromStdString(look.doesNotShow),
+                              QString::fromStdString(document.looks().whyUnsuited(i)), look.group == LookGroup::own};
     }
     return cards;
 }
@@ -47,8 +47,8 @@ QList<ui::LookCard> cardsOf(const Document& document) {
 std::vector<LookTask> tasksOf(const Document& document) {
     std::vector<LookTask> tasks;
     for (const bool suited : {true, false})
-        for (int i = 0; i < int(document.looks().size()); ++i)
-            if (document.whyUnsuited(i).empty() == suited) {
+        for (int i = 0; document.looks().holds(i); ++i)
+            if (document.looks().whyUnsuited(i).empty() == suited) {
                 tasks.push_back({i, document.setupWith(i)});
                 tasks.back().setup.stops = 0;  // the picture finds its own
             }
@@ -59,7 +59,6 @@ std::vector<LookTask> tasksOf(const Document& document) {
 
 void showLooks(const DesktopParts& parts) {
     parts.window.look().gallery().setLooks(cardsOf(parts.document));
-    parts.window.look().setLook(parts.document.look());
 }
 
 void orderLookPictures(const DesktopParts& parts, bool moving) {

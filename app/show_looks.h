@@ -5,7 +5,7 @@
 
 namespace pdr::app {
 
-/// What there is to choose from, and which of it is shown.
+/// What there is to choose from.
 void showLooks(const DesktopParts& parts);
 /// Orders the pictures of the looks for the view as it is; while it moves there are none.
 void orderLookPictures(const DesktopParts& parts, bool moving);

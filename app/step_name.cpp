@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "app/changed_look.h"
+
 namespace pdr::app {
 namespace {
 
@@ -77,7 +79,7 @@ Change changeOf(const Camera& before, const Camera& after) {
 
 /// Whether the user has taken another one; changing one only adds to its name.
 bool another(const std::string& before, const std::string& after) {
-    return !before.starts_with(after) && !after.starts_with(before);
+    return unchangedName(before) != unchangedName(after);
 }
 
 Change changeOf(const Look& before, const Look& after) {

@@ -165,6 +165,7 @@ void wireScreen(const DesktopParts& parts) {
                      [parts](const QString& file) { showSaved(parts, file); });
     QObject::connect(&parts.bridge, &RenderBridge::saveFailed, &window,
                      [parts](const Error& error) { showFailure(parts, error); });
+    QObject::connect(&parts.document, &Document::looksChanged, &window, [parts] { showLooks(parts); });
     QObject::connect(&parts.document, &Document::sceneChanged, &window, [parts] { showDocument(parts); });
     QObject::connect(&parts.document, &Document::displayChanged, &window, [parts] { showDocument(parts); });
 }

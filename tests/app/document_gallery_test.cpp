@@ -76,7 +76,7 @@ void TestDocumentGallery::theFirstLookThatMakesSenseIsShown() {
     table.bodyBox = cube()->geometry();
     document.open(cube(), table, segment::Findings{400, 3000, 0, 300.0f});
     QCOMPARE(document.look(), 1);
-    QVERIFY(!document.whyUnsuited(0).empty() && document.whyUnsuited(2).empty());
+    QVERIFY(!document.looks().whyUnsuited(0).empty() && document.looks().whyUnsuited(2).empty());
     document.open(cube(), table, segment::Findings{});
     QCOMPARE(document.look(), 1);  // which makes sense here, too
     document.chooseLook(0);
@@ -130,7 +130,7 @@ void TestDocumentGallery::otherLooksLeaveThePictureAsItIs() {
     more.back().name = "mine";
     document.setLooks(more);
     QVERIFY(document.scene() == before);
-    QCOMPARE(document.looks().size(), std::size_t(4));
+    QCOMPARE(document.looks().fitted().size(), std::size_t(4));
     document.setLooks({more[1]});
     QVERIFY(document.scene() == before);
     QCOMPARE(document.look(), -1);

@@ -17,6 +17,7 @@ class TestStepName : public QObject {
     void aGestureIsCalledByAllOfIt();
     void aStepKeepsItsNameBackAndForth();
     void aChangedLookIsNotAChosenOne();
+    void namesThatBeginAlikeAreTwoLooks();
     void whatChangesSeveralThingsSaysSo();
     void withoutAStepThereIsOnlyTheWord();
 };
@@ -126,6 +127,20 @@ void TestStepName::aChangedLookIsNotAChosenOne() {
     told.document.setBrightness(1);
     told.document.chooseLook(1);  // which brings its own brightness
     QCOMPARE(told.document.undoable(), Change::lookChosen);
+}
+
+void TestStepName::namesThatBeginAlikeAreTwoLooks() {
+    PictureSetup bone;
+    bone.lookName = "Bone";
+    PictureSetup alone = bone;
+    alone.lookName = "Bones alone";
+    alone.look.phaseG += 0.1f;
+    QCOMPARE(changeOf(bone, alone), Change::lookChosen);
+    QCOMPARE(changeOf(alone, bone), Change::lookChosen);
+    PictureSetup changed = bone;
+    changed.lookName = "Bone (changed)";
+    changed.look.visible.part = BodyPart::bones;
+    QCOMPARE(changeOf(bone, changed), Change::visible);
 }
 
 void TestStepName::whatChangesSeveralThingsSaysSo() {

@@ -161,8 +161,8 @@ int run(const Plan& plan) {
         std::printf("no picture of %s\n", qPrintable(plan.folder));
         return 1;
     }
-    for (std::size_t i = 0; i < parts.document.looks().size(); ++i)
-        if (QString::fromStdString(parts.document.looks()[i].name).contains(plan.look))
+    for (std::size_t i = 0; i < parts.document.looks().fitted().size(); ++i)
+        if (QString::fromStdString(parts.document.looks().fitted()[i].name).contains(plan.look))
             parts.document.chooseLook(int(i));
     QTest::qWait(2000);
     const auto smoothed = shownAfterEdit(desktop);

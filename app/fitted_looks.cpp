@@ -1,0 +1,75 @@
+#include "app/fitted_looks.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "app/changed_look.h"
+
+namespace pdr::app {
+
+FittedLooks::FittedLooks(std::vector<NamedLook> drawn) {
+    replace(std::move(drawn));
+}
+
+void FittedLooks::replace(std::vector<NamedLook> drawn) {
+    assert(!drawn.empty());
+    drawn_ = std::move(drawn);
+    fit();
+}
+
+void FittedLooks::fitTo(const std::optional<segment::Findings>& findings) {
+    findings_ = findings;
+    fit();
+}
+
+void FittedLooks::fit() {
+    fitted_ = drawn_;
+    stops_.assign(fitted_.size(), std::nullopt);
+    if (findings_ && findings_->blood)
+        for (NamedLook& look : fitted_)
+            look = fittedTo(std::move(look), *findings_->blood);
+}
+
+std::string FittedLooks::whyUnsuited(int look) const {
+    return findings_ ? pdr::whyUnsuited((*this)[look], *findings_) : "";
+}
+
+int FittedLooks::suitedOr(int look) const {
+    if (whyUnsuited(look).empty())
+        return look;
+    for (int i = 0; holds(i); ++i)
+        if (whyUnsuited(i).empty())
+            return i;
+    return look;
+}
+
+int FittedLooks::indexOf(const PictureSetup& setup) const {
+    const auto shown = std::ranges::find_if(fitted_, [&](const NamedLook& one) {
+        return one.name == setup.lookName && one.look == setup.look && one.model == setup.model;
+    });
+    return shown == fitted_.end() ? -1 : int(shown - fitted_.begin());
+}
+
+std::string FittedLooks::nameOf(const PictureSetup& setup, const std::string& before) const {
+    const auto shown = std::ranges::find_if(
+        fitted_, [&](const NamedLook& one) { return one.look == setup.look && one.model == setup.model; });
+    return shown == fitted_.end() ? changedName(before) : shown->name;
+}
+
+const NamedLook* FittedLooks::beginningOf(const std::string& name) const {
+    for (const std::string& beginning : {name, unchangedName(name)})
+        if (const auto look = std::ranges::find(fitted_, beginning, &NamedLook::name); look != fitted_.end())
+            return &*look;
+    return nullptr;
+}
+
+bool FittedLooks::suggestStops(int look, double stops) {
+    std::optional<double>& known = stops_[std::size_t(look)];
+    if (known || (*this)[look].group == LookGroup::own)
+        return false;
+    known = stops;
+    return true;
+}
+
+}  // namespace pdr::app
