@@ -23,6 +23,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     close();
     volume_ = std::move(volume);
     table_ = table;
+    parts_ = std::make_shared<const segment::BodyParts>(hasTable() ? table_.body : volume_);
     setup_.table = Table::hidden;
     setup_.clip = {};  // places in another patient
     fitLooksTo(findings);
@@ -85,6 +86,7 @@ void Document::close() {
     history_.forget();
     volume_.reset();
     table_ = {};
+    parts_.reset();
     masks_.clear();
     shown_ = {};
     scene_.volume.reset();
@@ -280,7 +282,7 @@ void Document::show(Scene scene, bool moving) {
     scene_.revision = revision;
     emit sceneChanged(scene_, moving);
     if (shown_.visible != setup_.look.visible)
-        emit maskWanted(hasTable() ? table_.body : volume_, setup_.look.visible);
+        emit maskWanted(parts_, setup_.look.visible);
 }
 
 /// The scene of the setup, with the newest mask that is known.

@@ -12,6 +12,7 @@
 #include "app/setup_history.h"
 #include "app/step_name.h"
 #include "render/scene/fit_view.h"
+#include "render/segment/body_parts.h"
 #include "render/segment/hidden_table.h"
 
 namespace pdr::app {
@@ -29,6 +30,8 @@ class Document : public QObject {
     PictureSetup setupWith(int look) const;
     /// What is rendered of the scan under any look.
     const std::shared_ptr<const Volume>& seen() const;
+    /// The parts of the patient to tell apart; null without a volume.
+    const std::shared_ptr<const segment::BodyParts>& parts() const { return parts_; }
     /// The part of the scan's grid that the body fills.
     const VolumeGeometry& bodyBox() const { return table_.bodyBox; }
     const PictureSetup& setup() const { return setup_; }
@@ -112,8 +115,9 @@ class Document : public QObject {
     /// There is another scene to render. `moving`: more will follow at once.
     void sceneChanged(const pdr::Scene& scene, bool moving);
     void displayChanged(const pdr::Display& display);
-    /// What is to be seen of this volume, which is not known yet. Until setMask() the scene shows what it showed.
-    void maskWanted(const std::shared_ptr<const pdr::Volume>& volume, const pdr::Visible& visible);
+    /// What is to be seen of the volume with these parts, which is not known yet. Until setMask() the scene shows what
+    /// it showed.
+    void maskWanted(const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::Visible& visible);
 
   private:
     /// A choice and its mask.
@@ -138,9 +142,10 @@ class Document : public QObject {
     void fitLooksTo(const std::optional<segment::Findings>& findings);
 
     FittedLooks looks_;
-    std::shared_ptr<const Volume> volume_;  ///< as it was read
-    segment::HiddenTable table_;            ///< of it
-    PictureSetup setup_;                    ///< all that undo brings back
+    std::shared_ptr<const Volume> volume_;             ///< as it was read
+    segment::HiddenTable table_;                       ///< of it
+    std::shared_ptr<const segment::BodyParts> parts_;  ///< of it, table or not
+    PictureSetup setup_;                               ///< all that undo brings back
     SetupHistory history_;
     std::deque<PartMask> masks_;  ///< of the volume, the newest last
     PartMask shown_;              ///< what the scene shows

@@ -32,10 +32,10 @@ Progress goOnUnless(const std::stop_token& stop) {
 
 /// Told apart in the whole scan, since thin bone is lost in coarse voxels. Null: all is shown, as it is in the large
 /// picture where the parts cannot be told apart.
-std::shared_ptr<const Mask> maskFor(const Volume& coarse, const Volume& whole, const Visible& visible,
+std::shared_ptr<const Mask> maskFor(const Volume& coarse, const segment::BodyParts& parts, const Visible& visible,
                                     const std::stop_token& stop) {
-    const auto mask = visibleMask(whole, visible, goOnUnless(stop));
-    return mask && *mask ? carriedOver(**mask, whole.geometry(), coarse.geometry()) : nullptr;
+    const auto mask = visibleMask(parts, visible, coarse.geometry(), goOnUnless(stop));
+    return mask ? *mask : nullptr;
 }
 
 struct LookPicture {
@@ -70,15 +70,16 @@ Result<LookPicture> pictureOf(const LookTask& task, const std::shared_ptr<const 
 
 }  // namespace
 
-const std::shared_ptr<const Mask>& LookPictures::Coarse::maskOf(const Visible& visible, const Volume& whole,
+const std::shared_ptr<const Mask>& LookPictures::Coarse::maskOf(const Visible& visible, const segment::BodyParts& parts,
                                                                 const std::stop_token& stop) {
     for (const auto& [known, mask] : masks)
         if (known == visible)
             return mask;
-    return masks.emplace_back(visible, visible.all() ? nullptr : maskFor(*volume, whole, visible, stop)).second;
+    return masks.emplace_back(visible, visible.all() ? nullptr : maskFor(*volume, parts, visible, stop)).second;
 }
 
-void LookPictures::make(const std::shared_ptr<const Volume>& volume, const VolumeGeometry& body,
+void LookPictures::make(const std::shared_ptr<const Volume>& volume,
+                        const std::shared_ptr<const segment::BodyParts>& parts, const VolumeGeometry& body,
                         const std::vector<LookTask>& tasks) {
     const bool first = volume_.lock() != volume;
     if (!first && tasks == tasks_)
@@ -87,7 +88,7 @@ void LookPictures::make(const std::shared_ptr<const Volume>& volume, const Volum
         coarse_ = {};
     volume_ = volume;
     tasks_ = tasks;
-    start([this, first, volume, coarse = coarse_, body, tasks](
+    start([this, first, volume, parts, coarse = coarse_, body, tasks](
               const Progress&, const std::stop_token& stop) mutable -> std::function<void()> {
         if (!first && !waitFor(kRestMs, stop))
             return [] {};
@@ -97,7 +98,7 @@ void LookPictures::make(const std::shared_ptr<const Volume>& volume, const Volum
         for (const LookTask& task : tasks) {
             QElapsedTimer clock;
             clock.start();
-            const auto& mask = coarse.maskOf(task.setup.look.visible, *volume, stop);
+            const auto& mask = coarse.maskOf(task.setup.look.visible, *parts, stop);
             const auto picture = pictureOf(task, coarse.volume, mask, body, *device, stop);
             if (stop.stop_requested())
                 return [] {};

@@ -9,7 +9,7 @@
 
 #include "app/background_job.h"
 #include "render/scene/named_look.h"
-#include "render/volume/mask.h"
+#include "render/segment/body_parts.h"
 
 namespace pdr::app {
 
@@ -28,8 +28,10 @@ class LookPictures : public BackgroundJob {
   public slots:
     /// Ends with a made() for each of the tasks, in their order, unless others come first. The same again do nothing.
     /// The first ones of a volume come as fast as they can; later ones begin when nothing has come for a while, and
-    /// take a third of the time. `body`: the part of its grid that the pictures are filled with.
-    void make(const std::shared_ptr<const pdr::Volume>& volume, const pdr::VolumeGeometry& body,
+    /// take a third of the time. `parts`: of the same scan. `body`: the part of its grid that the pictures are filled
+    /// with.
+    void make(const std::shared_ptr<const pdr::Volume>& volume,
+              const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::VolumeGeometry& body,
               const std::vector<pdr::app::LookTask>& tasks);
     /// No volume: what runs ends, and nothing of one is kept.
     void forget();
@@ -44,7 +46,7 @@ class LookPictures : public BackgroundJob {
         std::shared_ptr<const Volume> volume;
         std::vector<std::pair<Visible, std::shared_ptr<const Mask>>> masks;
 
-        const std::shared_ptr<const Mask>& maskOf(const Visible& visible, const Volume& whole,
+        const std::shared_ptr<const Mask>& maskOf(const Visible& visible, const segment::BodyParts& parts,
                                                   const std::stop_token& stop);
     };
 

@@ -5,7 +5,7 @@
 
 #include "app/background_job.h"
 #include "render/scene/visible.h"
-#include "render/volume/mask.h"
+#include "render/segment/body_parts.h"
 
 namespace pdr::app {
 
@@ -13,8 +13,8 @@ class MaskJob : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// The mask of what `visible` shows of `volume`; ends with made() or refused().
-    void make(const std::shared_ptr<const pdr::Volume>& volume, const pdr::Visible& visible);
+    /// The mask of what `visible` shows of the scan whose parts are `parts`; ends with made() or refused().
+    void make(const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::Visible& visible);
 
   signals:
     void made(const pdr::Visible& visible, const std::shared_ptr<const pdr::Mask>& mask);

@@ -66,7 +66,7 @@ void orderLookPictures(const DesktopParts& parts, bool moving) {
     if (moving)
         parts.looks.cancel();
     else if (document.hasVolume())
-        parts.looks.make(document.seen(), document.bodyBox(), tasksOf(document));
+        parts.looks.make(document.seen(), document.parts(), document.bodyBox(), tasksOf(document));
 }
 
 void showLookPicture(const DesktopParts& parts, int look, const QImage& picture, double stops) {

@@ -91,7 +91,8 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const Progress& pr
     Visible& visible = work.scene.visible;
     visible.part = input.part.value_or(visible.part);
     visible.peelMm = input.peelMm.value_or(visible.peelMm);
-    const auto mask = visibleMask(*work.scene.volume, visible, progress);
+    const Volume& volume = *work.scene.volume;
+    const auto mask = visibleMask(segment::BodyParts(work.scene.volume), visible, volume.geometry(), progress);
     if (!mask && (input.part || input.peelMm || mask.error().kind != ErrorKind::refused))
         return mask.error();
     if (!mask) {

@@ -6,12 +6,14 @@
 #include "render/base/progress.h"
 #include "render/base/result.h"
 #include "render/scene/visible.h"
-#include "render/volume/mask.h"
+#include "render/segment/body_parts.h"
 
 namespace pdr {
 
-/// The mask of what `visible` shows of `volume`; null: everything. Errors of kind refused say why a part cannot be told
-/// from the rest of this scan. Else cancelled(), or that memory does not suffice.
-Result<std::shared_ptr<const Mask>> visibleMask(const Volume& volume, const Visible& visible, const Progress& progress);
+/// The mask of what `visible` shows of a scan whose parts are `parts`, for voxels that lie as `on` says; null:
+/// everything. Errors of kind refused say why a part cannot be told from the rest of this scan. Else cancelled(), or
+/// that memory does not suffice.
+segment::PartMask visibleMask(const segment::BodyParts& parts, const Visible& visible, const VolumeGeometry& on,
+                              const Progress& progress);
 
 }  // namespace pdr

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/base/errors.h"
+#include "render/segment/cell_values.h"
 #include "render/segment/contact.h"
 #include "render/segment/distance.h"
 #include "render/segment/pieces.h"
@@ -23,16 +24,14 @@ std::size_t countOf(const Cells& cells) {
 }
 
 /// Cells at the end of an axis are not whole: their voxels are counted.
-double volumeMl(const Cells& cells, const CellGrid& grid, ivec3 voxels) {
+double volumeMl(const Cells& cells, const CellGrid& grid) {
     std::int64_t count = 0;
     std::size_t i = 0;
     for (int z = 0; z < grid.size.z; ++z)
         for (int y = 0; y < grid.size.y; ++y)
             for (int x = 0; x < grid.size.x; ++x, ++i)
-                if (cells[i]) {
-                    const ivec3 edges = glm::min(grid.block, voxels - ivec3(x, y, z) * grid.block);
-                    count += std::int64_t(edges.x) * edges.y * edges.z;
-                }
+                if (cells[i])
+                    count += grid.voxelsIn({x, y, z});
     return double(count) * grid.cellMl() / (double(grid.block.x) * grid.block.y * grid.block.z);
 }
 
@@ -79,7 +78,7 @@ Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
         return cancelled();
     BodyMask mask;
     const CellGrid& grid = mask.grid = CellGrid::over(volume.geometry());
-    const Cells solid = cellsAbove(kSolidHu, volume, grid);
+    const Cells solid = cellsAbove(kSolidHu, cellSums(volume, grid), grid);
     if (!progress(0.3, kStep))
         return cancelled();
     const std::vector<float> squaredDepths = squaredDistances(solid, 0, grid, kBallMm);
@@ -102,8 +101,8 @@ Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
     mask.box = boxOf(outline, grid);
     mask.rowEnds = rowEnds(outline, grid);
     mask.parts = bodies.count;
-    mask.bodyMl = volumeMl(outline, grid, volume.size());
-    mask.cutMl = volumeMl(foreign, grid, volume.size());
+    mask.bodyMl = volumeMl(outline, grid);
+    mask.cutMl = volumeMl(foreign, grid);
     if (!progress(1, kStep))
         return cancelled();
     return mask;

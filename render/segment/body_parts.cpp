@@ -2,26 +2,22 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <new>
 #include <string>
 #include <utility>
 
 #include "render/base/errors.h"
-#include "render/segment/body_mask.h"
 #include "render/segment/bone_cells.h"
 #include "render/segment/distance.h"
-#include "render/segment/pieces.h"
-#include "render/segment/smooth_distance.h"
+#include "render/segment/lung_cells.h"
 
 namespace pdr::segment {
 namespace {
 
 constexpr std::string_view kStep = "finding the part to show";
-constexpr double kRoomMm = 6;  ///< beyond an edge: for its ramp and for smoothing
+constexpr double kRoomMm = 6;      ///< beyond an edge: for its ramp and for smoothing
+constexpr double kShallowMm = 20;  ///< most is peeled less deep
+constexpr double kDeepMm = 50;
 
-constexpr int kAirHu = -400;         ///< below it a cell may be lung
-constexpr int kGasHu = -970;         ///< below it bowel gas, above it lung
-constexpr double kLungMl = 150;      ///< of a lung, at least
 constexpr double kVesselMm = 8;      ///< radius of the vessels that belong to a lung
 constexpr double kPleuraMm = 5;      ///< not shown
 constexpr double kAroundBoneMm = 2;  ///< the skin of a bone, which is half as dense as bone
@@ -35,36 +31,8 @@ Error without(const Error& error, const std::string& what) {
     return error.kind == ErrorKind::refused ? refused(what, error.what) : error;
 }
 
-/// The pieces of air that are lungs.
-Cells lungCells(const Volume& volume, const BodyMask& body) {
-    const CellGrid& grid = body.grid;
-    Cells air = cellsAbove(kAirHu, volume, grid);
-    for (std::size_t i = 0; i < air.size(); ++i)
-        air[i] = body.body[i] && !air[i];
-    const Cells tissue = cellsAbove(kGasHu, volume, grid);
-    const Pieces pieces = piecesOf(air, grid);
-    std::vector<std::size_t> size(std::size_t(pieces.count) + 1), notGas(size.size());
-    for (std::size_t i = 0; i < air.size(); ++i) {
-        ++size[std::size_t(pieces.of[i])];
-        notGas[std::size_t(pieces.of[i])] += tissue[i];
-    }
-    Cells lung(air.size());
-    for (std::size_t i = 0; i < air.size(); ++i) {
-        const auto piece = std::size_t(pieces.of[i]);
-        lung[i] = air[i] && double(size[piece]) * grid.cellMl() >= kLungMl && 2 * notGas[piece] > size[piece];
-    }
-    return lung;
-}
-
 bool none(const Cells& cells) {
     return std::find(cells.begin(), cells.end(), 1) == cells.end();
-}
-
-/// The mask of all that lies at least `edgeMm` from where `distance` counts from.
-std::shared_ptr<const Mask> beyond(const SmoothDistance& distance, double edgeMm, const Volume& volume,
-                                   std::string hidden) {
-    return maskOf(MaskGrid::over(volume.geometry()), std::move(hidden),
-                  [&](dvec3 place) { return edgeWeight(distance.at(place) - edgeMm); });
 }
 
 std::string lengthText(double mm) {
@@ -73,58 +41,105 @@ std::string lengthText(double mm) {
     return text;
 }
 
+/// What `find` finds, or what was found before.
+template <typename T, typename Find>
+Result<std::shared_ptr<const T>> knownOr(Found<T>& found, const Find& find) {
+    const std::lock_guard lock(found.mutex);
+    if (!found.value) {
+        Result<T> now = find();
+        if (!now)
+            return now.error();
+        found.value = std::make_shared<const T>(*std::move(now));
+    }
+    return found.value;
+}
+
 }  // namespace
 
-PartMask peeled(const Volume& volume, double depthMm, const Progress& progress) {
-    const Result<BodyMask> body = bodyMask(volume, partOf(progress, 0, 0.6));
-    if (!body)
-        return without(body.error(), "nothing can be peeled off");
-    const SmoothDistance depth(body->body, 0, body->grid, depthMm + kRoomMm);
-    if (!progress(0.9, kStep))
-        return cancelled();
-    return beyond(depth, depthMm, volume,
-                  "Peeled " + lengthText(depthMm) + ": skin and what lies less deep is not shown.");
+Result<std::shared_ptr<const BodyMask>> BodyParts::body(const Progress& progress) const {
+    return knownOr(body_, [&] { return bodyMask(*volume_, progress); });
 }
 
-PartMask lungs(const Volume& volume, const Progress& progress) {
-    const Result<BodyMask> body = bodyMask(volume, partOf(progress, 0, 0.5));
-    if (!body)
-        return without(body.error(), "the lungs cannot be told from the rest");
-    Cells wide = lungCells(volume, *body);
-    if (none(wide))
-        return refused("the lungs cannot be shown", "there is no air of 150 ml in the body that looks like a lung");
-    if (!progress(0.6, kStep))
-        return cancelled();
-    const std::vector<float> distances = squaredDistances(wide, 1, body->grid, kVesselMm);
-    for (std::size_t i = 0; i < wide.size(); ++i)
-        wide[i] = atMost(distances[i], kVesselMm);
-    if (!progress(0.7, kStep))
-        return cancelled();
-    const SmoothDistance depth(wide, 0, body->grid, kVesselMm + kPleuraMm + kRoomMm);
-    if (!progress(0.9, kStep))
-        return cancelled();
-    return beyond(depth, kVesselMm + kPleuraMm, volume,
-                  "Only the lungs are shown; " + lengthText(kPleuraMm) + " at the pleura are missing.");
+BodyParts::Distance BodyParts::belowSkin(double depthMm, const Progress& progress) const {
+    const bool shallow = depthMm <= kShallowMm;
+    return knownOr(shallow ? belowSkin_ : deepBelowSkin_, [&]() -> Result<SmoothDistance> {
+        const auto whole = body(progress);
+        if (!whole)
+            return whole.error();
+        return SmoothDistance((*whole)->body, 0, (*whole)->grid, (shallow ? kShallowMm : kDeepMm) + kRoomMm);
+    });
 }
 
-PartMask bones(const Volume& volume, Bones wanted, const Progress& progress) {
-    if (!progress(0, kStep))
-        return cancelled();
-    const CellGrid grid = CellGrid::over(volume.geometry());
-    const Cells bone = boneCells(volume, grid);
-    if (none(bone))
-        return refused("bones cannot be told from the rest", "nothing in the scan is as dense as bone");
-    if (!progress(0.7, kStep))
-        return cancelled();
-    const SmoothDistance away(bone, 1, grid, kAroundBoneMm + kRoomMm);
+BodyParts::Distance BodyParts::inLungs(const Progress& progress) const {
+    return knownOr(inLungs_, [&]() -> Result<SmoothDistance> {
+        const auto whole = body(partOf(progress, 0, 0.6));
+        if (!whole)
+            return without(whole.error(), "the lungs cannot be told from the rest");
+        Cells wide = lungCells(*volume_, **whole);
+        if (none(wide))
+            return refused("the lungs cannot be shown", "there is no air of 150 ml in the body that looks like a lung");
+        if (!progress(0.8, kStep))
+            return cancelled();
+        const CellGrid& grid = (*whole)->grid;
+        const std::vector<float> distances = squaredDistances(wide, 1, grid, kVesselMm);
+        for (std::size_t i = 0; i < wide.size(); ++i)
+            wide[i] = atMost(distances[i], kVesselMm);
+        if (!progress(0.9, kStep))
+            return cancelled();
+        return SmoothDistance(wide, 0, grid, kVesselMm + kPleuraMm + kRoomMm);
+    });
+}
+
+BodyParts::Distance BodyParts::fromBones(const Progress& progress) const {
+    return knownOr(fromBones_, [&]() -> Result<SmoothDistance> {
+        if (!progress(0, kStep))
+            return cancelled();
+        const CellGrid grid = CellGrid::over(volume_->geometry());
+        const Cells bone = boneCells(*volume_, grid);
+        if (none(bone))
+            return refused("bones cannot be told from the rest", "nothing in the scan is as dense as bone");
+        if (!progress(0.8, kStep))
+            return cancelled();
+        return SmoothDistance(bone, 1, grid, kAroundBoneMm + kRoomMm);
+    });
+}
+
+/// Seen is what weightOf(distance [mm]) says.
+template <typename WeightOf>
+PartMask BodyParts::maskOn(const VolumeGeometry& on, const Distance& distance, std::string hidden,
+                           const Progress& progress, const WeightOf& weightOf) const {
+    if (!distance)
+        return distance.error();
     if (!progress(0.9, kStep))
         return cancelled();
-    if (wanted == Bones::hidden)
-        return beyond(away, kAroundBoneMm, volume,
-                      "Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with "
-                      "them.");
-    return maskOf(MaskGrid::over(volume.geometry()), "Only bones are shown, as far as they hold dense bone.",
-                  [&](dvec3 place) { return edgeWeight(kAroundBoneMm - away.at(place)); });
+    const dmat4& own = volume_->geometry().patientFromIndex;
+    const dmat4 placeInVolume = on.patientFromIndex == own ? dmat4(1.0) : glm::inverse(own) * on.patientFromIndex;
+    return maskOf(MaskGrid::over(on), std::move(hidden),
+                  [&](dvec3 place) { return weightOf((*distance)->at(dvec3(placeInVolume * dvec4(place, 1.0)))); });
+}
+
+PartMask BodyParts::peeled(double depthMm, const VolumeGeometry& on, const Progress& progress) const {
+    const Distance distance = belowSkin(depthMm, partOf(progress, 0, 0.8));
+    if (!distance)
+        return without(distance.error(), "nothing can be peeled off");
+    return maskOn(on, distance, "Peeled " + lengthText(depthMm) + ": skin and what lies less deep is not shown.",
+                  progress, [&](double mm) { return edgeWeight(mm - depthMm); });
+}
+
+PartMask BodyParts::lungs(const VolumeGeometry& on, const Progress& progress) const {
+    return maskOn(on, inLungs(partOf(progress, 0, 0.8)),
+                  "Only the lungs are shown; " + lengthText(kPleuraMm) + " at the pleura are missing.", progress,
+                  [](double mm) { return edgeWeight(mm - kVesselMm - kPleuraMm); });
+}
+
+PartMask BodyParts::bones(Bones wanted, const VolumeGeometry& on, const Progress& progress) const {
+    const Distance distance = fromBones(partOf(progress, 0, 0.8));
+    if (wanted == Bones::shown)
+        return maskOn(on, distance, "Only bones are shown, as far as they hold dense bone.", progress,
+                      [](double mm) { return edgeWeight(kAroundBoneMm - mm); });
+    return maskOn(on, distance,
+                  "Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with them.",
+                  progress, [](double mm) { return edgeWeight(mm - kAroundBoneMm); });
 }
 
 }  // namespace pdr::segment

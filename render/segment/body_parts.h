@@ -6,12 +6,16 @@
 ///            8 mm), without the outermost 5 mm, where fat and pleura shine through
 ///   bones    what hangs together with dense bone and is no blood with contrast medium (bone_cells.h): marrow and blood
 ///            may have the same HU, so that no curve parts them
-/// Errors are those of bodyMask() and, of kind refused, why a part cannot be told. Else cancelled().
 
 #include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
 
 #include "render/base/progress.h"
 #include "render/base/result.h"
+#include "render/segment/body_mask.h"
+#include "render/segment/smooth_distance.h"
 #include "render/volume/mask.h"
 #include "render/volume/volume.h"
 
@@ -19,13 +23,47 @@ namespace pdr::segment {
 
 using PartMask = Result<std::shared_ptr<const Mask>>;
 
-/// `depthMm`: [0, 50].
-PartMask peeled(const Volume& volume, double depthMm, const Progress& progress);
-
-PartMask lungs(const Volume& volume, const Progress& progress);
-
 /// The bones, or all but them.
 enum class Bones { shown, hidden };
-PartMask bones(const Volume& volume, Bones wanted, const Progress& progress);
+
+/// What is found out at most once, unless it is refused or cancelled; threads take turns.
+template <typename T>
+struct Found {
+    std::mutex mutex;
+    std::shared_ptr<const T> value;
+};
+
+/// Of one volume. What several parts need is found out once, by whoever asks first; others wait for it. Errors are
+/// those of bodyMask() and, of kind refused, why a part cannot be told. Else cancelled().
+class BodyParts {
+  public:
+    explicit BodyParts(std::shared_ptr<const Volume> volume) : volume_(std::move(volume)) {}
+
+    const Volume& volume() const { return *volume_; }
+
+    /// `on`: whose voxels the mask is for: the volume's own, or other ones in the same patient.
+    /// `depthMm`: [0, 50].
+    PartMask peeled(double depthMm, const VolumeGeometry& on, const Progress& progress) const;
+    PartMask lungs(const VolumeGeometry& on, const Progress& progress) const;
+    PartMask bones(Bones wanted, const VolumeGeometry& on, const Progress& progress) const;
+
+  private:
+    using Distance = Result<std::shared_ptr<const SmoothDistance>>;
+
+    Result<std::shared_ptr<const BodyMask>> body(const Progress& progress) const;
+    /// From the skin inwards, known as far as `depthMm`.
+    Distance belowSkin(double depthMm, const Progress& progress) const;
+    /// From the surface of the lungs, widened by their vessels, inwards.
+    Distance inLungs(const Progress& progress) const;
+    /// From the bones outwards.
+    Distance fromBones(const Progress& progress) const;
+    template <typename WeightOf>
+    PartMask maskOn(const VolumeGeometry& on, const Distance& distance, std::string hidden, const Progress& progress,
+                    const WeightOf& weightOf) const;
+
+    std::shared_ptr<const Volume> volume_;
+    mutable Found<BodyMask> body_;
+    mutable Found<SmoothDistance> belowSkin_, deepBelowSkin_, inLungs_, fromBones_;
+};
 
 }  // namespace pdr::segment

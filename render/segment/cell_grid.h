@@ -19,6 +19,7 @@ using Cells = std::vector<std::uint8_t>;
 struct CellGrid {
     ivec3 size{0};         ///< cells along i, j, k
     ivec3 block{1};        ///< voxels along the edges of a cell
+    ivec3 voxels{0};       ///< of the volume
     dvec3 spacingMm{1.0};  ///< between the centres of cells
 
     static CellGrid over(const VolumeGeometry& geometry);
@@ -28,13 +29,15 @@ struct CellGrid {
     std::size_t index(int x, int y, int z) const {
         return (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x) + std::size_t(x);
     }
+    /// Those in a cell.
+    int voxelsIn(ivec3 cell) const {
+        const ivec3 edges = glm::min(block, voxels - cell * block);
+        return edges.x * edges.y * edges.z;
+    }
     /// Of a whole cell.
     double cellMl() const { return spacingMm.x * spacingMm.y * spacingMm.z / 1000; }
     /// The longest edge of a cell.
     double longestMm() const { return glm::max(spacingMm.x, glm::max(spacingMm.y, spacingMm.z)); }
 };
-
-/// The cells whose mean lies above `thresholdHu`; what lies below air counts as air.
-Cells cellsAbove(int thresholdHu, const Volume& volume, const CellGrid& grid);
 
 }  // namespace pdr::segment

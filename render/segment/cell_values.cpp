@@ -5,34 +5,59 @@
 #include <algorithm>
 
 namespace pdr::segment {
+namespace {
+
+/// Calls visit(cell, hu) for each voxel; one thread at a time for each cell.
+template <typename Visit>
+void forEachVoxel(const Volume& volume, const CellGrid& grid, Visit visit) {
+    const ivec3 voxels = grid.voxels, block = grid.block;
+    const auto visitRow = [&](const std::int16_t* row, std::size_t cell) {
+        for (int begin = 0; begin < voxels.x; begin += block.x, ++cell)
+            for (int x = begin; x < std::min(begin + block.x, voxels.x); ++x)
+                visit(cell, std::max(row[x], Volume::kAirHu));
+    };
+    tbb::parallel_for(0, grid.size.z, [&](int k) {
+        for (int z = k * block.z; z < std::min((k + 1) * block.z, voxels.z); ++z)
+            for (int y = 0; y < voxels.y; ++y)
+                visitRow(volume.voxels().data() +
+                             (std::size_t(z) * std::size_t(voxels.y) + std::size_t(y)) * std::size_t(voxels.x),
+                         grid.index(0, y / block.y, k));
+    });
+}
+
+/// Calls visit(cell, voxels in it) for each cell.
+template <typename Visit>
+void forEachCell(const CellGrid& grid, Visit visit) {
+    tbb::parallel_for(0, grid.size.z, [&](int k) {
+        for (int j = 0; j < grid.size.y; ++j)
+            for (int i = 0; i < grid.size.x; ++i)
+                visit(grid.index(i, j, k), grid.voxelsIn({i, j, k}));
+    });
+}
+
+}  // namespace
+
+std::vector<std::int32_t> cellSums(const Volume& volume, const CellGrid& grid) {
+    std::vector<std::int32_t> sums(grid.count());
+    forEachVoxel(volume, grid, [&](std::size_t cell, std::int16_t hu) { sums[cell] += hu; });
+    return sums;
+}
+
+Cells cellsAbove(int thresholdHu, const std::vector<std::int32_t>& sums, const CellGrid& grid) {
+    Cells cells(sums.size());
+    forEachCell(grid,
+                [&](std::size_t cell, int voxels) { cells[cell] = sums[cell] > std::int64_t(thresholdHu) * voxels; });
+    return cells;
+}
 
 CellValues cellValues(const Volume& volume, const CellGrid& grid) {
-    const ivec3 voxels = volume.size(), block = grid.block;
+    std::vector<std::int32_t> sums(grid.count());
     CellValues values{std::vector<std::int16_t>(grid.count()), std::vector<std::int16_t>(grid.count(), Volume::kAirHu)};
-    tbb::parallel_for(0, grid.size.z, [&](int k) {
-        std::vector<std::int32_t> sums(grid.sliceCount());
-        std::int16_t* highest = &values.highest[grid.index(0, 0, k)];
-        const int begin = k * block.z, end = std::min(begin + block.z, voxels.z);
-        for (int z = begin; z < end; ++z)
-            for (int y = 0; y < voxels.y; ++y) {
-                const std::int16_t* row = volume.voxels().data() + (std::size_t(z) * voxels.y + y) * voxels.x;
-                const std::size_t first = std::size_t(y / block.y) * std::size_t(grid.size.x);
-                for (int x = 0; x < voxels.x; ++x) {
-                    const std::size_t cell = first + std::size_t(x / block.x);
-                    const std::int16_t hu = std::max(row[x], Volume::kAirHu);
-                    sums[cell] += hu;
-                    highest[cell] = std::max(highest[cell], hu);
-                }
-            }
-        std::int16_t* mean = &values.mean[grid.index(0, 0, k)];
-        for (int j = 0; j < grid.size.y; ++j)
-            for (int i = 0; i < grid.size.x; ++i) {
-                const int count = (end - begin) * std::min(block.y, voxels.y - j * block.y) *
-                                  std::min(block.x, voxels.x - i * block.x);
-                const std::size_t cell = std::size_t(j) * std::size_t(grid.size.x) + std::size_t(i);
-                mean[cell] = std::int16_t(sums[cell] / count);
-            }
+    forEachVoxel(volume, grid, [&](std::size_t cell, std::int16_t hu) {
+        sums[cell] += hu;
+        values.highest[cell] = std::max(values.highest[cell], hu);
     });
+    forEachCell(grid, [&](std::size_t cell, int voxels) { values.mean[cell] = std::int16_t(sums[cell] / voxels); });
     return values;
 }
 

@@ -10,17 +10,32 @@
 namespace pdr::segment {
 namespace {
 
-/// Replaces `count` values, `stride` apart, by their means with the binomial weights 1 4 6 4 1; ends are repeated.
-void smoothLine(float* values, int count, std::size_t stride, std::vector<float>& before) {
-    constexpr float kWeights[5] = {1.0f / 16, 4.0f / 16, 6.0f / 16, 4.0f / 16, 1.0f / 16};
-    before.resize(std::size_t(count));
-    for (int i = 0; i < count; ++i)
-        before[std::size_t(i)] = values[std::size_t(i) * stride];
-    for (int i = 0; i < count; ++i) {
+constexpr float kWeights[5] = {1.0f / 16, 4.0f / 16, 6.0f / 16, 4.0f / 16, 1.0f / 16};
+
+/// Replaces each value of a row by the mean of its neighbours with the binomial weights; ends are repeated.
+void smoothAlong(float* row, int length, std::vector<float>& before) {
+    before.assign(row, row + length);
+    for (int i = 0; i < length; ++i) {
         float sum = 0;
         for (int n = -2; n <= 2; ++n)
-            sum += kWeights[n + 2] * before[std::size_t(std::clamp(i + n, 0, count - 1))];
-        values[std::size_t(i) * stride] = sum;
+            sum += kWeights[n + 2] * before[std::size_t(std::clamp(i + n, 0, length - 1))];
+        row[i] = sum;
+    }
+}
+
+/// The same across `count` rows that begin `stride` values apart.
+void smoothAcross(float* rows, int length, int count, std::size_t stride, std::vector<float>& before) {
+    before.resize(std::size_t(length) * std::size_t(count));
+    for (int y = 0; y < count; ++y)
+        std::copy_n(rows + std::size_t(y) * stride, length, &before[std::size_t(y) * std::size_t(length)]);
+    for (int y = 0; y < count; ++y) {
+        const float* from[5];
+        for (int n = -2; n <= 2; ++n)
+            from[n + 2] = &before[std::size_t(std::clamp(y + n, 0, count - 1)) * std::size_t(length)];
+        float* row = rows + std::size_t(y) * stride;
+        for (int x = 0; x < length; ++x)
+            row[x] = kWeights[0] * from[0][x] + kWeights[1] * from[1][x] + kWeights[2] * from[2][x] +
+                     kWeights[3] * from[3][x] + kWeights[4] * from[4][x];
     }
 }
 
@@ -43,14 +58,12 @@ void SmoothDistance::smooth() {
     tbb::parallel_for(0, size.z, [&](int z) {
         std::vector<float> before;
         for (int y = 0; y < size.y; ++y)
-            smoothLine(&mm_[grid_.index(0, y, z)], size.x, 1, before);
-        for (int x = 0; x < size.x; ++x)
-            smoothLine(&mm_[grid_.index(x, 0, z)], size.y, std::size_t(size.x), before);
+            smoothAlong(&mm_[grid_.index(0, y, z)], size.x, before);
+        smoothAcross(&mm_[grid_.index(0, 0, z)], size.x, size.y, std::size_t(size.x), before);
     });
     tbb::parallel_for(0, size.y, [&](int y) {
         std::vector<float> before;
-        for (int x = 0; x < size.x; ++x)
-            smoothLine(&mm_[grid_.index(x, y, 0)], size.z, grid_.sliceCount(), before);
+        smoothAcross(&mm_[grid_.index(0, y, 0)], size.x, size.z, grid_.sliceCount(), before);
     });
 }
 

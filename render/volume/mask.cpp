@@ -70,13 +70,6 @@ std::shared_ptr<const Mask> maskOf(const MaskGrid& grid, std::string hidden,
     return std::make_shared<const Mask>(grid, std::move(weights), std::move(hidden));
 }
 
-std::shared_ptr<const Mask> carriedOver(const Mask& mask, const VolumeGeometry& from, const VolumeGeometry& to) {
-    const dmat4 placeInFrom = glm::inverse(from.patientFromIndex) * to.patientFromIndex;
-    return maskOf(MaskGrid::over(to), mask.hidden(), [&](dvec3 place) {
-        return std::int16_t(std::lround(mask.at(dvec3(placeInFrom * dvec4(place, 1))) * kSeen));
-    });
-}
-
 std::shared_ptr<const Mask> combined(const std::shared_ptr<const Mask>& a, const std::shared_ptr<const Mask>& b) {
     if (!a || !b)
         return a ? a : b;

@@ -68,9 +68,6 @@ inline std::int16_t edgeWeight(double depthMm, double edgeMm = Mask::kEdgeMm) {
 std::shared_ptr<const Mask> maskOf(const MaskGrid& grid, std::string hidden,
                                    const std::function<std::int16_t(dvec3 place)>& weightAt);
 
-/// `mask`, which is of the voxels of `from`, for those of `to`, another grid in the same patient.
-std::shared_ptr<const Mask> carriedOver(const Mask& mask, const VolumeGeometry& from, const VolumeGeometry& to);
-
 /// What is seen by both: the product of their weights, on the finer grid of the two along each axis. Null stands for
 /// "everything is seen". Both are of volumes of one size.
 std::shared_ptr<const Mask> combined(const std::shared_ptr<const Mask>& a, const std::shared_ptr<const Mask>& b);

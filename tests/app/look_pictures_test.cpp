@@ -30,12 +30,13 @@ class TestLookPictures : public QObject {
         return tasks;
     }
     std::shared_ptr<const Volume> head_ = std::make_shared<const Volume>(headPhantom({64, 57, 64}, {3.9, 4.9, 3.9}));
+    std::shared_ptr<const segment::BodyParts> parts_ = std::make_shared<const segment::BodyParts>(head_);
 };
 
 void TestLookPictures::eachLookGetsItsPicture() {
     LookPictures pictures;
     QSignalSpy made(&pictures, &LookPictures::made);
-    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    pictures.make(head_, parts_, head_->geometry(), tasks(StandardView::anterior, *head_));
     QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, test::kPatience);
     QCOMPARE(made[0][0].toInt(), 14);
     QCOMPARE(made[1][0].toInt(), 0);
@@ -54,21 +55,21 @@ void TestLookPictures::eachLookGetsItsPicture() {
 void TestLookPictures::theSameAgainIsNothingNew() {
     LookPictures pictures;
     QSignalSpy made(&pictures, &LookPictures::made);
-    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    pictures.make(head_, parts_, head_->geometry(), tasks(StandardView::anterior, *head_));
     QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, test::kPatience);
-    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    pictures.make(head_, parts_, head_->geometry(), tasks(StandardView::anterior, *head_));
     QVERIFY(!pictures.isRunning());
 }
 
 void TestLookPictures::anotherViewIsAnotherPicture() {
     LookPictures pictures;
     QSignalSpy made(&pictures, &LookPictures::made);
-    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    pictures.make(head_, parts_, head_->geometry(), tasks(StandardView::anterior, *head_));
     QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, test::kPatience);
-    pictures.make(head_, head_->geometry(), tasks(StandardView::left, *head_));
+    pictures.make(head_, parts_, head_->geometry(), tasks(StandardView::left, *head_));
     QTRY_COMPARE_WITH_TIMEOUT(made.count(), 4, test::kPatience);
     QVERIFY(made[0][1].value<QImage>() != made[2][1].value<QImage>());
-    pictures.make(head_, head_->geometry(), tasks(StandardView::anterior, *head_));
+    pictures.make(head_, parts_, head_->geometry(), tasks(StandardView::anterior, *head_));
     QTRY_COMPARE_WITH_TIMEOUT(made.count(), 6, test::kPatience);
     QVERIFY(made[0][1].value<QImage>() == made[4][1].value<QImage>());  // to the bit
 }
@@ -78,7 +79,8 @@ void TestLookPictures::theVolumeIsLetGoOf() {
     LookPictures pictures;
     auto head = std::make_shared<const Volume>(headPhantom({64, 57, 64}, {3.9, 4.9, 3.9}));
     const std::weak_ptr<const Volume> kept = head;
-    pictures.make(head, head->geometry(), tasks(StandardView::anterior, *head));
+    pictures.make(head, std::make_shared<const segment::BodyParts>(head), head->geometry(),
+                  tasks(StandardView::anterior, *head));
     head.reset();
     pictures.forget();
     QTRY_VERIFY_WITH_TIMEOUT(kept.expired(), test::kPatience);

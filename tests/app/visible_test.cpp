@@ -28,8 +28,8 @@ struct Wanting : Told {
 
     Wanting() {
         QObject::connect(&document, &Document::maskWanted,
-                         [this](const std::shared_ptr<const Volume>& volume, const Visible& visible) {
-                             QVERIFY(volume == document.scene().volume);
+                         [this](const std::shared_ptr<const segment::BodyParts>& parts, const Visible& visible) {
+                             QCOMPARE(&parts->volume(), document.scene().volume.get());
                              wanted.push_back(visible);
                          });
     }
@@ -114,8 +114,10 @@ class VisibleTest : public QObject {
     void theJobMakesMasksOrSaysWhyNot() {
         MaskJob job;
         QSignalSpy made(&job, &MaskJob::made), refused(&job, &MaskJob::refused);
-        const auto body = test::makeVolume(
-            {40, 40, 20}, dvec3(2), [](int i, int j, int) { return std::hypot(i - 19.5, j - 19.5) < 17 ? 40 : -1000; });
+        const auto body =
+            std::make_shared<const segment::BodyParts>(test::makeVolume({40, 40, 20}, dvec3(2), [](int i, int j, int) {
+                return std::hypot(i - 19.5, j - 19.5) < 17 ? 40 : -1000;
+            }));
         job.make(body, kPeeled);
         QVERIFY(made.wait());
         QVERIFY(made[0][0].value<Visible>() == kPeeled);

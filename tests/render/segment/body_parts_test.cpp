@@ -5,6 +5,7 @@
 #include "render/base/errors.h"
 #include "render/scene/visible_mask.h"
 #include "render/segment/body_parts.h"
+#include "render/volume/coarser.h"
 #include "tests/support/lying_patients.h"
 
 using namespace pdr;
@@ -38,6 +39,10 @@ int trunkHu(dvec3 place) {
     return trunk(place) == Matter::body ? kTissueHu : kAirHu;
 }
 
+segment::BodyParts partsOf(const std::shared_ptr<const Volume>& volume) {
+    return segment::BodyParts(volume);
+}
+
 /// The weight at a place [mm] from the middle of the grid.
 double at(const Mask& mask, dvec3 place) {
     return mask.at((place / kSpacingMm) + dvec3(kSize) * 0.5 - 0.5);
@@ -57,7 +62,7 @@ class BodyPartsTest : public QObject {
     void whatIsPeeledIsAsDeepAsWasAsked() {
         const auto volume = patient(trunkHu);
         for (const double depth : {3.0, 7.0, 20.0}) {
-            const auto mask = segment::peeled(*volume, depth, noProgress);
+            const auto mask = partsOf(volume).peeled(depth, volume->geometry(), noProgress);
             QVERIFY(mask);
             for (const dvec3 way : {dvec3(0, -1, 0), dvec3(0, 1, 0)}) {
                 double before = -1;
@@ -79,7 +84,7 @@ class BodyPartsTest : public QObject {
     /// As a curved surface is peeled evenly: the steps of the cells do not show.
     void peeledSurfacesHaveNoSteps() {
         const auto volume = patient([](dvec3 p) { return inTube(p, {0, 0}, 60) ? kTissueHu : kAirHu; });
-        const auto mask = segment::peeled(*volume, 12, noProgress);
+        const auto mask = partsOf(volume).peeled(12, volume->geometry(), noProgress);
         QVERIFY(mask);
         double nearest = 1e9, farthest = 0;
         for (int degrees = 0; degrees < 360; ++degrees) {
@@ -104,7 +109,7 @@ class BodyPartsTest : public QObject {
                 return kTissueHu;
             return lung(p) ? -850 : gas(p) ? -1000 : trunkHu(p);
         });
-        const auto mask = segment::lungs(*volume, noProgress);
+        const auto mask = partsOf(volume).lungs(volume->geometry(), noProgress);
         QVERIFY2(mask, mask ? "" : mask.error().text().c_str());
         QCOMPARE(at(**mask, {-28, 0, 0}), 1.0);    // a vessel
         QCOMPARE(at(**mask, {-28, 15, 10}), 1.0);  // beside it
@@ -121,8 +126,8 @@ class BodyPartsTest : public QObject {
                 return bone(p, inBall(p, {-25, 0, 0}, 9) ? 300 : 900);  // marrow in its cortex
             return inTube(p, {25, 0}, 12) ? 420 : trunkHu(p);           // an aorta
         });
-        const auto shown = segment::bones(*volume, segment::Bones::shown, noProgress);
-        const auto hidden = segment::bones(*volume, segment::Bones::hidden, noProgress);
+        const auto shown = partsOf(volume).bones(segment::Bones::shown, volume->geometry(), noProgress);
+        const auto hidden = partsOf(volume).bones(segment::Bones::hidden, volume->geometry(), noProgress);
         QVERIFY(shown && hidden);
         for (const auto& [place, bone] : {std::pair(dvec3(-25, 0, 0), 1.0), std::pair(dvec3(-25, 0, 12), 1.0),
                                           std::pair(dvec3(25, 0, 0), 0.0), std::pair(dvec3(0, 30, 10), 0.0)}) {
@@ -137,7 +142,7 @@ class BodyPartsTest : public QObject {
         const auto volume = patient([](dvec3 p) {
             return inBall(p, {-25, 0, 0}, 14) ? bone(p, 800) : inTube(p, {25, 0}, 9) ? 800 : trunkHu(p);
         });
-        const auto hidden = segment::bones(*volume, segment::Bones::hidden, noProgress);
+        const auto hidden = partsOf(volume).bones(segment::Bones::hidden, volume->geometry(), noProgress);
         QVERIFY(hidden);
         QCOMPARE(at(**hidden, {25, 0, 0}), 1.0);
         QCOMPARE(at(**hidden, {25, 8, 0}), 1.0);
@@ -153,7 +158,7 @@ class BodyPartsTest : public QObject {
                 return bone(p, 1000);
             return inTube(p, {25, 0}, 12) ? 420 : trunkHu(p);
         });
-        const auto hidden = segment::bones(*volume, segment::Bones::hidden, noProgress);
+        const auto hidden = partsOf(volume).bones(segment::Bones::hidden, volume->geometry(), noProgress);
         QVERIFY(hidden);
         QCOMPARE(at(**hidden, {25, 12, 0}), 1.0);
         QCOMPARE(at(**hidden, {-25, 0, 0}), 0.0);
@@ -161,16 +166,17 @@ class BodyPartsTest : public QObject {
 
     void whatIsNotThereIsRefusedWithAReason() {
         const auto volume = patient(trunkHu);
-        QVERIFY(refusal(segment::lungs(*volume, noProgress)).find("150 ml") != std::string::npos);
-        QVERIFY(refusal(segment::bones(*volume, segment::Bones::shown, noProgress)).find("dense") != std::string::npos);
+        QVERIFY(refusal(partsOf(volume).lungs(volume->geometry(), noProgress)).find("150 ml") != std::string::npos);
+        QVERIFY(refusal(partsOf(volume).bones(segment::Bones::shown, volume->geometry(), noProgress)).find("dense") !=
+                std::string::npos);
         const auto thin = patient([](dvec3 p) { return std::abs(p.y) < 5 ? kTissueHu : kAirHu; });
-        QVERIFY(refusal(segment::peeled(*thin, 5, noProgress)).find("20 mm") != std::string::npos);
+        QVERIFY(refusal(partsOf(thin).peeled(5, thin->geometry(), noProgress)).find("20 mm") != std::string::npos);
     }
 
     void aChoiceMakesTheMaskOfBoth() {
         const auto volume = patient([](dvec3 p) { return inBall(p, {-25, 0, 0}, 30) ? bone(p, 900) : trunkHu(p); });
-        QCOMPARE(*visibleMask(*volume, {}, noProgress), nullptr);
-        const auto both = visibleMask(*volume, {BodyPart::bones, 15}, noProgress);
+        QCOMPARE(*visibleMask(partsOf(volume), {}, volume->geometry(), noProgress), nullptr);
+        const auto both = visibleMask(partsOf(volume), {BodyPart::bones, 15}, volume->geometry(), noProgress);
         QVERIFY(both);
         QCOMPARE(at(**both, {-25, 0, 0}), 1.0);
         QCOMPARE(at(**both, {-25, 28, 0}), 0.0);  // bone that is peeled off
@@ -179,22 +185,64 @@ class BodyPartsTest : public QObject {
         QVERIFY(text.find("Only bones") != std::string::npos && text.find("Peeled 15 mm") != std::string::npos);
     }
 
+    /// Those of small pictures are coarser and lie elsewhere.
+    void aMaskForOtherVoxelsShowsTheSamePlaces() {
+        const auto volume = patient(trunkHu);
+        const VolumeGeometry own = volume->geometry();
+        const VolumeGeometry coarse = coarser(*volume, 3).geometry();
+        QVERIFY(coarse.size != own.size);
+        const segment::BodyParts parts = partsOf(volume);
+        const auto fine = parts.peeled(7, own, noProgress), other = parts.peeled(7, coarse, noProgress);
+        QVERIFY(fine && other);
+        QCOMPARE((*other)->grid(), MaskGrid::over(coarse));
+        QCOMPARE((*other)->hidden(), (*fine)->hidden());
+        double worst = 0;
+        for (int i = 0; i < 500; ++i) {
+            const ivec3 node = ivec3(i, 3 * i, 7 * i) % (*other)->grid().size();
+            const dvec3 place = (*other)->grid().place(node);
+            const dvec4 inPatient = coarse.patientFromIndex * dvec4(place, 1.0);
+            const dvec3 inOwn = dvec3(glm::inverse(own.patientFromIndex) * inPatient);
+            worst = std::max(worst, std::abs((*other)->at(place) - (*fine)->at(inOwn)));
+        }
+        QVERIFY2(worst < 0.2, qPrintable(QString::number(worst)));  // what the fine one's nodes bend
+    }
+
+    /// In any order, by whoever asked before, and after a search that was given up.
+    void whatIsKnownChangesNothing() {
+        const auto volume = patient([](dvec3 p) { return inBall(p, {-25, 0, 0}, 20) ? bone(p, 900) : trunkHu(p); });
+        const VolumeGeometry& own = volume->geometry();
+        const segment::BodyParts parts = partsOf(volume);
+        QVERIFY(!parts.peeled(3, own, [](double fraction, std::string_view) { return fraction < 0.2; }));
+        QVERIFY(!refusal(parts.lungs(own, noProgress)).empty());
+        for (const double depth : {30.0, 3.0, 12.0, 3.0}) {
+            const auto again = parts.peeled(depth, own, noProgress);
+            const auto fresh = partsOf(volume).peeled(depth, own, noProgress);
+            QVERIFY(again && fresh && (*again)->weights() == (*fresh)->weights());
+        }
+        QVERIFY(parts.bones(segment::Bones::shown, own, noProgress));
+        const auto again = parts.bones(segment::Bones::hidden, own, noProgress);
+        const auto fresh = partsOf(volume).bones(segment::Bones::hidden, own, noProgress);
+        QVERIFY(again && fresh && (*again)->weights() == (*fresh)->weights());
+    }
+
     void allCanBeCancelled() {
         const auto volume = patient([](dvec3 p) { return inBall(p, {0, 0, 0}, 20) ? bone(p, 900) : trunkHu(p); });
         for (const Visible& visible : {Visible{BodyPart::lungs, 0}, Visible{BodyPart::bones, 0},
                                        Visible{BodyPart::everything, 5}, Visible{BodyPart::withoutBones, 5}}) {
             int calls = 0;
             double last = 0;
-            const auto all = visibleMask(*volume, visible, [&](double fraction, std::string_view) {
-                ++calls;
-                const bool grows = fraction >= last && fraction <= 1;
-                last = fraction;
-                return grows;
-            });
+            const auto all =
+                visibleMask(partsOf(volume), visible, volume->geometry(), [&](double fraction, std::string_view) {
+                    ++calls;
+                    const bool grows = fraction >= last && fraction <= 1;
+                    last = fraction;
+                    return grows;
+                });
             QVERIFY(all || all.error().kind == ErrorKind::refused);
             for (int until = 0; until < calls; ++until) {
                 int left = until;
-                const auto mask = visibleMask(*volume, visible, [&](double, std::string_view) { return left-- > 0; });
+                const auto mask = visibleMask(partsOf(volume), visible, volume->geometry(),
+                                              [&](double, std::string_view) { return left-- > 0; });
                 QVERIFY(!mask && mask.error().kind == ErrorKind::cancelled);
             }
         }

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "render/segment/cell_values.h"
 #include "render/segment/distance.h"
 #include "render/segment/outline.h"
 #include "render/segment/pieces.h"
@@ -56,7 +57,7 @@ class CellsTest : public QObject {
     void aCellIsTheMeanOfItsVoxels() {
         const auto volume = test::bumpyVolume({13, 10, 9}, dvec3(0.7, 0.9, 1.1), 3);
         const CellGrid grid = CellGrid::over(volume->geometry());
-        const Cells cells = cellsAbove(-250, *volume, grid);
+        const Cells cells = cellsAbove(-250, cellSums(*volume, grid), grid);
         int above = 0;
         eachCell(grid, [&](ivec3 cell, std::size_t i) {
             double sum = 0, count = 0;
@@ -74,7 +75,8 @@ class CellsTest : public QObject {
     void whatLiesBelowAirCountsAsAir() {
         const auto padded =
             test::makeVolume({2, 1, 1}, dvec3(1, 2, 2), [](int i, int, int) { return i ? 600 : -3024; });
-        QCOMPARE(int(cellsAbove(-250, *padded, CellGrid::over(padded->geometry()))[0]), 1);
+        const CellGrid one = CellGrid::over(padded->geometry());
+        QCOMPARE(int(cellsAbove(-250, cellSums(*padded, one), one)[0]), 1);
     }
 
     void distancesAreThoseToTheNearestCell() {

@@ -54,21 +54,6 @@ class MaskTest : public QObject {
         QVERIFY(combined(nullptr, nullptr) == nullptr);
     }
 
-    /// Each place of the patient keeps its weight; coarser nodes lose nothing of one that rises evenly.
-    void aMaskIsCarriedOverToOtherVoxels() {
-        const auto from = VolumeGeometry::aligned({40, 30, 20}, {1, 1, 2}, {5, -3, 7});
-        const auto to = VolumeGeometry::aligned({16, 12, 8}, {2.5, 2.5, 5}, {5.75, -2.25, 8.5});
-        const auto mask = maskOf(MaskGrid::over(from), "Cut.",
-                                 [](dvec3 place) { return std::int16_t(40 * place.x + 20 * place.y + 10 * place.z); });
-        const auto other = carriedOver(*mask, from, to);
-        QCOMPARE(other->grid(), MaskGrid::over(to));
-        QCOMPARE(other->hidden(), mask->hidden());
-        for (const dvec3 place : {dvec3(0), dvec3(3, 5, 2), dvec3(14, 10, 7)}) {
-            const dvec3 inFrom = dvec3(0.75, 0.75, 0.75) + place * dvec3(2.5, 2.5, 2.5);
-            QVERIFY(std::fabs(other->at(place) - mask->at(inFrom)) <= 1.0 / kSeen);
-        }
-    }
-
     void whatBothHideIsSaid() {
         const MaskGrid grid{ivec3(2), ivec3(0)};
         const auto weight = [](dvec3) { return std::int16_t(kSeen); };
