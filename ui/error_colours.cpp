@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/base/srgb.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -12,17 +14,11 @@ constexpr double kDarkest = 0.3, kLightest = 0.92, kChroma = 0.13;
 constexpr double kFirstHue = 285, kLastHue = 460;     ///< degrees: violet, red, orange, yellow
 constexpr QRgb kUnknown = qRgba(128, 128, 128, 160);  ///< a veil; no colour of the scale is grey
 
-/// sRGB value of linear light, both in [0, 1]. IEC 61966-2-1.
-double encoded(double light) {
-    const double clipped = std::clamp(light, 0.0, 1.0);
-    return clipped <= 0.0031308 ? 12.92 * clipped : 1.055 * std::pow(clipped, 1 / 2.4) - 0.055;
-}
-
 QRgb fromOkLab(double lightness, double a, double b) {
     const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
     const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
     const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
-    const auto level = [](double light) { return int(std::lround(255 * encoded(light))); };
+    const auto level = [](double light) { return int(std::lround(255 * srgbFromLinear(std::clamp(light, 0.0, 1.0)))); };
     return qRgb(level(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
                 level(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
                 level(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s));

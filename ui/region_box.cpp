@@ -1,6 +1,5 @@
 #include "ui/region_box.h"
 
-#include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -8,50 +7,17 @@ namespace pdr::ui {
 namespace {
 
 constexpr double kLeastSide = 6;  ///< of a box [px]: less is a click
-constexpr QRgb kLine = qRgb(255, 205, 110);
-
-/// On dark ground and on bright bone.
-void paintBox(QPainter& painter, const QRectF& box) {
-    painter.setPen(QPen(QColor(0, 0, 0, 170), 3));
-    painter.drawRect(box);
-    painter.setPen(QPen(QColor(kLine), 1));
-    painter.drawRect(box);
-}
 
 }  // namespace
-
-RegionBox::RegionBox(QWidget* picture) : QWidget(picture) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAttribute(Qt::WA_NoSystemBackground);
-    setFocusPolicy(Qt::NoFocus);
-    resize(picture->size());
-    picture->installEventFilter(this);
-}
 
 void RegionBox::setBox(const std::optional<QRectF>& box) {
     box_ = box;
     update();
 }
 
-void RegionBox::startDrawing() {
-    drawing_ = true;
-    setAttribute(Qt::WA_TransparentForMouseEvents, false);
-    setCursor(Qt::CrossCursor);
-    raise();
-}
-
 void RegionBox::stopDrawing() {
-    drawing_ = false;
     from_.reset();
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    unsetCursor();
-    update();
-}
-
-bool RegionBox::eventFilter(QObject* picture, QEvent* event) {
-    if (event->type() == QEvent::Resize)
-        resize(parentWidget()->size());
-    return QWidget::eventFilter(picture, event);
+    leaveMouse();
 }
 
 void RegionBox::mousePressEvent(QMouseEvent* event) {
@@ -87,9 +53,9 @@ QRectF RegionBox::inPixels(const QRectF& box) const {
 void RegionBox::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (from_)
-        paintBox(painter, dragged());
+        drawMark(painter, dragged(), 1);
     else if (box_)
-        paintBox(painter, inPixels(*box_));
+        drawMark(painter, inPixels(*box_), 1);
 }
 
 }  // namespace pdr::ui

@@ -3,24 +3,24 @@
 /// afterwards. Setters are silent.
 
 #include <QRectF>
-#include <QWidget>
 #include <optional>
+
+#include "ui/picture_layer.h"
 
 namespace pdr::ui {
 
-class RegionBox : public QWidget {
+class RegionBox : public PictureLayer {
     Q_OBJECT
 
   public:
-    /// A layer over all of `picture`, whose size it follows.
-    explicit RegionBox(QWidget* picture);
+    explicit RegionBox(QWidget* picture) : PictureLayer(picture) {}
 
     /// Fractions of the picture's width and height; none: there is no box.
     void setBox(const std::optional<QRectF>& box);
     /// The next drag draws a box; until then the mouse does nothing else.
-    void startDrawing();
+    void startDrawing() { takeMouse(); }
     void stopDrawing();
-    bool isDrawing() const { return drawing_; }
+    bool isDrawing() const { return takesMouse(); }
 
   signals:
     /// In fractions of the picture's width and height, inside of it; by a drag that is more than a click.
@@ -29,7 +29,6 @@ class RegionBox : public QWidget {
     void notDrawn();
 
   protected:
-    bool eventFilter(QObject* picture, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -40,7 +39,6 @@ class RegionBox : public QWidget {
     QRectF inPixels(const QRectF& box) const;
 
     std::optional<QRectF> box_;
-    bool drawing_ = false;
     std::optional<QPointF> from_;  ///< where the drag began [px]; none: it has not
     QPointF to_;
 };

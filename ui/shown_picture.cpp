@@ -7,13 +7,13 @@
 #include "ui/error_legend.h"
 #include "ui/orientation_cube.h"
 #include "ui/orientation_letters.h"
+#include "ui/picture_layer.h"
 
 namespace pdr::ui {
 namespace {
 
 constexpr int kMargin = 12;
 constexpr int kCubeSide = 64;
-constexpr QRgb kMarks = qRgb(255, 205, 110);
 
 /// One at each end, open towards the other.
 QPainterPath bracketsAround(const QLineF& line) {
@@ -82,7 +82,7 @@ void Painting::paintLostLines() const {
         const QLineF shown(area().topLeft() + scale * line.p1(), area().topLeft() + scale * line.p2());
         const QPainterPath brackets = bracketsAround(shown);
         painter.strokePath(brackets.translated(1, 1), QPen(QColor(0, 0, 0, 150), 1));
-        painter.strokePath(brackets, QPen(QColor(kMarks), 1));
+        painter.strokePath(brackets, QPen(QColor(kMarkColour), 1));
     }
     painter.restore();
 }

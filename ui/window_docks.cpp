@@ -54,8 +54,9 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       effects_(add("Effects", tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)) {
     for (QDockWidget* folded : {tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_})
         folded->hide();
+    sides_ = {series_, look_, rendering_, tissue_, light_, camera_, cut_};
     editors_ = {{tissue_, panels.tissue}, {light_, panels.light}, {camera_, panels.camera}, {cut_, panels.cut}};
-    for (QDockWidget* dock : QList<QDockWidget*>{series_, look_, rendering_} + editors_.keys())
+    for (QDockWidget* dock : std::as_const(sides_))
         connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) { opened(dock, shown); });
     makeRoomBeside(accuracy_, effects_);
     makeRoomBeside(effects_, accuracy_);
@@ -69,7 +70,7 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
 
 QList<QAction*> WindowDocks::toggles() const {
     QList<QAction*> actions;
-    for (const QDockWidget* dock : {series_, look_, tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_})
+    for (const QDockWidget* dock : all_)
         actions << dock->toggleViewAction();
     return actions;
 }
@@ -80,7 +81,7 @@ void WindowDocks::setAway(bool away) {
         return makeRoom();
     }
     stateBefore_ = window_.saveState();
-    for (QDockWidget* dock : {series_, look_, tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_})
+    for (QDockWidget* dock : std::as_const(all_))
         dock->hide();
 }
 
@@ -95,6 +96,7 @@ QDockWidget* WindowDocks::add(const QString& name, const QString& title, QWidget
     dock->toggleViewAction()->setToolTip(tr("Shows this panel, or folds it away."));
     dock->setTitleBarWidget(panelTitle(title, dock));
     window_.addDockWidget(area, dock);
+    all_ << dock;
     return dock;
 }
 
@@ -135,7 +137,7 @@ void WindowDocks::makeRoom() {
     if (!stateBefore_.isEmpty())
         return;
     QList<QDockWidget*> wanted = gaveWay_;
-    for (QDockWidget* dock : QList<QDockWidget*>{series_, look_, rendering_} + editors_.keys())
+    for (QDockWidget* dock : std::as_const(sides_))
         if (!dock->isHidden() && !wanted.contains(dock))
             wanted << dock;
     gaveWay_ = inTheWayOf(wanted);

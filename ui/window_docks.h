@@ -55,6 +55,7 @@ class WindowDocks : public QObject {
     QMainWindow& window_;
     QWidget& picture_;
     Panels panels_;
+    QList<QDockWidget*> all_;
     QDockWidget* series_;
     QDockWidget* look_;
     QDockWidget* tissue_;
@@ -64,6 +65,7 @@ class WindowDocks : public QObject {
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;
+    QList<QDockWidget*> sides_;             ///< left and right of the picture
     QMap<QDockWidget*, QWidget*> editors_;  ///< wide ones on the right, one at a time, with their panels
     QList<QDockWidget*> gaveWay_;           ///< that come back when there is room
     QDockWidget* insisted_ = nullptr;       ///< opened last, which does not give way

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/film/levels.h"
+#include "render/film/moments.h"
 
 namespace pdr {
 namespace {
@@ -22,7 +23,7 @@ std::vector<double> tissueLuminances(const Film& film, double exposure) {
     for (int y = 0; y < film.size().y; ++y)
         for (int x = 0; x < film.size().x; ++x)
             if (const PixelEstimate pixel = film.pixel(x, y); pixel.tissue)
-                luminances.push_back(glm::dot(pixel.mean, dvec3(0.2126, 0.7152, 0.0722)) / exposure);
+                luminances.push_back(luminance(pixel.mean) / exposure);
     std::ranges::sort(luminances);
     return luminances;
 }

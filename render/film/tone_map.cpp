@@ -3,17 +3,13 @@
 #include <cmath>
 #include <utility>
 
+#include "render/base/srgb.h"
 #include "render/film/levels.h"
 #include "render/film/noisy_film.h"
 #include "render/film/tone_curve.h"
 
 namespace pdr {
 namespace {
-
-/// Linear light of an sRGB value, both in [0, 1]. IEC 61966-2-1.
-double linearFromSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 /// The curve is inverted once, where it rounds, so that a pixel costs a search instead of an exponential and a power,
 /// and the levels are exact.
@@ -22,10 +18,6 @@ Thresholds makeThresholds() {
     for (int k = 0; k < kThresholds; ++k)
         thresholds[k] = -std::log1p(-linearFromSrgb((k + 0.5) / 255.0));
     return thresholds;
-}
-
-double srgbFromLinear(double light) {
-    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
 }
 
 std::array<float, kCurveEntries> makeCurve() {

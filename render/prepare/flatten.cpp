@@ -13,6 +13,7 @@
 #include "render/prepare/flatten_optics.h"
 #include "render/prepare/needs.h"
 #include "render/prepare/view_bounds.h"
+#include "render/scene/perspective.h"
 #include "render/scene/scene.h"
 
 namespace pdr {
@@ -58,7 +59,7 @@ void flattenMajorants(PreparedScene& prepared) {
 void flattenCamera(FlatCamera& flat, const Camera& camera, const VolumeGeometry& geometry, ivec2 film) {
     const double aspect = double(film.x) / film.y;
     const bool perspective = camera.type == Camera::Type::perspective;
-    const double height = perspective ? 2 * std::tan(glm::radians(camera.fovDegrees) / 2) : camera.heightMm;
+    const double height = perspective ? heightPerDepth(camera.fovDegrees) : camera.heightMm;
     flat.eye = dvec3(glm::inverse(geometry.patientFromIndex) * dvec4(camera.eyeMm, 1.0));
     flat.forward = camera.forward();
     flat.right = camera.right() * (height * aspect);

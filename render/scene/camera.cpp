@@ -5,6 +5,7 @@
 
 #include "render/scene/field_check.h"
 #include "render/scene/fields/camera_fields.h"
+#include "render/scene/perspective.h"
 
 namespace pdr {
 
@@ -25,7 +26,7 @@ double Camera::focusDistanceMm() const {
 }
 
 double Camera::heightInFocusMm() const {
-    return type == Type::perspective ? 2 * std::tan(glm::radians(fovDegrees) / 2) * focusDistanceMm() : heightMm;
+    return type == Type::perspective ? heightPerDepth(fovDegrees) * focusDistanceMm() : heightMm;
 }
 
 Result<void> Camera::check() const {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/scene/perspective.h"
+
 namespace pdr {
 namespace {
 
@@ -23,10 +25,6 @@ Camera steppedBack(Camera camera, double distanceMm) {
     return camera;
 }
 
-double heightAtOneMm(double fovDegrees) {
-    return 2 * std::tan(glm::radians(fovDegrees) / 2);
-}
-
 }  // namespace
 
 Camera withType(const Camera& camera, Camera::Type type) {
@@ -36,7 +34,7 @@ Camera withType(const Camera& camera, Camera::Type type) {
     if (type == Camera::Type::orthographic)
         other.heightMm = camera.heightInFocusMm();
     else
-        other = steppedBack(camera, std::max(camera.heightMm / heightAtOneMm(camera.fovDegrees), kNearestMm));
+        other = steppedBack(camera, std::max(camera.heightMm / heightPerDepth(camera.fovDegrees), kNearestMm));
     other.type = type;
     return other;
 }
@@ -44,7 +42,7 @@ Camera withType(const Camera& camera, Camera::Type type) {
 Camera withFieldOfView(const Camera& camera, double degrees) {
     Camera other = camera;
     if (camera.type == Camera::Type::perspective)
-        other = steppedBack(camera, std::max(camera.heightInFocusMm() / heightAtOneMm(degrees), kNearestMm));
+        other = steppedBack(camera, std::max(camera.heightInFocusMm() / heightPerDepth(degrees), kNearestMm));
     other.fovDegrees = degrees;
     return other;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/scene/perspective.h"
+
 namespace pdr {
 namespace {
 
@@ -17,7 +19,7 @@ std::vector<dvec3> cornersMm(const VolumeGeometry& geometry) {
 }
 
 Camera nearest(const Camera& camera, const std::vector<dvec3>& places, double aspect, double fraction) {
-    const double slopeUp = std::tan(glm::radians(camera.fovDegrees) / 2) * fraction;
+    const double slopeUp = heightPerDepth(camera.fovDegrees) / 2 * fraction;
     const double slopeRight = slopeUp * aspect;
     const dvec3 right = camera.right(), up = camera.imageUp(), forward = camera.forward();
     double distance = 0, height = 0;

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "render/scene/perspective.h"
+
 namespace pdr {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr double kFarthestMm = 1e6;  ///< nor goes farther: beyond, a volume is 
 double seenHeightMm(const Camera& camera) {
     if (camera.type == Camera::Type::orthographic)
         return camera.heightMm;
-    return 2 * glm::length(camera.targetMm - camera.eyeMm) * std::tan(glm::radians(camera.fovDegrees) / 2);
+    return glm::length(camera.targetMm - camera.eyeMm) * heightPerDepth(camera.fovDegrees);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "render/scene/perspective.h"
+
 namespace pdr {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr double kNearestMm = 1e-3;
 ViewGeometry::ViewGeometry(const Camera& camera, double aspect)
     : camera_(camera),
       aspect_(aspect),
-      heightPerDepth_(2 * std::tan(glm::radians(camera.fovDegrees) / 2)),
+      heightPerDepth_(heightPerDepth(camera.fovDegrees)),
       forward_(camera.forward()),
       right_(camera.right()),
       up_(camera.imageUp()) {}

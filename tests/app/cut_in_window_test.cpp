@@ -5,25 +5,13 @@
 #include <QTest>
 
 #include "tests/support/desktop_trial.h"
+#include "tests/support/hand_on_window.h"
 #include "tests/support/phantom_series.h"
-#include "tests/support/pictures.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
 
 using Kind = CutHandle::Kind;
-
-static void move(QWidget& widget, QPoint to) {
-    QMouseEvent event(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
-    QCoreApplication::sendEvent(&widget, &event);
-}
-
-/// What the renderer makes of the document's scene, small.
-static Film rendered(const Document& document) {
-    Scene scene = document.scene();
-    scene.film = {48, 40};
-    return test::sampled(Flattener().prepare(scene), 4);
-}
 
 class TestCutInWindow : public QObject {
     Q_OBJECT
@@ -46,8 +34,8 @@ class TestCutInWindow : public QObject {
         QVERIFY(!document.canUndo());  // to look is no step
         const QPoint head = handle(window, {Kind::face, 5});
         QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, head);
-        move(window.viewport(), head + QPoint(0, 20));
-        move(window.viewport(), head + QPoint(0, 60));
+        test::dragOn(window.viewport(), head + QPoint(0, 20));
+        test::dragOn(window.viewport(), head + QPoint(0, 60));
         QVERIFY(document.setup().clip.box);
         QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, head + QPoint(0, 60));
         const ClipBox uncut = *document.uncut(), box = *document.setup().clip.box;
@@ -71,7 +59,7 @@ class TestCutInWindow : public QObject {
         QTest::keyClick(&window, Qt::Key_C);
         const QPoint head = handle(window, {Kind::face, 5});
         QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, head);
-        move(window.viewport(), head + QPoint(0, 40));
+        test::dragOn(window.viewport(), head + QPoint(0, 40));
         QVERIFY(document.setup().clip.box);
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(document.setup() == before);
@@ -163,7 +151,7 @@ class TestCutInWindow : public QObject {
         const QPoint middle = pen.rect().center(), corners[] = {{-40, -40}, {50, 0}, {-40, 40}};
         QTest::mousePress(&pen, Qt::LeftButton, {}, middle + corners[0]);
         for (const QPoint corner : corners)
-            move(pen, middle + corner);
+            test::dragOn(pen, middle + corner);
         QTest::mouseRelease(&pen, Qt::LeftButton, {}, middle + corners[2]);
     }
     static QPoint handle(ui::MainWindow& window, CutHandle handle) {

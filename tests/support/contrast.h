@@ -7,12 +7,14 @@
 
 namespace pdr::test {
 
+/// Of an sRGB value, both in [0, 1].
+inline double linearLight(double value) {
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
 inline double luminance(const QColor& colour) {
-    const auto linear = [](double value) {
-        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(double(colour.redF())) + 0.7152 * linear(double(colour.greenF())) +
-           0.0722 * linear(double(colour.blueF()));
+    return 0.2126 * linearLight(double(colour.redF())) + 0.7152 * linearLight(double(colour.greenF())) +
+           0.0722 * linearLight(double(colour.blueF()));
 }
 
 inline double contrast(const QColor& a, const QColor& b) {

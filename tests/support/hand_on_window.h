@@ -1,10 +1,10 @@
 #pragma once
 /// A hand on the desktop's widgets, and what the renderer makes of what it did.
 
-#include <QMouseEvent>
 #include <QTest>
 
 #include "app/document.h"
+#include "tests/support/mouse.h"
 #include "tests/support/pictures.h"
 
 namespace pdr::app {
@@ -13,10 +13,8 @@ namespace pdr::app {
 inline void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {},
                  Qt::MouseButton button = Qt::LeftButton) {
     QTest::mousePress(&widget, button, keys, from);
-    for (const QPoint place : {(from + to) / 2, to}) {
-        QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, button, keys);
-        QCoreApplication::sendEvent(&widget, &move);
-    }
+    for (const QPoint place : {(from + to) / 2, to})
+        test::dragOn(widget, place, button, keys);
     QTest::mouseRelease(&widget, button, keys, to);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 /// A hand on the panel of the tissue, and what the panel emits.
 
-#include <QMouseEvent>
 #include <QTest>
 
+#include "tests/support/mouse.h"
 #include "ui/tissue/tissue_panel.h"
 
 namespace pdr::ui {
@@ -39,14 +39,9 @@ struct TissueHand {
 
     void drag(QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
         QTest::mousePress(&panel.editor(), Qt::LeftButton, keys, from);
-        move(panel.editor(), (from + to) / 2, Qt::LeftButton);
-        move(panel.editor(), to, Qt::LeftButton);
+        test::dragOn(panel.editor(), (from + to) / 2);
+        test::dragOn(panel.editor(), to);
         QTest::mouseRelease(&panel.editor(), Qt::LeftButton, keys, to);
-    }
-
-    static void move(QWidget& widget, QPoint place, Qt::MouseButton button) {
-        QMouseEvent event(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, button, {});
-        QCoreApplication::sendEvent(&widget, &event);
     }
 
     template <class Control>

@@ -4,25 +4,22 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/contrast.h"
 #include "ui/error_colours.h"
 #include "ui/main_window.h"
 
 namespace pdr::ui {
 
-static double linear(double value) {
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 /// CIE 1976 lightness of an sRGB colour, D65.
 static double lightness(const QColor& colour) {
-    const double y =
-        0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+    const double y = test::luminance(colour);
     return y > 216.0 / 24389 ? 116 * std::cbrt(y) - 16 : y * 24389 / 27;
 }
 
 /// OKLab from linear sRGB: the other way round than the colours are made.
 static dvec3 okLab(const QColor& colour) {
-    const double r = linear(colour.redF()), g = linear(colour.greenF()), b = linear(colour.blueF());
+    const double r = test::linearLight(colour.redF()), g = test::linearLight(colour.greenF()),
+                 b = test::linearLight(colour.blueF());
     const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
     const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
     const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);

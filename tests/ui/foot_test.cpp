@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/mouse.h"
 #include "ui/foot.h"
 #include "ui/main_window.h"
 #include "ui/theme.h"
@@ -206,8 +207,7 @@ void TestFoot::theKnobIsDraggedToTheNearestStep() {
     QTest::mousePress(&strip, Qt::LeftButton, {}, at(1));
     QCOMPARE(chosen.count(), 0);
     QTest::mouseMove(&strip, at(8));
-    QMouseEvent move(QEvent::MouseMove, at(8), strip.mapToGlobal(at(8)), Qt::NoButton, Qt::LeftButton, {});
-    QCoreApplication::sendEvent(&strip, &move);
+    test::dragOn(strip, at(8));
     QCOMPARE(chosen.takeLast().first().toDouble(), 8.0);
     QCOMPARE(strip.target(), 8.0);
     QTest::mouseRelease(&strip, Qt::LeftButton, {}, at(8));

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/named_widget.h"
 #include "ui/main_window.h"
 
 namespace pdr::ui {
@@ -153,25 +154,18 @@ void TestMainWindow::coloursAreChosenInTheMenu() {
     QVERIFY(!actionCalled(window, "As the system")->isChecked());
 }
 
-static QAbstractButton* buttonCalled(MainWindow& window, const QString& name) {
-    for (auto* button : window.findChildren<QAbstractButton*>())
-        if (button->accessibleName() == name)
-            return button;
-    return nullptr;
-}
-
 void TestMainWindow::theStartOffersWaysToOpen() {
     MainWindow window;
     activate(window);
     window.resize(800, 600);
-    QVERIFY(!buttonCalled(window, "Open a folder")->isVisible());
+    QVERIFY(!test::named<QAbstractButton>(window, "Open a folder").isVisible());
     window.setStartShown(true);
     QCoreApplication::processEvents();
-    QVERIFY(buttonCalled(window, "Open a folder")->isVisible());
-    QVERIFY(!buttonCalled(window, "Open the example")->isVisible());
+    QVERIFY(test::named<QAbstractButton>(window, "Open a folder").isVisible());
+    QVERIFY(!test::named<QAbstractButton>(window, "Open the example").isVisible());
     window.setExample("/example");
     QSignalSpy chosen(&window, &MainWindow::folderChosen);
-    buttonCalled(window, "Open the example")->click();
+    test::named<QAbstractButton>(window, "Open the example").click();
     QCOMPARE(chosen.value(0).value(0).toString(), QString("/example"));
 }
 
@@ -184,7 +178,7 @@ void TestMainWindow::recentFoldersAreOffered() {
     QVERIFY(!actionCalled(window, "Forget these folders")->isEnabled());
     window.setRecentFolders({"/a/newest", "/a/older"}, true);
     QVERIFY(actionCalled(window, "Remember folders")->isChecked());
-    buttonCalled(window, "Open /a/older")->click();
+    test::named<QAbstractButton>(window, "Open /a/older").click();
     actionCalled(window, "/a/newest")->trigger();
     QCOMPARE(chosen.count(), 2);
     QCOMPARE(chosen[0][0].toString(), QString("/a/older"));

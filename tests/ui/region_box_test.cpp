@@ -3,6 +3,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/mouse.h"
 #include "ui/region_box.h"
 
 namespace pdr::ui {
@@ -30,8 +31,7 @@ static QWidget* under(Picture& picture, QPoint place) {
 static void drag(Picture& picture, QPoint from, QPoint to) {
     QWidget* taker = under(picture, from);
     QTest::mousePress(taker, Qt::LeftButton, {}, from);
-    QMouseEvent move(QEvent::MouseMove, to, picture.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
-    QCoreApplication::sendEvent(taker, &move);
+    test::dragOn(*taker, to);
     QTest::mouseRelease(taker, Qt::LeftButton, {}, to);
 }
 

@@ -56,7 +56,7 @@ void TestTissueAccess::whateverTheHandDoesTheFunctionStaysOne() {
                     hand.named<QComboBox>("Curve")->setCurrentIndex(below(4));
                 break;
             default:
-                TissueHand::move(plot, place, Qt::LeftButton);
+                test::dragOn(plot, place, Qt::LeftButton);
         }
         QVERIFY(hand.panel.transferFunction().check());
         QVERIFY(hand.panel.editor().selection().empty() ||

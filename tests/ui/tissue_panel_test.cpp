@@ -57,13 +57,13 @@ void TestTissuePanel::aDragIsOneGesture() {
 void TestTissuePanel::whatComesFromOutsideEndsTheDrag() {
     TissueHand hand;
     QTest::mousePress(&hand.panel.editor(), Qt::LeftButton, {}, hand.at(400, 0.8));
-    TissueHand::move(hand.panel.editor(), hand.at(500, 0.8), Qt::LeftButton);
+    test::dragOn(hand.panel.editor(), hand.at(500, 0.8), Qt::LeftButton);
     QVERIFY(hand.edits > 0);
     TransferFunction other = bone();
     other.nodes[3].opacity = 0.9f;
     hand.panel.setTransferFunction(other);
     const int before = hand.edits + hand.rests;
-    TissueHand::move(hand.panel.editor(), hand.at(700, 0.2), Qt::LeftButton);
+    test::dragOn(hand.panel.editor(), hand.at(700, 0.2), Qt::LeftButton);
     QCOMPARE(hand.edits + hand.rests, before);
     QVERIFY(hand.panel.transferFunction() == other);
 }

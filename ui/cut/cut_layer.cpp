@@ -9,14 +9,6 @@
 
 namespace pdr::ui {
 
-CutLayer::CutLayer(QWidget* picture) : QWidget(picture) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAttribute(Qt::WA_NoSystemBackground);
-    setFocusPolicy(Qt::NoFocus);
-    resize(picture->size());
-    picture->installEventFilter(this);
-}
-
 void CutLayer::setCuts(const Clip& clip, const std::optional<Uncut>& uncut) {
     if (clip != clip_ || uncut != uncut_) {
         grip_.reset();
@@ -53,9 +45,9 @@ bool CutLayer::giveUp() {
 }
 
 bool CutLayer::eventFilter(QObject* picture, QEvent* event) {
+    const bool taken = PictureLayer::eventFilter(picture, event);
     switch (event->type()) {
         case QEvent::Resize:
-            resize(parentWidget()->size());
             mark();
             break;
         case QEvent::MouseButtonPress:
@@ -72,7 +64,7 @@ bool CutLayer::eventFilter(QObject* picture, QEvent* event) {
         default:
             break;
     }
-    return QWidget::eventFilter(picture, event);
+    return taken;
 }
 
 bool CutLayer::press(const QMouseEvent& event) {

@@ -2,21 +2,20 @@
 /// Box and planes of the cut over the picture, with handles for the mouse. What lies beside a handle reaches the
 /// picture below. Setters are silent.
 
-#include <QWidget>
 #include <optional>
 
 #include "ui/cut/cut_marks.h"
+#include "ui/picture_layer.h"
 
 class QMouseEvent;
 
 namespace pdr::ui {
 
-class CutLayer : public QWidget {
+class CutLayer : public PictureLayer {
     Q_OBJECT
 
   public:
-    /// A layer over all of `picture`, whose size it follows.
-    explicit CutLayer(QWidget* picture);
+    explicit CutLayer(QWidget* picture) : PictureLayer(picture) {}
 
     /// `uncut`: what there is to cut; none: nothing is shown. Another than the hand makes ends what it does.
     void setCuts(const Clip& clip, const std::optional<Uncut>& uncut);

@@ -3,6 +3,8 @@
 #include <QLineF>
 #include <algorithm>
 
+#include "ui/picture_layer.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -11,11 +13,10 @@ using Kind = CutHandle::Kind;
 constexpr double kDot = 6;        ///< radius of a handle [px]
 constexpr double kDotReach = 11;  ///< from which distance the mouse takes hold of it
 constexpr double kLineReach = 5;
-constexpr QRgb kBoxColour = qRgb(255, 205, 110);
 constexpr QRgb kPlaneColour = qRgb(130, 200, 255);
 
 QColor colourOf(CutHandle handle) {
-    return QColor(handle.kind == Kind::face || handle.kind == Kind::box ? kBoxColour : kPlaneColour);
+    return QColor(handle.kind == Kind::face || handle.kind == Kind::box ? kMarkColour : kPlaneColour);
 }
 
 double distanceTo(const QLineF& line, QPointF place) {

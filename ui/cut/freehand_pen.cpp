@@ -1,6 +1,5 @@
 #include "ui/cut/freehand_pen.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QPainter>
@@ -13,7 +12,6 @@
 namespace pdr::ui {
 namespace {
 
-constexpr QRgb kLine = qRgb(255, 205, 110);
 constexpr double kLeastSide = 8;      ///< of what a line goes around [px]: less is a click
 constexpr double kStep = 2;           ///< from corner to corner [px]
 constexpr double kTolerancePx = 0.7;  ///< by which a corner that is left out may be off
@@ -21,10 +19,7 @@ constexpr double kTolerancePx = 0.7;  ///< by which a corner that is left out ma
 }  // namespace
 
 FreehandPen::FreehandPen(QWidget* picture)
-    : QWidget(picture), answers_(this), remove_(tr("Remove inside")), keep_(tr("Keep inside")) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAttribute(Qt::WA_NoSystemBackground);
-    setFocusPolicy(Qt::NoFocus);
+    : PictureLayer(picture), answers_(this), remove_(tr("Remove inside")), keep_(tr("Keep inside")) {
     remove_.setToolTip(tr("Cut away what lies behind the inside of the line (Del)"));
     keep_.setToolTip(tr("Cut away all but what lies behind the inside of the line (K)"));
     remove_.setShortcut(Qt::Key_Delete);
@@ -38,8 +33,6 @@ FreehandPen::FreehandPen(QWidget* picture)
     answers_.hide();
     connect(&remove_, &QPushButton::clicked, this, [this] { answer(false); });
     connect(&keep_, &QPushButton::clicked, this, [this] { answer(true); });
-    resize(picture->size());
-    picture->installEventFilter(this);
 }
 
 void FreehandPen::setPicture(const Camera& camera, QSize size) {
@@ -52,26 +45,11 @@ void FreehandPen::setPicture(const Camera& camera, QSize size) {
     size_ = size;
 }
 
-void FreehandPen::startDrawing() {
-    drawing_ = true;
-    setAttribute(Qt::WA_TransparentForMouseEvents, false);
-    setCursor(Qt::CrossCursor);
-    raise();
-}
-
 void FreehandPen::stopDrawing() {
-    drawing_ = pressed_ = false;
+    pressed_ = false;
     line_.clear();
     answers_.hide();
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    unsetCursor();
-    update();
-}
-
-bool FreehandPen::eventFilter(QObject* picture, QEvent* event) {
-    if (event->type() == QEvent::Resize)
-        resize(parentWidget()->size());
-    return QWidget::eventFilter(picture, event);
+    leaveMouse();
 }
 
 /// A second line takes the place of the first.
@@ -134,12 +112,12 @@ void FreehandPen::paintEvent(QPaintEvent*) {
         return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(QColor(255, 205, 110, 30));
-    painter.setPen(QPen(QColor(0, 0, 0, 170), 3));
+    QColor inside(kMarkColour);
+    inside.setAlpha(30);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(inside);
     painter.drawPolygon(line_);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(kLine), 1.5));
-    painter.drawPolygon(line_);
+    drawMark(painter, line_, 1.5);
 }
 
 }  // namespace pdr::ui

@@ -4,26 +4,25 @@
 
 #include <QPolygonF>
 #include <QPushButton>
-#include <QWidget>
 #include <optional>
 
 #include "render/scene/clip.h"
+#include "ui/picture_layer.h"
 
 namespace pdr::ui {
 
-class FreehandPen : public QWidget {
+class FreehandPen : public PictureLayer {
     Q_OBJECT
 
   public:
-    /// A layer over all of `picture`, whose size it follows.
     explicit FreehandPen(QWidget* picture);
 
     /// The camera of the picture on the screen, and the picture's size [pixels]. Another view forgets a line.
     void setPicture(const Camera& camera, QSize size);
     /// The next drag draws a line; until it is answered what it cuts, the mouse does nothing else.
-    void startDrawing();
+    void startDrawing() { takeMouse(); }
     void stopDrawing();
-    bool isDrawing() const { return drawing_; }
+    bool isDrawing() const { return takesMouse(); }
 
   signals:
     void drawn(const pdr::FreehandCut& cut);
@@ -31,7 +30,6 @@ class FreehandPen : public QWidget {
     void ended();
 
   protected:
-    bool eventFilter(QObject* picture, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -44,7 +42,6 @@ class FreehandPen : public QWidget {
 
     std::optional<Camera> camera_;
     QSize size_;
-    bool drawing_ = false;
     bool pressed_ = false;
     QPolygonF line_;   ///< [px]
     QWidget answers_;  ///< at the place where the mouse was released

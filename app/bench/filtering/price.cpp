@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/bench/median.h"
+#include "render/base/srgb.h"
 #include "render/film/film.h"
 #include "render/kernel/volume_sampling.h"
 #include "render/scene/scene.h"
@@ -28,9 +29,7 @@ double steepestCell(const FlatVolume& volume) {
 
 /// displayLevel() without its rounding: what differs by less than a level is seen, too.
 double shownLevel(double radiance) {
-    const double linear = -std::expm1(-std::max(radiance, 0.0));
-    const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-    return 255 * encoded;
+    return 255 * srgbFromLinear(-std::expm1(-std::max(radiance, 0.0)));
 }
 
 double standardErrorInLevels(double mean, double error) {

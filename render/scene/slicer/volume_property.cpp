@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/base/srgb.h"
 #include "render/scene/range.h"
 
 namespace pdr::slicer {
@@ -12,13 +13,6 @@ constexpr double kOpaque = 0.995;      ///< what counts as 1, whose extinction w
 constexpr float kLongestStep = 0.25f;  ///< of opacity between two points of extinction
 constexpr float kShadedEdges = 3;      ///< gradient factor of what Slicer shades
 constexpr double kDielectric = 0.2;    ///< reflectance of Slicer's specular 1: its 0.2 is that of tissue, 0.04
-
-double linear(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-double encoded(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
 
 Result<void> checkAscending(const auto& points, const char* what) {
     const std::string where(what);
@@ -106,7 +100,7 @@ Result<NamedLook> lookOf(const VolumeProperty& property, const std::string& name
     std::vector<ColourStop> colours = property.colours;
     for (ColourStop& stop : colours)
         for (int channel = 0; channel < 3; ++channel)
-            stop.albedo[channel] = float(linear(double(stop.albedo[channel])));
+            stop.albedo[channel] = float(linearFromSrgb(double(stop.albedo[channel])));
     named.look.transferFunction = withColours(function, colours);
     named.look.gradientFactor = property.shade ? kShadedEdges : 0;
     named.look.phaseG = float(std::clamp(property.anisotropy, -0.99, 0.99));
@@ -124,7 +118,7 @@ VolumeProperty propertyOf(const NamedLook& look) {
         property.opacity.push_back({node.hu, float(-std::expm1(-extinction))});
         vec3 colour;
         for (int channel = 0; channel < 3; ++channel)
-            colour[channel] = float(std::clamp(encoded(double(node.albedo[channel])), 0.0, 1.0));
+            colour[channel] = float(std::clamp(srgbFromLinear(double(node.albedo[channel])), 0.0, 1.0));
         property.colours.push_back({node.hu, colour});
         if (double(node.specular.y) > specular) {
             specular = double(node.specular.y);

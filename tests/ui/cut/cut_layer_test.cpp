@@ -5,6 +5,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/mouse.h"
+
 namespace pdr::ui {
 
 using Kind = CutHandle::Kind;
@@ -32,10 +34,7 @@ class CutPicture : public QWidget {
         move((from + to) / 2);
         move(to);
     }
-    void move(QPoint to) {
-        QMouseEvent event(QEvent::MouseMove, to, mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
-        QCoreApplication::sendEvent(this, &event);
-    }
+    void move(QPoint to) { test::dragOn(*this, to); }
 
     Camera camera{.eyeMm = {-500, -600, 100}, .targetMm = {0, 0, 0}, .fovDegrees = 30};
     int clicks = 0, doubleClicks = 0, ended = 0;

@@ -1,11 +1,13 @@
 /// A line drawn on the picture becomes a cut when it is answered what it is to cut.
 
 #include "ui/cut/freehand_pen.h"
+#include "tests/support/mouse.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include "render/scene/drawn_outline.h"
+#include "tests/support/mouse.h"
 
 namespace pdr::ui {
 
@@ -23,12 +25,8 @@ class PenPicture : public QWidget {
         const QPoint corners[] = {{100, 50}, {200, 50}, {200, 150}, {100, 150}};
         QTest::mousePress(pen, Qt::LeftButton, {}, corners[0]);
         for (const QPoint to : corners)
-            move(to);
+            test::dragOn(*pen, to);
         QTest::mouseRelease(pen, Qt::LeftButton, {}, corners[3]);
-    }
-    void move(QPoint to) {
-        QMouseEvent event(QEvent::MouseMove, to, mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
-        QCoreApplication::sendEvent(pen, &event);
     }
     QPushButton* button(const QString& text) {
         for (auto* one : pen->findChildren<QPushButton*>())
@@ -86,7 +84,7 @@ class TestFreehandPen : public QObject {
         QCOMPARE(ended.size(), 1);
         picture.pen->startDrawing();
         QTest::mousePress(picture.pen, Qt::LeftButton, {}, {50, 50});
-        picture.move({150, 51});
+        test::dragOn(*picture.pen, {150, 51});
         QTest::mouseRelease(picture.pen, Qt::LeftButton, {}, {150, 51});
         QCOMPARE(ended.size(), 2);
         QVERIFY(picture.cuts.empty() && !picture.pen->isDrawing());

@@ -1,0 +1,14 @@
+#pragma once
+/// The size of a perspective picture.
+
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+namespace pdr {
+
+/// How high it is at a depth of 1, for a vertical field of view in (0, 180) degrees.
+inline double heightPerDepth(double fovDegrees) {
+    return 2 * std::tan(glm::radians(fovDegrees) / 2);
+}
+
+}  // namespace pdr
