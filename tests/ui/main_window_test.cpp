@@ -33,6 +33,7 @@ class TestMainWindow : public QObject {
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
     void aDroppedFileStandsForItsFolder();
+    void aDroppedPictureOfASkyIsNoFolder();
     void settersAreSilent();
 };
 
@@ -304,6 +305,19 @@ void TestMainWindow::aDroppedFileStandsForItsFolder() {
     QFile file(folder.filePath("slice"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     QCOMPARE(droppedOn(window, file.fileName()), folder.path());
+}
+
+void TestMainWindow::aDroppedPictureOfASkyIsNoFolder() {
+    MainWindow window;
+    QSignalSpy sky(&window, &MainWindow::skyDropped);
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("room.EXR"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(droppedOn(window, file.fileName()).isEmpty());
+    QCOMPARE(sky.value(0).value(0).toString(), file.fileName());
+    QVERIFY(QDir(folder.path()).mkdir("series.exr"));
+    QCOMPARE(droppedOn(window, folder.filePath("series.exr")), folder.filePath("series.exr"));
+    QCOMPARE(sky.count(), 1);
 }
 
 void TestMainWindow::settersAreSilent() {
