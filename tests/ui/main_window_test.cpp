@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "ui/main_window.h"
+#include "ui/program_icon.h"
 
 namespace pdr::ui {
 
@@ -35,6 +36,7 @@ class TestMainWindow : public QObject {
     void aDroppedFileStandsForItsFolder();
     void aDroppedPictureOfASkyIsNoFolder();
     void settersAreSilent();
+    void itHasAnIconWithoutAPluginForSvg();
 };
 
 void TestMainWindow::theTitleAlwaysSaysNotForDiagnosticUse() {
@@ -318,6 +320,17 @@ void TestMainWindow::aDroppedPictureOfASkyIsNoFolder() {
     QVERIFY(QDir(folder.path()).mkdir("series.exr"));
     QCOMPARE(droppedOn(window, folder.filePath("series.exr")), folder.filePath("series.exr"));
     QCOMPARE(sky.count(), 1);
+}
+
+void TestMainWindow::itHasAnIconWithoutAPluginForSvg() {
+    const MainWindow window;
+    for (const int size : kIconSizes) {
+        const QImage image = window.windowIcon().pixmap(size).toImage();
+        QCOMPARE(image.size(), QSize(size, size));
+        QVERIFY(window.windowIcon().availableSizes().contains(QSize(size, size)));
+        QVERIFY(image.pixelColor(0, 0).alpha() < 32);                     // round corners
+        QVERIFY(image.pixelColor(size / 2, size / 4).lightness() > 150);  // bone
+    }
 }
 
 void TestMainWindow::settersAreSilent() {
