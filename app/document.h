@@ -92,7 +92,8 @@ class Document : public QObject {
     void giveUpGesture();
     /// Which part of the patient is seen: a part of the look.
     void setVisible(const pdr::Visible& visible, bool moving = false);
-    /// The mask that was wanted of it; null: the scan does not have that part, and all of it is shown.
+    /// The mask that was wanted of it; null: the scan does not have that part, and all of it is shown, as if nothing
+    /// else had been chosen.
     void setMask(const pdr::Visible& visible, const std::shared_ptr<const pdr::Mask>& mask);
     /// No mask will come: what is seen stays chosen. No step to undo.
     void keepVisible();
@@ -137,6 +138,7 @@ class Document : public QObject {
     void forgetSteps();
     void show(bool moving);
     void rest(Gesture gesture);
+    void fallBackTo(const Visible& visible);
     std::string nameOf(const PictureSetup& setup) const;
     Scene made();
     void show(Scene scene, bool moving);
