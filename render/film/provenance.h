@@ -28,7 +28,7 @@ struct Provenance {
     std::string estimator;  ///< "kroesMarch (biased)"; empty: the unbiased one
     std::string schedule;   ///< "Exposure Render's K1, blurred"; empty: ours
     std::string warnings;   ///< what is known to be off about the scene: "overDense"; empty: nothing
-    std::string hidden;     ///< of the scan, and by which rule: "884 ml of 17.7 l, rule 1, ..."; empty: nothing
+    std::string hidden;     ///< of the scan, and by which rule: "884 ml of 17.7 l, rule 2, ..."; empty: nothing
     std::string cut;        ///< away by the user: "box, 1 plane"; empty: nothing
     std::string notShown;   ///< of the body, in sentences: "Peeled 7 mm: ..."; empty: all of it is
     std::string remarks;    ///< on the import of the voxels, in words: "lossy clipped"; empty: none

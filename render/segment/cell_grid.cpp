@@ -55,4 +55,17 @@ Cells cellsAbove(int thresholdHu, const Volume& volume, const CellGrid& grid) {
     return cells;
 }
 
+double volumeMl(const Cells& cells, const CellGrid& grid, ivec3 voxels) {
+    std::int64_t count = 0;
+    std::size_t i = 0;
+    for (int z = 0; z < grid.size.z; ++z)
+        for (int y = 0; y < grid.size.y; ++y)
+            for (int x = 0; x < grid.size.x; ++x, ++i)
+                if (cells[i]) {
+                    const ivec3 edges = glm::min(grid.block, voxels - ivec3(x, y, z) * grid.block);
+                    count += std::int64_t(edges.x) * edges.y * edges.z;
+                }
+    return double(count) * grid.cellMl() / (double(grid.block.x) * grid.block.y * grid.block.z);
+}
+
 }  // namespace pdr::segment

@@ -34,6 +34,9 @@ struct CellGrid {
     double longestMm() const { return glm::max(spacingMm.x, glm::max(spacingMm.y, spacingMm.z)); }
 };
 
+/// Of the flagged cells of a scan of that many voxels; cells at the end of an axis count as large as they are.
+double volumeMl(const Cells& cells, const CellGrid& grid, ivec3 voxels);
+
 /// The cells whose mean lies above `thresholdHu`; what lies below air counts as air.
 Cells cellsAbove(int thresholdHu, const Volume& volume, const CellGrid& grid);
 
