@@ -12,6 +12,7 @@
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
+#include "app/sky_job.h"
 #include "app/tissue_edits.h"
 #include "app/tissue_study.h"
 #include "ui/main_window.h"
@@ -32,6 +33,7 @@ struct DesktopParts {
     ModelTrial& modelTrial;
     PictureJob& picture;
     MaskJob& masks;
+    SkyJob& sky;
     LookPictures& looks;
     OwnLooks& ownLooks;
 };

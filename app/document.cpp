@@ -165,6 +165,8 @@ void Document::setVisible(const Visible& visible, bool moving) {
 }
 
 void Document::setMask(const Visible& visible, const std::shared_ptr<const Mask>& mask) {
+    if (!mask)
+        return visible == setup_.look.visible ? fallBackTo({}) : void();
     masks_.push_back({visible, mask});
     if (masks_.size() > kMasks)
         masks_.pop_front();
@@ -173,10 +175,16 @@ void Document::setMask(const Visible& visible, const std::shared_ptr<const Mask>
 }
 
 void Document::keepVisible() {
-    if (shown_.visible == setup_.look.visible)
+    fallBackTo(shown_.visible);
+}
+
+/// What was chosen cannot be seen. Where the choice was all that its step changed, there is no such step.
+void Document::fallBackTo(const Visible& visible) {
+    if (visible == setup_.look.visible)
         return;
-    setup_.look.visible = shown_.visible;
+    setup_.look.visible = visible;
     setup_.lookName = looks_.nameOf(setup_, setup_.lookName);
+    history_.forgetStepTo(setup_);
     if (hasVolume())
         show(false);
 }

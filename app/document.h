@@ -91,7 +91,8 @@ class Document : public QObject {
     void giveUpGesture();
     /// Which part of the patient is seen: a part of the look.
     void setVisible(const pdr::Visible& visible, bool moving = false);
-    /// The mask that was wanted of it; null: the scan does not have that part, and all of it is shown.
+    /// The mask that was wanted of it; null: the scan does not have that part, and all of it is shown, as if nothing
+    /// else had been chosen.
     void setMask(const pdr::Visible& visible, const std::shared_ptr<const pdr::Mask>& mask);
     /// No mask will come: what is seen stays chosen. No step to undo.
     void keepVisible();
@@ -134,6 +135,7 @@ class Document : public QObject {
     void edit(PictureSetup setup, Gesture gesture = Gesture::none, bool moving = false);
     void comeBackTo(PictureSetup setup);
     void show(bool moving);
+    void fallBackTo(const Visible& visible);
     Scene made();
     void show(Scene scene, bool moving);
     Framed framed() const;

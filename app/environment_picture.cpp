@@ -3,20 +3,44 @@
 #include <utility>
 
 #include "render/film/image_file.h"
+#include "render/scene/sky_picture.h"
 
 namespace pdr::app {
+namespace {
+
+/// `where` is used in error texts.
+Result<EnvironmentImage> readPicture(const std::filesystem::path& file, const std::string& where,
+                                     const Progress& progress) {
+    auto picture = readExr(file, progress);
+    if (!picture)
+        return Error{picture.error().what, where, picture.error().hint, picture.error().kind};
+    EnvironmentImage image{picture->size, std::move(picture->pixels)};
+    if (auto ok = image.check(); !ok)
+        return Error{ok.error().where + " " + ok.error().what, where, "Choose another picture."};
+    return image;
+}
+
+Result<std::shared_ptr<const EnvironmentImage>> shared(Result<EnvironmentImage> image) {
+    if (!image)
+        return image.error();
+    return std::make_shared<const EnvironmentImage>(*std::move(image));
+}
+
+}  // namespace
 
 Result<std::shared_ptr<const EnvironmentImage>> fetchEnvironment(const SceneFile& file) {
     if (file.environmentImage.empty())
         return std::shared_ptr<const EnvironmentImage>();
-    auto picture = readExr(file.environmentImage);
     const std::string where = file.environmentImage.string() + " (" + file.environmentField + ")";
+    return shared(readPicture(file.environmentImage, where, noProgress));
+}
+
+Result<std::shared_ptr<const EnvironmentImage>> readSky(const std::filesystem::path& file, const Progress& progress) {
+    auto picture = readPicture(file, file.string(), progress);
     if (!picture)
-        return Error{picture.error().what, where, picture.error().hint};
-    auto image = std::make_shared<EnvironmentImage>(EnvironmentImage{picture->size, std::move(picture->pixels)});
-    if (auto ok = image->check(); !ok)
-        return Error{ok.error().where + " " + ok.error().what, where, ok.error().hint};
-    return std::shared_ptr<const EnvironmentImage>(std::move(image));
+        return picture.error();
+    auto scaled = scaledToMeanOne(*std::move(picture));
+    return scaled ? shared(std::move(scaled)) : scaled.error().in(file.string());
 }
 
 }  // namespace pdr::app

@@ -5,6 +5,7 @@
 #include "app/look_files.h"
 #include "app/show_looks.h"
 #include "app/show_message.h"
+#include "render/scene/sky_picture.h"
 
 namespace pdr::app {
 namespace {
@@ -22,7 +23,7 @@ NamedLook shownLook(const Document& document, const std::string& name) {
     named.model = setup.model;
     named.look = setup.look;
     named.look.display.exposure = displayOf(setup).exposure;
-    named.look.environment.image = nullptr;  // files of looks hold none
+    named.look.environment = withoutPicture(named.look.environment);  // files of looks hold none
     return named;
 }
 
@@ -69,7 +70,10 @@ void offerOwnLooks(const DesktopParts& parts) {
 }
 
 void saveLook(const DesktopParts& parts, const QString& name) {
+    const bool sky = parts.document.setup().look.environment.image != nullptr;
     keep(parts, shownLook(parts.document, name.toStdString()));
+    if (sky)
+        showNotice(parts, ui::MainWindow::tr("Looks hold no sky picture: this one has even light from all around."));
 }
 
 void renameLook(const DesktopParts& parts, const QString& from, const QString& to) {

@@ -1,5 +1,7 @@
 #include "app/light_edits.h"
 
+#include "render/scene/sky_picture.h"
+
 namespace pdr::app {
 
 Lighting LightEdits::lighting() const {
@@ -14,10 +16,12 @@ void LightEdits::setLighting(const Lighting& lighting, bool moving) {
     document_.setLook(look, moving);
 }
 
+void LightEdits::setSky(const std::shared_ptr<const EnvironmentImage>& picture) {
+    setLighting(litBy(lighting(), picture), false);
+}
+
 void LightEdits::turn(QPointF inHeights, bool moving) {
-    Lighting lighting = this->lighting();
-    lighting.rig = turned(lighting.rig, {inHeights.x(), inHeights.y()}, document_.setup().camera);
-    setLighting(lighting, moving);
+    setLighting(turned(lighting(), {inHeights.x(), inHeights.y()}, document_.setup().camera), moving);
 }
 
 }  // namespace pdr::app

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QPointF>
+#include <memory>
 
 #include "app/document.h"
 #include "render/scene/named_rig.h"
@@ -21,6 +22,8 @@ class LightEdits : public QObject {
   public slots:
     /// One gesture is one step to undo.
     void setLighting(const pdr::Lighting& lighting, bool moving);
+    /// That picture of surroundings instead of the rig; a step to undo. See litBy() in render/scene/sky_picture.h.
+    void setSky(const std::shared_ptr<const pdr::EnvironmentImage>& picture);
     /// A drag on the picture since the last, in fractions of the view's height: turns all lights as a hand on their
     /// near side would.
     void turn(QPointF inHeights, bool moving);

@@ -1,5 +1,7 @@
 #include "app/provenance.h"
 
+#include <cmath>
+
 #include "render/base/version.h"
 #include "render/prepare/needs.h"
 #include "render/prepare/warnings.h"
@@ -39,6 +41,14 @@ std::string effectsText(const Scene& scene) {
     return text;
 }
 
+std::string skyText(const Environment& environment) {
+    if (!environment.image)
+        return {};
+    const ivec2 size = environment.image->size;
+    return std::to_string(size.x) + " x " + std::to_string(size.y) + ", turned by " +
+           std::to_string(std::lround(environment.rotationDegrees)) + " degrees";
+}
+
 }  // namespace
 
 Provenance provenanceOf(const Scene& scene, const Rendered& rendered) {
@@ -52,6 +62,7 @@ Provenance provenanceOf(const Scene& scene, const Rendered& rendered) {
             .device = rendered.device,
             .effects = effectsText(scene),
             .look = scene.lookName,
+            .sky = skyText(scene.environment),
             .camera = cameraText(scene.camera),
             .bias = biasText(scene, rendered),
             .estimator = scene.estimator == Estimator::unbiased ? "" : "kroesMarch (biased)",

@@ -41,6 +41,8 @@ void cancelWhatRuns(const DesktopParts& parts) {
         parts.import.cancel();
     else if (parts.masks.isRunning())
         parts.masks.cancel();
+    else if (parts.sky.isRunning())
+        parts.sky.cancel();
     else
         parts.picture.cancel();
 }

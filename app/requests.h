@@ -17,8 +17,8 @@ void setBackground(const DesktopParts& parts, const std::optional<QColor>& colou
 void chooseModel(const DesktopParts& parts, Model model);
 /// Makes the picture that was ordered beside the session.
 void makePicture(const DesktopParts& parts, const ui::PictureOrder& order);
-/// Gives up what the progress is shown of: reading, looking for a part of the body, or else a
-/// picture that is being made.
+/// Gives up what the progress is shown of: reading, looking for a part of the body, a picture of surroundings, or else
+/// a picture that is being made.
 void cancelWhatRuns(const DesktopParts& parts);
 /// Does what the panel of effects offers.
 void leaveOutUnseen(const DesktopParts& parts);

@@ -52,6 +52,11 @@ void SetupHistory::brighten(const std::string& lookName, double stops) {
             earlier.stops = stops;
 }
 
+void SetupHistory::forgetStepTo(const PictureSetup& now) {
+    if (canUndo() && previous() == now)
+        past_.pop_back();
+}
+
 void SetupHistory::forget() {
     *this = {};
 }

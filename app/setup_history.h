@@ -36,6 +36,8 @@ class SetupHistory {
     PictureSetup redo(const PictureSetup& now);
     /// Steps back to a picture that is named `lookName` and has no brightness of its own lead to that brightness.
     void brighten(const std::string& lookName, double stops);
+    /// Where the last step back leads to `now` there is no such step any more.
+    void forgetStepTo(const PictureSetup& now);
     void forget();
 
   private:

@@ -119,6 +119,19 @@ void wireMasks(const DesktopParts& parts) {
     QObject::connect(&masks, &MaskJob::cancelled, &parts.document, &Document::keepVisible);
 }
 
+/// A picture of surroundings becomes light.
+void wireSky(const DesktopParts& parts) {
+    SkyJob& sky = parts.sky;
+    ui::MainWindow& window = parts.window;
+    ui::StatusLine& status = window.status();
+    QObject::connect(&window, &ui::MainWindow::skyDropped, &sky, &SkyJob::read);
+    QObject::connect(&window.light(), &ui::LightPanel::skyChosen, &sky, &SkyJob::read);
+    QObject::connect(&sky, &SkyJob::progressed, &status, &ui::StatusLine::setProgress);
+    QObject::connect(&sky, &SkyJob::finished, &status, &ui::StatusLine::endProgress);
+    QObject::connect(&sky, &SkyJob::failed, &window, [parts](const Error& error) { showFailure(parts, error); });
+    QObject::connect(&sky, &SkyJob::found, &parts.light, &LightEdits::setSky);
+}
+
 /// 3. The document's scene goes to the renderer.
 void wireRendering(const DesktopParts& parts) {
     Document& document = parts.document;
@@ -250,6 +263,7 @@ void wire(const DesktopParts& parts) {
     wireEdits(parts);
     wireCuts(parts);
     wireMasks(parts);
+    wireSky(parts);
     wireRendering(parts);
     wireScreen(parts);
     wireLooks(parts);

@@ -50,6 +50,13 @@ class ForgetfulDialog : KeptPlaces, public QFileDialog {
     }
 };
 
+QString askForFile(QWidget* parent, const QString& title, const QString& filter) {
+    ForgetfulDialog dialog(parent, title);
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    dialog.setNameFilter(filter);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 /// Below the files: the layout of Qt's own dialog is a grid.
 void addBelow(QFileDialog& dialog, QWidget* widget) {
     if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout()))
@@ -68,10 +75,12 @@ QString askForFolder(QWidget* parent, const QString& start) {
 }
 
 QString askForLook(QWidget* parent) {
-    ForgetfulDialog dialog(parent, translated("Import a look"));
-    dialog.setFileMode(QFileDialog::ExistingFile);
-    dialog.setNameFilter(translated("Looks, also of 3D Slicer (*.json *.vp)"));
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    return askForFile(parent, translated("Import a look"), translated("Looks, also of 3D Slicer (*.json *.vp)"));
+}
+
+QString askForSky(QWidget* parent) {
+    return askForFile(parent, translated("Light by a picture of a sky or a room"),
+                      translated("Panorama, twice as wide as high (*.exr)"));
 }
 
 QString askWhereToShare(QWidget* parent, const QString& name) {

@@ -22,6 +22,9 @@ std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, 
 /// Asks for a file with a look: ours (.json) or 3D Slicer's (.vp.json, .vp); empty: the user cancelled.
 QString askForLook(QWidget* parent);
 
+/// Asks for a file with a picture of surroundings (.exr); empty: the user cancelled.
+QString askForSky(QWidget* parent);
+
 /// Asks where a look called `name` goes, in one of these formats; empty: the user cancelled.
 QString askWhereToShare(QWidget* parent, const QString& name);
 

@@ -11,6 +11,7 @@
 #include "render/base/version.h"
 #include "ui/file_dialogs.h"
 #include "ui/keys_dialog.h"
+#include "ui/program_icon.h"
 
 namespace pdr::ui {
 namespace {
@@ -101,6 +102,7 @@ MainWindow::MainWindow()
     connect(look_, &LookPanel::cameraWanted, docks_->toggleCamera(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::textClicked, docks_->toggleAccuracy(), &QAction::trigger);
 
+    setWindowIcon(programIcon());
     setAcceptDrops(true);
     setUndoAvailable(false, false);
     setPictureAvailable(false);

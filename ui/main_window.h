@@ -88,6 +88,8 @@ class MainWindow : public QMainWindow {
 
   signals:
     void folderChosen(const QString& folder);
+    /// A picture of surroundings that is to light the volume.
+    void skyDropped(const QString& file);
     /// What is on the screen, as it is.
     void saveRequested(const QString& file);
     /// A picture of a size of its own.

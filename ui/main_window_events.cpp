@@ -38,11 +38,14 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
         event->acceptProposedAction();
 }
 
-/// A file stands for the folder that it lies in.
+/// A file stands for the folder that it lies in, but for a picture of surroundings.
 void MainWindow::dropEvent(QDropEvent* event) {
     const QFileInfo dropped(event->mimeData()->urls().value(0).toLocalFile());
     event->acceptProposedAction();
-    emit folderChosen(dropped.isFile() ? dropped.absolutePath() : dropped.absoluteFilePath());
+    if (dropped.isFile() && dropped.suffix().compare("exr", Qt::CaseInsensitive) == 0)
+        emit skyDropped(dropped.absoluteFilePath());
+    else
+        emit folderChosen(dropped.isFile() ? dropped.absolutePath() : dropped.absoluteFilePath());
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

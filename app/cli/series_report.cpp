@@ -87,6 +87,7 @@ void addTable(Json& report, const Volume& volume, const Progress& progress) {
     report["table"] = {{"hiddenMl", table->hiddenMl},
                        {"touchedMl", table->cutMl},
                        {"bodyMl", table->bodyMl},
+                       {"metalMl", table->metalMl},
                        {"parts", table->parts},
                        {"text", segment::tableText(*table)}};
 }

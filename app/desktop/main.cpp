@@ -111,6 +111,7 @@ int runWithWindow(int argc, char** argv) {
     qInstallMessageHandler(usual);
     QApplication::setApplicationName("pdrender");
     QApplication::setApplicationVersion(PDR_VERSION);
+    QApplication::setDesktopFileName("pdrender");  // whose icon a task bar shows under Wayland
     const DesktopOptions options = desktopOptions(QApplication::arguments());
     if (options.answered)
         return *options.answered;

@@ -229,7 +229,7 @@ Result<void> writeExr(const Film& film, const Provenance& provenance, const std:
     return commitUnlessStopped(*file, stop);
 }
 
-Result<RadianceImage> readExr(const std::filesystem::path& path) {
+Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress& progress) {
     constexpr int kLargestEdge = 16384;
     try {
         Imf::InputFile file(path.c_str());
@@ -256,7 +256,12 @@ Result<RadianceImage> readExr(const std::filesystem::path& path) {
                 break;
         }
         file.setFrameBuffer(frame);
-        file.readPixels(window.min.y, window.max.y);
+        constexpr int kRows = 256;  // no compression of OpenEXR joins more lines
+        for (int y = window.min.y; y <= window.max.y; y += kRows) {
+            if (!progress(double(y - window.min.y) / double(height), "reading the picture"))
+                return cancelled();
+            file.readPixels(y, std::min(y + kRows - 1, window.max.y));
+        }
         if (grey)
             for (vec3& pixel : image.pixels)
                 pixel = vec3(pixel.x);

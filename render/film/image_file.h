@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "render/base/progress.h"
 #include "render/base/result.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
@@ -39,8 +40,8 @@ struct RadianceImage {
 };
 
 /// The R, G, B (or Y) channels of an OpenEXR file; at most 16384 pixels an edge. Errors: no such file, no OpenEXR file,
-/// damaged, too large, without these channels.
-Result<RadianceImage> readExr(const std::filesystem::path& path);
+/// damaged, too large, without these channels; cancelled().
+Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress& progress = noProgress);
 
 /// Scene-linear OpenEXR: R, G, B and error.R, error.G, error.B (standard error of the mean), float, with the provenance
 /// as attributes.

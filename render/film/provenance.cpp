@@ -57,6 +57,7 @@ std::vector<Fact> factsOf(const Provenance& from) {
         {"pdrender/device", from.device},
         {"pdrender/effects", from.effects},
         {"pdrender/look", from.look},
+        {"pdrender/sky", from.sky},
         {"pdrender/camera", from.camera},
         {"pdrender/estimator", from.estimator},
         {"pdrender/schedule", from.schedule},

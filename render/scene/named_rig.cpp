@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "render/scene/lamp.h"
+#include "render/scene/orbit.h"
+#include "render/scene/sky_picture.h"
 
 namespace pdr {
 namespace {
@@ -69,7 +71,7 @@ Unit unitOf(NamedRig name) {
 /// Light from all around comes to what a panel leaves in shadow, too, so it counts as if from twice the half sphere.
 double strengthOf(const Environment& environment) {
     const vec3 mean = (environment.radiance + environment.nadir.value_or(environment.radiance)) / 2.0f;
-    return environment.image ? 0 : 2 * M_PI * luminanceOf(mean);
+    return 2 * M_PI * luminanceOf(mean);
 }
 
 /// However strong; turned there and back.
@@ -84,8 +86,7 @@ bool standsAs(const RigPanel& panel, RigPanel other) {
 Environment around(Environment environment, const Unit& unit, float strength) {
     environment.radiance = strength * unit.zenith;
     environment.nadir = unit.nadir ? std::optional(strength * *unit.nadir) : std::nullopt;
-    environment.image.reset();
-    return environment;
+    return withoutPicture(environment);
 }
 
 }  // namespace
@@ -106,6 +107,16 @@ Lighting litBy(Lighting lighting, NamedRig name) {
     for (RigPanel& panel : lighting.rig.panels)
         panel.radiance *= factor;
     lighting.environment = around(lighting.environment, unit, factor);
+    return lighting;
+}
+
+Lighting turned(Lighting lighting, dvec2 drag, const Camera& camera) {
+    lighting.rig = turned(lighting.rig, drag, camera);
+    if (!lighting.environment.image)
+        return lighting;
+    const double upwards = (drag.x * camera.imageUp() + drag.y * camera.right()).z;  // of the turn, in half turns
+    const double turn = lighting.environment.rotationDegrees - 180 * upwards;  // counted from the back to the left
+    lighting.environment.rotationDegrees = std::remainder(turn, 360);
     return lighting;
 }
 

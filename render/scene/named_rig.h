@@ -30,6 +30,10 @@ struct Lighting {
 /// follows and what is seen behind the volume stays.
 Lighting litBy(Lighting lighting, NamedRig name);
 
+/// Its lamps as turned(LightRig) turns them, and a picture of surroundings about the patient's axis as far as that hand
+/// takes it along.
+Lighting turned(Lighting lighting, dvec2 drag, const Camera& camera);
+
 /// `environment` with that radiance straight above (luminance, >= 0) and of its colour; white where it was black.
 Environment withRadiance(Environment environment, double radiance);
 
@@ -37,7 +41,7 @@ Environment withRadiance(Environment environment, double radiance);
 std::optional<NamedRig> nameOf(const LightRig& rig);
 
 /// The irradiance that the strongest lamp brings to the volume's centre, or what light from all around is worth beside
-/// it.
+/// it; that of a picture is taken to be scaled to mean one.
 double strengthOf(const Lighting& lighting);
 
 }  // namespace pdr

@@ -23,18 +23,6 @@ std::size_t countOf(const Cells& cells) {
     return std::size_t(std::count(cells.begin(), cells.end(), 1));
 }
 
-/// Cells at the end of an axis are not whole: their voxels are counted.
-double volumeMl(const Cells& cells, const CellGrid& grid) {
-    std::int64_t count = 0;
-    std::size_t i = 0;
-    for (int z = 0; z < grid.size.z; ++z)
-        for (int y = 0; y < grid.size.y; ++y)
-            for (int x = 0; x < grid.size.x; ++x, ++i)
-                if (cells[i])
-                    count += grid.voxelsIn({x, y, z});
-    return double(count) * grid.cellMl() / (double(grid.block.x) * grid.block.y * grid.block.z);
-}
-
 /// The share of the cells at the four sides of the slices that are the body's.
 double shareOfBorder(const Cells& body, const CellGrid& grid) {
     std::size_t all = 0, covered = 0;
@@ -90,9 +78,9 @@ Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
     if (!progress(0.5, kStep))
         return cancelled();
     Cells& body = bodies.cells;
-    const Cells foreign = foreignIn(body, squaredDepths, grid);
+    mask.cut = foreignIn(body, squaredDepths, grid);
     for (std::size_t i = 0; i < body.size(); ++i)
-        body[i] = body[i] && !foreign[i];
+        body[i] = body[i] && !mask.cut[i];
     if (!progress(0.8, kStep))
         return cancelled();
     mask.body = withHolesFilled(body, grid);
@@ -102,7 +90,6 @@ Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
     mask.rowEnds = rowEnds(outline, grid);
     mask.parts = bodies.count;
     mask.bodyMl = volumeMl(outline, grid);
-    mask.cutMl = volumeMl(foreign, grid);
     if (!progress(1, kStep))
         return cancelled();
     return mask;

@@ -20,11 +20,11 @@ struct BodyMask {
     CellGrid grid;
     Cells shown;                 ///< 0: outside the body, and nobody would miss it
     Cells body;                  ///< itself, with all that it encloses
+    Cells cut;                   ///< solids that touched it
     CellBox box;                 ///< of the body itself
     std::vector<dvec3> rowEnds;  ///< of the body itself (outline.h)
     int parts = 0;               ///< bodies that do not touch
     double bodyMl = 0;           ///< with all that it encloses
-    double cutMl = 0;            ///< of solids that touched it
 };
 
 /// Errors of kind refused say, as a reason that follows "because", why it cannot be known what is table: nothing is as

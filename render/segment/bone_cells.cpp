@@ -40,18 +40,6 @@ bool isEven(const std::vector<std::int16_t>& mean, const CellGrid& grid, ivec3 a
     return double(squares) * kCells - double(sum) * double(sum) < most * most;
 }
 
-/// The pieces of `cells` that hold at least `least` cells of `seeds`.
-Cells piecesWith(const Cells& seeds, double least, const Cells& cells, const CellGrid& grid) {
-    const Pieces pieces = piecesOf(cells, grid);
-    std::vector<std::size_t> held(std::size_t(pieces.count) + 1);
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        held[std::size_t(pieces.of[i])] += seeds[i];
-    Cells kept(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        kept[i] = cells[i] && double(held[std::size_t(pieces.of[i])]) >= least;
-    return kept;
-}
-
 Cells bloodCells(const std::vector<std::int16_t>& mean, const CellGrid& grid) {
     Cells blood(mean.size());
     tbb::parallel_for(1, std::max(grid.size.z - 1, 1), [&](int z) {

@@ -23,4 +23,15 @@ CellGrid CellGrid::over(const VolumeGeometry& geometry) {
     return grid;
 }
 
+double volumeMl(const Cells& cells, const CellGrid& grid) {
+    std::int64_t count = 0;
+    std::size_t i = 0;
+    for (int z = 0; z < grid.size.z; ++z)
+        for (int y = 0; y < grid.size.y; ++y)
+            for (int x = 0; x < grid.size.x; ++x, ++i)
+                if (cells[i])
+                    count += grid.voxelsIn({x, y, z});
+    return double(count) * grid.cellMl() / (double(grid.block.x) * grid.block.y * grid.block.z);
+}
+
 }  // namespace pdr::segment

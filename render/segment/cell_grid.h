@@ -40,4 +40,7 @@ struct CellGrid {
     double longestMm() const { return glm::max(spacingMm.x, glm::max(spacingMm.y, spacingMm.z)); }
 };
 
+/// Of the flagged cells; those at the end of an axis count as large as they are.
+double volumeMl(const Cells& cells, const CellGrid& grid);
+
 }  // namespace pdr::segment

@@ -10,6 +10,7 @@
 
 #include "render/base/errors.h"
 #include "render/segment/body_mask.h"
+#include "render/segment/outside_metal.h"
 #include "render/segment/rule.h"
 
 namespace pdr::segment {
@@ -91,16 +92,18 @@ Masked masked(const Volume& volume, const BodyMask& mask) {
     return result;
 }
 
-HiddenTable tableOf(const Volume& volume, const BodyMask& mask) {
-    Masked all = masked(volume, mask);
-    if (all.hidden.highest > kMetalHu)
-        return undecided(volume, "there is metal outside the body, which may be a frame");
-    const dvec3 spacing = volume.geometry().spacingMm();
+HiddenTable tableOf(const Volume& volume, BodyMask mask) {
     HiddenTable table;
+    Masked all = masked(volume, mask);
+    if (all.hidden.highest > kMetalHu) {
+        table.metalMl = showMetal(volume, mask);
+        all = masked(volume, mask);
+    }
+    const dvec3 spacing = volume.geometry().spacingMm();
     table.bodyBox = boxIn(volume, mask);
     table.outlineMm = placesOf(volume.geometry(), mask.rowEnds);
     table.hiddenMl = double(all.hidden.seen) * spacing.x * spacing.y * spacing.z / 1000;
-    table.cutMl = mask.cutMl;
+    table.cutMl = volumeMl(mask.cut, mask.grid);
     table.bodyMl = mask.bodyMl;
     table.parts = mask.parts;
     if (table.hiddenMl >= kLeastMl)
@@ -112,10 +115,10 @@ HiddenTable tableOf(const Volume& volume, const BodyMask& mask) {
 
 Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress) {
     try {
-        const Result<BodyMask> mask = bodyMask(volume, partOf(progress, 0, 0.7));
+        Result<BodyMask> mask = bodyMask(volume, partOf(progress, 0, 0.7));
         if (!mask && mask.error().kind == ErrorKind::cancelled)
             return mask.error();
-        HiddenTable table = mask ? tableOf(volume, *mask) : undecided(volume, mask.error().what);
+        HiddenTable table = mask ? tableOf(volume, *std::move(mask)) : undecided(volume, mask.error().what);
         return progress(1, "hiding the table") ? Result<HiddenTable>(std::move(table)) : cancelled();
     } catch (const std::bad_alloc&) {
         return undecided(volume, "there is not enough memory to look for it");
@@ -132,6 +135,11 @@ std::string tableText(const HiddenTable& table) {
         text.append(" ").append(volumeText(table.cutMl)).append(" of it touched the skin: check the edge.");
     if (table.body && table.parts > 1)
         text.append(" ").append(std::to_string(table.parts)).append(" separate parts are kept.");
+    if (table.metalMl > 0)
+        text.append(text.empty() ? "" : " ")
+            .append("Metal outside the body is kept, with what it touches: ")
+            .append(table.metalMl < kLeastMl ? "less than 1 ml" : volumeText(table.metalMl))
+            .append(".");
     return text;
 }
 

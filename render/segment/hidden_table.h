@@ -19,13 +19,14 @@ struct HiddenTable {
     double hiddenMl = 0;    ///< of what is denser than -300 HU
     double cutMl = 0;       ///< of that, what touched the body
     double bodyMl = 0;      ///< with lungs and bowel
+    double metalMl = 0;     ///< of metal outside the body, and of what it touches: it stays, since it may be a frame
     int parts = 0;          ///< bodies that do not touch
 };
 
 /// The body in `volume` by the rule of body_mask.h, and a copy of the voxels in which all else is air. A cell of air
-/// lies around the body in the scan already, so that nothing of its surface changes. Less than 1 ml is nothing to hide.
-/// Undecided are what bodyMask() refuses, scans with metal outside the body, which may be a frame, and what memory has
-/// no room for. Error: cancelled().
+/// lies around the body in the scan already, so that nothing of its surface changes; so does metal, see
+/// outside_metal.h. Less than 1 ml is nothing to hide. Undecided are what bodyMask() refuses, and what memory has no
+/// room for. Error: cancelled().
 Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress);
 
 /// A sentence or two for the user: "Table and holder hidden: 884 ml outside the body. 34 ml of it touched the skin:

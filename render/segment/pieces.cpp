@@ -69,6 +69,17 @@ Pieces piecesOf(const Cells& mask, const CellGrid& grid) {
     return pieces;
 }
 
+Cells piecesWith(const Cells& seeds, double least, const Cells& mask, const CellGrid& grid) {
+    const Pieces pieces = piecesOf(mask, grid);
+    std::vector<std::size_t> held(std::size_t(pieces.count) + 1);
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        held[std::size_t(pieces.of[i])] += seeds[i];
+    Cells kept(mask.size());
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        kept[i] = mask[i] && double(held[std::size_t(pieces.of[i])]) >= least;
+    return kept;
+}
+
 ThickPieces thickPieces(const Cells& mask, const std::vector<float>& squaredDepths, const CellGrid& grid,
                         double radiusMm) {
     const Pieces pieces = piecesOf(mask, grid);

@@ -14,6 +14,9 @@ struct Pieces {
 
 Pieces piecesOf(const Cells& mask, const CellGrid& grid);
 
+/// The pieces of `mask` that hold at least `least` of the cells of `seeds`; > 0.
+Cells piecesWith(const Cells& seeds, double least, const Cells& mask, const CellGrid& grid);
+
 /// The pieces of `mask` that hold a ball of `radiusMm`, by the squared depths of its cells [mm^2].
 struct ThickPieces {
     Cells cells;

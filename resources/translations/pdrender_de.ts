@@ -894,6 +894,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Schätzer</translation>
     </message>
     <message>
+        <source>Even light from all around instead, as bright</source>
+        <translation>Stattdessen gleichmäßiges, ebenso helles Licht von allen Seiten</translation>
+    </message>
+    <message>
         <source>Everything</source>
         <translation>Alles</translation>
     </message>
@@ -1238,6 +1242,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Licht</translation>
     </message>
     <message>
+        <source>Light by a picture of a sky or a room</source>
+        <translation>Mit dem Bild eines Himmels oder Raumes beleuchten</translation>
+    </message>
+    <message>
+        <source>Light by a picture of a sky or a room, all around: an OpenEXR file, twice as wide as high</source>
+        <translation>Licht von allen Seiten nach dem Bild eines Himmels oder Raumes: eine OpenEXR-Datei, doppelt so breit wie hoch</translation>
+    </message>
+    <message>
         <source>Light from all around</source>
         <translation>Licht von allen Seiten</translation>
     </message>
@@ -1288,6 +1300,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Look (*.json)</source>
         <translation>Darstellung (*.json)</translation>
+    </message>
+    <message>
+        <source>Looks hold no sky picture: this one has even light from all around.</source>
+        <translation>Darstellungen enthalten kein Himmelsbild: Diese hat gleichmäßiges Licht von allen Seiten.</translation>
     </message>
     <message>
         <source>Looks, also of 3D Slicer (*.json *.vp)</source>
@@ -1500,6 +1516,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Flächen eines Namens sind eine Lampe: Sie werden zusammen bewegt und gedimmt</translation>
     </message>
     <message>
+        <source>Panorama, twice as wide as high (*.exr)</source>
+        <translation>Panorama, doppelt so breit wie hoch (*.exr)</translation>
+    </message>
+    <message>
         <source>Parallel</source>
         <translation>Parallel</translation>
     </message>
@@ -1676,6 +1696,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Remove inside</source>
         <translation>Inneres entfernen</translation>
+    </message>
+    <message>
+        <source>Remove picture</source>
+        <translation>Bild entfernen</translation>
     </message>
     <message>
         <source>Remove the last line</source>
@@ -1870,6 +1894,14 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Himmel</translation>
     </message>
     <message>
+        <source>Sky picture...</source>
+        <translation>Himmelsbild...</translation>
+    </message>
+    <message>
+        <source>Sky t&amp;urned</source>
+        <translation>Himmel gedre&amp;ht</translation>
+    </message>
+    <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
         <translation>Kleine Lampen werfen harte Schatten, große weiche; das Licht bleibt gleich stark</translation>
     </message>
@@ -1968,12 +2000,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Gewebe in seinen eigenen Farben, ohne Licht und Schatten.</translation>
     </message>
     <message>
+        <source>Turn of the sky picture</source>
+        <translation>Drehung des Himmelsbildes</translation>
+    </message>
+    <message>
         <source>Turn the lights</source>
         <translation>Lampen drehen</translation>
     </message>
     <message>
         <source>Turn the view</source>
         <translation>Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Turns the sky picture about the patient's axis [degrees]</source>
+        <translation>Dreht das Himmelsbild um die Körperachse [Grad]</translation>
     </message>
     <message>
         <source>Turns wit&amp;h</source>

@@ -894,6 +894,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Estimador</translation>
     </message>
     <message>
+        <source>Even light from all around instead, as bright</source>
+        <translation>En su lugar, luz uniforme de todas partes, igual de intensa</translation>
+    </message>
+    <message>
         <source>Everything</source>
         <translation>Todo</translation>
     </message>
@@ -1238,6 +1242,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Luz</translation>
     </message>
     <message>
+        <source>Light by a picture of a sky or a room</source>
+        <translation>Iluminar con la imagen de un cielo o de una sala</translation>
+    </message>
+    <message>
+        <source>Light by a picture of a sky or a room, all around: an OpenEXR file, twice as wide as high</source>
+        <translation>Luz de todas partes según la imagen de un cielo o de una sala: un archivo OpenEXR, el doble de ancho que de alto</translation>
+    </message>
+    <message>
         <source>Light from all around</source>
         <translation>Luz de todas partes</translation>
     </message>
@@ -1288,6 +1300,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Look (*.json)</source>
         <translation>Aspecto (*.json)</translation>
+    </message>
+    <message>
+        <source>Looks hold no sky picture: this one has even light from all around.</source>
+        <translation>Los aspectos no contienen imágenes de cielo: este tiene luz uniforme de todas partes.</translation>
     </message>
     <message>
         <source>Looks, also of 3D Slicer (*.json *.vp)</source>
@@ -1500,6 +1516,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Los paneles de un mismo nombre son una lámpara: se mueven y atenúan juntos</translation>
     </message>
     <message>
+        <source>Panorama, twice as wide as high (*.exr)</source>
+        <translation>Panorama, el doble de ancho que de alto (*.exr)</translation>
+    </message>
+    <message>
         <source>Parallel</source>
         <translation>Paralela</translation>
     </message>
@@ -1676,6 +1696,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Remove inside</source>
         <translation>Quitar el interior</translation>
+    </message>
+    <message>
+        <source>Remove picture</source>
+        <translation>Quitar imagen</translation>
     </message>
     <message>
         <source>Remove the last line</source>
@@ -1870,6 +1894,14 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Cielo</translation>
     </message>
     <message>
+        <source>Sky picture...</source>
+        <translation>Imagen de cielo...</translation>
+    </message>
+    <message>
+        <source>Sky t&amp;urned</source>
+        <translation>Cielo &amp;girado</translation>
+    </message>
+    <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
         <translation>Las lámparas pequeñas dan sombras duras, las grandes suaves; la luz conserva su intensidad</translation>
     </message>
@@ -1968,12 +2000,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Tejido con sus propios colores, sin luz ni sombra.</translation>
     </message>
     <message>
+        <source>Turn of the sky picture</source>
+        <translation>Giro de la imagen de cielo</translation>
+    </message>
+    <message>
         <source>Turn the lights</source>
         <translation>Girar las luces</translation>
     </message>
     <message>
         <source>Turn the view</source>
         <translation>Girar la vista</translation>
+    </message>
+    <message>
+        <source>Turns the sky picture about the patient's axis [degrees]</source>
+        <translation>Gira la imagen de cielo alrededor del eje del paciente [grados]</translation>
     </message>
     <message>
         <source>Turns wit&amp;h</source>

@@ -88,9 +88,19 @@ class VisibleTest : public QObject {
         Wanting told;
         told.document.setVisible(kLungs);
         told.document.setMask(kLungs, nullptr);
-        QVERIFY(told.document.scene().mask == nullptr);
+        QVERIFY(told.document.scene().mask == nullptr && told.document.setup().look.visible.all());
+        QVERIFY(!told.document.canUndo() && told.document.look() == 0);
         told.document.setView(StandardView::left);
         QCOMPARE(told.wanted.size(), std::size_t(1));  // and it is not asked for again
+        told.document.setVisible(kPeeled);
+        told.document.setMask(kPeeled, told.mask);
+        told.document.setVisible(kLungs);
+        told.document.setMask(kPeeled, nullptr);  // not what is wanted any more
+        QVERIFY(told.document.setup().look.visible == kLungs);
+        told.document.setMask(kLungs, nullptr);
+        QVERIFY(told.document.setup().look.visible.all());
+        told.document.undo();
+        QVERIFY(told.document.setup().look.visible == kPeeled && told.document.scene().mask == told.mask);
     }
 
     void withoutAMaskTheChoiceIsWhatIsSeen() {
@@ -100,6 +110,8 @@ class VisibleTest : public QObject {
         told.document.setVisible(kLungs);
         told.document.keepVisible();
         QVERIFY(told.document.setup().look.visible == kPeeled && told.document.scene().mask == told.mask);
+        told.document.undo();  // the peeling
+        QVERIFY(told.document.setup().look.visible.all() && !told.document.canUndo());
     }
 
     void anotherVolumeHasMasksOfItsOwn() {
@@ -159,7 +171,10 @@ class VisibleTest : public QObject {
         part->setCurrentIndex(part->findText("Lungs"));
         emit part->activated(part->currentIndex());
         QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("150 ml"), test::kPatience);
-        QVERIFY(trial.desktop.parts().document.scene().mask == nullptr);
+        const Document& document = trial.desktop.parts().document;
+        QVERIFY(document.scene().mask == nullptr && document.scene().visible.all());
+        QCOMPARE(part->currentText(), QString("Everything"));
+        QVERIFY(!document.canUndo());
         trial.waitForNewest();
     }
 

@@ -9,6 +9,7 @@
 
 #include "tests/support/named_widget.h"
 #include "ui/main_window.h"
+#include "ui/program_icon.h"
 
 namespace pdr::ui {
 
@@ -34,7 +35,9 @@ class TestMainWindow : public QObject {
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
     void aDroppedFileStandsForItsFolder();
+    void aDroppedPictureOfASkyIsNoFolder();
     void settersAreSilent();
+    void itHasAnIconWithoutAPluginForSvg();
 };
 
 void TestMainWindow::theTitleAlwaysSaysNotForDiagnosticUse() {
@@ -298,6 +301,30 @@ void TestMainWindow::aDroppedFileStandsForItsFolder() {
     QFile file(folder.filePath("slice"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     QCOMPARE(droppedOn(window, file.fileName()), folder.path());
+}
+
+void TestMainWindow::aDroppedPictureOfASkyIsNoFolder() {
+    MainWindow window;
+    QSignalSpy sky(&window, &MainWindow::skyDropped);
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("room.EXR"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(droppedOn(window, file.fileName()).isEmpty());
+    QCOMPARE(sky.value(0).value(0).toString(), file.fileName());
+    QVERIFY(QDir(folder.path()).mkdir("series.exr"));
+    QCOMPARE(droppedOn(window, folder.filePath("series.exr")), folder.filePath("series.exr"));
+    QCOMPARE(sky.count(), 1);
+}
+
+void TestMainWindow::itHasAnIconWithoutAPluginForSvg() {
+    const MainWindow window;
+    for (const int size : kIconSizes) {
+        const QImage image = window.windowIcon().pixmap(size).toImage();
+        QCOMPARE(image.size(), QSize(size, size));
+        QVERIFY(window.windowIcon().availableSizes().contains(QSize(size, size)));
+        QVERIFY(image.pixelColor(0, 0).alpha() < 32);                     // round corners
+        QVERIFY(image.pixelColor(size / 2, size / 4).lightness() > 150);  // bone
+    }
 }
 
 void TestMainWindow::settersAreSilent() {

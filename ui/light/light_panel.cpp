@@ -95,6 +95,7 @@ void LightPanel::layOut() {
     column->setContentsMargins(10, 4, 10, 8);
     column->setSpacing(6);
     column->addWidget(rigButtons());
+    column->addWidget(&sky_);
     column->addWidget(&sphere_);
     column->addWidget(&place_);
     column->addLayout(rows);
@@ -106,6 +107,10 @@ void LightPanel::layOut() {
 
 void LightPanel::connectParts() {
     connect(&rigs_, &QButtonGroup::idClicked, this, [this](int id) { chooseRig(NamedRig(id)); });
+    connect(&sky_, &SkyRow::skyChosen, this, &LightPanel::skyChosen);
+    connect(&sky_, &SkyRow::environmentEdited, this, [this](const Environment& environment, bool moving) {
+        apply({lighting_.rig, environment}, moving);
+    });
     connect(&sphere_, &LightSphere::currentChanged, this, &LightPanel::showLamp);
     connect(&sphere_, &LightSphere::lampMoved, this, &LightPanel::moveLamp);
     connect(&sphere_, &LightSphere::allTurned, this, &LightPanel::turnAll);
@@ -148,6 +153,7 @@ void LightPanel::showLighting() {
     for (const Lamp& lamp : lamps_)
         shown.push_back({QString::fromStdString(lamp.name), inView * lamp.from, lamp.irradiance, lamp.colour});
     sphere_.setLamps(shown);
+    sky_.setEnvironment(lighting_.environment);
     const QSignalBlocker silent(&ambient_);
     ambient_.setValue(stepOf(luminanceOf(lighting_.environment.radiance)));
     follows_.setCurrentIndex(int(lighting_.rig.follows));
@@ -194,7 +200,7 @@ void LightPanel::moveLamp(int index, dvec3 from, bool moving) {
 }
 
 void LightPanel::turnAll(dvec2 drag, bool moving) {
-    apply({turned(lighting_.rig, drag, camera_), lighting_.environment}, moving);
+    apply(turned(lighting_, drag, camera_), moving);
 }
 
 void LightPanel::slideStrength() {

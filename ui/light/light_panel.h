@@ -1,7 +1,7 @@
 #pragma once
-/// What lights the volume, to see and to edit: a rig by its name, its lamps on a ball, the chosen lamp's strength and
-/// size, light from all around, what the lamps move with, and which picture is made of it; folded away, all numbers.
-/// Setters are silent.
+/// What lights the volume, to see and to edit: a rig by its name, or a picture of a sky, its lamps on a ball, the
+/// chosen lamp's strength and size, light from all around, what the lamps move with, and which picture is made of it;
+/// folded away, all numbers. Setters are silent.
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -17,6 +17,7 @@
 #include "ui/light/light_sphere.h"
 #include "ui/light/model_choice.h"
 #include "ui/light/panel_table.h"
+#include "ui/light/sky_row.h"
 
 namespace pdr::ui {
 
@@ -39,6 +40,8 @@ class LightPanel : public QWidget {
   signals:
     /// `moving`: the gesture goes on; the last edit of a gesture comes with false.
     void lightingEdited(const pdr::Lighting& lighting, bool moving);
+    /// A picture of surroundings that is to take the rig's place.
+    void skyChosen(const QString& file);
 
   private:
     void describeControls();
@@ -61,6 +64,7 @@ class LightPanel : public QWidget {
     Camera camera_;
     std::vector<Lamp> lamps_;  ///< of the rig, as the sphere has them
     QButtonGroup rigs_;
+    SkyRow sky_;
     LightSphere sphere_;
     QLabel place_;
     QSlider strength_{Qt::Horizontal};

@@ -190,6 +190,22 @@ class ImageFileTest : public QObject {
         QVERIFY(file.resize(0) && !readExr(at("b.exr")));
     }
 
+    /// Piece by piece, so that it can be given up.
+    void exrIsReadPieceByPiece() {
+        const Film film = exampleFilm({3, 700});
+        QVERIFY(bool(writeExr(film, kFacts, at("b.exr"))));
+        int pieces = 0;
+        const auto image = readExr(at("b.exr"), [&](double fraction, std::string_view) {
+            ++pieces;
+            return fraction >= 0 && fraction < 1;
+        });
+        QVERIFY(image && pieces > 1);
+        for (int y = 0; y < 700; ++y)
+            QVERIFY(image->pixels[std::size_t(y) * 3 + 2] == vec3(film.pixel(2, y).mean));
+        const auto stopped = readExr(at("b.exr"), [](double fraction, std::string_view) { return fraction < 0.5; });
+        QVERIFY(!stopped && stopped.error().kind == ErrorKind::cancelled);
+    }
+
     void exrHoldsMeanErrorAndProvenance() {
         const Film film = exampleFilm({7, 5});
         QVERIFY(bool(writeExr(film, kFacts, at("a.exr"))));

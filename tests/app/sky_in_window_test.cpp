@@ -1,0 +1,193 @@
+/// A picture of surroundings in the whole window: chosen from a file it lights the volume in the rig's place; undo
+/// brings back the same bits; what cannot be read is said and changes nothing.
+
+#include <QAbstractButton>
+#include <QFile>
+#include <QFileDialog>
+#include <QSlider>
+#include <QTest>
+#include <QTimer>
+#include <algorithm>
+#include <limits>
+
+#include "app/keep_looks.h"
+#include "app/provenance.h"
+#include "tests/support/desktop_trial.h"
+#include "tests/support/hand_on_window.h"
+#include "tests/support/named_widget.h"
+#include "tests/support/phantom_series.h"
+#include "tests/support/sky_file.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+/// A window with the phantom in it.
+struct SkyTrial : Trial {
+    explicit SkyTrial(const QString& series) { openAndWait(series); }
+
+    QAbstractButton& button(const QString& text) {
+        for (QAbstractButton* each : panel.findChildren<QAbstractButton*>())
+            if (each->text() == text)
+                return *each;
+        qFatal("no button is called %s", qPrintable(text));
+    }
+    /// Takes `file` from the dialog of the panel, or gives up.
+    void ask(const QString& file, bool accept = true) {
+        QTimer::singleShot(0, &desktop.window(), [=] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            dialog->setDirectory(QFileInfo(file).path());
+            dialog->selectFile(file);
+            accept ? static_cast<QDialog*>(dialog)->accept() : dialog->reject();
+        });
+        button("Sky picture...").click();
+    }
+    void choose(const QString& file) {
+        ask(file);
+        QTRY_VERIFY_WITH_TIMEOUT(environment().image, test::kPatience);
+    }
+    const Environment& environment() const { return document.setup().look.environment; }
+
+    Document& document = desktop.parts().document;
+    ui::LightPanel& panel = desktop.window().light();
+};
+
+class TestSkyInWindow : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void aPictureLightsTheVolumeAndUndoBringsTheSameBits();
+    void givingUpTheDialogChangesNothing();
+    void whatCannotBeReadIsSaidAndChangesNothing_data();
+    void whatCannotBeReadIsSaidAndChangesNothing();
+    void itIsTurnedDimmedAndTakenAway();
+    void aRigTakesItsPlace();
+    void itMayBeDropped();
+    void aLookIsKeptWithoutIt();
+
+  private:
+    QString at(const char* name) const { return folder_.filePath(name); }
+
+    QTemporaryDir folder_;
+};
+
+void TestSkyInWindow::initTestCase() {
+    QVERIFY(writePhantomSeries(ui::fromQt(at("series"))));
+    const auto sunrise = [](int x, int y) { return x == 20 && y == 6 ? vec3(5000) : vec3(3, 4, 5) * 100.f; };
+    test::writeSky(ui::fromQt(at("sky.exr")), {32, 16}, sunrise);
+    test::writeSky(ui::fromQt(at("black.exr")), {8, 4}, [](int, int) { return vec3(0); });
+    const float infinite = std::numeric_limits<float>::infinity();
+    test::writeSky(ui::fromQt(at("infinite.exr")), {8, 4}, [=](int x, int) { return vec3(x == 5 ? infinite : 1); });
+    QFile text(at("text.exr"));
+    QVERIFY(text.open(QIODevice::WriteOnly) && text.write("a sky") > 0);
+    QVERIFY(QFile::exists(at("sky.exr")) && QFile::exists(at("black.exr")) && QFile::exists(at("infinite.exr")));
+}
+
+void TestSkyInWindow::aPictureLightsTheVolumeAndUndoBringsTheSameBits() {
+    SkyTrial trial(at("series"));
+    const PictureSetup before = trial.document.setup();
+    const Film picture = rendered(trial.document);
+    trial.choose(at("sky.exr"));
+    QVERIFY(trial.document.scene().lights.empty() && trial.document.scene().environment.image);
+    QVERIFY(!test::sameBits(rendered(trial.document), picture));
+    QVERIFY(std::abs(strengthOf(trial.panel.lighting()) / strengthOf({before.look.rig, before.look.environment}) - 1) <
+            1e-5);
+    QCOMPARE(trial.environment().visible, before.look.environment.visible);
+    QVERIFY(trial.button("Sky picture...").isChecked());
+    QCOMPARE(undoText(trial.document.undoable()), QString("Undo changing the light"));
+    QCOMPARE(provenanceOf(trial.document.scene(), {}).sky, std::string("32 x 16, turned by 0 degrees"));
+    trial.waitForNewest();
+    QVERIFY(trial.desktop.parts().bridge.lastFrame()->error.empty());
+    trial.document.undo();
+    QVERIFY(!trial.document.canUndo() && trial.document.setup() == before);
+    QVERIFY(test::sameBits(rendered(trial.document), picture));
+    QVERIFY(!trial.button("Sky picture...").isChecked());
+    QVERIFY(provenanceOf(trial.document.scene(), {}).sky.empty());
+}
+
+void TestSkyInWindow::givingUpTheDialogChangesNothing() {
+    SkyTrial trial(at("series"));
+    const PictureSetup before = trial.document.setup();
+    trial.ask(at("sky.exr"), false);
+    QVERIFY(!trial.desktop.parts().sky.isRunning());
+    QVERIFY(!trial.document.canUndo() && trial.document.setup() == before);
+    QVERIFY(!trial.button("Sky picture...").isChecked());
+}
+
+void TestSkyInWindow::whatCannotBeReadIsSaidAndChangesNothing_data() {
+    QTest::addColumn<QString>("said");
+    QTest::newRow("text.exr") << "OpenEXR";
+    QTest::newRow("black.exr") << "black";
+    QTest::newRow("infinite.exr") << "(5, 0)";
+    QTest::newRow("missing.exr") << "OpenEXR";
+}
+
+void TestSkyInWindow::whatCannotBeReadIsSaidAndChangesNothing() {
+    QFETCH(QString, said);
+    SkyTrial trial(at("series"));
+    const PictureSetup before = trial.document.setup();
+    const ui::MessageBar& message = trial.desktop.window().message();
+    emit trial.panel.skyChosen(at(QTest::currentDataTag()));
+    QTRY_VERIFY_WITH_TIMEOUT(!message.text().isEmpty(), test::kPatience);
+    QVERIFY2(message.text().contains(said), qPrintable(message.text()));
+    QVERIFY2(message.text().contains(QTest::currentDataTag()), qPrintable(message.text()));
+    QVERIFY(!trial.document.canUndo() && trial.document.setup() == before);
+}
+
+void TestSkyInWindow::itIsTurnedDimmedAndTakenAway() {
+    SkyTrial trial(at("series"));
+    auto& turn = test::named<QSlider>(trial.panel, "Turn of the sky picture");
+    QVERIFY(turn.parentWidget()->isHidden());
+    trial.choose(at("sky.exr"));
+    const Environment chosen = trial.environment();
+    QVERIFY(!turn.parentWidget()->isHidden());
+    turn.setValue(90);
+    QCOMPARE(trial.environment().rotationDegrees, 90.0);
+    QCOMPARE(undoText(trial.document.undoable()), QString("Undo changing the light"));
+    auto& around = test::named<QSlider>(trial.panel, "Light from all around");
+    around.setValue(around.value() - 10);
+    QVERIFY(std::abs(trial.environment().radiance.x / chosen.radiance.x - 0.5f) < 0.04f);  // the slider has steps
+    QVERIFY(trial.environment().image == chosen.image);
+    const Environment dimmed = trial.environment();
+    trial.button("Remove picture").click();
+    QVERIFY(!trial.environment().image && trial.environment().radiance == dimmed.radiance);
+    QVERIFY(trial.button("Remove picture").isHidden());
+    trial.document.undo();
+    QVERIFY(trial.environment() == dimmed);
+    trial.document.undo();
+    trial.document.undo();
+    QVERIFY(trial.environment() == chosen);
+}
+
+void TestSkyInWindow::aRigTakesItsPlace() {
+    SkyTrial trial(at("series"));
+    const double before = strengthOf(trial.panel.lighting());
+    trial.choose(at("sky.exr"));
+    trial.button("Sky").click();
+    QVERIFY(!trial.environment().image && nameOf(trial.document.setup().look.rig) == NamedRig::sky);
+    QVERIFY(std::abs(strengthOf(trial.panel.lighting()) / before - 1) < 1e-5);
+    trial.document.undo();
+    QVERIFY(trial.environment().image && trial.button("Sky picture...").isChecked());
+}
+
+void TestSkyInWindow::itMayBeDropped() {
+    SkyTrial trial(at("series"));
+    emit trial.desktop.window().skyDropped(at("sky.exr"));
+    QTRY_VERIFY_WITH_TIMEOUT(trial.environment().image, test::kPatience);
+}
+
+/// Files of looks hold no pictures; what is kept is as bright, and the window says so.
+void TestSkyInWindow::aLookIsKeptWithoutIt() {
+    SkyTrial trial(at("series"));
+    trial.choose(at("sky.exr"));
+    const Environment chosen = trial.environment();
+    saveLook(trial.desktop.parts(), "mine");
+    QVERIFY(!trial.environment().image && trial.environment().radiance == chosen.radiance);
+    QVERIFY(trial.document.look() >= 0);
+    QVERIFY(trial.desktop.window().message().text().contains("picture"));
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestSkyInWindow)
+#include "sky_in_window_test.moc"

@@ -1,0 +1,26 @@
+#pragma once
+/// Pictures of surroundings on disk.
+
+#include <filesystem>
+
+#include "render/film/image_file.h"
+
+namespace pdr::test {
+
+/// An OpenEXR file of `size` pixels, radianceAt(x, y) each.
+template <class Radiance>
+void writeSky(const std::filesystem::path& path, ivec2 size, Radiance&& radianceAt) {
+    Film film(size, 0);
+    const TileSums sums = film.sums(wholeImage(size));
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const dvec3 radiance(radianceAt(x, y));
+            sums.pixels[y * size.x + x] = {
+                .sum = 2.0 * radiance, .sumOfSquares = 2.0 * radiance * radiance, .count = 2};
+        }
+    film.commit({0, 2});
+    if (!writeExr(film, {}, path))
+        std::filesystem::remove(path);
+}
+
+}  // namespace pdr::test

@@ -1,0 +1,37 @@
+#pragma once
+/// A picture of a sky or a room that lights the volume: chosen from a file, turned about the patient, and taken away.
+/// Setters are silent.
+
+#include <QPushButton>
+#include <QSlider>
+#include <QWidget>
+
+#include "render/scene/light.h"
+
+namespace pdr::ui {
+
+class SkyRow : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit SkyRow(QWidget* parent = nullptr);
+
+    void setEnvironment(const Environment& environment);
+
+  signals:
+    void skyChosen(const QString& file);
+    /// `moving`: the gesture goes on; the last edit of a gesture comes with false.
+    void environmentEdited(const pdr::Environment& environment, bool moving);
+
+  private:
+    void ask();
+    void turn();
+
+    Environment environment_;
+    QPushButton choose_;
+    QPushButton remove_;
+    QWidget turnRow_;
+    QSlider turn_{Qt::Horizontal};  ///< degrees
+};
+
+}  // namespace pdr::ui
