@@ -1,6 +1,6 @@
 /// How good the picture is soon after an edit, in the real window: what was shown after 0.1, 1 and 10 seconds, smoothed
 /// and raw, against a picture of many samples of another seed.
-///   first_pictures FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--preset NAME]
+///   first_pictures FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--look NAME]
 /// FOLDER holds a CT. The edit is a view from the front. Prints a line for each picture: samples and pixels it has, how
 /// many of 255 levels 95 % of the tissue are off, once stretched to the view as the window does, and what the window
 /// says of it. With -o they are drawn on one sheet: raw above, smoothed below, the reference on the right.

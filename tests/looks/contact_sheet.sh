@@ -17,14 +17,14 @@ for model in absorption emission emissionAbsorption singleScattering multipleSca
     exposure=() count=$samples
     case $model in
         absorption | emissionAbsorption) exposure=(--exposure 0.6) count=16 ;;
-        emission) exposure=(--exposure 20) count=16 ;;
+        emission) exposure=(--exposure 60) count=16 ;;
         maximumIntensity) exposure=(--exposure 1) count=16 ;;
     esac
     for look in "Bone" "Thin bone" "Muscles and skull" "Skin over bone"; do
         picture="$scratch/$model-${look// /-}.png"
         build/release/bin/pdrender-cli render "$folder" -o "$picture" --look "$look" --model "$model" \
-            --size "${size}x${size}" --samples "$count" --seconds "$seconds" "${exposure[@]}" >/dev/null 2>&1
-        pictures+=(-label "$model, $look" "$picture")
+            --size "${size}x${size}" --samples "$count" --seconds "$seconds" "${exposure[@]}" --smoothed >/dev/null 2>&1
+        pictures+=(-label "$model\n$look" "$picture")
     done
 done
 montage -font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "${pictures[@]}" -tile 4x -geometry "+3+3" -background '#202020' -fill '#c0c0c0' -pointsize 12 "$out"

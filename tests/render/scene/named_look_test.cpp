@@ -137,7 +137,7 @@ class NamedLookTest : public QObject {
             return wrong == text("bone") ? std::string("nothing was replaced")
                                          : lookFromJson(wrong.toStdString(), "bone").error().where;
         };
-        QCOMPARE(errorOf("\"key\":", "\"main\":"), std::string("bone, lights.main"));
+        QCOMPARE(errorOf("\"ambient\":", "\"main\":"), std::string("bone, lights.main"));
         QCOMPARE(errorOf("\"highHu\": 1800", "\"highHu\": 100"), std::string("bone, window.highHu"));
         QCOMPARE(errorOf("\"exposure\": ", "\"exposure\": -"), std::string("bone, exposure"));
         QCOMPARE(errorOf("\"bones\"", "\"ribs\""), std::string("bone, group"));
@@ -182,6 +182,24 @@ class NamedLookTest : public QObject {
         for (std::size_t i = 0; i < a.size(); ++i)
             QCOMPARE(shareAtCentre(std::get<RectangleLight>(a[i]), small.volume->geometry().centreMm()),
                      shareAtCentre(std::get<RectangleLight>(b[i]), large.volume->geometry().centreMm()));
+    }
+
+    /// Relief is seen by its shadows: a small key from the side, a fill that leaves them dark, and an outline from
+    /// behind.
+    void whatIsLitIsLitFromTheSide() {
+        int lit = 0;
+        for (const NamedLook& look : allLooks()) {
+            if (look.model != Model::singleScattering && look.model != Model::multipleScattering)
+                continue;
+            ++lit;
+            const RigPanel &key = look.look.rig.panels[0], &fill = look.look.rig.panels[1],
+                           &rim = look.look.rig.panels[2];
+            const double aside = std::abs(key.from.x) / key.from.z;
+            QVERIFY2(aside > 1.2 && key.from.y > 0 && key.edge <= 1, look.name.c_str());
+            QVERIFY2(irradianceOf(fill) < irradianceOf(key) / 7, look.name.c_str());
+            QVERIFY2(rim.from.z < 0 && irradianceOf(rim) < irradianceOf(key), look.name.c_str());
+        }
+        QVERIFY(lit >= 12);
     }
 
     void theRigFollowsTheCamera() {
