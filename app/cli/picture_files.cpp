@@ -49,9 +49,10 @@ Result<void> checkSpared(const Paths& inputs, const Paths& outputs) {
     return {};
 }
 
-WrittenFiles writePictures(const Film& film, const Display& display, const Provenance& facts, const Paths& outputs) {
+WrittenFiles writePictures(const Film& film, const Display& display, SmoothedView& view, const Provenance& facts,
+                           const Paths& outputs) {
     const auto write = [&](const fs::path& path) {
-        return path.extension() == ".png" ? writePng(film, display, facts, path) : writeExr(film, facts, path);
+        return path.extension() == ".png" ? writePng(film, display, view, facts, path) : writeExr(film, facts, path);
     };
     WrittenFiles written;
     for (const auto& output : outputs) {

@@ -1,5 +1,6 @@
 #include "app/cli/render_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 
@@ -13,6 +14,7 @@
 #include "app/provenance.h"
 #include "render/base/errors.h"
 #include "render/device/device_list.h"
+#include "render/film/smoothed_view.h"
 #include "render/prepare/flatten.h"
 #include "render/session/batch_render.h"
 #include "render/session/bias_measurements.h"
@@ -28,12 +30,17 @@ struct Finished {
 /// Of the time that the picture took, for what its bias is measured by.
 constexpr double kBiasShare = 0.1;
 
-std::vector<Bias> biasesOf(const LoadedScene& work, const Rendered& rendered, const Film& film, bool smoothed,
-                           const std::stop_token& stop) {
+bool wantsSmoothed(const RenderOptions& options, const Scene& scene) {
+    return options.smoothed && canBeSmoothed(scene) &&
+           std::ranges::any_of(options.outputs, [](const auto& path) { return path.extension() == ".png"; });
+}
+
+/// Of the pictures as they are written.
+std::vector<Bias> biasesOf(const LoadedScene& work, const Rendered& rendered, SmoothedView& view, bool smoothed) {
     BiasFacts facts = biasFactsOf(work.scene, rendered);
     facts.isSmoothed = smoothed;
-    if (const auto judgement = smoothed ? SmoothingJudgement::of(film, stop) : std::nullopt)
-        facts.smoothed = judgement->overAll(rendered.exposure);
+    if (smoothed)
+        facts.smoothed = view.error(rendered.exposure);
     return biases(facts);
 }
 
@@ -75,7 +82,13 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     const auto picture = (*film)->film();
     if (!picture)
         return picture.error();
-    const Display display{work->display.exposure, options.smoothed && canBeSmoothed(work->scene)};
+    const Display display{work->display.exposure, wantsSmoothed(options, work->scene)};
+    SmoothedView view;
+    if (display.smoothed)
+        view.judge(**picture, (*picture)->samplesPerPixel(), {});
+    const bool smoothed = view.better(display).smoothed;
+    if (display.smoothed && !smoothed)
+        std::fputs("note: the picture is not smoothed, since it is not known to be better for it.\n", stderr);
     // The device holds another scene then.
     const auto measured =
         measureBias(work->scene, double(display.exposure), device, kBiasShare * result->seconds, stop);
@@ -83,7 +96,7 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     if (measured)
         rendered.bias = *measured;
     const WrittenFiles written =
-        writePictures(**picture, display, provenanceOf(work->scene, rendered), options.outputs);
+        writePictures(**picture, display, view, provenanceOf(work->scene, rendered), options.outputs);
     for (const Error& trouble : written.troubles)
         failed(trouble);
     if (!measured)
@@ -94,7 +107,7 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
                               device.info(),
                               *result,
                               warnings(work->scene),
-                              biasesOf(*work, rendered, **picture, display.smoothed, stop)};
+                              biasesOf(*work, rendered, view, smoothed)};
     std::fputs((options.json ? jsonText(report) : plainText(report)).c_str(), stdout);
     return Finished{result->reason, written.troubles.empty()};
 }
