@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/look_files.h"
+#include "app/look_text.h"
 #include "app/show_looks.h"
 #include "app/show_message.h"
 #include "render/scene/sky_picture.h"
@@ -36,7 +37,7 @@ std::vector<NamedLook> carriedLooks(const Document& document) {
 
 Result<void> checkFree(const Document& document, const std::string& name) {
     for (const NamedLook& look : carriedLooks(document))
-        if (look.name == name)
+        if (look.name == name || nameText(look).toStdString() == name)
             return Error{"a look of the program has this name", name, "Take another."};
     return {};
 }

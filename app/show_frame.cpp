@@ -1,6 +1,7 @@
 #include "app/show_frame.h"
 
 #include "app/caption.h"
+#include "app/look_text.h"
 #include "app/show_message.h"
 #include "render/accuracy/quality.h"
 #include "ui/error_colours.h"
@@ -123,7 +124,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         return showFailure(parts, {frame->error, "", ""});
     }
     parts.window.viewport().setPicture(
-        {pictureOf(frame), frame->camera, QString::fromStdString(frame->lookName), smoothedTexts(*frame).join('\n'),
+        {pictureOf(frame), frame->camera, nameText(parts.document.looks(), frame->lookName), smoothedTexts(*frame).join('\n'),
          lostLinesOf(*frame), captionOn(*frame, parts.bridge.captioned()), errorMapOf(frame), frame->smoothed});
     parts.window.cut().setPicture(frame->camera, {frame->size.x, frame->size.y});
     parts.window.setPictureAvailable(true);

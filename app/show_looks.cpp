@@ -1,5 +1,7 @@
 #include "app/show_looks.h"
 
+#include "app/look_text.h"
+
 namespace pdr::app {
 namespace {
 
@@ -36,9 +38,8 @@ QList<ui::LookCard> cardsOf(const Document& document) {
     QList<ui::LookCard> cards;
     for (int i = 0; document.looks().holds(i); ++i) {
         const NamedLook& look = document.looks()[i];
-        cards << ui::LookCard{QString::fromStdString(look.name), groupText(look.group),
-                              QString::fromStdString(look.doesNotShow),
-                              QString::fromStdString(document.looks().whyUnsuited(i)), look.group == LookGroup::own};
+        cards << ui::LookCard{nameText(look), groupText(look.group), doesNotShowText(look),
+                              unsuitedText(document.looks().whyUnsuited(i)), look.group == LookGroup::own};
     }
     return cards;
 }

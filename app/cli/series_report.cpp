@@ -84,12 +84,9 @@ void addTable(Json& report, const Volume& volume, const Progress& progress) {
     const auto table = segment::hideTable(volume, progress);
     if (!table)
         return;
-    report["table"] = {{"hiddenMl", table->hiddenMl},
-                       {"touchedMl", table->cutMl},
-                       {"bodyMl", table->bodyMl},
-                       {"metalMl", table->metalMl},
-                       {"parts", table->parts},
-                       {"text", segment::tableText(*table)}};
+    report["table"] = {{"hiddenMl", table->hiddenMl}, {"touchedMl", table->cutMl},
+                       {"bodyMl", table->bodyMl},     {"metalMl", table->metalMl},
+                       {"parts", table->parts},       {"text", segment::tableText(*table)}};
 }
 
 void addPixels(Json& report, const dicom::Series& series, const Progress& progress) {

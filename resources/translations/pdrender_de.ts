@@ -646,8 +646,28 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Jede Iteration weichzeichnen</translation>
     </message>
     <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Bone beside contrast</source>
+        <translation>Knochen neben Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>Bone is a shadow only, and soft tissue is not shown. What metal blurs looks like metal.</source>
+        <translation>Knochen ist nur ein Schatten, Weichgewebe nicht zu sehen. Was Metall verwischt, sieht aus wie Metall.</translation>
+    </message>
+    <message>
+        <source>Bone that is no denser than the contrast in the blood is not shown: thin bone has false holes.</source>
+        <translation>Knochen, der nicht dichter ist als das Kontrastmittel im Blut, ist nicht zu sehen: Dünner Knochen hat falsche Löcher.</translation>
+    </message>
+    <message>
         <source>Bones</source>
         <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Bones alone</source>
+        <translation>Nur Knochen</translation>
     </message>
     <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
@@ -802,6 +822,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Dichte am höchsten Punkt der Opazitätskurve</translation>
     </message>
     <message>
+        <source>Depth is not shown, nor anything outside the lungs, nor their outermost 5 mm.</source>
+        <translation>Tiefe ist nicht zu sehen, auch nichts außerhalb der Lungen und nicht deren äußerste 5 mm.</translation>
+    </message>
+    <message>
+        <source>Depth is not shown, nor what lies in front of or behind something denser.</source>
+        <translation>Tiefe ist nicht zu sehen, auch nicht, was vor oder hinter Dichterem liegt.</translation>
+    </message>
+    <message>
+        <source>Depth is not shown: what lies behind one another adds up.</source>
+        <translation>Tiefe ist nicht zu sehen: Was hintereinander liegt, addiert sich.</translation>
+    </message>
+    <message>
         <source>Device</source>
         <translation>Gerät</translation>
     </message>
@@ -950,6 +982,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Füllt den Bildschirm mit dem Bild, dem Namen des Patienten und der Genauigkeit.</translation>
     </message>
     <message>
+        <source>Fluoroscopy</source>
+        <translation>Durchleuchtung</translation>
+    </message>
+    <message>
         <source>Focus on what is clicked</source>
         <translation>Scharf auf die angeklickte Stelle</translation>
     </message>
@@ -1072,6 +1108,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Health</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Heart and great vessels</source>
+        <translation>Herz und große Gefäße</translation>
     </message>
     <message>
         <source>Hei&amp;ght</source>
@@ -1314,12 +1354,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Darstellungen: %1</translation>
     </message>
     <message>
+        <source>Lung vessels</source>
+        <translation>Lungengefäße</translation>
+    </message>
+    <message>
         <source>Lungs</source>
         <translation>Lungen</translation>
     </message>
     <message>
         <source>MIP</source>
         <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MIP of the lungs</source>
+        <translation>MIP der Lungen</translation>
     </message>
     <message>
         <source>Made anew, %1</source>
@@ -1368,6 +1416,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Move the view</source>
         <translation>Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>Muscle is hardly shown. It shows who the patient is.</source>
+        <translation>Muskeln sind kaum zu sehen. Das Bild zeigt, wer der Patient ist.</translation>
+    </message>
+    <message>
+        <source>Muscles</source>
+        <translation>Muskeln</translation>
+    </message>
+    <message>
+        <source>Muscles and skull</source>
+        <translation>Muskeln und Schädel</translation>
     </message>
     <message>
         <source>My looks</source>
@@ -1422,6 +1482,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nicht angeboten: %1.</translation>
     </message>
     <message>
+        <source>Nothing below the skin is shown. It shows who the patient is.</source>
+        <translation>Unter der Haut ist nichts zu sehen. Das Bild zeigt, wer der Patient ist.</translation>
+    </message>
+    <message>
         <source>Nothing is known of the error yet</source>
         <translation>Vom Fehler ist noch nichts bekannt</translation>
     </message>
@@ -1432,6 +1496,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>One large panel: soft shadows</source>
         <translation>Eine große Fläche: weiche Schatten</translation>
+    </message>
+    <message>
+        <source>Only what is taken for bone is shown: thin or porous bone may be missing, dense contrast may be left over.</source>
+        <translation>Nur was für Knochen gehalten wird, ist zu sehen: Dünner oder poröser Knochen kann fehlen, dichtes Kontrastmittel übrig bleiben.</translation>
     </message>
     <message>
         <source>Only what this scene calls for</source>
@@ -1490,6 +1558,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Or drop a folder with DICOM files here, or one of its files: all CT series in it are listed, and the first that can be shown is.</source>
         <translation>Oder legen Sie einen Ordner mit DICOM-Dateien hier ab, oder eine seiner Dateien: Alle CT-Serien darin werden aufgelistet, und die erste darstellbare wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organe</translation>
     </message>
     <message>
         <source>Ours</source>
@@ -1886,8 +1958,16 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Größe:</translation>
     </message>
     <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
         <source>Skin (identifies the patient)</source>
         <translation>Haut (macht erkennbar)</translation>
+    </message>
+    <message>
+        <source>Skin over bone</source>
+        <translation>Haut über Knochen</translation>
     </message>
     <message>
         <source>Sky</source>
@@ -1914,6 +1994,14 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Flächenlicht</translation>
     </message>
     <message>
+        <source>Soft tissue is not shown, and bone below 230 HU is faint.</source>
+        <translation>Weichgewebe ist nicht zu sehen, Knochen unter 230 HU nur schwach.</translation>
+    </message>
+    <message>
+        <source>Soft tissue is not shown. Cartilage with calcium looks like bone.</source>
+        <translation>Weichgewebe ist nicht zu sehen. Verkalkter Knorpel sieht aus wie Knochen.</translation>
+    </message>
+    <message>
         <source>Str&amp;ength</source>
         <translation>&amp;Stärke</translation>
     </message>
@@ -1938,12 +2026,24 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die gewählte Lampe</translation>
     </message>
     <message>
+        <source>The densest contrast looks like bone, and marrow looks like blood.</source>
+        <translation>Das dichteste Kontrastmittel sieht aus wie Knochen, Mark wie Blut.</translation>
+    </message>
+    <message>
         <source>The densest tissue on each line of sight; not which of two lies in front.</source>
         <translation>Das dichteste Gewebe auf jedem Sehstrahl; nicht, was davon vorn liegt.</translation>
     </message>
     <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
         <translation>Die Höhe des Histogramms wächst mit dem Logarithmus der Voxel</translation>
+    </message>
+    <message>
+        <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
+        <translation>Die äußersten 5 mm und Fett sind nicht zu sehen. Das Gehirn liegt hinter dem Schädel.</translation>
+    </message>
+    <message>
+        <source>The outermost 7 mm, fat and lung are not shown. Contrast looks like bone.</source>
+        <translation>Die äußersten 7 mm, Fett und Lunge sind nicht zu sehen. Kontrastmittel sieht aus wie Knochen.</translation>
     </message>
     <message>
         <source>The part of the patient that is shown; the scan itself is not changed</source>
@@ -1974,6 +2074,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Then click the anatomy: a bell at its Hounsfield units is added (Ctrl and click does the same)</source>
         <translation>Dann auf die Anatomie klicken: Eine Glocke bei ihren Hounsfield-Einheiten wird hinzugefügt (Strg und Klick tut dasselbe)</translation>
+    </message>
+    <message>
+        <source>Thin bone</source>
+        <translation>Dünner Knochen</translation>
     </message>
     <message>
         <source>This language is spoken from the next start on</source>
@@ -2120,6 +2224,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Gefäße</translation>
     </message>
     <message>
+        <source>Vessels and bone</source>
+        <translation>Gefäße und Knochen</translation>
+    </message>
+    <message>
+        <source>Vessels within 5 mm of the lung's surface are not shown; arteries, veins and walls of airways look alike.</source>
+        <translation>Gefäße, die weniger als 5 mm unter der Lungenoberfläche liegen, sind nicht zu sehen; Arterien, Venen und Wände der Atemwege sehen gleich aus.</translation>
+    </message>
+    <message>
         <source>View from: %1</source>
         <translation>Ansicht von: %1</translation>
     </message>
@@ -2148,8 +2260,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Was gezeigt wird</translation>
     </message>
     <message>
+        <source>What is taken for bone is left out: the densest contrast may be missing, rims of bone may be left over.</source>
+        <translation>Was für Knochen gehalten wird, ist weggelassen: Das dichteste Kontrastmittel kann fehlen, Ränder von Knochen können übrig bleiben.</translation>
+    </message>
+    <message>
         <source>What it shows and costs</source>
         <translation>Was es zeigt und kostet</translation>
+    </message>
+    <message>
+        <source>What lies in front of the cut is not shown, nor is fat.</source>
+        <translation>Was vor dem Schnitt liegt, ist nicht zu sehen, ebenso Fett.</translation>
+    </message>
+    <message>
+        <source>What lies in front of the cut is not shown, nor is fat. Very dense contrast looks like bone, marrow like blood.</source>
+        <translation>Was vor dem Schnitt liegt, ist nicht zu sehen, ebenso Fett. Sehr dichtes Kontrastmittel sieht aus wie Knochen, Mark wie Blut.</translation>
     </message>
     <message>
         <source>What lights it</source>
@@ -2368,6 +2492,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Lunge</translation>
     </message>
     <message>
+        <source>lungs are in this scan</source>
+        <translation>diese Aufnahme zeigt Lungen</translation>
+    </message>
+    <message>
         <source>making the picture</source>
         <translation>Das Bild entsteht</translation>
     </message>
@@ -2384,8 +2512,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Metall</translation>
     </message>
     <message>
+        <source>metal is in this body</source>
+        <translation>in diesem Körper ist Metall</translation>
+    </message>
+    <message>
         <source>muscle</source>
         <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>no contrast was found in the blood</source>
+        <translation>im Blut wurde kein Kontrastmittel gefunden</translation>
     </message>
     <message>
         <source>no geometry</source>
@@ -2394,6 +2530,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>no light was seen in the box</source>
         <translation>im Rahmen wurde kein Licht gefunden</translation>
+    </message>
+    <message>
+        <source>no lungs are in this scan</source>
+        <translation>diese Aufnahme zeigt keine Lungen</translation>
+    </message>
+    <message>
+        <source>no metal is in this body</source>
+        <translation>in diesem Körper ist kein Metall</translation>
     </message>
     <message>
         <source>not a CT volume</source>
@@ -2488,12 +2632,24 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das ganze Bild, das auf den Rahmen wartet: 95 % des Gewebes innerhalb ±%1</translation>
     </message>
     <message>
+        <source>there is contrast in the blood</source>
+        <translation>im Blut ist Kontrastmittel</translation>
+    </message>
+    <message>
         <source>there is no tissue in the box</source>
         <translation>im Rahmen ist kein Gewebe</translation>
     </message>
     <message>
         <source>there is too little tissue at that place</source>
         <translation>An dieser Stelle ist zu wenig Gewebe</translation>
+    </message>
+    <message>
+        <source>this body is no wider than a head</source>
+        <translation>dieser Körper ist nicht breiter als ein Kopf</translation>
+    </message>
+    <message>
+        <source>this body is wider than a head</source>
+        <translation>dieser Körper ist breiter als ein Kopf</translation>
     </message>
     <message>
         <source>tilted stack</source>

@@ -646,8 +646,28 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Desenfocar cada iteración</translation>
     </message>
     <message>
+        <source>Bone</source>
+        <translation>Hueso</translation>
+    </message>
+    <message>
+        <source>Bone beside contrast</source>
+        <translation>Hueso junto a contraste</translation>
+    </message>
+    <message>
+        <source>Bone is a shadow only, and soft tissue is not shown. What metal blurs looks like metal.</source>
+        <translation>El hueso es solo una sombra y no se ven los tejidos blandos. Lo que el metal emborrona parece metal.</translation>
+    </message>
+    <message>
+        <source>Bone that is no denser than the contrast in the blood is not shown: thin bone has false holes.</source>
+        <translation>No se ve el hueso que no es más denso que el contraste de la sangre: el hueso fino tiene agujeros falsos.</translation>
+    </message>
+    <message>
         <source>Bones</source>
         <translation>Huesos</translation>
+    </message>
+    <message>
+        <source>Bones alone</source>
+        <translation>Solo huesos</translation>
     </message>
     <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
@@ -802,6 +822,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Densidad en lo más alto de la curva de opacidad</translation>
     </message>
     <message>
+        <source>Depth is not shown, nor anything outside the lungs, nor their outermost 5 mm.</source>
+        <translation>No se ve la profundidad, ni nada fuera de los pulmones, ni sus 5 mm exteriores.</translation>
+    </message>
+    <message>
+        <source>Depth is not shown, nor what lies in front of or behind something denser.</source>
+        <translation>No se ve la profundidad, ni lo que está delante o detrás de algo más denso.</translation>
+    </message>
+    <message>
+        <source>Depth is not shown: what lies behind one another adds up.</source>
+        <translation>No se ve la profundidad: lo que está uno tras otro se suma.</translation>
+    </message>
+    <message>
         <source>Device</source>
         <translation>Dispositivo</translation>
     </message>
@@ -950,6 +982,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Llena la pantalla con la imagen, el nombre del paciente y su exactitud.</translation>
     </message>
     <message>
+        <source>Fluoroscopy</source>
+        <translation>Fluoroscopia</translation>
+    </message>
+    <message>
         <source>Focus on what is clicked</source>
         <translation>Enfocar donde se haga clic</translation>
     </message>
@@ -1072,6 +1108,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Health</source>
         <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Heart and great vessels</source>
+        <translation>Corazón y grandes vasos</translation>
     </message>
     <message>
         <source>Hei&amp;ght</source>
@@ -1314,12 +1354,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Aspectos: %1</translation>
     </message>
     <message>
+        <source>Lung vessels</source>
+        <translation>Vasos pulmonares</translation>
+    </message>
+    <message>
         <source>Lungs</source>
         <translation>Pulmones</translation>
     </message>
     <message>
         <source>MIP</source>
         <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MIP of the lungs</source>
+        <translation>MIP de los pulmones</translation>
     </message>
     <message>
         <source>Made anew, %1</source>
@@ -1368,6 +1416,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Move the view</source>
         <translation>Mover la vista</translation>
+    </message>
+    <message>
+        <source>Muscle is hardly shown. It shows who the patient is.</source>
+        <translation>Apenas se ve el músculo. La imagen muestra quién es el paciente.</translation>
+    </message>
+    <message>
+        <source>Muscles</source>
+        <translation>Músculos</translation>
+    </message>
+    <message>
+        <source>Muscles and skull</source>
+        <translation>Músculos y cráneo</translation>
     </message>
     <message>
         <source>My looks</source>
@@ -1422,6 +1482,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>No se ofrece: %1.</translation>
     </message>
     <message>
+        <source>Nothing below the skin is shown. It shows who the patient is.</source>
+        <translation>No se ve nada bajo la piel. La imagen muestra quién es el paciente.</translation>
+    </message>
+    <message>
         <source>Nothing is known of the error yet</source>
         <translation>Aún no se sabe nada del error</translation>
     </message>
@@ -1432,6 +1496,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>One large panel: soft shadows</source>
         <translation>Un panel grande: sombras suaves</translation>
+    </message>
+    <message>
+        <source>Only what is taken for bone is shown: thin or porous bone may be missing, dense contrast may be left over.</source>
+        <translation>Solo se ve lo que se toma por hueso: puede faltar hueso fino o poroso y quedar contraste denso.</translation>
     </message>
     <message>
         <source>Only what this scene calls for</source>
@@ -1490,6 +1558,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Or drop a folder with DICOM files here, or one of its files: all CT series in it are listed, and the first that can be shown is.</source>
         <translation>O suelte aquí una carpeta con archivos DICOM, o uno de sus archivos: se listan todas las series de TC que contiene y se muestra la primera que se pueda mostrar.</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Órganos</translation>
     </message>
     <message>
         <source>Ours</source>
@@ -1886,8 +1958,16 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Tamaño:</translation>
     </message>
     <message>
+        <source>Skin</source>
+        <translation>Piel</translation>
+    </message>
+    <message>
         <source>Skin (identifies the patient)</source>
         <translation>Piel (identifica al paciente)</translation>
+    </message>
+    <message>
+        <source>Skin over bone</source>
+        <translation>Piel sobre hueso</translation>
     </message>
     <message>
         <source>Sky</source>
@@ -1914,6 +1994,14 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Panel difuso</translation>
     </message>
     <message>
+        <source>Soft tissue is not shown, and bone below 230 HU is faint.</source>
+        <translation>No se ven los tejidos blandos, y el hueso por debajo de 230 HU apenas.</translation>
+    </message>
+    <message>
+        <source>Soft tissue is not shown. Cartilage with calcium looks like bone.</source>
+        <translation>No se ven los tejidos blandos. El cartílago calcificado parece hueso.</translation>
+    </message>
+    <message>
         <source>Str&amp;ength</source>
         <translation>&amp;Intensidad</translation>
     </message>
@@ -1938,12 +2026,24 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>La lámpara elegida</translation>
     </message>
     <message>
+        <source>The densest contrast looks like bone, and marrow looks like blood.</source>
+        <translation>El contraste más denso parece hueso; la médula, sangre.</translation>
+    </message>
+    <message>
         <source>The densest tissue on each line of sight; not which of two lies in front.</source>
         <translation>El tejido más denso en cada línea de visión; no cuál de dos está delante.</translation>
     </message>
     <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
         <translation>La altura del histograma crece con el logaritmo de los vóxeles</translation>
+    </message>
+    <message>
+        <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
+        <translation>No se ven los 5 mm exteriores ni la grasa. El cerebro queda detrás del cráneo.</translation>
+    </message>
+    <message>
+        <source>The outermost 7 mm, fat and lung are not shown. Contrast looks like bone.</source>
+        <translation>No se ven los 7 mm exteriores, la grasa ni el pulmón. El contraste parece hueso.</translation>
     </message>
     <message>
         <source>The part of the patient that is shown; the scan itself is not changed</source>
@@ -1974,6 +2074,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Then click the anatomy: a bell at its Hounsfield units is added (Ctrl and click does the same)</source>
         <translation>Después haga clic en la anatomía: se añade una campana en sus unidades Hounsfield (Ctrl y clic hace lo mismo)</translation>
+    </message>
+    <message>
+        <source>Thin bone</source>
+        <translation>Hueso fino</translation>
     </message>
     <message>
         <source>This language is spoken from the next start on</source>
@@ -2120,6 +2224,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Vasos</translation>
     </message>
     <message>
+        <source>Vessels and bone</source>
+        <translation>Vasos y hueso</translation>
+    </message>
+    <message>
+        <source>Vessels within 5 mm of the lung's surface are not shown; arteries, veins and walls of airways look alike.</source>
+        <translation>No se ven los vasos a menos de 5 mm de la superficie del pulmón; arterias, venas y paredes bronquiales se ven iguales.</translation>
+    </message>
+    <message>
         <source>View from: %1</source>
         <translation>Vista desde: %1</translation>
     </message>
@@ -2148,8 +2260,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Qué se muestra</translation>
     </message>
     <message>
+        <source>What is taken for bone is left out: the densest contrast may be missing, rims of bone may be left over.</source>
+        <translation>Se omite lo que se toma por hueso: puede faltar el contraste más denso y quedar bordes de hueso.</translation>
+    </message>
+    <message>
         <source>What it shows and costs</source>
         <translation>Qué muestra y qué cuesta</translation>
+    </message>
+    <message>
+        <source>What lies in front of the cut is not shown, nor is fat.</source>
+        <translation>No se ve lo que está delante del corte, ni la grasa.</translation>
+    </message>
+    <message>
+        <source>What lies in front of the cut is not shown, nor is fat. Very dense contrast looks like bone, marrow like blood.</source>
+        <translation>No se ve lo que está delante del corte, ni la grasa. El contraste muy denso parece hueso; la médula, sangre.</translation>
     </message>
     <message>
         <source>What lights it</source>
@@ -2368,6 +2492,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>pulmón</translation>
     </message>
     <message>
+        <source>lungs are in this scan</source>
+        <translation>hay pulmones en este estudio</translation>
+    </message>
+    <message>
         <source>making the picture</source>
         <translation>Creando la imagen</translation>
     </message>
@@ -2384,8 +2512,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>metal</translation>
     </message>
     <message>
+        <source>metal is in this body</source>
+        <translation>hay metal en este cuerpo</translation>
+    </message>
+    <message>
         <source>muscle</source>
         <translation>músculo</translation>
+    </message>
+    <message>
+        <source>no contrast was found in the blood</source>
+        <translation>no se ha encontrado contraste en la sangre</translation>
     </message>
     <message>
         <source>no geometry</source>
@@ -2394,6 +2530,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>no light was seen in the box</source>
         <translation>no se vio luz en el recuadro</translation>
+    </message>
+    <message>
+        <source>no lungs are in this scan</source>
+        <translation>no hay pulmones en este estudio</translation>
+    </message>
+    <message>
+        <source>no metal is in this body</source>
+        <translation>no hay metal en este cuerpo</translation>
     </message>
     <message>
         <source>not a CT volume</source>
@@ -2488,12 +2632,24 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la imagen entera, que espera al recuadro: 95 % del tejido dentro de ±%1</translation>
     </message>
     <message>
+        <source>there is contrast in the blood</source>
+        <translation>hay contraste en la sangre</translation>
+    </message>
+    <message>
         <source>there is no tissue in the box</source>
         <translation>no hay tejido en el recuadro</translation>
     </message>
     <message>
         <source>there is too little tissue at that place</source>
         <translation>Hay demasiado poco tejido en ese lugar</translation>
+    </message>
+    <message>
+        <source>this body is no wider than a head</source>
+        <translation>este cuerpo no es más ancho que una cabeza</translation>
+    </message>
+    <message>
+        <source>this body is wider than a head</source>
+        <translation>este cuerpo es más ancho que una cabeza</translation>
     </message>
     <message>
         <source>tilted stack</source>

@@ -9,6 +9,7 @@
 #include "tests/support/event_times.h"
 #include "tests/support/phantom_series.h"
 #include "tests/support/shared_data.h"
+#include "tests/support/sky_file.h"
 #include "tests/support/tissue_hand.h"
 #include "ui/theme.h"
 #include "ui/to_qt.h"
@@ -95,6 +96,15 @@ void TestEventTimes::loadingRenderingAndEditing() {
         QTest::qWait(8);
     }
     check("editing the tissue");
+
+    const QString sky = folder.filePath("sky.exr");
+    test::writeSky(ui::fromQt(sky), {2048, 1024}, [](int x, int y) { return vec3(float(x % 7), float(y), 1); });
+    application().times.clear();
+    QMetaObject::invokeMethod(
+        &window, [&] { emit window.light().skyChosen(sky); }, Qt::QueuedConnection);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.parts().document.setup().look.environment.image, test::kPatience);
+    trial.waitForNewest();
+    check("lighting by a picture");
 
     for (const int key : {Qt::Key_F5, Qt::Key_2, Qt::Key_T, Qt::Key_E, Qt::Key_F6, Qt::Key_F11, Qt::Key_Escape}) {
         QCoreApplication::postEvent(&window.viewport(), new QKeyEvent(QEvent::KeyPress, key, {}));

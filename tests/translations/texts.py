@@ -1,12 +1,15 @@
 """What the window says: all texts in the sources that are to be translated, and those that have been.
 
 A text has one translation wherever it stands: the files know no contexts (see ui/language.h)."""
+import json
 import re
 import xml.etree.ElementTree as ElementTree
 
 ROOMS = ("ui/**/*.cpp", "ui/**/*.h", "app/*.cpp", "app/*.h", "app/desktop/*.cpp", "app/desktop/*.h")
 # Words of rooms that know no Qt, which the window translates: file, and where in it they stand.
-WORDS = (("render/scene/tissue_bands.h", r'\{"([^"]+)"'),)
+WORDS = (("render/scene/tissue_bands.h", r'\{"([^"]+)"'), ("render/scene/named_look.cpp", r'[?:] "([^"]+)"'))
+# What the window says of the looks that the program carries.
+LOOKS, SAID_OF_LOOKS = "resources/looks/*.json", ("name", "doesNotShow")
 CALL = re.compile(r"\b(?:(QT_TRANSLATE_NOOP|QCoreApplication::translate)|tr|translated)\s*\(")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
@@ -59,6 +62,10 @@ def in_sources(root):
     for file, pattern in WORDS:
         for text in re.findall(pattern, (root / file).read_text(encoding="utf-8")):
             found.setdefault(text, file)
+    for path in sorted(root.glob(LOOKS)):
+        look = json.loads(path.read_text(encoding="utf-8"))
+        for field in SAID_OF_LOOKS:
+            found.setdefault(look[field], path.relative_to(root))
     return found
 
 

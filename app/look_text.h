@@ -1,0 +1,20 @@
+#pragma once
+/// Looks in the window's language. Files, provenance and what users have named keep the names that they have.
+
+#include <QString>
+#include <string>
+
+#include "app/fitted_looks.h"
+
+namespace pdr::app {
+
+/// What the window calls `look`: one of the program's in its language, the user's own as it is.
+QString nameText(const NamedLook& look);
+/// The same of PictureSetup::lookName and Scene::lookName, which say, too, that a look was changed.
+QString nameText(const FittedLooks& looks, const std::string& lookName);
+/// What it does not show, in sentences.
+QString doesNotShowText(const NamedLook& look);
+/// A reason of pdr::whyUnsuited(), a clause.
+QString unsuitedText(const std::string& reason);
+
+}  // namespace pdr::app

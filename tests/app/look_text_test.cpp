@@ -1,0 +1,77 @@
+/// Looks in the window's language: the program's own are translated, the user's are not, and files keep their names.
+
+#include <QSet>
+#include <QTest>
+
+#include "app/look_text.h"
+#include "app/looks.h"
+#include "tests/support/told_document.h"
+#include "ui/language.h"
+
+namespace pdr::app {
+
+class LookTextTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void cleanup() { ui::speak(*qApp, "en"); }
+
+    void inEnglishTheyAreAsInTheirFiles() {
+        const std::vector<NamedLook> looks = *bundledLooks();
+        for (const NamedLook& look : looks) {
+            QCOMPARE(nameText(look).toStdString(), look.name);
+            QCOMPARE(doesNotShowText(look).toStdString(), look.doesNotShow);
+        }
+        QCOMPARE(unsuitedText("no lungs are in this scan"), QString("no lungs are in this scan"));
+        QCOMPARE(unsuitedText(""), QString());
+    }
+
+    void inOtherLanguagesTheyHaveOtherNames_data() {
+        QTest::addColumn<QString>("bone");
+        QTest::newRow("de") << "Knochen";
+        QTest::newRow("es") << "Hueso";
+    }
+    void inOtherLanguagesTheyHaveOtherNames() {
+        QFETCH(QString, bone);
+        ui::speak(*qApp, QTest::currentDataTag());
+        const std::vector<NamedLook> looks = *bundledLooks();
+        QSet<QString> names;
+        for (const NamedLook& look : looks) {
+            names << nameText(look);
+            QVERIFY(look.name == "MIP" || look.name == "Implants" ||
+                    nameText(look) != QString::fromStdString(look.name));
+            QVERIFY(doesNotShowText(look) != QString::fromStdString(look.doesNotShow));
+        }
+        QCOMPARE(names.size(), qsizetype(looks.size()));
+        QVERIFY(names.contains(bone));
+        const std::string reason = whyUnsuited(looks[0], {});
+        QVERIFY(reason.empty() || unsuitedText(reason) != QString::fromStdString(reason));
+    }
+
+    /// Whatever it is called; a look that was changed says so.
+    void theUsersOwnKeepsItsName() {
+        ui::speak(*qApp, "de");
+        std::vector<NamedLook> looks = *bundledLooks();
+        NamedLook own = looks.front();
+        own.group = LookGroup::own;
+        own.name = own.doesNotShow = "Bones";
+        QCOMPARE(nameText(own), QString("Bones"));
+        QCOMPARE(doesNotShowText(own), QString("Bones"));
+        looks.push_back(own);
+        Document document(looks);
+        document.open(cube());
+        QCOMPARE(nameText(document.looks(), document.setup().lookName), nameText(looks[0]));
+        Look edited = document.setup().look;
+        edited.gradientFactor += 1;
+        document.setLook(edited);
+        QVERIFY(document.setup().lookName.starts_with(looks[0].name));  // for files
+        QCOMPARE(nameText(document.looks(), document.setup().lookName), nameText(looks[0]) + Document::tr(" (changed)"));
+        QCOMPARE(nameText(document.looks(), "Bones"), QString("Bones"));
+        QCOMPARE(nameText(document.looks(), "Bones of nobody"), QString("Bones of nobody"));
+    }
+};
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::LookTextTest)
+#include "look_text_test.moc"
