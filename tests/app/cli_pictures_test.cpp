@@ -62,6 +62,19 @@ class CliPicturesTest : public QObject {
         QVERIFY(render({"--smoothed", "--model", "emissionAbsorption"}).text("pdrender/smoothed").isEmpty());
     }
 
+    /// What is printed is true of the file.
+    void smoothedIsSaidOfWhatIsSmoothed() {
+        for (const auto& [name, options] :
+             {std::pair("a.png", QStringList()), std::pair("a.png", QStringList{"--smoothed"}),
+              std::pair("a.exr", QStringList{"--smoothed"}),
+              std::pair("a.png", QStringList{"--smoothed", "--model", "maximumIntensity"})}) {
+            const ProgramRun result = BallScene::run(
+                QStringList{"render", scene(), "-o", at(name), "--samples", "16", "--size", "192x160"} + options);
+            QCOMPARE(result.code, 0);
+            QCOMPARE(result.out.contains("smoothed:"), !QImage(at(name)).text("pdrender/smoothed").isEmpty());
+        }
+    }
+
     void everyModelMakesItsOwnPicture() {
         QSet<QByteArray> pictures;
         for (const char* model : {"absorption", "emission", "emissionAbsorption", "singleScattering",
