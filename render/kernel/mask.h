@@ -28,4 +28,17 @@ PDR_HD inline float weightAt(const FlatScene& scene, vec3 position) {
     return weightAt(scene, Vec3<float>{position.x, position.y, position.z});
 }
 
+/// Of the weight at `position` (index space), in local space [1/mm], over the distance of two nodes.
+PDR_HD inline vec3 weightGradient(const FlatScene& scene, vec3 position) {
+    const vec3 halfStep = 0.5f / scene.mask.nodesPerVoxel;
+    vec3 perIndex;
+    for (int axis = 0; axis < 3; ++axis) {
+        vec3 before = position, after = position;
+        before[axis] -= halfStep[axis];
+        after[axis] += halfStep[axis];
+        perIndex[axis] = (weightAt(scene, after) - weightAt(scene, before)) * scene.mask.nodesPerVoxel[axis];
+    }
+    return glm::transpose(scene.volume.indexFromLocal) * perIndex;
+}
+
 }  // namespace pdr

@@ -122,11 +122,21 @@ double steepestCut(const Scene& scene) {
     return steepest;
 }
 
+/// No edge of what is seen is steeper [HU/mm]; see seenGradient(). 0: all is seen.
+double steepestMask(const Scene& scene) {
+    if (!scene.mask)
+        return 0;
+    const dvec3 nodesMm = scene.volume->geometry().spacingMm() * dvec3(ivec3(1) << scene.mask->grid().shift);
+    const float highest = float(scene.volume->storedRange().highest) + kHuSlack;
+    return double(cutSteepness(highest, float(glm::min(nodesMm.x, glm::min(nodesMm.y, nodesMm.z))))) * std::sqrt(3.0);
+}
+
 /// Whether some random number makes an event a surface; see normalAt(). The smallest one is 2^-24.
 bool surfacesCanShow(const Subject& subject) {
     constexpr double kRounding = 1 + 1e-5;
-    const double highest = subject.tissue.highestOpacity() * double(surfaceFactorOf(subject.scene.gradientFactor)) *
-                           std::max(subject.tissue.steepest(), steepestCut(subject.scene));
+    const double highest =
+        subject.tissue.highestOpacity() * double(surfaceFactorOf(subject.scene.gradientFactor)) *
+        std::max(subject.tissue.steepest() + steepestMask(subject.scene), steepestCut(subject.scene));
     return highest * kRounding > 0x1p-24;
 }
 

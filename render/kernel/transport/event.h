@@ -31,23 +31,30 @@ PDR_HD inline float surfaceProbability(const FlatScene& scene, float opacity, fl
     return opacity * attenuation(scene.surfaceFactor * steepness).taken;
 }
 
-/// Whether what is seen begins or ends at a place: there the gradient of the HU is that of the tissue within, or of its
-/// noise, and not that of the edge which light meets.
-PDR_HD inline bool isAtMaskedEdge(const FlatScene& scene, vec3 position) {
-    return isMasked(scene) && weightAt(scene, position) < 1;
+/// What is cut away or hidden is as air is.
+inline constexpr float kHiddenHu = -1000;
+
+/// The gradient of tissue of `hu` as it is seen [HU/mm]: what a mask hides counts as air, so that it has a surface
+/// where it does not end, but is hidden.
+PDR_HD inline vec3 seenGradient(const FlatScene& scene, vec3 position, float hu) {
+    const vec3 gradient = hounsfieldGradient(scene.volume, position);
+    const float weight = isMasked(scene) ? weightAt(scene, position) : 1;
+    if (!(weight < 1))
+        return gradient;
+    return weight * gradient + glm::max(hu - kHiddenHu, 0.0f) * weightGradient(scene, position);
 }
 
 PDR_HD inline vec3 facing(vec3 wo, vec3 normal) {
     return glm::dot(normal, wo) < 0 ? -normal : normal;
 }
 
-/// No gradient, no surface, and none where a mask has its edge. Its probability is never above the opacity, so the
+/// No gradient, no surface. Its probability is never above the opacity, so the
 /// gradient, which costs 64 voxels, is looked at only where the number lies below that.
 PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
     const float most = opacity(scene.transferFunction, hu);
-    if (u >= most || isAtMaskedEdge(scene, position))
+    if (u >= most)
         return vec3(0);
-    const vec3 gradient = hounsfieldGradient(scene.volume, position);
+    const vec3 gradient = seenGradient(scene, position, hu);
     const float steepness = glm::length(gradient);
     if (!(steepness > 0))
         return vec3(0);
@@ -58,8 +65,7 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo,
 
 /// The step from tissue of `hu` to air, across one voxel [HU/mm].
 PDR_HD inline float cutSteepness(float hu, float voxelMm) {
-    constexpr float kAir = -1000;
-    return glm::max(hu - kAir, 0.0f) / voxelMm;
+    return glm::max(hu - kHiddenHu, 0.0f) / voxelMm;
 }
 
 /// Tissue that a plane cuts through ends at that plane: it reflects with the plane's normal, as an edge against air

@@ -20,11 +20,11 @@ inline constexpr float kFromAllSides = 0.02f;
 PDR_HD inline UnshadowedPlace unshadowedAt(const FlatScene& scene, vec3 position, vec3 wo) {
     const float hu = hounsfield(scene.volume, position);
     const Material material = materialAt(scene.transferFunction, hu);
-    const vec3 gradient = hounsfieldGradient(scene.volume, position);
+    const vec3 gradient = seenGradient(scene, position, hu);
     const float steepness = glm::length(gradient);
     UnshadowedPlace seen{material.emission};
     float surface = 0;
-    if (steepness > 0 && !isAtMaskedEdge(scene, position)) {
+    if (steepness > 0) {
         seen.normal = gradient * ((glm::dot(gradient, wo) < 0 ? -1 : 1) / steepness);
         surface = surfaceProbability(scene, opacity(scene.transferFunction, hu), steepness);
     }
