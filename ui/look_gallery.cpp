@@ -55,8 +55,7 @@ void LookGallery::setLooks(const QList<LookCard>& looks) {
     for (QAbstractButton* button : buttons_.buttons()) {
         const LookCard& card = looks_[buttons_.id(button)];
         button->setIcon(pictures.value(card.name));
-        if (card.name == kept)
-            setLook(buttons_.id(button));
+        button->setChecked(card.name == kept);
     }
     orderTabs();
 }

@@ -31,7 +31,7 @@ class LookGallery : public QWidget {
     explicit LookGallery(QWidget* parent = nullptr);
 
     /// Looks that make no sense of this scan stand under a heading of their own, last. What is folded stays so.
-    /// Pictures of looks that stay are kept.
+    /// Pictures of looks that stay are kept. Nothing unfolds until setLook().
     void setLooks(const QList<LookCard>& looks);
     const QList<LookCard>& looks() const { return looks_; }
     /// What Tab reaches before the first look, and after the last, in that order.

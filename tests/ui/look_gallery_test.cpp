@@ -68,6 +68,20 @@ class LookGalleryTest : public QObject {
         QCOMPARE(chosen.first().first().toInt(), 2);
     }
 
+    /// Another scan is opened, and another look will be shown of it.
+    void whatWasShownBeforeUnfoldsNothing() {
+        LookGallery gallery;
+        gallery.setLooks(kLooks);
+        gallery.setLook(0);
+        QList<LookCard> others = kLooks;
+        others[0].unsuited = "there is contrast in the blood";
+        gallery.setLooks(others);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the buttons before
+        QVERIFY(named(gallery, "Look Bone")->isChecked() && !shows(gallery, "Look Bone"));
+        gallery.setLook(0);
+        QVERIFY(shows(gallery, "Look Bone"));
+    }
+
     void picturesStayWithTheirLooks() {
         LookGallery gallery;
         gallery.setLooks(kLooks);
