@@ -55,19 +55,18 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &light_, &camera_, &brightness_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(&gallery_);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll_.setWidget(&gallery_);
+    scroll_.setWidgetResizable(true);
+    scroll_.setFrameShape(QFrame::NoFrame);
+    scroll_.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_.setFocusPolicy(Qt::NoFocus);
     gallery_.layout()->setAlignment(Qt::AlignTop);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 6, 8, 10);
     column->setSpacing(8);
     column->addWidget(&menu_);
-    column->addWidget(scroll, 1);
+    column->addWidget(&scroll_, 1);
     column->addWidget(&doesNotShow_);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
@@ -86,6 +85,15 @@ void LookPanel::setLook(int index) {
     doesNotShow_.setText(known ? gallery_.looks()[index].doesNotShow : QString());
     doesNotShow_.setHidden(doesNotShow_.text().isEmpty());
     menu_.setLook(known ? gallery_.looks()[index].name : QString(), known && gallery_.looks()[index].own);
+}
+
+/// A sliver of the gallery is of no use, and takes the room of the words below it.
+void LookPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    constexpr int kLeast = LookGallery::kPicture + 40;  // a heading and a row of pictures
+    const int gallery = scroll_.isHidden() ? 0 : scroll_.minimumSizeHint().height() + layout()->spacing();
+    const int others = layout()->minimumHeightForWidth(width()) - gallery;
+    scroll_.setVisible(height() - others >= kLeast + layout()->spacing());
 }
 
 void LookPanel::setBrightness(double stops) {

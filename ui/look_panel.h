@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QWidget>
 
@@ -40,7 +41,11 @@ class LookPanel : public QWidget {
     /// The same of the camera.
     void cameraWanted();
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    QScrollArea scroll_;  ///< around the gallery, which leaves it first
     LookGallery gallery_;
     QLabel doesNotShow_;
     QSlider brightness_;

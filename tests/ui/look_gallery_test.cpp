@@ -113,10 +113,24 @@ class LookGalleryTest : public QObject {
         QVERIFY(!says("Fat is not shown."));
     }
 
+    /// A sliver of it would take the room of the words.
+    void theGalleryIsThereWhereItHasRoom() {
+        LookPanel panel;
+        panel.gallery().setLooks(kLooks);
+        panel.setLook(0);
+        for (const int height : {600, 300, 600}) {
+            panel.resize(280, height);
+            panel.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&panel));
+            QCOMPARE(panel.gallery().isVisible(), height == 600);
+        }
+    }
+
     void theKeyboardReachesEveryLookBeforeTheRest() {
         LookPanel panel;
         panel.gallery().setLooks(kLooks);
         panel.setLook(0);
+        panel.resize(280, 600);
         panel.show();
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
         QStringList reached;
