@@ -46,8 +46,11 @@ Bytes tag(int group, int element) {
 Bytes headOf(Bytes transferSyntax) {
     if (transferSyntax.size() % 2)
         transferSyntax += '\0';
-    return Bytes(128, '\0') + "DICM" + tag(2, 0x10) + "UI" + little(std::uint32_t(transferSyntax.size()), 2) +
-           transferSyntax;
+    Bytes head(128, '\0');
+    for (const Bytes& part :
+         {Bytes("DICM"), tag(2, 0x10), Bytes("UI"), little(std::uint32_t(transferSyntax.size()), 2), transferSyntax})
+        head += part;
+    return head;
 }
 
 const Bytes kImplicit = "1.2.840.10008.1.2", kExplicit = "1.2.840.10008.1.2.1", kDeflated = "1.2.840.10008.1.2.1.99";
