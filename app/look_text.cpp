@@ -34,6 +34,13 @@ QString doesNotShowText(const NamedLook& look) {
     return inWindow(look, look.doesNotShow);
 }
 
+QString doesNotShowText(const FittedLooks& looks, const PictureSetup& setup) {
+    const NamedLook* look = looks.beginningOf(setup.lookName);
+    const bool same = look && look->look.transferFunction == setup.look.transferFunction &&
+                      look->look.visible == setup.look.visible && look->model == setup.model;
+    return same ? doesNotShowText(*look) : QString();
+}
+
 QString unsuitedText(const std::string& reason) {
     return reason.empty() ? QString() : translated(reason);
 }

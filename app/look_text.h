@@ -14,6 +14,8 @@ QString nameText(const NamedLook& look);
 QString nameText(const FittedLooks& looks, const std::string& lookName);
 /// What it does not show, in sentences.
 QString doesNotShowText(const NamedLook& look);
+/// The same of a setup. Of a changed look it holds as long as the same tissue and the same part is seen.
+QString doesNotShowText(const FittedLooks& looks, const PictureSetup& setup);
 /// A reason of pdr::whyUnsuited(), a clause.
 QString unsuitedText(const std::string& reason);
 

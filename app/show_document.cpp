@@ -2,6 +2,7 @@
 
 #include "app/background_colour.h"
 #include "app/ledger_content.h"
+#include "app/look_text.h"
 
 namespace pdr::app {
 namespace {
@@ -24,6 +25,7 @@ void showDocument(const DesktopParts& parts) {
         parts.window.message().withdraw();
     parts.window.setTable(document.setup().table == Table::shown, document.hasTable());
     parts.window.look().setLook(document.look());
+    parts.window.look().setDoesNotShow(doesNotShowText(document.looks(), document.setup()));
     parts.window.look().setBrightness(document.setup().stops);
     parts.window.visible().setChoice(document.setup().look.visible);
     const auto& mask = document.scene().mask;

@@ -124,8 +124,9 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         return showFailure(parts, {frame->error, "", ""});
     }
     parts.window.viewport().setPicture(
-        {pictureOf(frame), frame->camera, nameText(parts.document.looks(), frame->lookName), smoothedTexts(*frame).join('\n'),
-         lostLinesOf(*frame), captionOn(*frame, parts.bridge.captioned()), errorMapOf(frame), frame->smoothed});
+        {pictureOf(frame), frame->camera, nameText(parts.document.looks(), frame->lookName),
+         smoothedTexts(*frame).join('\n'), lostLinesOf(*frame), captionOn(*frame, parts.bridge.captioned()),
+         errorMapOf(frame), frame->smoothed});
     parts.window.cut().setPicture(frame->camera, {frame->size.x, frame->size.y});
     parts.window.setPictureAvailable(true);
     keepWhatItTook(parts.settings, *frame);

@@ -82,14 +82,22 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
 void LookPanel::setLook(int index) {
     gallery_.setLook(index);
     const bool known = index >= 0 && index < gallery_.looks().size();
-    doesNotShow_.setText(known ? gallery_.looks()[index].doesNotShow : QString());
-    doesNotShow_.setHidden(doesNotShow_.text().isEmpty());
     menu_.setLook(known ? gallery_.looks()[index].name : QString(), known && gallery_.looks()[index].own);
 }
 
-/// A sliver of the gallery is of no use, and takes the room of the words below it.
+void LookPanel::setDoesNotShow(const QString& sentence) {
+    doesNotShow_.setText(sentence);
+    doesNotShow_.setHidden(sentence.isEmpty());
+    makeRoom();
+}
+
 void LookPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    makeRoom();
+}
+
+/// A sliver of the gallery is of no use, and takes the room of the words below it.
+void LookPanel::makeRoom() {
     constexpr int kLeast = LookGallery::kPicture + 40;  // a heading and a row of pictures
     const int gallery = scroll_.isHidden() ? 0 : scroll_.minimumSizeHint().height() + layout()->spacing();
     const int others = layout()->minimumHeightForWidth(width()) - gallery;

@@ -23,6 +23,8 @@ class LookPanel : public QWidget {
     LookMenu& menu() { return menu_; }
     /// -1: none of them is shown.
     void setLook(int index);
+    /// What is not seen, in sentences; empty: nothing is known of it.
+    void setDoesNotShow(const QString& sentence);
     /// In stops: one more is twice as bright; 0 = as the look says. Kept in [-4, 4].
     void setBrightness(double stops);
     void setPaused(bool paused);
@@ -45,6 +47,8 @@ class LookPanel : public QWidget {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    void makeRoom();
+
     QScrollArea scroll_;  ///< around the gallery, which leaves it first
     LookGallery gallery_;
     QLabel doesNotShow_;

@@ -5,6 +5,7 @@
 
 #include "tests/support/desktop_trial.h"
 #include "tests/support/hand_on_window.h"
+#include "tests/support/named_widget.h"
 #include "tests/support/phantom_series.h"
 #include "ui/to_qt.h"
 
@@ -24,6 +25,7 @@ class TestLightInWindow : public QObject {
     void initTestCase() { QVERIFY(writePhantomSeries(ui::fromQt(series()))); }
     void aDragOnTheBallIsOneStepAndUndoBringsTheSameBits();
     void aDragOnThePictureTurnsAllLights();
+    void whatIsNotShownIsSaidAsLongAsItIsTrue();
     void aRigIsOneStep();
     void handlesStayWithWhatTheLightsAreTiedTo();
 
@@ -65,6 +67,24 @@ void TestLightInWindow::aDragOnThePictureTurnsAllLights() {
     trial.document.undo();
     QVERIFY(!trial.document.canUndo());
     QVERIFY(trial.document.setup() == before);
+}
+
+/// Other light shows the same tissue; another curve may not.
+void TestLightInWindow::whatIsNotShownIsSaidAsLongAsItIsTrue() {
+    LightTrial trial(series());
+    const QLabel& says = test::named<QLabel>(trial.desktop.window(), "What this look does not show");
+    const QString sentence = says.text();
+    QVERIFY(!sentence.isEmpty());
+    Look look = trial.document.setup().look;
+    look.rig.panels[0].radiance *= 0.5f;
+    trial.document.setLook(look);
+    QCOMPARE(trial.document.look(), -1);
+    QCOMPARE(says.text(), sentence);
+    look.transferFunction.nodes.back().opacity *= 0.5f;
+    trial.document.setLook(look);
+    QVERIFY(says.text().isEmpty());
+    trial.document.undo();
+    QCOMPARE(says.text(), sentence);
 }
 
 void TestLightInWindow::aRigIsOneStep() {

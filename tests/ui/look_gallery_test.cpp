@@ -98,18 +98,17 @@ class LookGalleryTest : public QObject {
 
     void thePanelSaysWhatTheLookDoesNotShow() {
         LookPanel panel;
-        panel.gallery().setLooks(kLooks);
         const auto says = [&](const QString& text) {
             for (const QLabel* label : panel.findChildren<QLabel*>())
                 if (label->text() == text && label->isVisibleTo(&panel))
                     return true;
             return false;
         };
-        panel.setLook(0);
+        panel.setDoesNotShow("Soft tissue is not shown.");
         QVERIFY(says("Soft tissue is not shown."));
-        panel.setLook(1);
+        panel.setDoesNotShow("Fat is not shown.");
         QVERIFY(says("Fat is not shown.") && !says("Soft tissue is not shown."));
-        panel.setLook(-1);
+        panel.setDoesNotShow("");
         QVERIFY(!says("Fat is not shown."));
     }
 
@@ -118,6 +117,7 @@ class LookGalleryTest : public QObject {
         LookPanel panel;
         panel.gallery().setLooks(kLooks);
         panel.setLook(0);
+        panel.setDoesNotShow("Soft tissue is not shown, and bone below 230 HU is faint.");
         for (const int height : {600, 300, 600}) {
             panel.resize(280, height);
             panel.show();
