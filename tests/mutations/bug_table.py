@@ -115,6 +115,34 @@ def _begins_statement(text: str, begin: int) -> bool:
     return before.endswith((";", "{", "}", ")", ":", "else"))
 
 
+# Binary operators as clang-format writes them, those that bind least first.
+BINDING = (("?", ":"), ("||",), ("&&",), ("|",), ("^",), ("&",), ("==", "!="), ("<", ">", "<=", ">="), ("<<", ">>"), ("+", "-"),
+           ("*", "/", "%"))
+OPERATOR = r"(\|\||&&|==|!=|<=|>=|<<|>>|[?:|^&<>+\-*/%])"
+
+
+def _binds(operator: str) -> int:
+    return next(i for i, row in enumerate(BINDING) if operator in row)
+
+
+def _loses_an_operand(text: str, begin: int, end: int) -> bool:
+    """Whether an operator beside the expression text[begin:end] binds a part of it, so that brackets around it change what is
+    computed: `a && b` in `a && b < c`."""
+    outermost, depth = "", 0
+    for letter in text[begin:end]:
+        depth -= letter in ")]}"
+        outermost += letter if depth == 0 else "_"
+        depth += letter in "([{"
+    inside = [_binds(found) for found in re.findall(rf"\s{OPERATOR}(?=\s)", outermost)]
+    if not inside:
+        return False
+    if text[begin - 1] in "!~-*&":
+        return True
+    before, after = re.search(rf"\s{OPERATOR}\s+$", text[:begin]), re.match(rf"\s+{OPERATOR}\s", text[end:])
+    left, right = (_binds(found[1]) if found else -1 for found in (before, after))
+    return max(left, right) > min(inside) or (left == min(inside) and before[1] in "-/%")
+
+
 def _planted(was: str, bugs: list[tuple[Bug, Place]]) -> str:
     """What ends in a semicolon is a statement, all else an expression."""
     text = was
@@ -145,6 +173,8 @@ def plant(source: Path, bugs: list[Bug]) -> dict[str, str]:
                     raise TableError(f"{file}: begins amid a statement: {place.was!r}")
                 if place.was.rstrip().endswith(";") and _is_declaration(place.was):
                     raise TableError(f"{file}: declares what is needed behind it: {place.was!r}")
+                if not place.was.rstrip().endswith(";") and _loses_an_operand(texts[file], *span):
+                    raise TableError(f"{file}: an operator beside it binds a part of it: {place.was!r}")
                 pieces.setdefault(file, {}).setdefault(span, []).append((bug, place))
             except (TableError, OSError) as error:
                 complaints.append(f"{bug.name}: {error}")
