@@ -75,15 +75,13 @@ BodyParts::Distance BodyParts::inLungs(const Progress& progress) const {
         const auto whole = body(partOf(progress, 0, 0.6));
         if (!whole)
             return without(whole.error(), "the lungs cannot be told from the rest");
-        Cells wide = lungCells(*volume_, **whole);
-        if (none(wide))
+        const Cells lungs = lungCells(*volume_, **whole);
+        if (none(lungs))
             return refused("the lungs cannot be shown", "there is no air of 150 ml in the body that looks like a lung");
         if (!progress(0.8, kStep))
             return cancelled();
         const CellGrid& grid = (*whole)->grid;
-        const std::vector<float> distances = squaredDistances(wide, 1, grid, kVesselMm);
-        for (std::size_t i = 0; i < wide.size(); ++i)
-            wide[i] = atMost(distances[i], kVesselMm);
+        const Cells wide = widened(lungs, grid, kVesselMm);
         if (!progress(0.9, kStep))
             return cancelled();
         return SmoothDistance(wide, 0, grid, kVesselMm + kPleuraMm + kRoomMm);

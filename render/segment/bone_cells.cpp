@@ -50,19 +50,16 @@ Cells bloodCells(const std::vector<std::int16_t>& mean, const CellGrid& grid) {
             }
     });
     blood = piecesWith(blood, kPoolMl / grid.cellMl(), blood, grid);
-    const std::vector<float> distances = squaredDistances(blood, 1, grid, kVesselRimMm);
+    blood = widened(blood, grid, kVesselRimMm);
     for (std::size_t i = 0; i < blood.size(); ++i)
-        blood[i] = mean[i] > kVesselHu && atMost(distances[i], kVesselRimMm);
+        blood[i] = blood[i] && mean[i] > kVesselHu;
     return blood;
 }
 
 /// `cells` with all gaps that a ball of `radiusMm` does not fit into.
 Cells closed(const Cells& cells, const CellGrid& grid, double radiusMm) {
-    std::vector<float> distances = squaredDistances(cells, 1, grid, radiusMm);
-    Cells wide(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        wide[i] = atMost(distances[i], radiusMm);
-    distances = squaredDistances(wide, 0, grid, radiusMm);
+    Cells wide = widened(cells, grid, radiusMm);
+    const std::vector<float> distances = squaredDistances(wide, 0, grid, radiusMm);
     for (std::size_t i = 0; i < cells.size(); ++i)
         wide[i] = cells[i] || (wide[i] && !atMost(distances[i], radiusMm));
     return wide;
@@ -78,10 +75,9 @@ Cells boneCells(const Volume& volume, const CellGrid& grid) {
     for (std::size_t i = 0; i < dense.size(); ++i)
         dense[i] = values.highest[i] > kDenseHu && values.mean[i] > kMarrowHu && !blood[i];
     dense = piecesWith(dense, least, dense, grid);
-    Cells bone(blood.size());
-    const std::vector<float> distances = squaredDistances(dense, 1, grid, kReachMm);
+    Cells bone = widened(dense, grid, kReachMm);
     for (std::size_t i = 0; i < bone.size(); ++i)
-        bone[i] = values.mean[i] > kMarrowHu && !blood[i] && atMost(distances[i], kReachMm);
+        bone[i] = bone[i] && values.mean[i] > kMarrowHu && !blood[i];
     bone = closed(piecesWith(dense, 1, bone, grid), grid, kClosedMm);
     for (std::size_t i = 0; i < bone.size(); ++i)
         bone[i] = bone[i] && !blood[i];

@@ -82,4 +82,12 @@ std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, cons
     return distances;
 }
 
+Cells widened(const Cells& cells, const CellGrid& grid, double radiusMm) {
+    const std::vector<float> distances = squaredDistances(cells, 1, grid, radiusMm);
+    Cells wide(cells.size());
+    for (std::size_t i = 0; i < wide.size(); ++i)
+        wide[i] = atMost(distances[i], radiusMm);
+    return wide;
+}
+
 }  // namespace pdr::segment

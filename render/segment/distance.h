@@ -23,4 +23,7 @@ inline bool atMost(float squaredMm2, double mm) {
 /// no cell. The same for any number of threads, and of a mirrored mask the mirrored one, bit by bit.
 std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm);
 
+/// `cells`, and all whose centre lies at most `radiusMm` from that of one of them.
+Cells widened(const Cells& cells, const CellGrid& grid, double radiusMm);
+
 }  // namespace pdr::segment
