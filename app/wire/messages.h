@@ -1,0 +1,174 @@
+#pragma once
+/// What coordinator and render node tell each other. Plain values: message_codec.h turns them into bytes and back. A
+/// coordinator holds the patient's scan and the picture; a node takes samples for it. Nothing here has a place for a
+/// name, a date or an identifier of a patient.
+///   node -> coordinator   Hello, Pong, Need, SceneReady, SceneRefused, Result, Abandoned, Draining, Bye
+///   coordinator -> node   Welcome, Refused, Ping, SceneOrder, Chunk, Lease, Forget, Bye
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "render/base/health.h"
+#include "render/base/portable.h"
+#include "render/base/tile.h"
+
+namespace pdr::wire {
+
+using Bytes = std::vector<std::byte>;
+/// Names a content: BLAKE2b-256 of it, keyed with the coordinator's key (content.h).
+using Hash = std::array<std::byte, 32>;
+/// Numbers that nobody else can guess.
+using Nonce = std::array<std::byte, 16>;
+
+/// The versions of the protocol that this program speaks.
+struct Versions {
+    std::uint16_t lowest = 1, highest = 1;
+    bool operator==(const Versions&) const = default;
+};
+
+/// First, by the node.
+struct Hello {
+    Versions versions;
+    std::string program;            ///< "pdrender-node 0.1.0"
+    std::string name;               ///< of the node, for the user: "gpu-07"; at most 64 bytes
+    Nonce boot{};                   ///< of this run of the node's program
+    Hash bits{};                    ///< what a known picture comes to here (render/tiles/reference_tiles.h)
+    std::string device;             ///< "cpu"
+    std::string details;            ///< "16 threads"
+    std::uint64_t memoryBytes = 0;  ///< for scenes
+    bool operator==(const Hello&) const = default;
+};
+
+struct Welcome {
+    std::uint16_t version = 1;         ///< both speak this one
+    std::uint32_t heartbeatMs = 1000;  ///< between two Pings; [100, 60000]
+    std::array<std::byte, 32> key{};   ///< of content hashes, of this run of the coordinator's program
+    bool operator==(const Welcome&) const = default;
+};
+
+/// Instead of a Welcome; the connection ends.
+struct Refused {
+    enum class Why : std::uint8_t { version = 1, bits = 2, unwanted = 3 };
+    Why why = Why::unwanted;
+    std::string reason;  ///< for the node's log
+    bool operator==(const Refused&) const = default;
+};
+
+struct Ping {
+    std::uint64_t number = 0;
+    bool operator==(const Ping&) const = default;
+};
+/// To the Ping of that number, at once.
+struct Pong {
+    std::uint64_t number = 0;
+    bool operator==(const Pong&) const = default;
+};
+
+/// Of a volume: int16 Hounsfield units, x fastest, then y, then z (render/volume/volume.h).
+struct VolumeOrder {
+    Hash content{};
+    ivec3 size{0};                              ///< voxels
+    std::array<double, 12> patientFromIndex{};  ///< the matrix' upper three rows, column by column [mm]
+    bool operator==(const VolumeOrder&) const = default;
+};
+/// Of a mask: int16 weights (render/volume/mask.h).
+struct MaskOrder {
+    Hash content{};
+    ivec3 voxels{0}, shift{0};
+    bool operator==(const MaskOrder&) const = default;
+};
+/// Of a picture of the surroundings: float RGB texels (render/scene/environment_image.h).
+struct EnvironmentOrder {
+    Hash content{};
+    ivec2 size{0};  ///< texels
+    bool operator==(const EnvironmentOrder&) const = default;
+};
+
+/// The scene that leases are of from now on.
+struct SceneOrder {
+    std::uint64_t revision = 0;
+    VolumeOrder volume;
+    std::optional<MaskOrder> mask;
+    std::optional<EnvironmentOrder> environment;
+    std::string text;  ///< as in scene files; travels as payload
+    bool operator==(const SceneOrder&) const = default;
+};
+
+/// The chunks of that content are wanted, from number `from` on: those before are here.
+struct Need {
+    Hash content{};
+    std::uint32_t from = 0;
+    bool operator==(const Need&) const = default;
+};
+/// A part of a content: chunk `index` begins at byte index * kChunkBytes of it.
+struct Chunk {
+    Hash content{};
+    std::uint32_t index = 0;
+    std::uint32_t rawBytes = 0;  ///< of the content; at most kChunkBytes
+    Bytes packed;                ///< zstd; travels as payload
+    bool operator==(const Chunk&) const = default;
+};
+inline constexpr std::uint32_t kChunkBytes = 4 << 20;
+
+struct SceneReady {
+    std::uint64_t revision = 0;
+    bool operator==(const SceneReady&) const = default;
+};
+struct SceneRefused {
+    std::uint64_t revision = 0;
+    std::string reason;  ///< for the user
+    bool operator==(const SceneRefused&) const = default;
+};
+
+/// Samples are wanted. Answered by a Result or Abandoned of the same number and nonce.
+struct Lease {
+    std::uint64_t number = 0;
+    Nonce nonce{};
+    std::uint64_t revision = 0;  ///< of the scene
+    Tile tile;
+    SampleRange samples;
+    std::vector<PixelSums> before;  ///< of the block's samples before those, row by row; empty where there are none;
+                                    ///< travels packed, as payload
+};
+
+struct Result {
+    std::uint64_t number = 0;
+    Nonce nonce{};
+    std::uint64_t revision = 0;
+    Tile tile;
+    SampleRange samples;          ///< the lease's
+    std::vector<PixelSums> sums;  ///< of the block up to samples.end(), row by row; travels packed, as payload
+    Health health;                ///< of the lease's samples
+    double seconds = 0;           ///< spent on them
+};
+
+struct Abandoned {
+    std::uint64_t number = 0;
+    Nonce nonce{};
+    std::string reason;  ///< for the user; empty: the node drains
+    bool operator==(const Abandoned&) const = default;
+};
+
+/// The node finishes what it has and takes nothing new.
+struct Draining {
+    bool operator==(const Draining&) const = default;
+};
+/// All scenes and contents are to be wiped.
+struct Forget {
+    bool operator==(const Forget&) const = default;
+};
+/// The last message.
+struct Bye {
+    std::string reason;
+    bool operator==(const Bye&) const = default;
+};
+
+using Message = std::variant<Hello, Welcome, Refused, Ping, Pong, SceneOrder, Need, Chunk, SceneReady, SceneRefused,
+                             Lease, Result, Abandoned, Draining, Forget, Bye>;
+
+}  // namespace pdr::wire
