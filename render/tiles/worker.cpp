@@ -10,7 +10,7 @@ void WorkerSpeed::add(double work, double seconds) {
 }
 
 void Worker::updateState() {
-    if (isQuarantined() || status.state == WorkerState::gone)
+    if (isQuarantined())
         return;
     status.state = isDraining   ? WorkerState::draining
                    : isSuspect  ? WorkerState::suspect

@@ -52,8 +52,7 @@ enum class WorkerState {
     suspect,      ///< has not been heard of for some time
     paused,       ///< by the user
     draining,     ///< finishes what it has
-    quarantined,  ///< has sent what is not true
-    gone
+    quarantined  ///< has sent what is not true
 };
 
 /// What the user is told of a worker.
