@@ -27,7 +27,7 @@ Channel::Channel(QTcpSocket* socket, Role role, const ChannelLimits& limits, QOb
       reader_(std::make_unique<wire::FrameReader>(role)),
       drip_(limits.drip) {
     socket_->setParent(this);
-    setOptions(*socket_);
+    setOptions(*socket_, limits_.unheard);
     peerHost_ = socket_->peerAddress().toString();
     peerName_ = Address{peerHost_, socket_->peerPort()}.text();
     connect(socket_, &QTcpSocket::readyRead, this, &Channel::read);

@@ -26,6 +26,7 @@ namespace pdr::remote {
 struct ChannelLimits {
     std::chrono::milliseconds admission{5000};  ///< to be admitted in
     std::chrono::milliseconds farewell{2000};   ///< for the last messages to go out
+    std::chrono::milliseconds unheard{5000};    ///< by the other side's system, which takes or confirms nothing
     DripLimits drip;                            ///< of messages that come in
 };
 

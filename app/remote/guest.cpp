@@ -20,7 +20,7 @@ QString hostOf(const QTcpSocket& socket) {
 Guest::Guest(qintptr descriptor, const Identity& identity, std::chrono::milliseconds handshake, QObject* parent)
     : QObject(parent), identity_(identity), socket_(identity.tls ? new QSslSocket(this) : new QTcpSocket(this)) {
     socket_->setSocketDescriptor(descriptor);
-    setOptions(*socket_);
+    setOptions(*socket_, handshake);
     host_ = hostOf(*socket_);
     name_ = Address{host_, socket_->peerPort()}.text();
     connect(socket_, &QTcpSocket::errorOccurred, this, [this] { leave(socket_->errorString()); });

@@ -9,7 +9,6 @@ namespace {
 
 constexpr qint64 kReadBuffer = 1 << 20;
 constexpr int kIdleSeconds = 2, kProbeSeconds = 1, kProbes = 3;
-constexpr int kUserTimeoutMs = 5000;
 
 void setTcp(QTcpSocket& socket, int option, int value) {
     setsockopt(int(socket.socketDescriptor()), IPPROTO_TCP, option, &value, sizeof value);
@@ -17,14 +16,14 @@ void setTcp(QTcpSocket& socket, int option, int value) {
 
 }  // namespace
 
-void setOptions(QTcpSocket& socket) {
+void setOptions(QTcpSocket& socket, std::chrono::milliseconds unheard) {
     socket.setReadBufferSize(kReadBuffer);
     socket.setSocketOption(QAbstractSocket::LowDelayOption, 1);
     socket.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
     setTcp(socket, TCP_KEEPIDLE, kIdleSeconds);
     setTcp(socket, TCP_KEEPINTVL, kProbeSeconds);
     setTcp(socket, TCP_KEEPCNT, kProbes);
-    setTcp(socket, TCP_USER_TIMEOUT, kUserTimeoutMs);
+    setTcp(socket, TCP_USER_TIMEOUT, int(unheard.count()));
 }
 
 }  // namespace pdr::remote

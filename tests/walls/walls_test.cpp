@@ -39,7 +39,6 @@ class WallsTest : public QObject {
         {"app/program/", "^app/program/"},
         {"app/selftest/", "^app/selftest/|^render/"},
         {"app/bench/", "^app/(bench|program|selftest)/|^render/"},
-        {"app/wire/", "^app/wire/|^render/base/"},
         {"app/remote/", "^app/(remote|wire)/|^render/base/"},
         {"app/", "^(app|ui|dicom|render)/"},
     };
