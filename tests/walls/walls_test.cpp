@@ -40,6 +40,8 @@ class WallsTest : public QObject {
         {"app/program/", "^app/program/"},
         {"app/selftest/", "^app/selftest/|^render/"},
         {"app/bench/", "^app/(bench|program|selftest)/|^render/"},
+        {"app/remote/", "^app/(remote|wire)/|^render/base/"},
+        {"app/wire/", "^app/wire/|^render/base/"},
         {"app/", "^(app|ui|dicom|render)/"},
     };
 
@@ -74,6 +76,10 @@ class WallsTest : public QObject {
             return file != "render/film/image_file.cpp";
         if (matches("^nlohmann/", include))
             return !matches("^(render/scene/(json_fields|field_writer|slicer/vp_json)\\.|app/)", file);
+        if (matches("^zstd", include))
+            return file != "app/wire/one_frame.cpp";
+        if (matches("^openssl/", include))
+            return !matches("^app/(wire|remote)/.*\\.cpp$", file);
         if (matches("^cuda", include))
             return !matches("^(render/device/cuda/|render/base/portable.h)", file);
         return false;

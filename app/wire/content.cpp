@@ -1,0 +1,79 @@
+#include "app/wire/content.h"
+
+#include <string.h>
+
+#include <algorithm>
+#include <cassert>
+#include <new>
+
+#include "app/wire/frame_header.h"
+#include "app/wire/one_frame.h"
+
+namespace pdr::wire {
+
+namespace {
+
+constexpr int kLevel = 1;  // of zstd
+
+}  // namespace
+
+std::uint32_t chunksOf(std::uint64_t bytes) {
+    return std::uint32_t((bytes + kChunkBytes - 1) / kChunkBytes);
+}
+
+Chunk packChunk(const Hash& content, std::span<const std::byte> bytes, std::uint32_t index) {
+    assert(index < chunksOf(bytes.size()));
+    const std::size_t begin = std::size_t(index) * kChunkBytes;
+    const auto raw = bytes.subspan(begin, std::min<std::size_t>(kChunkBytes, bytes.size() - begin));
+    return {content, index, std::uint32_t(raw.size()), packedFrame({}, raw, kLevel)};
+}
+
+ContentAssembly::ContentAssembly(std::span<const std::byte> key, const Hash& expected, std::uint64_t totalBytes)
+    : expected_(expected), totalBytes_(totalBytes), hash_(key) {}
+
+ContentAssembly::~ContentAssembly() {
+    explicit_bzero(bytes_.data(), bytes_.size());
+}
+
+std::uint32_t ContentAssembly::nextChunk() const {
+    return chunksOf(bytes_.size());
+}
+
+/// All of it at once: were it moved to grow, it would leave traces. It is nobody's memory before it is written to.
+pdr::Result<void> ContentAssembly::makeRoom() {
+    try {
+        bytes_.reserve(totalBytes_);
+    } catch (const std::exception&) {
+        return Error{"there is too little memory", std::to_string(totalBytes_ >> 20) + " MiB of a scene", "",
+                     ErrorKind::memory};
+    }
+    return {};
+}
+
+pdr::Result<void> ContentAssembly::add(const Chunk& chunk) {
+    const std::uint64_t begin = bytes_.size(), rest = totalBytes_ - begin;
+    if (chunk.content != expected_ || chunk.index != nextChunk() ||
+        chunk.rawBytes != std::min<std::uint64_t>(kChunkBytes, rest) || rest == 0)
+        return senseless("a piece of a scan that was not asked for", "Chunk");
+    if (!isFrameOf(chunk.packed, chunk.rawBytes))
+        return senseless("a damaged piece of a scan", "Chunk");
+    if (auto room = makeRoom(); !room)
+        return room;
+    bytes_.resize(begin + chunk.rawBytes);
+    const auto part = std::span(bytes_).subspan(begin);
+    if (!unpackFrame(chunk.packed, part)) {
+        explicit_bzero(part.data(), part.size());
+        bytes_.resize(begin);
+        return senseless("a damaged piece of a scan", "Chunk");
+    }
+    hash_.add(part);
+    return {};
+}
+
+pdr::Result<void> ContentAssembly::finish() {
+    if (!isWhole() || hash_.finish() != expected_)
+        return senseless("a scan that is not what it was said to be");
+    return {};
+}
+
+}  // namespace pdr::wire
