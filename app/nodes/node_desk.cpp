@@ -1,6 +1,5 @@
 #include "app/nodes/node_desk.h"
 
-#include <QPointer>
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -31,10 +30,9 @@ NodeDesk::NodeDesk(std::shared_ptr<WorkerPool> pool, const wire::Hash& bits)
     telling_.setParent(this);
     connect(&tick_, &QTimer::timeout, this, [this] { coordinator_.pool->tick(); });
     connect(&telling_, &QTimer::timeout, this, &NodeDesk::tell);
-    // The pool may be busy on another thread: work that comes in a burst is looked at once.
-    coordinator_.pool->setNotice([self = QPointer(this)] {
-        if (self)
-            QMetaObject::invokeMethod(self, &NodeDesk::pump, Qt::QueuedConnection);
+    coordinator_.pool->setNotice([this] {
+        if (!pumpIsDue_.exchange(true))
+            QMetaObject::invokeMethod(this, &NodeDesk::pump, Qt::QueuedConnection);
     });
 }
 
@@ -223,6 +221,7 @@ void NodeDesk::close() {
 }
 
 void NodeDesk::pump() {
+    pumpIsDue_ = false;
     for (const auto& node : nodes_)
         if (node->link)
             node->link->pump();

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -65,6 +66,7 @@ class NodeDesk : public QObject {
     QTimer tick_;     ///< of the pool
     QTimer telling_;  ///< of changed()
     bool closing_ = false;
+    std::atomic<bool> pumpIsDue_ = false;
     std::mt19937_64 random_{std::random_device()()};
 };
 

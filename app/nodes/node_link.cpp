@@ -118,7 +118,12 @@ void NodeLink::sendScene(const PublishedScene& scene) {
     if (scene_)
         channel_->send(scene_->order);
     else
-        sceneTrouble_ = QString::fromStdString(coordinator_.scenes.reason());
+        cannotHave(coordinator_.scenes.reason());
+}
+
+void NodeLink::cannotHave(const std::string& reason) {
+    sceneTrouble_ = QString::fromStdString(reason);
+    coordinator_.pool->cannotTakeScene(*worker_, reason);
 }
 
 const Content* NodeLink::find(const wire::Hash& hash) const {
@@ -158,8 +163,7 @@ void NodeLink::take(const wire::SceneReady& ready) {
 void NodeLink::take(const wire::SceneRefused& refused) {
     if (refused.revision != sent_)
         return;
-    sceneTrouble_ = QString::fromStdString(refused.reason);
-    coordinator_.pool->cannotTakeScene(*worker_, refused.reason);
+    cannotHave(refused.reason);
 }
 
 void NodeLink::sendLeases() {
@@ -192,10 +196,8 @@ void NodeLink::take(const wire::Abandoned& abandoned) {
     if (nonce == nonces_.end() || nonce->second != abandoned.nonce)
         return;
     nonces_.erase(nonce);
-    if (!abandoned.reason.empty()) {  // its device fails: it gets nothing more of this scene
-        sceneTrouble_ = QString::fromStdString(abandoned.reason);
-        coordinator_.pool->cannotTakeScene(*worker_, abandoned.reason);
-    }
+    if (!abandoned.reason.empty())  // its device fails: it gets nothing more of this scene
+        cannotHave(abandoned.reason);
     coordinator_.pool->abandon(*worker_, abandoned.number);
 }
 
@@ -240,26 +242,20 @@ void NodeLink::end(const QString& reason) {
     emit over(isRefused() ? refusal_ : reason);
 }
 
-NodeState NodeLink::state() const {
-    if (!worker_)
-        return isRefused() ? NodeState::refused : NodeState::greeting;
-    for (const WorkerStatus& worker : coordinator_.pool->workers()) {
-        if (worker.id != *worker_)
-            continue;
-        switch (worker.state) {
-            case WorkerState::waiting:
-                return scene_ && sceneTrouble_.isEmpty() ? NodeState::sending : NodeState::ready;
-            case WorkerState::ready:
-                return NodeState::ready;
-            case WorkerState::suspect:
-                return NodeState::suspect;
-            case WorkerState::paused:
-                return NodeState::paused;
-            case WorkerState::draining:
-                return NodeState::draining;
-            case WorkerState::quarantined:
-                return NodeState::quarantined;
-        }
+NodeState NodeLink::stateOf(WorkerState worker) const {
+    switch (worker) {
+        case WorkerState::waiting:
+            return scene_ && sceneTrouble_.isEmpty() ? NodeState::sending : NodeState::ready;
+        case WorkerState::ready:
+            return NodeState::ready;
+        case WorkerState::suspect:
+            return NodeState::suspect;
+        case WorkerState::paused:
+            return NodeState::paused;
+        case WorkerState::draining:
+            return NodeState::draining;
+        case WorkerState::quarantined:
+            return NodeState::quarantined;
     }
     return NodeState::lost;
 }
@@ -268,7 +264,7 @@ NodeStatus NodeLink::status() const {
     NodeStatus status;
     status.name = name_;
     status.device = device_;
-    status.state = state();
+    status.state = isRefused() ? NodeState::refused : NodeState::greeting;
     status.reason = isRefused() ? refusal_ : sceneTrouble_;
     if (transfer_)
         if (const Content* content = find(transfer_->hash))
@@ -277,11 +273,13 @@ NodeStatus NodeLink::status() const {
         status.latencyMs = std::chrono::duration<double, std::milli>(*latency).count();
     status.bytesOut = channel_->bytesSent();
     status.bytesIn = channel_->bytesReceived();
-    for (const WorkerStatus& worker : coordinator_.pool->workers())
-        if (worker_ && worker.id == *worker_)
-            status.work = worker;
+    const std::optional<WorkerStatus> worker = worker_ ? coordinator_.pool->worker(*worker_) : std::nullopt;
+    if (!worker)
+        return status;
+    status.work = *worker;
+    status.state = stateOf(worker->state);
     if (status.state == NodeState::quarantined)
-        status.reason = QString::fromStdString(status.work.reason);
+        status.reason = QString::fromStdString(worker->reason);
     return status;
 }
 

@@ -71,12 +71,13 @@ class NodeLink : public QObject {
 
     void refuse(wire::Refused::Why why, const QString& reason);
     void sendScene(const PublishedScene& scene);
+    void cannotHave(const std::string& reason);
     void sendChunks();
     void sendLeases();
     void beat();
     void end(const QString& reason);
     const Content* find(const wire::Hash& hash) const;
-    NodeState state() const;
+    NodeState stateOf(WorkerState worker) const;
 
     remote::Channel* channel_;
     Coordinator& coordinator_;

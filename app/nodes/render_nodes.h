@@ -55,5 +55,3 @@ class RenderNodes : public QObject {
 };
 
 }  // namespace pdr::nodes
-
-Q_DECLARE_METATYPE(pdr::nodes::NodeStatus)

@@ -42,6 +42,21 @@ std::string textOf(const Scene& scene) {
     return sceneText(file);
 }
 
+/// Files do not hold what a camera's projection makes no use of.
+void dropUnused(Camera& camera) {
+    if (camera.type == Camera::Type::perspective)
+        camera.heightMm = Camera().heightMm;
+    else
+        camera.fovDegrees = Camera().fovDegrees;
+}
+
+Scene withoutUnused(Scene scene) {
+    dropUnused(scene.camera);
+    for (FreehandCut& cut : scene.clip.freehand)
+        dropUnused(cut.camera);
+    return scene;
+}
+
 std::uint64_t voxelsIn(const ivec3& size) {
     return std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(size.z);
 }
@@ -80,10 +95,14 @@ Result<OutgoingScene> outgoingScene(std::uint64_t number, const Scene& scene, co
     same.lookName.clear();
     same.revision = number;
     const Result<Scene> read = sceneFrom(going.order, {scene.volume, scene.mask, scene.environment.image});
-    if (!read || *read != same)
+    if (!read || withoutUnused(*read) != withoutUnused(same))
         return Error{"this scene cannot be sent to render nodes: they would read another one", "",
                      "It is rendered on this machine alone."};
     return going;
+}
+
+bool liesSo(const VolumeGeometry& geometry, const wire::VolumeOrder& order) {
+    return geometry.size == order.size && rowsOf(geometry.patientFromIndex) == order.patientFromIndex;
 }
 
 std::vector<WantedContent> wantedContents(const wire::SceneOrder& order) {

@@ -34,6 +34,9 @@ using HashOf = std::function<wire::Hash(const std::shared_ptr<const void>& owner
 /// `scene` under that number; it must have passed its check(). Errors: the order would be read as another scene.
 Result<OutgoingScene> outgoingScene(std::uint64_t number, const Scene& scene, const HashOf& hashOf);
 
+/// Whether a volume lies as the order says.
+bool liesSo(const VolumeGeometry& geometry, const wire::VolumeOrder& order);
+
 /// A content that an order names, and the bytes that it must have.
 struct WantedContent {
     wire::Hash hash{};

@@ -37,9 +37,9 @@ void LeaseRenderer::forget() {
     changed_.wait(lock, [this] { return !isNew_ && !isBusy_; });
 }
 
-int LeaseRenderer::waiting() const {
+void LeaseRenderer::drop() {
     const std::lock_guard lock(mutex_);
-    return int(leases_.size()) + (isBusy_ ? 1 : 0);
+    dropLeases();
 }
 
 void LeaseRenderer::run(const std::stop_token& ended) {

@@ -39,10 +39,10 @@ class LeaseRenderer {
     /// The leases that come next are of this scene, which must have passed its check(). Those of others are dropped.
     void setScene(std::uint64_t number, std::shared_ptr<const Scene> scene);
     void add(Lease lease);
+    /// Leases that have no answer yet will have none.
+    void drop();
     /// All leases are dropped, and the scene is forgotten, on the device as well; waits for that.
     void forget();
-    /// Leases that have no answer yet.
-    int waiting() const;
 
   private:
     void run(const std::stop_token& ended);

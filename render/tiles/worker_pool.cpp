@@ -24,19 +24,14 @@ double poolSeconds() {
 WorkerPool::WorkerPool(std::uint64_t seed, PoolClock clock) : clock_(std::move(clock)), seed_(seed) {}
 
 void WorkerPool::setNotice(std::function<void()> notice) {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(noticeMutex_);
     notice_ = std::move(notice);
 }
 
-/// To be called without the lock.
 void WorkerPool::tell() const {
-    std::function<void()> notice;
-    {
-        const std::lock_guard lock(mutex_);
-        notice = notice_;
-    }
-    if (notice)
-        notice();
+    const std::lock_guard lock(noticeMutex_);
+    if (notice_)
+        notice_();
 }
 
 WorkerId WorkerPool::join(const std::string& key, const std::string& name) {
@@ -365,6 +360,16 @@ std::vector<WorkerStatus> WorkerPool::workers() const {
         all.back().workPerSecond = worker.speed.perSecond();
     }
     return all;
+}
+
+std::optional<WorkerStatus> WorkerPool::worker(WorkerId id) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = workers_.find(id);
+    if (found == workers_.end())
+        return std::nullopt;
+    WorkerStatus status = found->second.status;
+    status.workPerSecond = found->second.speed.perSecond();
+    return status;
 }
 
 double WorkerPool::ownWork() const {

@@ -37,7 +37,8 @@ class WorkerPool {
 
     // ---- for who speaks with the workers
 
-    /// Called when there is a scene to send, or work to take, or neither any more; on any thread, without a lock.
+    /// Called when there is a scene to send, or work to take, or neither any more; on any thread. It must return at
+    /// once and not call back. Not called any more when this has returned with another one.
     void setNotice(std::function<void()> notice);
     /// `key`: what tells it from all others and is the same when it comes back, with the trust that it has earned.
     WorkerId join(const std::string& key, const std::string& name);
@@ -92,6 +93,8 @@ class WorkerPool {
     // ---- for who looks on
 
     std::vector<WorkerStatus> workers() const;
+    /// None: it has left.
+    std::optional<WorkerStatus> worker(WorkerId worker) const;
     /// Work that the own device has done of orders.
     double ownWork() const;
 
@@ -114,7 +117,8 @@ class WorkerPool {
 
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
-    std::function<void()> notice_;
+    mutable std::mutex noticeMutex_;
+    std::function<void()> notice_;  ///< guarded by noticeMutex_
     PoolClock clock_;
     std::uint64_t seed_;
     std::map<WorkerId, Worker> workers_;
