@@ -20,10 +20,11 @@ class Backoff {
     /// and at most all of it, as `random` in [0, 1) says, so that nodes that failed together do not dial together.
     /// Nothing: give up, since the next try would come too late.
     std::optional<std::chrono::milliseconds> failed(std::chrono::milliseconds now, double random) {
-        if (!since_)
+        if (!failing_)
             since_ = now;
+        failing_ = true;
         const auto wait = std::chrono::milliseconds(std::int64_t(next_.count() * (0.5 + 0.5 * random)));
-        if (now + wait - *since_ > limits_.giveUp)
+        if (now + wait - since_ > limits_.giveUp)
             return std::nullopt;
         next_ = std::min(2 * next_, limits_.longest);
         return wait;
@@ -34,7 +35,8 @@ class Backoff {
   private:
     BackoffLimits limits_;
     std::chrono::milliseconds next_ = limits_.first;
-    std::optional<std::chrono::milliseconds> since_;
+    bool failing_ = false;
+    std::chrono::milliseconds since_{0};  ///< when the first in a row failed
 };
 
 }  // namespace pdr::remote

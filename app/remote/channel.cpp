@@ -53,7 +53,7 @@ Channel::~Channel() {
 /// What came, or happened, while nobody was listening to the socket's signals.
 void Channel::begin() {
     read();
-    if (socket_->state() != QAbstractSocket::ConnectedState)
+    if (socket_->state() == QAbstractSocket::UnconnectedState)
         lose("the other side ended the connection");
 }
 
@@ -139,13 +139,13 @@ void Channel::take(std::span<const std::byte> bytes) {
     while (state_ == State::open) {
         const auto next = reader_->next(bytes);
         if (!next)
-            return finish("the other side broke the protocol: " + QString::fromStdString(next.error().what));
+            return finish(QString::fromStdString(next.error().text()));
         if (!*next)
             return;
         const wire::Message& message = **next;
         ++messages_;
         if (!mayCome(message))
-            return finish("the other side broke the protocol: it did not introduce itself");
+            return finish("the other side did not introduce itself first");
         emit received(message);
     }
 }
@@ -184,10 +184,11 @@ void Channel::close(const QString& reason) {
     socket_->disconnectFromHost();
 }
 
-/// The last messages may be here.
+/// The last messages may be here. A side that refuses this one's certificate says so by no more than ending the
+/// connection.
 void Channel::lose(const QString& reason) {
     read();
-    finish(reason);
+    finish(admitted_ ? reason : reason + ", before it was known to be welcome here or this side there");
 }
 
 void Channel::finish(const QString& reason) {

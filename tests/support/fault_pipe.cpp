@@ -11,7 +11,7 @@ constexpr qint64 kMostQueued = 256 << 10, kPiece = 16 << 10, kDuplicated = 64;
 
 }  // namespace
 
-FaultPipe::FaultPipe(QTcpSocket* from, QTcpSocket* to, const Fault& fault, std::uint64_t seed,
+FaultPipe::FaultPipe(QTcpSocket* from, QTcpSocket* to, const NetworkFault& fault, std::uint64_t seed,
                      std::function<void()> reset)
     : from_(from), to_(to), fault_(fault), random_(seed), reset_(std::move(reset)) {
     clock_.start();
@@ -24,7 +24,7 @@ FaultPipe::FaultPipe(QTcpSocket* from, QTcpSocket* to, const Fault& fault, std::
     connect(to_, &QTcpSocket::connected, this, &FaultPipe::work);
 }
 
-void FaultPipe::set(const Fault& fault) {
+void FaultPipe::set(const NetworkFault& fault) {
     fault_ = fault;
     later_.start(0);
 }
@@ -37,7 +37,7 @@ void FaultPipe::end() {
 void FaultPipe::work() {
     if (over_ || to_->state() != QAbstractSocket::ConnectedState)
         return;
-    while (!fault_.stall && !ended_ && queued_ + to_->bytesToWrite() < kMostQueued && takePiece()) {
+    while (from_->isOpen() && !fault_.stall && !ended_ && queued_ + to_->bytesToWrite() < kMostQueued && takePiece()) {
     }
     deliver();
     if (!isDrained())

@@ -14,7 +14,7 @@ namespace pdr::test {
 
 /// Bytes are counted from the connection's first, in this direction, from 0: what a fault meets does not depend on how
 /// the system cuts the stream into pieces.
-struct Fault {
+struct NetworkFault {
     std::chrono::milliseconds delay{0};
     qint64 bytesPerSecond = 0;         ///< 0: as fast as it goes
     qint64 mostPiece = 0;              ///< pieces of 1 to so many bytes, as the seed says; 0: as they come
@@ -29,9 +29,10 @@ struct Fault {
 class FaultPipe : public QObject {
   public:
     /// `reset` is called when the connection is to be reset.
-    FaultPipe(QTcpSocket* from, QTcpSocket* to, const Fault& fault, std::uint64_t seed, std::function<void()> reset);
+    FaultPipe(QTcpSocket* from, QTcpSocket* to, const NetworkFault& fault, std::uint64_t seed,
+              std::function<void()> reset);
 
-    void set(const Fault& fault);
+    void set(const NetworkFault& fault);
     /// This direction ends, behind what is on its way.
     void end();
     qint64 passed() const { return passed_; }
@@ -49,7 +50,7 @@ class FaultPipe : public QObject {
 
     QTcpSocket* from_;
     QTcpSocket* to_;
-    Fault fault_;
+    NetworkFault fault_;
     std::mt19937_64 random_;
     std::function<void()> reset_;
     QElapsedTimer clock_;

@@ -21,7 +21,7 @@ void resetConnection(QTcpSocket& socket) {
 
 /// One connection: two sockets, and a pipe each way.
 struct FaultProxy::Link {
-    Link(QTcpSocket* accepted, quint16 port, const std::array<Fault, 2>& faults, std::uint64_t seed)
+    Link(QTcpSocket* accepted, quint16 port, const std::array<NetworkFault, 2>& faults, std::uint64_t seed)
         : client(accepted),
           toServer(client.get(), &server, faults[0], 2 * seed, [this] { reset(); }),
           toClient(&server, client.get(), faults[1], 2 * seed + 1, [this] { reset(); }) {
@@ -57,7 +57,7 @@ class FaultProxy::Relay : public QTcpServer {
         });
     }
 
-    std::array<Fault, 2> faults;
+    std::array<NetworkFault, 2> faults;
     std::vector<std::unique_ptr<Link>> links;
 
   private:
@@ -84,7 +84,7 @@ FaultProxy::~FaultProxy() {
     thread_.wait();
 }
 
-void FaultProxy::set(Direction direction, const Fault& fault) {
+void FaultProxy::set(Direction direction, const NetworkFault& fault) {
     onThread([&] {
         relay_->faults[direction == Direction::toServer ? 0 : 1] = fault;
         for (const auto& link : relay_->links)

@@ -19,7 +19,7 @@ class FaultProxy {
 
     quint16 port() const { return port_; }
     /// For connections that there are, and those to come.
-    void set(Direction direction, const Fault& fault);
+    void set(Direction direction, const NetworkFault& fault);
     /// All connections are reset.
     void reset();
     /// That direction of all connections ends, the other goes on.
