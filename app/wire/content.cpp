@@ -32,7 +32,8 @@ ContentAssembly::ContentAssembly(std::span<const std::byte> key, const Hash& exp
     : expected_(expected), totalBytes_(totalBytes), hash_(key) {}
 
 ContentAssembly::~ContentAssembly() {
-    explicit_bzero(bytes_.data(), bytes_.size());
+    if (!bytes_.empty())
+        explicit_bzero(bytes_.data(), bytes_.size());
 }
 
 std::uint32_t ContentAssembly::nextChunk() const {
