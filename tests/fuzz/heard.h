@@ -33,8 +33,6 @@ inline void assemble(const wire::Chunk& chunk) {
 }
 
 inline void sayAgain(wire::Role reader, const wire::Message& message) {
-    if (const auto* chunk = std::get_if<wire::Chunk>(&message))
-        assemble(*chunk);
     const wire::Bytes said = inOnePiece(wire::encode(message));
     wire::FrameReader frames(reader);
     frames.setAdmitted(true);
@@ -45,6 +43,7 @@ inline void sayAgain(wire::Role reader, const wire::Message& message) {
 }
 
 /// Bytes in two pieces, cut where the last of them says; from somebody known, or one time in eight from a stranger.
+/// What was heard is said again one time in four, for that takes most of the time.
 inline void hearAnything(wire::Role reader, std::span<const std::byte> bytes) {
     wire::FrameReader frames(reader);
     frames.setAdmitted(bytes.size() % 8 != 0);
@@ -55,7 +54,10 @@ inline void hearAnything(wire::Role reader, std::span<const std::byte> bytes) {
             require(!message || !*message || !frames.isInside());
             if (!message || !*message)
                 break;
-            sayAgain(reader, **message);
+            if (const auto* chunk = std::get_if<wire::Chunk>(&**message))
+                assemble(*chunk);
+            if (bytes.size() % 4 == 1)
+                sayAgain(reader, **message);
         }
 }
 

@@ -5,8 +5,10 @@
 #include <random>
 
 #include "app/wire/content.h"
+#include "render/volume/phantom.h"
 #include "tests/app/wire/example_messages.h"
 #include "tests/app/wire/watched_memory.h"
+#include "tests/support/processor_time.h"
 
 using namespace pdr;
 using namespace pdr::wire;
@@ -63,6 +65,28 @@ class ContentTest : public QObject {
             QVERIFY(assembly.isWhole() && assembly.finish());
             QVERIFY(std::ranges::equal(assembly.bytes(), content));
         }
+    }
+
+    void scansGoThroughQuickly() {
+        const Volume head = headPhantom({128, 115, 128}, {1.954, 2.8, 1.954});
+        const auto voxels = std::as_bytes(head.voxels());
+        const auto told = [&](const char* what, const test::ProcessorTime& spent) {
+            qInfo("%s: %.0f MiB/s", what, double(voxels.size()) / (1 << 20) / spent.seconds());
+        };
+        const test::ProcessorTime hashing;
+        ContentAssembly assembly(kKey, contentHash(kKey, voxels), voxels.size());
+        told("named", hashing);
+        std::vector<Chunk> chunks;
+        const test::ProcessorTime packing;
+        for (std::uint32_t index = 0; index < chunksOf(voxels.size()); ++index)
+            chunks.push_back(packChunk(assembly.content(), voxels, index));
+        told("packed", packing);
+        const test::ProcessorTime assembling;
+        for (const Chunk& chunk : chunks)
+            QVERIFY(assembly.add(chunk));
+        QVERIFY(assembly.finish());
+        told("unpacked and checked", assembling);
+        qInfo("%.2f of its size", double(chunks[0].packed.size()) / kChunkBytes);
     }
 
     void onlyTheNextChunkIsTaken() {
