@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <memory>
 
 #include "app/wire/byte_planes.h"
 #include "app/wire/frame_header.h"
@@ -44,14 +45,29 @@ PixelSums groundOf(std::span<const PixelSums> sums) {
     return dark == sums.end() ? PixelSums{} : *dark;
 }
 
-Bytes laidOut(std::span<const PixelSums> sums, const PixelSums& ground, const Indices& own) {
-    const Layout layout{sums.size(), own.size()};
-    Bytes bytes(layout.bytes());
-    std::memcpy(bytes.data(), &ground, sizeof ground);
+/// What zstd gets, or gives back.
+class Raw {
+  public:
+    explicit Raw(const Layout& layout)
+        : layout_(layout), bytes_(std::make_unique_for_overwrite<std::byte[]>(layout.bytes())) {}
+
+    std::span<std::byte> all() const { return {bytes_.get(), layout_.bytes()}; }
+    std::span<std::byte> places() const { return {bytes_.get() + layout_.places, bytes_.get() + layout_.planes()}; }
+    std::byte* planes() const { return bytes_.get() + layout_.planes(); }
+
+  private:
+    Layout layout_;
+    std::unique_ptr<std::byte[]> bytes_;
+};
+
+Raw laidOut(std::span<const PixelSums> sums, const PixelSums& ground, const Indices& own) {
+    Raw raw({sums.size(), own.size()});
+    std::memcpy(raw.all().data(), &ground, sizeof ground);
+    std::ranges::fill(raw.places(), std::byte(0));
     for (const std::uint32_t pixel : own)
-        bytes[layout.places + pixel / 8] |= std::byte(1) << pixel % 8;
-    splitPlanes(sums, own, bytes.data() + layout.planes());
-    return bytes;
+        raw.places()[pixel / 8] |= std::byte(1) << pixel % 8;
+    splitPlanes(sums, own, raw.planes());
+    return raw;
 }
 
 /// The pixels whose bit is set, of those that there are.
@@ -75,12 +91,13 @@ Bytes packSums(std::span<const PixelSums> sums) {
         return {};
     const PixelSums ground = groundOf(sums);
     Indices own;
+    own.reserve(sums.size());
     for (std::size_t pixel = 0; pixel < sums.size(); ++pixel)
         if (!sameBytes(sums[pixel], ground))
             own.push_back(std::uint32_t(pixel));
-    const Bytes raw = laidOut(sums, ground, own);
+    const Raw raw = laidOut(sums, ground, own);
     const Head head{std::uint32_t(sums.size()), std::uint32_t(own.size())};
-    return packedFrame(std::as_bytes(std::span(&head, 1)), raw, kLevel);
+    return packedFrame(std::as_bytes(std::span(&head, 1)), raw.all(), kLevel);
 }
 
 pdr::Result<std::vector<PixelSums>> unpackSums(std::span<const std::byte> packed, std::size_t pixels) {
@@ -96,16 +113,16 @@ pdr::Result<std::vector<PixelSums>> unpackSums(std::span<const std::byte> packed
     const Layout layout{pixels, head.own};
     if (!isFrameOf(frame, layout.bytes()))
         return noPack();
-    Bytes raw(layout.bytes());
-    if (!unpackFrame(frame, raw))
+    const Raw raw(layout);
+    if (!unpackFrame(frame, raw.all()))
         return noPack();
-    const Indices own = placesIn(std::span(raw).subspan(layout.places, layout.planes() - layout.places), pixels);
+    const Indices own = placesIn(raw.places(), pixels);
     if (own.size() != head.own)
         return noPack();
     PixelSums ground;
-    std::memcpy(&ground, raw.data(), sizeof ground);
+    std::memcpy(&ground, raw.all().data(), sizeof ground);
     std::vector<PixelSums> sums(pixels, ground);
-    joinPlanes(raw.data() + layout.planes(), own, sums);
+    joinPlanes(raw.planes(), own, sums);
     return sums;
 }
 
