@@ -26,48 +26,67 @@ FrameWork wholeFrame(const ScalingFacts& facts, double iterations) {
     return work;
 }
 
-/// Perez Monte et al., eq. 2, for m nodes with tiles, with a floor T0 for every launch and the last node's overhang:
-///   nodes   T = T_c + k lambda_b (ceil(n / b) T0 + (n alpha + beta) R / (k m)) + (k - 1) (2 l + s)
-///   link    all results, one after the other: k m s
-/// A frame's results come while the next is made: FPS = 1 / max(T, k m s). Latency: T, the order's and the last
-/// result's way, and the results that come together with the last where nodes are in step; or the first tile and then
-/// the link.
-ScaledFrames sortFirst(const ScalingFacts& facts, double nodes) {
-    const TileCut cut = tileCut(facts, nodes);
-    const TileCosts costs = facts.tiles.diluted(cut.workSeconds / cut.tileSeconds());
-    const double bytes = cut.pixels * facts.pixelBytes, taking = resultSeconds(facts.link, bytes);
-    const double tiles = cut.nodes * cut.tilesPerNode, trip = roundTrip(facts.link, bytes);
-    const double computing = facts.node.communication +
-                             cut.tileSeconds() * cut.tilesPerNode * imbalance(costs, cut.nodes, cut.tilesPerNode) +
-                             (cut.tilesPerNode - 1) * trip;
-    const double together = inStep(costs, cut.nodes, cut.tilesPerNode) ? (cut.nodes - 1) * taking : 0;
-    const double first = facts.node.communication + cut.floorSeconds + costs.sorted().front() * cut.workSeconds;
-    ScaledFrames frames{.busy = cut.nodes};
-    frames.framesPerSecond = 1 / std::max(computing, tiles * taking);
-    frames.latency = 2 * facts.link.latency + std::max(computing + taking + together, first + tiles * taking);
-    frames.bytes = facts.work.pixels * facts.pixelBytes;
-    frames.messages = 2 * tiles;
+/// A frame in pieces that go through the star, and the node that ends last.
+struct StarFrame {
+    double working;  ///< seconds of that node, in all its pieces
+    double pieces;   ///< of that node
+    double crowd;    ///< results of others that come together with its own, and before it
+    double first;    ///< seconds of the piece that ends first
+    double results;  ///< of the frame
+    double bytes;    ///< of a result
+};
+
+/// T = T_c + working + (pieces - 1) (2 l + s), and a crowd's results once. A frame's results come while the next is
+/// made: FPS = 1 / max(T, all results s). Latency: T and the ways there and back; or the first result, then the link.
+ScaledFrames throughStar(const ScalingFacts& facts, const StarFrame& frame) {
+    const double taking = resultSeconds(facts.link, frame.bytes), crowd = frame.crowd * taking;
+    const double alone =
+        facts.node.communication + frame.working + (frame.pieces - 1) * roundTrip(facts.link, frame.bytes);
+    ScaledFrames frames;
+    frames.framesPerSecond = 1 / std::max(alone + (frame.pieces > 1 ? crowd : 0), frame.results * taking);
+    frames.latency = 2 * facts.link.latency +
+                     std::max(alone + crowd + taking, facts.node.communication + frame.first + frame.results * taking);
+    frames.bytes = frame.results * frame.bytes;
+    frames.messages = 2 * frame.results;
     return frames;
 }
 
-/// Blocks of samples of the whole picture, each sent: with B blocks and m nodes
-///   T = T_c + ceil(B / m) (T0 launches + 64 alpha R) + (ceil(B / m) - 1) (2 l + s),   link B s,   then beta R
+/// Perez Monte et al., eq. 2, for m nodes with k tiles each, with a floor for every launch and the last node's
+/// overhang: working = k lambda_b (ceil(n / b) T0 + (n alpha + beta) R / (k m))
+ScaledFrames sortFirst(const ScalingFacts& facts, double nodes) {
+    const TileCut cut = tileCut(facts, nodes);
+    const TileCosts costs = facts.tiles.diluted(cut.workSeconds / cut.tileSeconds());
+    StarFrame frame;
+    frame.working = cut.tilesPerNode * cut.tileSeconds() * imbalance(costs, cut.nodes, cut.tilesPerNode);
+    frame.pieces = cut.tilesPerNode;
+    frame.crowd = inStep(costs, cut.nodes, cut.tilesPerNode) ? cut.nodes - 1 : 0;
+    frame.first = costs.sorted().front() * cut.tileSeconds();
+    frame.results = cut.nodes * cut.tilesPerNode;
+    frame.bytes = cut.pixels * facts.pixelBytes;
+    ScaledFrames frames = throughStar(facts, frame);
+    frames.busy = cut.nodes;
+    return frames;
+}
+
+/// Blocks of samples of the whole picture, each sent as sums, which are made one picture in the end: with B blocks
+/// working = ceil(B / m) (T0 launches of a block + 64 alpha R), and beta R of the one who shows
 ScaledFrames sampleFirst(const ScalingFacts& facts, double nodes) {
     const double blocks = std::ceil(double(facts.work.iterations) / kSamplesPerBlock), busy = std::min(nodes, blocks);
-    const double waves = std::ceil(blocks / busy), bytes = facts.work.pixels * facts.sumBytes;
     FrameTimeModel sampling = facts.node;
     sampling.pixel = sampling.communication = 0;
-    const double block =
-        frameSeconds(sampling, wholeFrame(facts, std::min(double(kSamplesPerBlock), double(facts.work.iterations))));
-    const double taking = resultSeconds(facts.link, bytes), showing = facts.node.pixel * facts.work.pixels;
-    const double computing = facts.node.communication + waves * block + (waves - 1) * roundTrip(facts.link, bytes);
-    ScaledFrames frames{.busy = busy};
-    frames.framesPerSecond = 1 / std::max(computing, blocks * taking + showing);
-    frames.latency = 2 * facts.link.latency + showing +
-                     std::max(computing + taking + (blocks - busy * (waves - 1) - 1) * taking,
-                              facts.node.communication + block + blocks * taking);
-    frames.bytes = blocks * bytes;
-    frames.messages = 2 * blocks;
+    StarFrame frame;
+    frame.first = frameSeconds(sampling, wholeFrame(facts, std::min<double>(kSamplesPerBlock, facts.work.iterations)));
+    frame.pieces = std::ceil(blocks / busy);
+    frame.working = frame.pieces * frame.first;
+    frame.crowd = blocks - busy * (frame.pieces - 1) - 1;
+    frame.results = blocks;
+    frame.bytes = facts.work.pixels * facts.sumBytes;
+    ScaledFrames frames = throughStar(facts, frame);
+    const double showing = facts.node.pixel * facts.work.pixels;
+    frames.framesPerSecond =
+        std::min(frames.framesPerSecond, 1 / (frame.results * resultSeconds(facts.link, frame.bytes) + showing));
+    frames.latency += showing;
+    frames.busy = busy;
     return frames;
 }
 

@@ -4,7 +4,9 @@
 /// of efficiency.h. Times in seconds. All nodes are alike, and nothing fails.
 ///
 /// A star: every result goes over one link to the one who shows the picture and who hands out work; a node that has
-/// ended a tile gets the next one for its result. tests/bench/star_simulation_test.cpp plays that event by event.
+/// ended a tile gets the next one for its result. From eight tiles a node on (sixteen where tiles deviate from their mean
+/// by more than it), the formulas are within 5 % of that played event by event (tests/bench/star_simulation_test.cpp),
+/// but where nodes and link are about as slow: there each waits for the other in turn.
 ///   l  latency of a message, one way    W  bytes per second of the link    o  what a message costs who shows
 ///   k  tiles of a node                  s = bytes of a result / W + o      t  time of a tile or other piece
 
