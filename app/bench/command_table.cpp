@@ -95,18 +95,20 @@ constexpr Command kCommands[] = {
      "  --height N      default 384\n"},
     {"scale", scaleOut,
      "[SCENE.json] [--device D] [--threads N] [--seconds S] [--width N] [--height N]\n"
-     "                            [--samples N] [--nodes N] [--tiles N] [--launch S] [--sample S] [--pixel S]\n"
-     "                            [--serial S] [--latency S] [--bandwidth B] [--message S] [--pixel-bytes B]\n"
-     "                            [--sum-bytes B] [--json] [--plots DIR] [--measured FILE]",
+     "                            [--samples N] [--per-launch N] [--nodes N] [--tiles N] [--launch S]\n"
+     "                            [--sample S] [--pixel S] [--serial S] [--latency S] [--bandwidth B] [--message S]\n"
+     "                            [--pixel-bytes B] [--sum-bytes B] [--json] [--plots DIR] [--measured FILE]",
      "Says what many render nodes would make of this machine's times: frames a second, latency, efficiency and bytes "
      "of\n"
-     "five ways to share frames out, by formulas and, where it is a star, played event by event. Measures a node first.\n",
+     "five ways to share frames out, by formulas and, where it is a star, played event by event. Measures a node "
+     "first.\n",
      "  --device D       cpu (default), cuda, cuda:1, auto or emulated\n"
      "  --threads N      threads of the CPU; default 0: one per core\n"
      "  --seconds S      for which each of 15 kinds of frame is measured; default 0.1\n"
      "  --width N        pixels of the picture, from 16; default 1920\n"
      "  --height N       default 1080\n"
      "  --samples N      of each pixel of a frame, from 1; default 256\n"
+     "  --per-launch N   of them in one launch, from 1; default 64\n"
      "  --nodes N        the most, from 1; default 100000\n"
      "  --tiles N        of a node and frame, from 1, while no tile has fewer than 256 pixels; default 8\n"
      "  --launch S       T0 in seconds, in place of what is measured; with the next three nothing is measured\n"

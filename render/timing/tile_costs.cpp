@@ -41,6 +41,18 @@ double overhangOfRests(const TileCosts& costs, double nodes) {
     return greatest - mean;
 }
 
+/// The expected cost of the longest of `tiles` that are drawn from the histogram.
+double longestOf(const TileCosts& costs, double tiles) {
+    const double count = double(costs.sorted().size());
+    double longest = 0, before = 0;
+    for (std::size_t i = 0; i < costs.sorted().size(); ++i) {
+        const double after = std::pow(double(i + 1) / count, tiles);
+        longest += costs.sorted()[i] * (after - before);
+        before = after;
+    }
+    return longest;
+}
+
 }  // namespace
 
 TileCosts::TileCosts(std::vector<double> measured) : sorted_(std::move(measured)) {
@@ -69,7 +81,12 @@ double TileCosts::deviation() const {
 }
 
 double overhang(const TileCosts& costs, double nodes, double tilesPerNode) {
-    return nodes > 1 ? std::min(overhangOfSums(costs, nodes, tilesPerNode), overhangOfRests(costs, nodes)) : 0;
+    if (!(nodes > 1))
+        return 0;
+    // No picture ends before its longest tile; where every node has one, all wait for that alone.
+    const double longest = longestOf(costs, nodes * tilesPerNode) - tilesPerNode;
+    const double last = std::min(overhangOfSums(costs, nodes, tilesPerNode), overhangOfRests(costs, nodes));
+    return tilesPerNode > 1 ? std::max(last, longest) : longest;
 }
 
 double imbalance(const TileCosts& costs, double nodes, double tilesPerNode) {

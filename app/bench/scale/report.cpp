@@ -146,7 +146,7 @@ Result<void> writePlots(const Report& report, const std::filesystem::path& folde
         {"bytes.svg", plotOf(report, "bytes of a frame", &ScaledFrames::bytes)}};
     for (const auto& [name, plot] : plots)
         if (const auto written = writeText(folder / name, svg(plot)); !written)
-            return written;
+            return written.error();
     return {};
 }
 

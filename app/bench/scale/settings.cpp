@@ -11,10 +11,10 @@ namespace pdr::bench::scale {
 
 namespace {
 
-constexpr const char* kNames[] = {"--device",      "--threads",   "--seconds", "--width",   "--height",
-                                  "--samples",     "--launch",    "--sample",  "--pixel",   "--serial",
-                                  "--latency",     "--bandwidth", "--message", "--tiles",   "--nodes",
-                                  "--pixel-bytes", "--sum-bytes", "--plots",   "--measured"};
+constexpr const char* kNames[] = {"--device",  "--threads",     "--seconds",   "--width",   "--height",
+                                  "--samples", "--per-launch",  "--launch",    "--sample",  "--pixel",
+                                  "--serial",  "--latency",     "--bandwidth", "--message", "--tiles",
+                                  "--nodes",   "--pixel-bytes", "--sum-bytes", "--plots",   "--measured"};
 
 /// Values by name; the first that cannot be is kept.
 class Reader {
@@ -67,6 +67,7 @@ Result<void> readNumbers(const Options& options, Settings& settings) {
     reader.whole("--width", 16, width);
     reader.whole("--height", 16, height);
     reader.whole("--samples", 1, facts.work.iterations);
+    reader.whole("--per-launch", 1, facts.work.perLaunch);
     reader.positive("--launch", settings.launch);
     reader.positive("--sample", settings.sample);
     reader.positive("--pixel", settings.pixel);

@@ -98,6 +98,13 @@ class TileCostsTest : public QObject {
             }
     }
 
+    /// A tile each: all wait for the longest.
+    void aTileEachTakesAsLongAsTheLongest() {
+        for (const TileCosts& costs : {TileCosts(evenly(0.5, 1.5)), TileCosts(halfAir())})
+            for (const int nodes : {64, 1000})
+                QVERIFY(std::fabs(imbalance(costs, nodes, 1) / played(costs, nodes, 1, 50) - 1) < 0.05);
+    }
+
     void nodesThatTakeTilesEndAsForetold() {
         struct Kind {
             const char* name;
