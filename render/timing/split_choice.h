@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <string>
 
-namespace pdr {
+#include "render/base/split.h"
 
-enum class Split { tiles, samples };
+namespace pdr {
 
 struct SplitFacts {
     double pixels = 0;          ///< R of the picture

@@ -28,7 +28,7 @@ def slurm(script):
     codes = re.search(r"^\s*([\d |]+)\)$", text, re.M)
     assert codes and {int(code) for code in codes[1].split("|")} == AGAIN, "codes that ask for another try"
     assert "MOST_RESTARTS=20" in text and "REFUSED=78" in text
-    assert "#SBATCH --requeue" in text and "#SBATCH --signal=B:TERM@" in text
+    assert "#SBATCH --requeue" in text and "#SBATCH --signal=B:USR1@" in text
     known_options(re.search(r"pdrender-node}\" (.*) &$", text, re.M)[1].replace('"', "").split())
 
 

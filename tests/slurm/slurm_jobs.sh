@@ -52,6 +52,7 @@ began=$(now)
 scancel "$job"
 within 10 "8 tasks drained" "$began" atLeast 8 drained "slurm-$job-[0-7]-r[01]"
 within 10 "no task left" "$began" noJobs
+is 8 "$(said TERM "slurm-$job-[0-7]-r[01]")" "TERM of scancel"
 is 8 "$(grep -l "exit code 0" "$folder"/job."$job".*.txt | wc -l)" "tasks that ended with 0"
 
 # An error that may pass runs again; one that would come again does not.
