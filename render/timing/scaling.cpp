@@ -69,16 +69,19 @@ ScaledFrames sortFirst(const ScalingFacts& facts, double nodes) {
 }
 
 /// Blocks of samples of the whole picture, each sent as sums, which are made one picture in the end: with B blocks
-/// working = ceil(B / m) (T0 launches of a block + 64 alpha R), and beta R of the one who shows
+/// working = ceil(B / m) (T0 launches of a block + 64 alpha R), less where the last wave is the rest of the samples
+/// alone; and beta R of the one who shows
 ScaledFrames sampleFirst(const ScalingFacts& facts, double nodes) {
     const double blocks = std::ceil(double(facts.work.iterations) / kSamplesPerBlock), busy = std::min(nodes, blocks);
     FrameTimeModel sampling = facts.node;
     sampling.pixel = sampling.communication = 0;
+    const auto seconds = [&](double samples) { return frameSeconds(sampling, wholeFrame(facts, samples)); };
+    const double rest = facts.work.iterations - (blocks - 1) * kSamplesPerBlock;
     StarFrame frame;
-    frame.first = frameSeconds(sampling, wholeFrame(facts, std::min<double>(kSamplesPerBlock, facts.work.iterations)));
+    frame.first = seconds(blocks > 1 ? kSamplesPerBlock : rest);
     frame.pieces = std::ceil(blocks / busy);
-    frame.working = frame.pieces * frame.first;
     frame.crowd = blocks - busy * (frame.pieces - 1) - 1;
+    frame.working = (frame.pieces - 1) * frame.first + (frame.crowd > 0 ? frame.first : seconds(rest));
     frame.results = blocks;
     frame.bytes = facts.work.pixels * facts.sumBytes;
     ScaledFrames frames = throughStar(facts, frame);

@@ -151,6 +151,16 @@ class StarSimulationTest : public QObject {
                         qPrintable(QString("link %1").arg(load)));
     }
 
+    void theLastBlockMayBeShort() {
+        ScalingFacts some = facts();
+        some.work.pixels = 1920 * 1080;
+        for (const std::uint32_t samples : {1, 63, 65, 100, 200})
+            for (const double nodes : {1.0, 2.0, 7.0}) {
+                some.work.iterations = samples;
+                compare(some, Distribution::sampleFirst, nodes, qPrintable(QString("%1 samples").arg(samples)));
+            }
+    }
+
     void alternateFramesComeAsForetold() {
         ScalingFacts some = facts();
         some.work.pixels = 1920 * 1080;

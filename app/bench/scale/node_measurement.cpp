@@ -12,7 +12,7 @@ namespace pdr::bench::scale {
 
 namespace {
 
-constexpr std::array<ivec2, 5> kFrameSizes{{{60, 34}, {96, 54}, {120, 67}, {160, 90}, {240, 135}}};
+constexpr std::array<ivec2, 5> kFrameSizes{{{48, 27}, {60, 34}, {84, 48}, {120, 67}, {160, 90}}};
 constexpr std::array<std::uint32_t, 3> kIterations{1, 16, 128};
 constexpr int kRounds = 3;
 

@@ -9,7 +9,7 @@ namespace pdr::bench::scale {
 
 namespace {
 
-constexpr double kWidth = 760, kHeight = 420, kLeft = 74, kRight = 20, kTop = 16, kBottom = 46;
+constexpr double kWidth = 960, kHeight = 420, kLeft = 74, kRight = 250, kTop = 16, kBottom = 46;
 
 /// Told apart also by those who confuse red and green (Okabe & Ito).
 constexpr const char* kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00"};
@@ -89,21 +89,28 @@ std::string axes(const Plot& plot, const Scale& nodes, const Scale& values) {
            ") rotate(-90)' text-anchor='middle'>" + escaped(plot.title) + "</text>";
 }
 
+std::string strokeOf(const Curve& curve) {
+    return std::string("stroke='") + kColours[curve.colour % std::size(kColours)] +
+           (curve.dashed ? "' stroke-dasharray='5 4'" : "' stroke-width='2'");
+}
+
 std::string drawing(const Curve& curve, const Scale& nodes, const Scale& values) {
     std::string points;
     for (const auto& [count, value] : curve.points)
         if (nodes.shows(count) && values.shows(value))
             points += at(nodes(count)) + "," + at(values(value)) + " ";
-    return "<polyline points='" + points + "' fill='none' stroke='" + kColours[curve.colour % std::size(kColours)] +
-           (curve.dashed ? "' stroke-dasharray='5 4'/>" : "' stroke-width='2'/>");
+    return "<polyline points='" + points + "' fill='none' " + strokeOf(curve) + "/>";
 }
 
+/// Beside the curves, where nothing runs through it.
 std::string legend(const std::vector<Curve>& curves) {
+    const double left = kWidth - kRight + 14;
     std::string drawn;
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        drawn += "<text x='" + at(kLeft + 8) + "' y='" + at(kTop + 16 + 15 * double(i)) + "' fill='" +
-                 kColours[curves[i].colour % std::size(kColours)] + "'>" + escaped(curves[i].name) +
-                 (curves[i].dashed ? " (dashed)" : "") + "</text>";
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const double y = kTop + 12 + 20 * double(i);
+        drawn += "<line x1='" + at(left) + "' y1='" + at(y) + "' x2='" + at(left + 24) + "' y2='" + at(y) + "' " +
+                 strokeOf(curves[i]) + "/>" + label(left + 30, y + 4, "start", curves[i].name);
+    }
     return drawn;
 }
 

@@ -52,14 +52,17 @@ ScaledFrames tiles(const ScalingFacts& facts, std::int64_t nodes, std::uint32_t 
 }
 
 ScaledFrames blocks(const ScalingFacts& facts, std::int64_t nodes) {
-    const double count = std::ceil(double(facts.work.iterations) / kSamplesPerBlock);
-    FrameWork block = facts.work;
-    block.iterations = std::min(facts.work.iterations, kSamplesPerBlock);
     FrameTimeModel sampling = facts.node;
     sampling.pixel = sampling.communication = 0;
+    std::vector<double> pieces;
+    for (std::uint32_t done = 0; done < facts.work.iterations; done += kSamplesPerBlock) {
+        FrameWork block = facts.work;
+        block.iterations = std::min(facts.work.iterations - done, kSamplesPerBlock);
+        pieces.push_back(frameSeconds(sampling, block));
+    }
+    const double count = double(pieces.size());
     const double bytes = facts.work.pixels * facts.sumBytes, showing = facts.node.pixel * facts.work.pixels;
-    const StarTimes times = play({std::vector<double>(std::size_t(count), frameSeconds(sampling, block)), nodes,
-                                  facts.node.communication, facts.link, bytes});
+    const StarTimes times = play({std::move(pieces), nodes, facts.node.communication, facts.link, bytes});
     ScaledFrames frames{.busy = std::min(double(nodes), count)};
     frames.framesPerSecond = 1 / std::max(times.computed, times.link + showing);
     frames.latency = times.latency + showing;
