@@ -4,6 +4,7 @@
 /// name, a date or an identifier of a patient.
 ///   node -> coordinator   Hello, Pong, Need, SceneReady, SceneRefused, Result, Abandoned, Draining, Bye
 ///   coordinator -> node   Welcome, Refused, Ping, SceneOrder, Chunk, Lease, Forget, Bye
+/// Texts are lines of UTF-8 of at most kMostWordBytes, without control characters; what does not fit is cut on the way.
 
 #include <array>
 #include <cstddef>
@@ -25,6 +26,8 @@ using Hash = std::array<std::byte, 32>;
 /// Numbers that nobody else can guess.
 using Nonce = std::array<std::byte, 16>;
 
+inline constexpr std::size_t kMostNameBytes = 64, kMostWordBytes = 1024;
+
 /// The versions of the protocol that this program speaks.
 struct Versions {
     std::uint16_t lowest = 1, highest = 1;
@@ -34,11 +37,11 @@ struct Versions {
 /// First, by the node.
 struct Hello {
     Versions versions;
-    std::string program;            ///< "pdrender-node 0.1.0"
-    std::string name;               ///< of the node, for the user: "gpu-07"; at most 64 bytes
+    std::string program;            ///< "pdrender-node 0.1.0"; at most kMostNameBytes
+    std::string name;               ///< of the node, for the user: "gpu-07"; at most kMostNameBytes
     Nonce boot{};                   ///< of this run of the node's program
     Hash bits{};                    ///< what a known picture comes to here (render/tiles/reference_tiles.h)
-    std::string device;             ///< "cpu"
+    std::string device;             ///< "cpu"; at most kMostNameBytes
     std::string details;            ///< "16 threads"
     std::uint64_t memoryBytes = 0;  ///< for scenes
     bool operator==(const Hello&) const = default;
@@ -89,13 +92,15 @@ struct EnvironmentOrder {
     bool operator==(const EnvironmentOrder&) const = default;
 };
 
+inline constexpr std::uint64_t kMostTextBytes = 16 << 20;
+
 /// The scene that leases are of from now on.
 struct SceneOrder {
     std::uint64_t revision = 0;
     VolumeOrder volume;
     std::optional<MaskOrder> mask;
     std::optional<EnvironmentOrder> environment;
-    std::string text;  ///< as in scene files; travels as payload
+    std::string text;  ///< as in scene files; at most kMostTextBytes; travels as payload
     bool operator==(const SceneOrder&) const = default;
 };
 
@@ -110,7 +115,7 @@ struct Chunk {
     Hash content{};
     std::uint32_t index = 0;
     std::uint32_t rawBytes = 0;  ///< of the content; at most kChunkBytes
-    Bytes packed;                ///< zstd; travels as payload
+    Bytes packed;                ///< see content.h; travels as payload
     bool operator==(const Chunk&) const = default;
 };
 inline constexpr std::uint32_t kChunkBytes = 4 << 20;
@@ -124,6 +129,9 @@ struct SceneRefused {
     std::string reason;  ///< for the user
     bool operator==(const SceneRefused&) const = default;
 };
+
+/// Of a lease's tile.
+inline constexpr std::size_t kMostLeasePixels = 1 << 18;
 
 /// Samples are wanted. Answered by a Result or Abandoned of the same number and nonce.
 struct Lease {
@@ -168,6 +176,7 @@ struct Bye {
     bool operator==(const Bye&) const = default;
 };
 
+/// The number of a type in frames is its place here, from 1: new ones go to the end.
 using Message = std::variant<Hello, Welcome, Refused, Ping, Pong, SceneOrder, Need, Chunk, SceneReady, SceneRefused,
                              Lease, Result, Abandoned, Draining, Forget, Bye>;
 

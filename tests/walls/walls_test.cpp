@@ -34,11 +34,14 @@ class WallsTest : public QObject {
         {"render/prepare/", "^render/(base|volume|kernel|scene|prepare)/"},
         {"render/device/", "^render/(base|kernel|film|prepare|device)/|^render/scene/(scene|schedule).h"},
         {"render/session/", "^render/(base|volume|kernel|film|scene|prepare|device|accuracy|timing|session)/"},
+        {"render/tiles/", "^render/(base|volume|film|device|tiles)/|^render/scene/(scene|schedule).h"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
         {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy|timing)/|^dicom/series.h"},
         {"app/program/", "^app/program/"},
         {"app/selftest/", "^app/selftest/|^render/"},
         {"app/bench/", "^app/(bench|program|selftest)/|^render/"},
+        {"app/remote/", "^app/(remote|wire)/|^render/base/"},
+        {"app/wire/", "^app/wire/|^render/base/"},
         {"app/", "^(app|ui|dicom|render)/"},
     };
 
@@ -73,6 +76,10 @@ class WallsTest : public QObject {
             return file != "render/film/image_file.cpp";
         if (matches("^nlohmann/", include))
             return !matches("^(render/scene/(json_fields|field_writer|slicer/vp_json)\\.|app/)", file);
+        if (matches("^zstd", include))
+            return file != "app/wire/one_frame.cpp";
+        if (matches("^openssl/", include))
+            return !matches("^app/(wire|remote)/.*\\.cpp$", file);
         if (matches("^cuda", include))
             return !matches("^(render/device/cuda/|render/base/portable.h)", file);
         return false;

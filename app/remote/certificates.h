@@ -1,0 +1,22 @@
+#pragma once
+/// Makes the certificates by which coordinator and nodes know each other: a bundle, a folder with
+///   coordinator/   ca.pem, certificate.pem, key.pem   stays with the coordinator
+///   node/          the same files                     is copied to all nodes
+/// One private authority (P-256), whose key is forgotten, has signed both certificates: who has none of this bundle's
+/// is a stranger. Keys are readable by their owner only (0600), folders are 0700.
+
+#include <QString>
+#include <chrono>
+
+#include "render/base/result.h"
+
+namespace pdr::remote {
+
+inline constexpr std::chrono::days kCertificatesHold{825};
+
+/// Made where it is missing. Writes all or nothing. The certificates hold from a day before `now`, for clocks that
+/// differ. Errors: there is a bundle already, the folder cannot be written.
+Result<void> makeCertificates(const QString& folder,
+                              std::chrono::system_clock::time_point now = std::chrono::system_clock::now());
+
+}  // namespace pdr::remote

@@ -1,0 +1,97 @@
+#include "app/remote/tls.h"
+
+#include <QDateTime>
+#include <QFile>
+#include <QFileInfo>
+#include <QSslKey>
+
+#include "app/remote/signed_certificate.h"
+
+namespace pdr::remote {
+namespace {
+
+constexpr qint64 kMostBytes = 64 << 10;
+constexpr const char* kNewBundle = "Make new ones with --make-certificates, for the coordinator and all nodes.";
+
+Error refused(std::string what, const QString& where, std::string hint) {
+    return {std::move(what), where.toStdString(), std::move(hint), ErrorKind::refused};
+}
+
+Result<QByteArray> readPem(const QString& path) {
+    QFile file(path);
+    if (!file.open(QFile::ReadOnly))
+        return refused("a file of the certificates cannot be read", path,
+                       "Give the folder that --make-certificates has made.");
+    return file.read(kMostBytes);
+}
+
+Result<void> checkOwnerOnly(const QString& path) {
+    constexpr QFile::Permissions kOthers = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+    if (QFileInfo(path).permissions() & kOthers)
+        return refused("others on this machine may read or change this key", path,
+                       "Make it yours alone: chmod 600 on it.");
+    return {};
+}
+
+Result<void> checkCertificate(const QSslCertificate& certificate, Role role, const QString& path) {
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    if (certificate.isNull())
+        return refused("this is no certificate", path, kNewBundle);
+    if (!isOf(certificate, role))
+        return refused("this is not the certificate of a " + folderOf(role).toStdString(), path,
+                       "Give the part of the bundle named " + folderOf(role).toStdString() + ".");
+    if (now > certificate.expiryDate())
+        return refused("this certificate holds no longer", path, kNewBundle);
+    if (now < certificate.effectiveDate())
+        return refused("this certificate does not hold yet", path, "Check this machine's clock.");
+    return {};
+}
+
+}  // namespace
+
+QSslConfiguration tlsConfiguration(const QList<QSslCertificate>& authorities, const QList<QSslCertificate>& chain,
+                                   const QSslKey& key) {
+    QSslConfiguration tls = QSslConfiguration::defaultConfiguration();
+    tls.setProtocol(QSsl::TlsV1_3OrLater);
+    tls.setPeerVerifyMode(QSslSocket::VerifyPeer);  // not the default of a side that listens
+    tls.setCaCertificates(authorities);             // in place of the system's
+    tls.setLocalCertificateChain(chain);
+    tls.setPrivateKey(key);
+    tls.setSslOption(QSsl::SslOptionDisableSessionSharing, true);  // every connection shows its certificates
+    tls.setSslOption(QSsl::SslOptionDisableSessionTickets, true);
+    tls.setSslOption(QSsl::SslOptionDisableSessionPersistence, true);
+    return tls;
+}
+
+Result<Identity> readIdentity(const QString& folder, Role role) {
+    const QString part = QFileInfo(folder + "/certificate.pem").exists() ? folder : folder + "/" + folderOf(role);
+    const auto authority = readPem(part + "/ca.pem"), own = readPem(part + "/certificate.pem"),
+               key = readPem(part + "/key.pem");
+    for (const auto* file : {&own, &authority, &key})
+        if (!*file)
+            return file->error();
+    if (auto safe = checkOwnerOnly(part + "/key.pem"); !safe)
+        return safe.error();
+    const QSslCertificate certificate(*own);
+    if (auto right = checkCertificate(certificate, role, part + "/certificate.pem"); !right)
+        return right.error();
+    if (!belongTogether(*key, *own, *authority))
+        return refused("these certificates do not belong together", part, kNewBundle);
+    return Identity{role,
+                    tlsConfiguration(QSslCertificate::fromData(*authority), {certificate}, QSslKey(*key, QSsl::Ec))};
+}
+
+Result<Identity> identityFor(const Address& address, const QString& folder, Role role) {
+    if (!folder.isEmpty())
+        return readIdentity(folder, role);
+    if (address.isLoopback())
+        return Identity{role, std::nullopt};
+    return refused("other machines are only talked to with certificates", address.text(),
+                   "Make some with --make-certificates FOLDER, and give them to both sides with --bundle.");
+}
+
+bool isOf(const QSslCertificate& certificate, Role role) {
+    return certificate.subjectAlternativeNames().values(QSsl::DnsEntry) == QStringList{nameIn(role)};
+}
+
+}  // namespace pdr::remote

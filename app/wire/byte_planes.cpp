@@ -1,0 +1,80 @@
+#include "app/wire/byte_planes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <type_traits>
+
+namespace pdr::wire {
+
+namespace {
+
+// A PixelSums is nine words without a gap.
+constexpr std::size_t kWords = 9;
+static_assert(sizeof(PixelSums) == kWords * 8 && std::is_trivially_copyable_v<PixelSums>);
+static_assert(std::endian::native == std::endian::little);
+
+/// Swaps the bytes of two words where `mask` says: those of `low` that lie `bits` above it, and those of `high` on it.
+void swapBytes(std::uint64_t& low, std::uint64_t& high, int bits, std::uint64_t mask) {
+    const std::uint64_t differ = ((low >> bits) ^ high) & mask;
+    high ^= differ;
+    low ^= differ << bits;
+}
+
+/// Byte b of word w becomes byte w of word b.
+void transpose(std::uint64_t (&words)[8]) {
+    for (int i = 0; i < 4; ++i)
+        swapBytes(words[i], words[i + 4], 32, 0x00000000ffffffff);
+    for (int i : {0, 1, 4, 5})
+        swapBytes(words[i], words[i + 2], 16, 0x0000ffff0000ffff);
+    for (int i : {0, 2, 4, 6})
+        swapBytes(words[i], words[i + 1], 8, 0x00ff00ff00ff00ff);
+}
+
+/// Calls word(w, first, count) for each word of each eight pixels, of which `count` are there. Word by word: few
+/// planes are written to at a time, which would else get into each other's way in the cache.
+template <class Word>
+void eachWord(std::size_t pixels, Word&& word) {
+    for (std::size_t w = 0; w < kWords; ++w)
+        for (std::size_t first = 0; first < pixels; first += 8)
+            word(w, first, std::min<std::size_t>(8, pixels - first));
+}
+
+constexpr std::size_t planeOf(std::size_t word, std::size_t b) {
+    return kWords * b + word;
+}
+
+std::byte* at(PixelSums& sums, std::size_t word) {
+    return reinterpret_cast<std::byte*>(&sums) + 8 * word;
+}
+const std::byte* at(const PixelSums& sums, std::size_t word) {
+    return reinterpret_cast<const std::byte*>(&sums) + 8 * word;
+}
+
+}  // namespace
+
+void splitPlanes(std::span<const PixelSums> pixels, std::span<const std::uint32_t> indices, std::byte* planes) {
+    const std::size_t stride = planeBytes(indices.size());
+    eachWord(indices.size(), [&](std::size_t word, std::size_t first, std::size_t count) {
+        std::uint64_t words[8]{};
+        for (std::size_t i = 0; i < count; ++i)
+            std::memcpy(&words[i], at(pixels[indices[first + i]], word), 8);
+        transpose(words);
+        for (std::size_t b = 0; b < 8; ++b)
+            std::memcpy(planes + planeOf(word, b) * stride + first, &words[b], 8);
+    });
+}
+
+void joinPlanes(const std::byte* planes, std::span<const std::uint32_t> indices, std::span<PixelSums> pixels) {
+    const std::size_t stride = planeBytes(indices.size());
+    eachWord(indices.size(), [&](std::size_t word, std::size_t first, std::size_t count) {
+        std::uint64_t words[8];
+        for (std::size_t b = 0; b < 8; ++b)
+            std::memcpy(&words[b], planes + planeOf(word, b) * stride + first, 8);
+        transpose(words);
+        for (std::size_t i = 0; i < count; ++i)
+            std::memcpy(at(pixels[indices[first + i]], word), &words[i], 8);
+    });
+}
+
+}  // namespace pdr::wire

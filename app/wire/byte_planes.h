@@ -1,0 +1,25 @@
+#pragma once
+/// Sums of pixels byte by byte. A PixelSums is nine words of 8 bytes, little endian, and a plane holds one byte of one
+/// word of every pixel, in order, filled up to whole 8 bytes with zeros. First the planes of the lowest bytes of all
+/// words, then of those above: bytes alike, noise or exponents, are neighbours.
+
+#include <cstdint>
+#include <span>
+
+#include "render/base/tile.h"
+
+namespace pdr::wire {
+
+inline constexpr std::size_t kPlanes = sizeof(PixelSums);
+
+/// Bytes of a plane of that many pixels.
+constexpr std::size_t planeBytes(std::size_t pixels) {
+    return (pixels + 7) / 8 * 8;
+}
+
+/// Of the pixels with those indices; into kPlanes planes, one behind the other.
+void splitPlanes(std::span<const PixelSums> pixels, std::span<const std::uint32_t> indices, std::byte* planes);
+/// The way back.
+void joinPlanes(const std::byte* planes, std::span<const std::uint32_t> indices, std::span<PixelSums> pixels);
+
+}  // namespace pdr::wire

@@ -1,0 +1,159 @@
+#pragma once
+/// The fields of each message: their keys and ranges, once for writing and reading (map_writer.h, map_reader.h). Keys
+/// ascend. What is no longer needed leaves its key unused; what is new gets a higher one.
+
+#include "app/wire/messages.h"
+
+namespace pdr::wire {
+
+inline constexpr std::uint64_t kMostVoxels = std::uint64_t(1) << 31;  ///< of a volume
+inline constexpr std::uint64_t kMostTexels = std::uint64_t(1) << 27;  ///< of a picture of the surroundings
+inline constexpr int kMostAlongAxis = 2048;                           ///< voxels
+inline constexpr int kMostAlongSide = 16384;                          ///< pixels of an image, texels
+inline constexpr std::uint64_t kLastSample = std::uint64_t(1) << 53;
+inline constexpr double kMostSeconds = 1e9;
+
+inline std::array<int*, 3> places(ivec3& v) {
+    return {&v.x, &v.y, &v.z};
+}
+inline std::array<int*, 2> places(ivec2& v) {
+    return {&v.x, &v.y};
+}
+
+template <class Fields>
+void fields(Fields& map, Hello& hello) {
+    map.numbers(1, std::array{&hello.versions.lowest, &hello.versions.highest}, 1);
+    map.must(hello.versions.lowest <= hello.versions.highest, "its versions end before they begin");
+    map.text(2, hello.program, kMostNameBytes);
+    map.text(3, hello.name, kMostNameBytes);
+    map.bytes(4, hello.boot);
+    map.bytes(5, hello.bits);
+    map.text(6, hello.device, kMostNameBytes);
+    map.text(7, hello.details, kMostWordBytes);
+    map.number(8, hello.memoryBytes);
+}
+
+template <class Fields>
+void fields(Fields& map, Welcome& welcome) {
+    map.number(1, welcome.version, 1);
+    map.number(2, welcome.heartbeatMs, 100, 60000);
+    map.bytes(3, welcome.key);
+}
+
+template <class Fields>
+void fields(Fields& map, Refused& refused) {
+    map.number(1, refused.why, 1, 3);
+    map.text(2, refused.reason, kMostWordBytes);
+}
+
+template <class Fields>
+void fields(Fields& map, Ping& ping) {
+    map.number(1, ping.number);
+}
+template <class Fields>
+void fields(Fields& map, Pong& pong) {
+    map.number(1, pong.number);
+}
+
+template <class Fields>
+void fields(Fields& map, SceneOrder& order) {
+    VolumeOrder& volume = order.volume;
+    map.number(1, order.revision);
+    map.bytes(2, volume.content);
+    map.numbers(3, places(volume.size), 1, kMostAlongAxis);
+    map.must(std::uint64_t(volume.size.x) * volume.size.y * volume.size.z <= kMostVoxels, "its volume is too large");
+    map.reals(4, volume.patientFromIndex);
+    if (map.optional(5, order.mask)) {
+        MaskOrder& mask = *order.mask;
+        map.bytes(5, mask.content);
+        map.numbers(6, places(mask.voxels), 1, kMostAlongAxis);
+        map.must(mask.voxels == volume.size, "its mask is of another volume");
+        map.numbers(7, places(mask.shift), 0, 15);
+    }
+    if (map.optional(8, order.environment)) {
+        EnvironmentOrder& environment = *order.environment;
+        map.bytes(8, environment.content);
+        map.numbers(9, places(environment.size), 1, kMostAlongSide);
+        map.must(std::uint64_t(environment.size.x) * environment.size.y <= kMostTexels,
+                 "its picture of the surroundings is too large");
+    }
+}
+
+template <class Fields>
+void fields(Fields& map, Need& need) {
+    map.bytes(1, need.content);
+    map.number(2, need.from);
+}
+
+template <class Fields>
+void fields(Fields& map, Chunk& chunk) {
+    map.bytes(1, chunk.content);
+    map.number(2, chunk.index);
+    map.number(3, chunk.rawBytes, 1, kChunkBytes);
+}
+
+template <class Fields>
+void fields(Fields& map, SceneReady& ready) {
+    map.number(1, ready.revision);
+}
+template <class Fields>
+void fields(Fields& map, SceneRefused& refused) {
+    map.number(1, refused.revision);
+    map.text(2, refused.reason, kMostWordBytes);
+}
+
+/// What a lease and its result have alike.
+template <class Fields, class Work>
+void workFields(Fields& map, Work& work) {
+    Tile& tile = work.tile;
+    map.number(1, work.number);
+    map.bytes(2, work.nonce);
+    map.number(3, work.revision);
+    map.numbers(4, std::array{&tile.x, &tile.y}, 0, kMostAlongSide - 1);
+    map.numbers(5, std::array{&tile.width, &tile.height}, 1, kMostAlongSide);
+    map.must(isInside(tile, {0, 0, kMostAlongSide, kMostAlongSide}), "its tile lies outside of all images");
+    map.must(std::uint64_t(tile.width) * tile.height <= kMostLeasePixels, "its tile is too large");
+    map.number(6, work.samples.first, 0, kLastSample);
+    map.number(7, work.samples.count, 1, kSamplesPerBlock);
+    map.must(work.samples == samplesInBlock(work.samples.first, work.samples.count), "its samples are of two blocks");
+}
+
+template <class Fields>
+void fields(Fields& map, Lease& lease) {
+    workFields(map, lease);
+}
+
+template <class Fields>
+void fields(Fields& map, Result& result) {
+    std::array<std::uint64_t*, 2 * kFaults> numbers;
+    std::array<std::uint32_t*, kFaults> pixels;
+    for (int i = 0; i < kFaults; ++i) {
+        FaultCount& fault = result.health.faults[i];
+        numbers[2 * i] = &fault.count;
+        numbers[2 * i + 1] = &fault.sample;
+        pixels[i] = &fault.pixel;
+    }
+    workFields(map, result);
+    map.numbers(8, numbers);
+    map.numbers(9, pixels);
+    map.real(10, result.seconds, 0, kMostSeconds);
+}
+
+template <class Fields>
+void fields(Fields& map, Abandoned& abandoned) {
+    map.number(1, abandoned.number);
+    map.bytes(2, abandoned.nonce);
+    map.text(3, abandoned.reason, kMostWordBytes);
+}
+
+template <class Fields>
+void fields(Fields&, Draining&) {}
+template <class Fields>
+void fields(Fields&, Forget&) {}
+
+template <class Fields>
+void fields(Fields& map, Bye& bye) {
+    map.text(1, bye.reason, kMostWordBytes);
+}
+
+}  // namespace pdr::wire

@@ -1,0 +1,59 @@
+#pragma once
+/// The first 32 bytes of a frame, little endian. Behind them: a CBOR map of `mapBytes`, then `payloadBytes` of payload.
+///   magic "PDR1"   version u16   type u16   flags u32   mapBytes u32   payloadBytes u64   request u64
+/// `version` is that of this layout, not of what the maps say (Versions in messages.h). Flags are for later and 0;
+/// `request` is for later and not looked at. A type below kFirstCritical that is not known is skipped by who reads it;
+/// any other is an error.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "app/wire/messages.h"
+#include "render/base/result.h"
+
+namespace pdr::wire {
+
+/// Who somebody is; who reads as a node takes what coordinators send.
+enum class Role { coordinator, node };
+
+inline constexpr std::size_t kHeaderBytes = 32;
+inline constexpr std::uint16_t kLayoutVersion = 1;
+inline constexpr std::uint16_t kFirstCritical = 0x80;
+inline constexpr std::uint32_t kMostMapBytes = 64 << 10;
+inline constexpr std::uint64_t kMostPayloadBytes = 20 << 20;  ///< of any type
+
+struct FrameHeader {
+    std::uint16_t version = kLayoutVersion;
+    std::uint16_t type = 0;
+    std::uint32_t flags = 0;
+    std::uint32_t mapBytes = 0;
+    std::uint64_t payloadBytes = 0;
+    std::uint64_t request = 0;
+
+    std::uint64_t bodyBytes() const { return mapBytes + payloadBytes; }
+    bool operator==(const FrameHeader&) const = default;
+};
+
+/// What holds for all messages of a type.
+struct MessageKind {
+    std::string_view name;
+    bool fromNode, fromCoordinator;
+    std::uint64_t mostPayload;  ///< bytes
+};
+/// Of the type of that number; null: not known.
+const MessageKind* kindOf(std::uint16_t type);
+inline std::uint16_t typeOf(const Message& message) {
+    return std::uint16_t(message.index() + 1);
+}
+
+std::array<std::byte, kHeaderBytes> bytesOf(const FrameHeader& header);
+/// What `reader` may read. Errors: no frame of ours, a critical type that is not known, a message that the other side
+/// does not send, more bytes than such a message has.
+pdr::Result<FrameHeader> headerOf(Role reader, std::span<const std::byte, kHeaderBytes> bytes);
+
+/// Of all that is wrong with what came; `where` is the message's name.
+Error senseless(std::string_view reason, std::string_view where = "");
+
+}  // namespace pdr::wire

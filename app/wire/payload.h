@@ -1,0 +1,28 @@
+#pragma once
+/// The payloads of messages: what is too large for their maps.
+
+#include "app/wire/messages.h"
+
+namespace pdr::wire {
+
+/// Out of the message.
+template <class OfType>
+Bytes takePayload(OfType&) {
+    return {};
+}
+Bytes takePayload(SceneOrder& order);
+Bytes takePayload(Chunk& chunk);
+Bytes takePayload(Lease& lease);
+Bytes takePayload(Result& result);
+
+/// Into a message whose fields are known and right. What is wrong; null: nothing.
+template <class OfType>
+const char* givePayload(OfType&, Bytes payload) {
+    return payload.empty() ? nullptr : "it has more bytes than such a message";
+}
+const char* givePayload(SceneOrder& order, Bytes payload);
+const char* givePayload(Chunk& chunk, Bytes payload);
+const char* givePayload(Lease& lease, Bytes payload);
+const char* givePayload(Result& result, Bytes payload);
+
+}  // namespace pdr::wire

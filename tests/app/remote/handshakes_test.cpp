@@ -1,0 +1,184 @@
+/// Who is let in, and who is not.
+
+#include <QSslKey>
+#include <QTcpServer>
+#include <random>
+
+#include "app/remote/signed_certificate.h"
+#include "tests/app/remote/meeting.h"
+
+using namespace pdr;
+using namespace pdr::remote;
+using namespace pdr::test;
+using std::chrono::days;
+
+namespace {
+
+const auto kNow = std::chrono::system_clock::now();
+
+SignedCertificate made(const QString& name, bool authority, const SignedCertificate* issuer, days from = days(-1),
+                       days until = days(30)) {
+    const auto certificate = makeCertificate({name, authority, kNow + from, kNow + until}, issuer);
+    if (!certificate)
+        qFatal("%s", certificate.error().text().c_str());
+    return *certificate;
+}
+
+const SignedCertificate& authority() {
+    static const SignedCertificate ours = made("ours", true, nullptr);
+    return ours;
+}
+
+/// Believes in our authority, and shows that certificate, or none.
+Identity showing(Role role, const std::optional<SignedCertificate>& shown) {
+    const QList<QSslCertificate> believed{QSslCertificate(authority().certificatePem())};
+    if (!shown)
+        return {role, tlsConfiguration(believed, {}, {})};
+    return {role,
+            tlsConfiguration(believed, {QSslCertificate(shown->certificatePem())}, QSslKey(shown->keyPem(), QSsl::Ec))};
+}
+
+Identity right(Role role) {
+    return showing(role, made(nameIn(role), false, &authority()));
+}
+
+Identity rogue(Role role) {
+    const SignedCertificate theirs = made("ours", true, nullptr);  // of that name, too
+    return showing(role, made(nameIn(role), false, &theirs));
+}
+
+Identity ofTime(Role role, days from, days until) {
+    return showing(role, made(nameIn(role), false, &authority(), from, until));
+}
+
+Identity ofOtherRole(Role role) {
+    return showing(role, made(nameIn(other(role)), false, &authority()));
+}
+
+Identity ofTls12(Role role) {
+    Identity identity = right(role);
+    identity.tls->setProtocol(QSsl::TlsV1_2);
+    return identity;
+}
+
+Identity selfSigned(Role role) {
+    return showing(role, made(nameIn(role), false, nullptr));
+}
+
+}  // namespace
+
+class HandshakesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void rightOnesAdmitEachOther_data() {
+        QTest::addColumn<int>("listens");
+        QTest::addRow("the node dials") << int(Role::coordinator);
+        QTest::addRow("the coordinator dials") << int(Role::node);
+    }
+    void rightOnesAdmitEachOther() {
+        QFETCH(int, listens);
+        for (const bool encrypted : {true, false}) {
+            const auto identity = encrypted ? identityOf : plain;
+            Meeting meeting(identity(Role(listens)), identity(other(Role(listens))));
+            meeting.begin();
+            QTRY_VERIFY_WITH_TIMEOUT(meeting.isSettled(), kPatience);
+            QVERIFY2(meeting.listening.admitted && meeting.dialling.admitted, qPrintable(meeting.dialling.reason));
+        }
+    }
+
+    /// The coordinator listens and the node dials, and then the other way round.
+    void wrongOnesAreRefused_data() {
+        const Role c = Role::coordinator, n = Role::node;
+        QTest::addColumn<Identity>("coordinator");
+        QTest::addColumn<Identity>("node");
+        QTest::addRow("no client certificate") << right(c) << showing(n, std::nullopt);
+        QTest::addRow("rogue client") << right(c) << rogue(n);
+        QTest::addRow("rogue server") << rogue(c) << right(n);
+        QTest::addRow("expired client") << right(c) << ofTime(n, days(-9), days(-1));
+        QTest::addRow("expired server") << ofTime(c, days(-9), days(-1)) << right(n);
+        QTest::addRow("client not yet valid") << right(c) << ofTime(n, days(1), days(9));
+        QTest::addRow("server not yet valid") << ofTime(c, days(1), days(9)) << right(n);
+        QTest::addRow("wrong role as server") << ofOtherRole(c) << right(n);
+        QTest::addRow("wrong role as client") << right(c) << ofOtherRole(n);
+        QTest::addRow("TLS 1.2 client") << right(c) << ofTls12(n);
+        QTest::addRow("TLS 1.2 server") << ofTls12(c) << right(n);
+        QTest::addRow("plain TCP to TLS") << right(c) << plain(n);
+        QTest::addRow("TLS to plain TCP") << plain(c) << right(n);
+        QTest::addRow("self-signed client") << right(c) << selfSigned(n);
+        QTest::addRow("self-signed server") << selfSigned(c) << right(n);
+        QTest::addRow("signed by a certificate that signs nothing") << right(c) << signedByNode();
+    }
+    void wrongOnesAreRefused() {
+        QFETCH(Identity, coordinator);
+        QFETCH(Identity, node);
+        for (const auto& [listens, dials] : {std::pair(coordinator, node), std::pair(node, coordinator)}) {
+            ListenerLimits limits = Meeting::patientLimits();
+            limits.handshake = std::chrono::seconds(2);  // plain TCP whose listener speaks first waits for it
+            Meeting meeting(listens, dials, limits);
+            meeting.begin();
+            QTRY_VERIFY_WITH_TIMEOUT(meeting.isSettled(), kPatience);
+            QVERIFY(!meeting.listening.admitted && !meeting.dialling.admitted);
+            QVERIFY(meeting.listening.received.empty() && meeting.dialling.received.empty());
+            QCOMPARE(meeting.listening.ends, 1);
+            QCOMPARE(meeting.dialling.ends, 1);
+            qInfo("%s | %s", qPrintable(meeting.listening.reason), qPrintable(meeting.dialling.reason));
+        }
+    }
+
+    /// Trying again is of no use where the other side is somebody else.
+    void aDialKnowsWhetherToTryAgain() {
+        Meeting stranger(rogue(Role::coordinator), right(Role::node));
+        stranger.begin();
+        QTRY_VERIFY_WITH_TIMEOUT(stranger.isSettled(), kPatience);
+        QVERIFY(stranger.failure.kind == ErrorKind::refused);
+
+        Meeting nobody(right(Role::coordinator), right(Role::node));
+        QTcpServer closedAgain;
+        QVERIFY(closedAgain.listen(QHostAddress::LocalHost));
+        const quint16 port = closedAgain.serverPort();
+        closedAgain.close();
+        nobody.begin(port);
+        QTRY_COMPARE_WITH_TIMEOUT(nobody.dialling.ends, 1, kPatience);
+        QVERIFY(nobody.failure.kind == ErrorKind::failed);
+    }
+
+    void garbageIsRefused_data() {
+        QTest::addColumn<Identity>("identity");
+        QTest::addRow("garbage to TLS") << right(Role::coordinator);
+        QTest::addRow("garbage to plain TCP") << plain(Role::coordinator);
+    }
+    void garbageIsRefused() {
+        QFETCH(Identity, identity);
+        std::mt19937 random(14);
+        for (int round = 0; round < 20; ++round) {
+            Meeting meeting(identity, identity);
+            QTcpSocket stranger;
+            stranger.connectToHost("127.0.0.1", meeting.listener.address().port);
+            QVERIFY(stranger.waitForConnected(kPatience));
+            QByteArray garbage(4096, 0);
+            std::ranges::generate(garbage, [&] { return char(random()); });
+            stranger.write(garbage);
+            QTRY_COMPARE_WITH_TIMEOUT(meeting.listening.ends, 1, kPatience);
+            QVERIFY(meeting.listening.received.empty());
+        }
+    }
+
+    /// The default of a side that listens, which would let in whoever shows nothing.
+    void theListeningSideAsksForACertificate() {
+        QCOMPARE(right(Role::coordinator).tls->peerVerifyMode(), QSslSocket::VerifyPeer);
+        QCOMPARE(right(Role::node).tls->caCertificates(), {QSslCertificate(authority().certificatePem())});
+    }
+
+  private:
+    static Identity signedByNode() {
+        const SignedCertificate node = made(nameIn(Role::node), false, &authority());
+        Identity identity = showing(Role::node, made(nameIn(Role::node), false, &node));
+        auto chain = identity.tls->localCertificateChain();
+        identity.tls->setLocalCertificateChain(chain << QSslCertificate(node.certificatePem()));
+        return identity;
+    }
+};
+
+QTEST_GUILESS_MAIN(HandshakesTest)
+#include "handshakes_test.moc"
