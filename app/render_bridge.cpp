@@ -30,7 +30,7 @@ RenderBridge::RenderBridge(std::unique_ptr<Device> device, int threads)
       device_(QString::fromStdString(firstDevice_.name)),
       session_(
           std::move(device), [this](std::shared_ptr<const Frame> frame) { take(std::move(frame)); },
-          [threads] { return makeCpuDevice(threads); }) {}
+          [this]() -> Result<std::unique_ptr<Device>> { return shared(makeCpuDevice(threads_)); }) {}
 
 /// While the user drags, a picture that is a little behind is better than none; at rest only the newest scene counts.
 void RenderBridge::submit(const Scene& scene, bool moving) {
@@ -78,7 +78,34 @@ void RenderBridge::setPace(const FrameBudget& pace) {
 }
 
 void RenderBridge::setDevice(const QString& name) {
-    session_.setDevice([name = name.toStdString(), threads = threads_] { return openDevice(name, threads); });
+    chosen_ = name;
+    openAndGoOn(name);
+}
+
+/// The same device once more, since what it is in the middle of cannot be shared.
+void RenderBridge::setPool(std::shared_ptr<WorkerPool> pool) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (pool == pool_)
+            return;
+        pool_ = std::move(pool);
+    }
+    openAndGoOn(chosen_.value_or(device_));
+}
+
+void RenderBridge::openAndGoOn(const QString& device) {
+    session_.setDevice([this, name = device.toStdString()]() -> Result<std::unique_ptr<Device>> {
+        Result<std::unique_ptr<Device>> opened = openDevice(name, threads_);
+        if (!opened)
+            return opened;
+        return shared(*std::move(opened));
+    });
+}
+
+/// On the render thread.
+std::unique_ptr<Device> RenderBridge::shared(std::unique_ptr<Device> device) {
+    const std::lock_guard lock(mutex_);
+    return pool_ ? shareDevice(std::move(device), pool_) : std::move(device);
 }
 
 void RenderBridge::setStop(const StopRule& rule) {
@@ -169,6 +196,7 @@ DeviceOpener RenderBridge::anotherDevice() const {
 void RenderBridge::take(std::shared_ptr<const Frame> frame) {
     if (!frame->notice.empty()) {
         QMetaObject::invokeMethod(this, [this, notice = QString::fromStdString(frame->notice)] {
+            chosen_.reset();
             emit noticed(notice);
             emit deviceChanged(device_);
         });
@@ -200,6 +228,8 @@ void RenderBridge::deliver() {
         device_ = device;
         emit deviceChanged(device_);
     }
+    if (chosen_ == device_)
+        chosen_.reset();
     emit frameReady(frame);
 }
 

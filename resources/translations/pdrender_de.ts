@@ -110,6 +110,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 Iterationen/s</translation>
     </message>
     <message>
+        <source>%1 joined</source>
+        <translation>%1 kam dazu</translation>
+    </message>
+    <message>
+        <source>%1 leaves</source>
+        <translation>%1 verabschiedet sich</translation>
+    </message>
+    <message>
         <source>%1 line that smoothing took away is marked</source>
         <translation>%1 Linie, die das Glätten entfernt hat, ist markiert</translation>
     </message>
@@ -148,6 +156,26 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 samples</source>
         <translation>%1 Abtastungen</translation>
+    </message>
+    <message>
+        <source>%1 waits for the scan</source>
+        <translation>%1 wartet auf den Scan</translation>
+    </message>
+    <message>
+        <source>%1 was lost</source>
+        <translation>%1 ging verloren</translation>
+    </message>
+    <message>
+        <source>%1 was lost: %2</source>
+        <translation>%1 ging verloren: %2</translation>
+    </message>
+    <message>
+        <source>%1 was paused</source>
+        <translation>%1 wurde angehalten</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>%1 wurde entfernt</translation>
     </message>
     <message>
         <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels</source>

@@ -110,6 +110,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 iteraciones/s</translation>
     </message>
     <message>
+        <source>%1 joined</source>
+        <translation>%1 se unió</translation>
+    </message>
+    <message>
+        <source>%1 leaves</source>
+        <translation>%1 se despide</translation>
+    </message>
+    <message>
         <source>%1 line that smoothing took away is marked</source>
         <translation>está marcada %1 línea que el suavizado eliminó</translation>
     </message>
@@ -148,6 +156,26 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 samples</source>
         <translation>%1 muestras</translation>
+    </message>
+    <message>
+        <source>%1 waits for the scan</source>
+        <translation>%1 espera el estudio</translation>
+    </message>
+    <message>
+        <source>%1 was lost</source>
+        <translation>%1 se perdió</translation>
+    </message>
+    <message>
+        <source>%1 was lost: %2</source>
+        <translation>%1 se perdió: %2</translation>
+    </message>
+    <message>
+        <source>%1 was paused</source>
+        <translation>%1 se pausó</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>%1 se quitó</translation>
     </message>
     <message>
         <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels</source>

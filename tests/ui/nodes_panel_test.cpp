@@ -50,7 +50,7 @@ class TestNodesPanel : public QObject {
 static NodeRow node(quint64 id, NodeState state = NodeState::rendering) {
     NodeRow row;
     row.id = id;
-    row.address = QString("10.0.0.%1:7437").arg(id);
+    row.address = QString("10.0.0.%1:4743").arg(id);
     row.name = QString("gpu-%1").arg(id);
     row.device = "cpu, 16 threads";
     row.state = state;
@@ -93,11 +93,11 @@ void TestNodesPanel::everyFigureHasItsCell() {
     QStringList cells;
     for (int column = 0; column < NodesModel::kColumns; ++column)
         cells << cell(panel, 0, column);
-    QCOMPARE(cells, QStringList({"gpu-7 (10.0.0.7:7437)", "Rendering", "cpu, 16 threads", "2.50", "97 %", "13 %",
+    QCOMPARE(cells, QStringList({"gpu-7 (10.0.0.7:4743)", "Rendering", "cpu, 16 threads", "2.50", "97 %", "13 %",
                                  "3.3 ms", "256.0 MB", "1.5 MB", "3"}));
     QCOMPARE(cell(panel, 0, NodesModel::faults, Qt::ToolTipRole), "connections lost: 1, late: 2");
     QCOMPARE(cell(panel, 0, NodesModel::node, Qt::AccessibleTextRole),
-             "gpu-7 (10.0.0.7:7437), Rendering, cpu, 16 threads, 2.50 iterations/s, 13 % of the picture's samples, "
+             "gpu-7 (10.0.0.7:4743), Rendering, cpu, 16 threads, 2.50 iterations/s, 13 % of the picture's samples, "
              "connections lost: 1, late: 2");
     for (int column = 0; column < NodesModel::kColumns; ++column)
         for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole)})
@@ -107,9 +107,9 @@ void TestNodesPanel::everyFigureHasItsCell() {
 void TestNodesPanel::whatIsNotKnownIsEmpty() {
     NodesPanel panel;
     NodeRow dialled;
-    dialled.address = "gpu-07:7437";
+    dialled.address = "gpu-07:4743";
     panel.setNodes({dialled});
-    QCOMPARE(cell(panel, 0, NodesModel::node), "gpu-07:7437");
+    QCOMPARE(cell(panel, 0, NodesModel::node), "gpu-07:4743");
     QCOMPARE(cell(panel, 0, NodesModel::state), "Dialling");
     for (int column = NodesModel::device; column < NodesModel::kColumns; ++column)
         QCOMPARE(cell(panel, 0, column), QString());
@@ -167,15 +167,15 @@ void TestNodesPanel::addressesAreUnderstood_data() {
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("address");
     QTest::newRow("host") << "gpu-07"
-                          << "gpu-07:7437";
+                          << "gpu-07:4743";
     QTest::newRow("host and port") << " gpu-07.clinic.example:9000 "
                                    << "gpu-07.clinic.example:9000";
     QTest::newRow("capitals") << "GPU-07"
-                              << "gpu-07:7437";
+                              << "gpu-07:4743";
     QTest::newRow("four bytes") << "10.0.0.7:1"
                                 << "10.0.0.7:1";
     QTest::newRow("sixteen bytes") << "[fe80::1]"
-                                   << "[fe80::1]:7437";
+                                   << "[fe80::1]:4743";
     QTest::newRow("sixteen bytes and a port") << "[::1]:65535"
                                               << "[::1]:65535";
 }
@@ -206,7 +206,7 @@ void TestNodesPanel::whatIsNoAddressIsToldBelow_data() {
                             << "without slashes";
     QTest::newRow("two hosts") << "gpu-07 gpu-08"
                                << "is no host";
-    QTest::newRow("only a port") << ":7437"
+    QTest::newRow("only a port") << ":4743"
                                  << "is no host";
     QTest::newRow("somebody") << "me@gpu-07"
                               << "is no host";
@@ -238,7 +238,7 @@ void TestNodesPanel::nodesAreAddedPausedAndRemoved() {
     auto& field = test::named<QLineEdit>(panel, "Address of a node");
     QTest::keyClicks(&field, "gpu-07");
     QTest::keyClick(&field, Qt::Key_Return);
-    QCOMPARE(added.value(0).value(0).toString(), "gpu-07:7437");
+    QCOMPARE(added.value(0).value(0).toString(), "gpu-07:4743");
     QVERIFY(field.text().isEmpty() && added.size() == 1);
 
     panel.setNodes({node(1), node(2, NodeState::paused), node(3)});

@@ -16,7 +16,7 @@ class AddressRow : public QWidget {
     explicit AddressRow(QWidget* parent = nullptr);
 
   signals:
-    /// "gpu-07:7437"
+    /// "gpu-07:4743"
     void addRequested(const QString& address);
     /// What is wrong with what was typed: a sentence; empty: nothing is any more.
     void problemFound(const QString& sentence);

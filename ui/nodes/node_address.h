@@ -6,10 +6,10 @@
 namespace pdr::ui {
 
 /// Of nodes and coordinators where none is given.
-inline constexpr quint16 kNodePort = 7437;
+inline constexpr quint16 kNodePort = 4743;
 
 struct TypedAddress {
-    QString address;  ///< "gpu-07:7437", "[fe80::1]:7437"; empty where it is none
+    QString address;  ///< "gpu-07:4743", "[fe80::1]:4743"; empty where it is none
     QString problem;  ///< a sentence for the user; empty where there is none
 };
 

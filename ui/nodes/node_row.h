@@ -34,7 +34,7 @@ struct NodeFaults {
 
 struct NodeRow {
     quint64 id = 0;   ///< stays, however often the connection breaks
-    QString address;  ///< "gpu-07:7437", as it was typed, or where it dialled in from
+    QString address;  ///< "gpu-07:4743", as it was typed, or where it dialled in from
     QString name;     ///< as the node calls itself; empty: not known yet
     QString device;   ///< "cpu, 16 threads"; empty: not known yet
     NodeState state = NodeState::dialling;

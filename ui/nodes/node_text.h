@@ -8,7 +8,7 @@
 
 namespace pdr::ui {
 
-/// "gpu-07 (10.0.0.7:7437)", or the address alone where there is no name yet.
+/// "gpu-07 (10.0.0.7:4743)", or the address alone where there is no name yet.
 QString nodeName(const NodeRow& node);
 /// "Sending the scan, 45 %", "Lost: the connection was cut". What asks for a look has a mark before it.
 QString nodeStateText(const NodeRow& node);

@@ -37,7 +37,7 @@ class NodesPanel : public QWidget {
     QSize sizeHint() const override { return {760, QWidget::sizeHint().height()}; }
 
   signals:
-    /// "gpu-07:7437"
+    /// "gpu-07:4743"
     void addRequested(const QString& address);
     void removeRequested(quint64 id);
     /// `paused`: it is to take no more leases.
