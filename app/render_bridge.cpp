@@ -7,6 +7,7 @@
 #include "app/picture_writing.h"
 #include "render/device/device_list.h"
 #include "render/scene/scene.h"
+#include "render/tiles/reference_tiles.h"
 
 namespace pdr::app {
 namespace {
@@ -103,9 +104,19 @@ void RenderBridge::openAndGoOn(const QString& device) {
 }
 
 /// On the render thread.
-std::unique_ptr<Device> RenderBridge::shared(std::unique_ptr<Device> device) {
-    const std::lock_guard lock(mutex_);
-    return pool_ ? shareDevice(std::move(device), pool_) : std::move(device);
+Result<std::unique_ptr<Device>> RenderBridge::shared(std::unique_ptr<Device> device) {
+    std::shared_ptr<WorkerPool> pool;
+    {
+        const std::lock_guard lock(mutex_);
+        pool = pool_;
+    }
+    if (!pool)
+        return device;
+    Result<std::vector<std::byte>> bits = referenceTiles(*device);
+    if (!bits)
+        return bits.error();
+    QMetaObject::invokeMethod(this, [this, bits = *std::move(bits)] { emit sharedWith(bits); });
+    return shareDevice(std::move(device), std::move(pool));
 }
 
 void RenderBridge::setStop(const StopRule& rule) {

@@ -72,6 +72,9 @@ class RenderBridge : public QObject {
     void save(const QString& file);
 
   signals:
+    /// The device in use takes samples together with others, which have to make the same bits as it does:
+    /// referenceTiles() of it.
+    void sharedWith(const std::vector<std::byte>& bits);
     void frameReady(const std::shared_ptr<const pdr::Frame>& frame);
     /// lastLedger() is another one.
     void ledgerChanged();
@@ -91,7 +94,7 @@ class RenderBridge : public QObject {
     void deliver();
     void takeLedger(std::shared_ptr<const EffectLedger> ledger);
     void openAndGoOn(const QString& device);
-    std::unique_ptr<Device> shared(std::unique_ptr<Device> device);
+    Result<std::unique_ptr<Device>> shared(std::unique_ptr<Device> device);
 
     std::mutex mutex_;
     std::shared_ptr<WorkerPool> pool_;      ///< guarded by mutex_: who renders along; null: nobody

@@ -102,6 +102,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 in mindestens %2</translation>
     </message>
     <message>
+        <source>%1 is in the list already.</source>
+        <translation>%1 steht schon in der Liste.</translation>
+    </message>
+    <message>
         <source>%1 iterations per frame on %2</source>
         <translation>%1 Iterationen je Bild auf %2</translation>
     </message>
@@ -2042,6 +2046,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Sagittal</translation>
     </message>
     <message>
+        <source>Samples: each node takes some of all pixels' samples</source>
+        <translation>Abtastungen: Jeder Knoten rechnet einen Teil der Abtastungen aller Pixel</translation>
+    </message>
+    <message>
         <source>Save and share looks</source>
         <translation>Darstellungen sichern und weitergeben</translation>
     </message>
@@ -2326,6 +2334,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Threshold</source>
         <translation>Schwellwert</translation>
+    </message>
+    <message>
+        <source>Tiles: each node takes parts of the picture, as fast as it is</source>
+        <translation>Kacheln: Jeder Knoten rechnet Teile des Bildes, so viele, wie er schafft</translation>
     </message>
     <message>
         <source>Tissue</source>
@@ -2680,6 +2692,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Quader von %1 x %2 x %3 mm</translation>
     </message>
     <message>
+        <source>brought too late: %1</source>
+        <translation>zu spät gebracht: %1</translation>
+    </message>
+    <message>
         <source>can be shown</source>
         <translation>kann gezeigt werden</translation>
     </message>
@@ -2768,10 +2784,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>im Rahmen 95 % des Gewebes innerhalb ±%1</translation>
     </message>
     <message>
-        <source>late: %1</source>
-        <translation>verspätet: %1</translation>
-    </message>
-    <message>
         <source>left</source>
         <translation>links</translation>
     </message>
@@ -2806,6 +2818,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>muscle</source>
         <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>never brought: %1</source>
+        <translation>nie gebracht: %1</translation>
     </message>
     <message>
         <source>no contrast was found in the blood</source>
@@ -2948,10 +2964,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>zwei Schichten an einer Stelle</translation>
     </message>
     <message>
-        <source>unusable results: %1</source>
-        <translation>unbrauchbare Ergebnisse: %1</translation>
-    </message>
-    <message>
         <source>water</source>
         <translation>Wasser</translation>
     </message>
@@ -2962,10 +2974,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>writing the picture</source>
         <translation>Das Bild wird geschrieben</translation>
-    </message>
-    <message>
-        <source>wrong samples: %1</source>
-        <translation>falsche Abtastungen: %1</translation>
     </message>
     <message>
         <source>°</source>

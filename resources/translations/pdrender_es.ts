@@ -102,6 +102,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 en al menos %2</translation>
     </message>
     <message>
+        <source>%1 is in the list already.</source>
+        <translation>%1 ya está en la lista.</translation>
+    </message>
+    <message>
         <source>%1 iterations per frame on %2</source>
         <translation>%1 iteraciones por imagen en %2</translation>
     </message>
@@ -2042,6 +2046,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Sagital</translation>
     </message>
     <message>
+        <source>Samples: each node takes some of all pixels' samples</source>
+        <translation>Muestras: cada nodo calcula una parte de las muestras de todos los píxeles</translation>
+    </message>
+    <message>
         <source>Save and share looks</source>
         <translation>Guardar y compartir aspectos</translation>
     </message>
@@ -2326,6 +2334,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Threshold</source>
         <translation>Umbral</translation>
+    </message>
+    <message>
+        <source>Tiles: each node takes parts of the picture, as fast as it is</source>
+        <translation>Teselas: cada nodo calcula partes de la imagen, tantas como puede</translation>
     </message>
     <message>
         <source>Tissue</source>
@@ -2680,6 +2692,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>caja de %1 x %2 x %3 mm</translation>
     </message>
     <message>
+        <source>brought too late: %1</source>
+        <translation>entregado tarde: %1</translation>
+    </message>
+    <message>
         <source>can be shown</source>
         <translation>se puede mostrar</translation>
     </message>
@@ -2768,10 +2784,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>en el recuadro, 95 % del tejido dentro de ±%1</translation>
     </message>
     <message>
-        <source>late: %1</source>
-        <translation>con retraso: %1</translation>
-    </message>
-    <message>
         <source>left</source>
         <translation>izquierda</translation>
     </message>
@@ -2806,6 +2818,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>muscle</source>
         <translation>músculo</translation>
+    </message>
+    <message>
+        <source>never brought: %1</source>
+        <translation>nunca entregado: %1</translation>
     </message>
     <message>
         <source>no contrast was found in the blood</source>
@@ -2948,10 +2964,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>dos cortes en un mismo lugar</translation>
     </message>
     <message>
-        <source>unusable results: %1</source>
-        <translation>resultados inservibles: %1</translation>
-    </message>
-    <message>
         <source>water</source>
         <translation>agua</translation>
     </message>
@@ -2962,10 +2974,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>writing the picture</source>
         <translation>Escribiendo la imagen</translation>
-    </message>
-    <message>
-        <source>wrong samples: %1</source>
-        <translation>muestras erróneas: %1</translation>
     </message>
     <message>
         <source>°</source>

@@ -23,12 +23,11 @@ enum class NodeState {
 
 /// What went wrong with a node, and was put right by others.
 struct NodeFaults {
-    int lost = 0;   ///< connections that broke
-    int late = 0;   ///< leases given to another since it was slow
-    int wrong = 0;  ///< results that did not fit their lease: stale, of another size, not finite
-    int lies = 0;   ///< results that were other samples than the same lease rendered again
+    int lost = 0;     ///< connections that broke
+    int late = 0;     ///< results that somebody else had brought before
+    int overdue = 0;  ///< results that it never brought
 
-    int all() const { return lost + late + wrong + lies; }
+    int all() const { return lost + late + overdue; }
     bool operator==(const NodeFaults&) const = default;
 };
 

@@ -70,9 +70,8 @@ QString faultsText(const NodeFaults& faults) {
             texts << translated(text).arg(count);
     };
     add(faults.lost, QT_TRANSLATE_NOOP("nodeText", "connections lost: %1"));
-    add(faults.late, QT_TRANSLATE_NOOP("nodeText", "late: %1"));
-    add(faults.wrong, QT_TRANSLATE_NOOP("nodeText", "unusable results: %1"));
-    add(faults.lies, QT_TRANSLATE_NOOP("nodeText", "wrong samples: %1"));
+    add(faults.late, QT_TRANSLATE_NOOP("nodeText", "brought too late: %1"));
+    add(faults.overdue, QT_TRANSLATE_NOOP("nodeText", "never brought: %1"));
     return texts.join(", ");
 }
 
