@@ -12,7 +12,11 @@ class SharedDevice final : public Device {
   public:
     SharedDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool)
         : own_(std::move(own)), pool_(std::move(pool)) {}
-    ~SharedDevice() override { pool_->forgetScene(); }
+    /// What another one has published since stays: a film moves from device to device while both are there.
+    ~SharedDevice() override {
+        if (pool_->scene().number == scene_)
+            pool_->forgetScene();
+    }
 
     using Device::film;
 
