@@ -54,7 +54,7 @@ QString NodesJob::splitText() const {
     });
     if (!any)
         return {};
-    return pool_->split() == Split::tiles ? tr("Tiles: each node takes parts of the picture, as fast as it is")
+    return pool_->split().split == Split::tiles ? tr("Tiles: each node takes parts of the picture, as fast as it is")
                                           : tr("Samples: each node takes some of all pixels' samples");
 }
 

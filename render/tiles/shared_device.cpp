@@ -67,6 +67,13 @@ std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr
     return std::make_unique<SharedDevice>(std::move(own), std::move(pool));
 }
 
+OrderSize SharedAccumulator::orderSize() const {
+    const std::size_t workers = pool_.workers().size();
+    if (workers == 0)
+        return {};
+    return {1, std::uint32_t(kSamplesPerBlock * (workers + 1))};
+}
+
 Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) {
     std::vector<TileGoal> goals;
     for (const EvenTile& even : film_.progress().evenTiles(film_.progress().cellsAround(region)))
