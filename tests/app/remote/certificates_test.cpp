@@ -3,6 +3,7 @@
 #include <openssl/pem.h>
 #include <openssl/x509v3.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <QDir>
 #include <QSslCertificate>
@@ -194,6 +195,33 @@ class CertificatesTest : public QObject {
         }
         QVERIFY(QFile::setPermissions(folder + "/node/key.pem", QFile::ReadOwner));
         QCOMPARE(refusalOf(folder, Role::node), QString());
+    }
+
+    /// As Kubernetes and systemd hand out keys.
+    void aKeyOfRootsMayBeReadByTheGroup() {
+        if (geteuid() != 0)
+            QSKIP("only root can hand out keys");
+        const QString folder = another();
+        for (const char* part : {"", "/node"})
+            QVERIFY(QFile::setPermissions(folder + part, QFile::Permissions(0x7755)));
+        QVERIFY(QFile::setPermissions(folder_.path(), QFile::Permissions(0x7755)));
+        for (const char* file : {"/node/ca.pem", "/node/certificate.pem"})
+            QVERIFY(QFile::setPermissions(folder + file, QFile::Permissions(0x6644)));
+        QVERIFY(QFile::setPermissions(folder + "/node/key.pem", QFile::Permissions(0x6640)));
+        const auto refusalOfSomebody = [&] {
+            const bool left = setegid(0) == 0 && seteuid(1) == 0;
+            const QString refusal = refusalOf(folder, Role::node);
+            return left && seteuid(0) == 0 ? refusal : "cannot be somebody";
+        };
+        QCOMPARE(refusalOfSomebody(), QString());
+        QVERIFY(refusalOf(folder, Role::node).contains("others on this machine"));  // root's own
+        for (const int more : {0x6660, 0x6644}) {
+            QVERIFY(QFile::setPermissions(folder + "/node/key.pem", QFile::Permissions(more)));
+            QVERIFY(refusalOfSomebody().contains("others on this machine"));
+        }
+        QVERIFY(chown(QFile::encodeName(folder + "/node/key.pem").constData(), 1, 0) == 0);
+        QVERIFY(QFile::setPermissions(folder + "/node/key.pem", QFile::Permissions(0x6640)));
+        QVERIFY(refusalOfSomebody().contains("others on this machine"));
     }
 
     void badBundlesAreRefusedWithASentence() {
