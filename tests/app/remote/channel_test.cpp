@@ -145,7 +145,9 @@ class ChannelTest : public QObject {
             }
         const qint64 grown = residentBytes() - before;
         qInfo("%.1f MiB more for each of %d", double(grown) / kStalled / kMiB, kStalled);
+#if !defined(__SANITIZE_ADDRESS__)  // which keeps what was freed
         QVERIFY(grown < kStalled * 16 * kMiB);
+#endif
     }
 
     void thereIsRoomAgainWhenTheOtherSideReads() {
