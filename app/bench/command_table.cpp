@@ -93,6 +93,36 @@ constexpr Command kCommands[] = {
      "  --threads N     of the CPU; default 0: one per core\n"
      "  --width N       pixels of the picture, from 64; default 480\n"
      "  --height N      default 384\n"},
+    {"scale", scaleOut,
+     "[SCENE.json] [--device D] [--threads N] [--seconds S] [--width N] [--height N]\n"
+     "                            [--samples N] [--per-launch N] [--nodes N] [--tiles N] [--launch S]\n"
+     "                            [--sample S] [--pixel S] [--serial S] [--latency S] [--bandwidth B] [--message S]\n"
+     "                            [--pixel-bytes B] [--sum-bytes B] [--json] [--plots DIR] [--measured FILE]",
+     "Says what many render nodes would make of this machine's times: frames a second, latency, efficiency and bytes "
+     "of\n"
+     "five ways to share frames out, by formulas and, where it is a star, played event by event. Measures a node "
+     "first.\n",
+     "  --device D       cpu (default), cuda, cuda:1, auto or emulated\n"
+     "  --threads N      threads of the CPU; default 0: one per core\n"
+     "  --seconds S      for which each of 15 kinds of frame is measured; default 0.1\n"
+     "  --width N        pixels of the picture, from 16; default 1920\n"
+     "  --height N       default 1080\n"
+     "  --samples N      of each pixel of a frame, from 1; default 256\n"
+     "  --per-launch N   of them in one launch, from 1; default 64\n"
+     "  --nodes N        the most, from 1; default 100000\n"
+     "  --tiles N        of a node and frame, from 1, while no tile has fewer than 256 pixels; default 8\n"
+     "  --launch S       T0 in seconds, in place of what is measured; with the next three nothing is measured\n"
+     "  --sample S       alpha, of a sample of a pixel\n"
+     "  --pixel S        beta, of a pixel of a frame\n"
+     "  --serial S       Tc, of a frame\n"
+     "  --latency S      of a message, one way; default 0.0001\n"
+     "  --bandwidth B    bytes a second of a link; default 125000000\n"
+     "  --message S      that a message costs who shows the picture; default 0.00002\n"
+     "  --pixel-bytes B  of a pixel that is finished; default 4\n"
+     "  --sum-bytes B    of a pixel to which others add; default 16\n"
+     "  --json           print JSON instead of tables\n"
+     "  --plots DIR      write rate.svg, latency.svg, efficiency.svg and bytes.svg there\n"
+     "  --measured FILE  compare with runs of real nodes: JSON, see the manual's nodes-scaling.md\n"},
     {"warps", warps, "SCENE.json [--samples N] [--width N] [--height N]",
      "Says how full a GPU's warps are in the queues that they walk, without a GPU: walks and steps for each sample, "
      "of\n"

@@ -56,6 +56,10 @@ int parity(const Arguments& arguments);
 /// table. 1: the device deviates, or the test was broken off. WORDS: only cases whose name or family holds them.
 int selftest(const Arguments& arguments);
 
+/// scale [SCENE.json] [--device D] [--threads N] ...: what many nodes would make of this one's times, up to N of them, in
+/// five ways to share frames out, by formulas and played event by event; beside runs of real nodes. PLOTS get SVG files.
+int scaleOut(const Arguments& arguments);
+
 /// prediction [SCENE.json ...] [--seeds N] [--threads N] [--width N] [--height N]: whether the tissue lies within what
 /// is stated of it, and whether forecasts come true, from 64 and from 256 samples to three parts of the error; without
 /// scenes, of six whose light is easy and hard to find.

@@ -8,7 +8,7 @@
 #include "app/cli/accuracy/accuracy_page.h"
 #include "app/cli/accuracy/measure_accuracy.h"
 #include "app/cli/film_room.h"
-#include "app/cli/interrupt.h"
+#include "app/program/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
 #include "app/cli/run_command.h"

@@ -5,7 +5,7 @@
 
 #include "app/cli/cranium.h"
 #include "app/cli/failed.h"
-#include "app/cli/interrupt.h"
+#include "app/program/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "dicom/export.h"
 #include "render/volume/phantom.h"

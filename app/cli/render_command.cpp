@@ -5,12 +5,12 @@
 #include <new>
 
 #include "app/cli/film_room.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/picture_files.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
 #include "app/cli/render_report.h"
 #include "app/cli/run_command.h"
+#include "app/program/interrupt.h"
 #include "app/provenance.h"
 #include "render/base/errors.h"
 #include "render/device/device_list.h"
@@ -48,9 +48,16 @@ std::vector<Bias> biasesOf(const LoadedScene& work, const Rendered& rendered, Sm
 Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interrupt) {
     if (auto ok = checkWritable(options.outputs); !ok)
         return ok.error();
-    const auto opened = openDevice(options.device, options.threads);
+    auto opened = openDevice(options.device, options.threads);
     if (!opened)
         return opened.error();
+    std::unique_ptr<NodeCrew> crew;
+    if (options.nodes.any()) {
+        auto gathered = NodeCrew::gather(options.nodes, *opened);
+        if (!gathered)
+            return gathered.error();
+        crew = *std::move(gathered);
+    }
     Device& device = **opened;
     ProgressLine line;
     const std::stop_token stop = interrupt.token();
@@ -69,6 +76,8 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
         return ok.error();
     if (auto room = roomForFilm(work->scene.film, device.info()); !room)
         return room.error();
+    if (crew && !crew->await(stop))
+        return Error{"ended before the nodes were there: nothing was written", "", ""};
     const auto film = device.film(work->scene.film, work->scene.revision, work->scene.schedule);
     if (!film)
         return film.error();
@@ -77,6 +86,8 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     line.finish();
     if (!result)
         return result.error();
+    if (crew)
+        std::fputs(crew->report().c_str(), stderr);
     if (result->film.samplesPerPixel == 0)
         return Error{"ended before the first sample: nothing was written", "", ""};
     const auto picture = (*film)->film();

@@ -84,6 +84,18 @@ void describeRender(QCommandLineParser& parser) {
         {"smoothed",
          "Take the noise out of PNG files, and fine detail that it hides; their error is written into them."},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
+        {"node", "Let the render node at this address help; may be given several times.", "HOST[:PORT]"},
+        {"listen", "Let render nodes help that dial this machine.", "[HOST:]PORT"},
+        {"bundle",
+         "The folder of certificates for connections to other machines (pdrender-node --make-certificates); without it "
+         "nodes must be on this one.",
+         "DIR"},
+        {"await", "Begin when N nodes are ready; default: at once, and nodes join as they come.", "N"},
+        {"nodes-only", "This machine only checks what nodes send, as long as there is one."},
+        {"split",
+         "How the picture is shared out: tiles (each a part of it) or samples (each all of it, in blocks of 64 "
+         "samples). Default: what a model of their costs finds faster.",
+         "WORD"},
     });
 }
 
@@ -272,7 +284,27 @@ std::string readDevice(const QCommandLineParser& parser) {
     return name.toStdString();
 }
 
+NodesWanted readNodes(const QCommandLineParser& parser) {
+    const Reader reader(parser);
+    NodesWanted nodes;
+    nodes.nodes = parser.values("node");
+    nodes.listen = reader.text("listen");
+    nodes.bundle = reader.text("bundle").value_or("");
+    nodes.await = int(reader.whole("await", 0, 100000).value_or(0));
+    nodes.nodesOnly = parser.isSet("nodes-only");
+    if (const auto split = reader.text("split")) {
+        if (*split != "tiles" && *split != "samples")
+            usageError("--split", "must be tiles or samples");
+        nodes.split = *split == "tiles" ? Split::tiles : Split::samples;
+    }
+    for (const char* option : {"bundle", "await", "nodes-only", "split"})
+        if (parser.isSet(option) && !nodes.any())
+            usageError(QString("--") + option, "is for render nodes, and none are named", "Add --node or --listen.");
+    return nodes;
+}
+
 void readRender(const QCommandLineParser& parser, RenderOptions& options) {
+    options.nodes = readNodes(parser);
     options.scene = readScene(parser, "render");
     options.outputs = readOutputs(parser);
     options.stops = readStops(Reader(parser));

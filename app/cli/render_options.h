@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/node_crew.h"
 #include "app/cli/scene_input.h"
 #include "render/base/result.h"
 #include "render/session/batch_render.h"
@@ -21,6 +22,7 @@ struct RenderOptions {
     Stops stops;                                 ///< 256 samples when nothing was asked for
     std::string device = "auto";                 ///< as openDevice() takes it
     int threads = 0;                             ///< 0 = one per core
+    NodesWanted nodes;                           ///< other machines that help
     bool smoothed = false;                       ///< PNG files
     bool json = false;
     bool help = false;

@@ -13,7 +13,8 @@ namespace pdr::wire {
 
 /// Chunks of a content of so many bytes.
 std::uint32_t chunksOf(std::uint64_t bytes);
-/// Chunk `index` of the content `bytes`, of that hash.
+/// Chunk `index` of the content `bytes`, of that hash. Packed: as one zstd frame, the bytes at even places, then those
+/// at odd ones.
 Chunk packChunk(const Hash& content, std::span<const std::byte> bytes, std::uint32_t index);
 
 /// A content that comes chunk by chunk. Its memory, a patient's, is wiped when it goes.

@@ -4,6 +4,12 @@
 
 namespace pdr::wire {
 
+namespace {
+
+constexpr const char* kDamaged = "its map is damaged, or too deep";
+
+}
+
 MapReader::MapReader(std::span<const std::byte> map)
     : cbor_(reinterpret_cast<const char*>(map.data()), qsizetype(map.size())), mapBytes_(qint64(map.size())) {
     if (cbor_.isMap() && cbor_.enterContainer())
@@ -20,12 +26,13 @@ void MapReader::fail(const char* wrong) {
 
 void MapReader::skip(int depth) {
     if (!failed() && !cbor_.next(depth))
-        fail("its map is damaged, or too deep");
+        fail(kDamaged);
 }
 
 void MapReader::readKey() {
     const std::optional<std::uint64_t> before = key_;
     key_.reset();
+    must(cbor_.lastError() == QCborError::NoError, kDamaged);  // a string tells it only here
     if (failed() || !cbor_.hasNext())
         return;
     if (!cbor_.isUnsignedInteger() || ++keys_ > kMostKeys)
@@ -84,8 +91,8 @@ void MapReader::enterArray(std::size_t length) {
 }
 
 void MapReader::leaveArray() {
-    if (!failed() && !cbor_.leaveContainer())
-        fail("its map is damaged, or too deep");
+    if (!failed())
+        must(cbor_.leaveContainer(), kDamaged);
     readKey();
 }
 
@@ -118,7 +125,7 @@ void MapReader::readString(void* into, std::size_t bytes) {
     const auto part = cbor_.readStringChunk(static_cast<char*>(into), qsizetype(bytes));
     if (part.status != QCborStreamReader::Ok || part.data != qsizetype(bytes) ||
         cbor_.readStringChunk(nullptr, 0).status != QCborStreamReader::EndOfString)
-        fail("its map is damaged, or too deep");
+        fail(kDamaged);
 }
 
 void MapReader::bytes(std::uint64_t key, std::span<std::byte> value) {
@@ -140,8 +147,9 @@ void MapReader::text(std::uint64_t key, std::string& value, std::size_t mostByte
 
 const char* MapReader::finish() {
     isNext(std::numeric_limits<std::uint64_t>::max());
-    if (!failed() && (cbor_.hasNext() || !cbor_.leaveContainer() || cbor_.currentOffset() != mapBytes_))
-        fail("there is something behind its map");
+    if (!failed())
+        must(!cbor_.hasNext() && cbor_.leaveContainer() && cbor_.currentOffset() == mapBytes_,
+             "there is something behind its map");
     return wrong_;
 }
 

@@ -115,7 +115,7 @@ struct Chunk {
     Hash content{};
     std::uint32_t index = 0;
     std::uint32_t rawBytes = 0;  ///< of the content; at most kChunkBytes
-    Bytes packed;                ///< zstd; travels as payload
+    Bytes packed;                ///< see content.h; travels as payload
     bool operator==(const Chunk&) const = default;
 };
 inline constexpr std::uint32_t kChunkBytes = 4 << 20;

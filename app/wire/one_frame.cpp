@@ -2,18 +2,20 @@
 
 #include <zstd.h>
 
-#include <algorithm>
 #include <cassert>
+#include <memory>
 
 namespace pdr::wire {
 
 Bytes packedFrame(std::span<const std::byte> head, std::span<const std::byte> raw, int level) {
-    Bytes packed(head.size() + ZSTD_compressBound(raw.size()));
-    std::ranges::copy(head, packed.begin());
-    std::byte* frame = packed.data() + head.size();
-    const std::size_t bytes = ZSTD_compress(frame, packed.size() - head.size(), raw.data(), raw.size(), level);
+    const std::size_t most = ZSTD_compressBound(raw.size());
+    const auto frame = std::make_unique_for_overwrite<std::byte[]>(most);
+    const std::size_t bytes = ZSTD_compress(frame.get(), most, raw.data(), raw.size(), level);
     assert(!ZSTD_isError(bytes));
-    packed.resize(head.size() + bytes);
+    Bytes packed;
+    packed.reserve(head.size() + bytes);
+    packed.assign(head.begin(), head.end());
+    packed.insert(packed.end(), frame.get(), frame.get() + bytes);
     return packed;
 }
 

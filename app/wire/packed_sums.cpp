@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <memory>
 
 #include "app/wire/byte_planes.h"
 #include "app/wire/frame_header.h"
@@ -33,8 +34,14 @@ struct Layout {
     std::size_t bytes() const { return planes() + kPlanes * planeBytes(own); }
 };
 
-bool sameBytes(const PixelSums& a, const PixelSums& b) {
-    return std::memcmp(&a, &b, sizeof(PixelSums)) == 0;
+/// Whether any byte differs; without a branch, for light and dark take turns in noise.
+bool differ(const PixelSums& a, const PixelSums& b) {
+    using Words = std::array<std::uint64_t, sizeof(PixelSums) / 8>;
+    const auto ofA = std::bit_cast<Words>(a), ofB = std::bit_cast<Words>(b);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < ofA.size(); ++i)
+        bits |= ofA[i] ^ ofB[i];
+    return bits != 0;
 }
 
 PixelSums groundOf(std::span<const PixelSums> sums) {
@@ -44,14 +51,40 @@ PixelSums groundOf(std::span<const PixelSums> sums) {
     return dark == sums.end() ? PixelSums{} : *dark;
 }
 
-Bytes laidOut(std::span<const PixelSums> sums, const PixelSums& ground, const Indices& own) {
-    const Layout layout{sums.size(), own.size()};
-    Bytes bytes(layout.bytes());
-    std::memcpy(bytes.data(), &ground, sizeof ground);
+/// What zstd gets, or gives back.
+class Raw {
+  public:
+    explicit Raw(const Layout& layout)
+        : layout_(layout), bytes_(std::make_unique_for_overwrite<std::byte[]>(layout.bytes())) {}
+
+    std::span<std::byte> all() const { return {bytes_.get(), layout_.bytes()}; }
+    std::span<std::byte> places() const { return {bytes_.get() + layout_.places, bytes_.get() + layout_.planes()}; }
+    std::byte* planes() const { return bytes_.get() + layout_.planes(); }
+
+  private:
+    Layout layout_;
+    std::unique_ptr<std::byte[]> bytes_;
+};
+
+Indices thoseUnlike(const PixelSums& ground, std::span<const PixelSums> sums) {
+    Indices own(sums.size());
+    std::size_t count = 0;
+    for (std::size_t pixel = 0; pixel < sums.size(); ++pixel) {
+        own[count] = std::uint32_t(pixel);
+        count += differ(sums[pixel], ground);
+    }
+    own.resize(count);
+    return own;
+}
+
+Raw laidOut(std::span<const PixelSums> sums, const PixelSums& ground, const Indices& own) {
+    Raw raw({sums.size(), own.size()});
+    std::memcpy(raw.all().data(), &ground, sizeof ground);
+    std::ranges::fill(raw.places(), std::byte(0));
     for (const std::uint32_t pixel : own)
-        bytes[layout.places + pixel / 8] |= std::byte(1) << pixel % 8;
-    splitPlanes(sums, own, bytes.data() + layout.planes());
-    return bytes;
+        raw.places()[pixel / 8] |= std::byte(1) << pixel % 8;
+    splitPlanes(sums, own, raw.planes());
+    return raw;
 }
 
 /// The pixels whose bit is set, of those that there are.
@@ -74,13 +107,10 @@ Bytes packSums(std::span<const PixelSums> sums) {
     if (sums.empty())
         return {};
     const PixelSums ground = groundOf(sums);
-    Indices own;
-    for (std::size_t pixel = 0; pixel < sums.size(); ++pixel)
-        if (!sameBytes(sums[pixel], ground))
-            own.push_back(std::uint32_t(pixel));
-    const Bytes raw = laidOut(sums, ground, own);
+    const Indices own = thoseUnlike(ground, sums);
+    const Raw raw = laidOut(sums, ground, own);
     const Head head{std::uint32_t(sums.size()), std::uint32_t(own.size())};
-    return packedFrame(std::as_bytes(std::span(&head, 1)), raw, kLevel);
+    return packedFrame(std::as_bytes(std::span(&head, 1)), raw.all(), kLevel);
 }
 
 pdr::Result<std::vector<PixelSums>> unpackSums(std::span<const std::byte> packed, std::size_t pixels) {
@@ -96,16 +126,16 @@ pdr::Result<std::vector<PixelSums>> unpackSums(std::span<const std::byte> packed
     const Layout layout{pixels, head.own};
     if (!isFrameOf(frame, layout.bytes()))
         return noPack();
-    Bytes raw(layout.bytes());
-    if (!unpackFrame(frame, raw))
+    const Raw raw(layout);
+    if (!unpackFrame(frame, raw.all()))
         return noPack();
-    const Indices own = placesIn(std::span(raw).subspan(layout.places, layout.planes() - layout.places), pixels);
+    const Indices own = placesIn(raw.places(), pixels);
     if (own.size() != head.own)
         return noPack();
     PixelSums ground;
-    std::memcpy(&ground, raw.data(), sizeof ground);
+    std::memcpy(&ground, raw.all().data(), sizeof ground);
     std::vector<PixelSums> sums(pixels, ground);
-    joinPlanes(raw.data() + layout.planes(), own, sums);
+    joinPlanes(raw.planes(), own, sums);
     return sums;
 }
 

@@ -29,6 +29,11 @@ class CpuDevice final : public Device {
         return {};
     }
 
+    Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) override {
+        tracer_.trace(scene_->flat, tile, samples, sums, stop);
+        return {};
+    }
+
     std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
         return tracer_.guide(scene_->flat, finer, stop);
     }

@@ -2,6 +2,7 @@
 /// Something that can take samples: the CPU, a GPU, later another machine.
 
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "render/base/result.h"
@@ -35,6 +36,10 @@ class Device {
     /// device. Errors: no room for it.
     virtual Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                                       const Schedule& schedule) = 0;
+    /// Adds `samples` of every pixel of `tile` to `sums`, in order; both are parts of the uploaded scene's image. Who
+    /// begins with the sums of the block's samples before those gets the sums that film() would have. After a stop
+    /// request the sums are worthless. Errors: the device's, or that it takes samples for films of its own only.
+    virtual Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop);
     /// For pictures that must come soon: the uploaded scene without noise or shadows, `finer` pixels along each of a
     /// film's. Null: it has none, of this scene or of any, or a stop request came before its end.
     virtual std::shared_ptr<const denoise::Guide> guide(int /*finer*/, const std::stop_token& /*stop*/) {

@@ -7,6 +7,7 @@
 #include "render/device/baseline/kroes_accumulator.h"
 #include "render/device/device.h"
 #include "render/device/gpu/gpu_accumulator.h"
+#include "render/device/gpu/gpu_tile.h"
 
 namespace pdr {
 
@@ -16,7 +17,7 @@ class GpuDevice final : public Device {
     /// `arguments`: of the GPU's constructor.
     template <class... Arguments>
     explicit GpuDevice(DeviceInfo info, Arguments&&... arguments)
-        : info_(std::move(info)), gpu_(std::forward<Arguments>(arguments)...), scene_(gpu_) {}
+        : info_(std::move(info)), gpu_(std::forward<Arguments>(arguments)...), scene_(gpu_), tile_(gpu_, scene_) {}
 
     DeviceInfo info() const override {
         DeviceInfo now = info_;
@@ -26,11 +27,15 @@ class GpuDevice final : public Device {
     Result<void> upload(const Scene& scene) override { return scene_.upload(flattener_.flatten(scene)); }
     Result<void> unload() override {
         flattener_ = {};
+        tile_.close();
         return scene_.close();
     }
     using Device::film;
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                               const Schedule& schedule) override;
+    Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) override {
+        return tile_.trace(tile, samples, sums, stop);
+    }
 
     G& gpu() { return gpu_; }
 
@@ -39,6 +44,7 @@ class GpuDevice final : public Device {
     G gpu_;
     Flattener flattener_;
     GpuScene<G> scene_;
+    GpuTile<G> tile_;
 };
 
 template <Gpu G>

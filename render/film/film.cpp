@@ -37,7 +37,7 @@ bool sameBits(const PixelSums& a, const PixelSums& b) {
 }
 
 template <class T>
-bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+bool allSameBits(std::span<const T> a, std::span<const T> b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return sameBits(x, y); });
 }
 
@@ -66,7 +66,12 @@ void eachPixel(std::size_t pixels, const Each& each) {
 }  // namespace
 
 bool sameBits(const FilmContent& a, const FilmContent& b) {
-    return a.progress == b.progress && sameBits(a.moments, b.moments) && sameBits(a.block, b.block);
+    return a.progress == b.progress && allSameBits<Moments>(a.moments, b.moments) &&
+           allSameBits<PixelSums>(a.block, b.block);
+}
+
+bool sameBits(std::span<const PixelSums> a, std::span<const PixelSums> b) {
+    return allSameBits(a, b);
 }
 
 Film::Film(const Tile& area, std::uint64_t revision, std::uint64_t first)

@@ -40,6 +40,7 @@ struct FilmContent {
 /// Whether both know the same to the last bit, number by number: what lies between the numbers in memory is nobody's
 /// value. Health is left out.
 bool sameBits(const FilmContent& a, const FilmContent& b);
+bool sameBits(std::span<const PixelSums> a, std::span<const PixelSums> b);
 
 /// Sums of a tile that were made elsewhere.
 struct TileResult {

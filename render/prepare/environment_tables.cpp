@@ -3,6 +3,8 @@
 #include <cmath>
 #include <span>
 
+#include "render/base/angles.h"
+
 namespace pdr {
 
 namespace {
@@ -22,7 +24,7 @@ EnvironmentTables::EnvironmentTables(std::shared_ptr<const EnvironmentImage> pic
     std::vector<double> solidAngle(size.y);
     for (int row = 0; row < size.y; ++row) {
         // Between circles of latitude, so that the poles are as good a place as any.
-        solidAngle[row] = 2 * M_PI / size.x * (std::cos(M_PI * row / size.y) - std::cos(M_PI * (row + 1) / size.y));
+        solidAngle[row] = 2 * M_PI / size.x * (sineCosine(M_PI * row / size.y).cosine - sineCosine(M_PI * (row + 1) / size.y).cosine);
         double sum = 0;
         columnSums.push_back(0);
         for (int column = 0; column < size.x; ++column) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/base/angles.h"
 #include "render/kernel/bounds/mask_bound.h"
 #include "render/kernel/quadrature/ray_maximum.h"
 #include "render/scene/scene.h"
@@ -84,7 +85,7 @@ void flattenClearRange(FlatOptics& optics, const PreparedScene& prepared) {
 
 double relativeTolerance(double levels) {
     // The display value is f(ln L), and the tone map's f rises by at most 0.2305 per unit of ln L.
-    return -std::expm1(-levels / (255 * 0.2305));
+    return -expMinusOne(-levels / (255 * 0.2305));
 }
 
 Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize, const FlatMask& mask) {

@@ -1,14 +1,15 @@
 #pragma once
 /// The size of a perspective picture.
 
-#include <cmath>
 #include <glm/trigonometric.hpp>
+
+#include "render/base/angles.h"
 
 namespace pdr {
 
 /// How high it is at a depth of 1, for a vertical field of view in (0, 180) degrees.
 inline double heightPerDepth(double fovDegrees) {
-    return 2 * std::tan(glm::radians(fovDegrees) / 2);
+    return 2 * tangent(glm::radians(fovDegrees) / 2);
 }
 
 }  // namespace pdr

@@ -34,6 +34,7 @@ class WallsTest : public QObject {
         {"render/prepare/", "^render/(base|volume|kernel|scene|prepare)/"},
         {"render/device/", "^render/(base|kernel|film|prepare|device)/|^render/scene/(scene|schedule).h"},
         {"render/session/", "^render/(base|volume|kernel|film|scene|prepare|device|accuracy|timing|session)/"},
+        {"render/tiles/", "^render/(base|volume|film|device|timing|tiles)/|^render/scene/(scene|schedule).h"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
         {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy|timing)/|^dicom/series.h"},
         {"app/program/", "^app/program/"},
@@ -41,6 +42,7 @@ class WallsTest : public QObject {
         {"app/bench/", "^app/(bench|program|selftest)/|^render/"},
         {"app/remote/", "^app/(remote|wire)/|^render/base/"},
         {"app/wire/", "^app/wire/|^render/base/"},
+        {"app/nodes/", "^app/(nodes|remote|wire)/|^render/(base|film|scene|tiles|volume)/"},
         {"app/", "^(app|ui|dicom|render)/"},
     };
 
@@ -67,7 +69,7 @@ class WallsTest : public QObject {
                     room = &wall;
             return !room || !matches(room->include, include);
         }
-        if (matches("^(Q[A-Z]|Qt)", include) || include.startsWith("q"))
+        if (matches("^(Q[A-Z]|Qt|q[a-z]+\\.h$)", include))
             return matches("^(render|dicom|app/bench|app/selftest)/", file);
         if (matches("^(dcmtk|dcm)", include))
             return !matches("^dicom/.*\\.cpp$", file);

@@ -168,7 +168,7 @@ struct AccumulateKernel {
     TraceTarget from;
     int filmWidth;
     PixelSums* sums;   ///< of the tile, from.stride pixels to the next row
-    Moments* moments;  ///< likewise: full blocks go there
+    Moments* moments;  ///< likewise: full blocks go there; null: they stay
 
     PDR_HD void operator()(std::int64_t index) const {
         const Tile& tile = from.grid.tile;
@@ -181,7 +181,7 @@ struct AccumulateKernel {
             const std::uint64_t sample = from.grid.samples.first + i;
             if (!addSample(pixelSums, radiance, sample))
                 from.health->note(faultOf(radiance), sample, std::uint32_t(pixel.y * filmWidth + pixel.x));
-            if ((sample + 1) % kSamplesPerBlock == 0) {
+            if (moments != nullptr && (sample + 1) % kSamplesPerBlock == 0) {
                 moments[place] = merged(moments[place], pixelSums);
                 pixelSums = nextBlock(pixelSums);
             }

@@ -97,7 +97,8 @@ TraceLaunch<G> traceLaunchFor(const FlatScene& scene) {
     return scene.marched ? launchTrace<G, MarchSampler> : pathLaunch<G>(scene.features);
 }
 
-/// Takes the samples of `target` and adds them to `sums` and `moments`. In the compute stream.
+/// Takes the samples of `target` and adds them to `sums`, and full blocks to `moments`, unless that is null. In the
+/// compute stream.
 template <Gpu G>
 void traceAndAdd(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& lists, PixelSums* sums,
                  Moments* moments) {

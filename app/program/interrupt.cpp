@@ -1,4 +1,4 @@
-#include "app/cli/interrupt.h"
+#include "app/program/interrupt.h"
 
 #include <signal.h>
 #include <time.h>

@@ -1,0 +1,88 @@
+#include "app/bench/scale/measured_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace pdr::bench::scale {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A finite number from `least` on; throws what the reader below catches.
+double number(const Json& json, const char* name, double least) {
+    const double value = json.at(name).get<double>();
+    if (!std::isfinite(value) || value < least)
+        throw std::invalid_argument(std::string(name) + " is out of its range");
+    return value;
+}
+
+std::optional<double> ifThere(const Json& json, const char* name) {
+    return json.contains(name) ? std::optional(number(json, name, 0)) : std::nullopt;
+}
+
+MeasuredRun runFrom(const Json& json) {
+    constexpr double kLeastRate = 1e-9;
+    MeasuredRun run;
+    run.nodes = int(std::min(number(json, "nodes", 1), 1e6));
+    run.iterations = std::uint32_t(std::min(number(json, "iterations", 1), 4e9));
+    run.iterationsPerSecond = number(json, "iterationsPerSecond", kLeastRate);
+    run.messages = ifThere(json, "messages");
+    run.bytes = ifThere(json, "bytes");
+    return run;
+}
+
+MeasuredRuns runsFrom(const Json& json) {
+    if (json.at("format") != "pdrender-scale-runs" || json.at("formatVersion") != 1)
+        throw std::invalid_argument("the format is not pdrender-scale-runs, version 1");
+    MeasuredRuns runs;
+    runs.pixels = number(json, "width", 1) * number(json, "height", 1);
+    runs.machine = json.value("machine", "");
+    for (const Json& run : json.at("runs"))
+        runs.runs.push_back(runFrom(run));
+    if (std::ranges::find(runs.runs, 1, &MeasuredRun::nodes) == runs.runs.end())
+        throw std::invalid_argument("there is no run of one node");
+    return runs;
+}
+
+}  // namespace
+
+const MeasuredRun& MeasuredRuns::ofOne() const {
+    return *std::ranges::find(runs, 1, &MeasuredRun::nodes);
+}
+
+Result<MeasuredRuns> measuredRunsFrom(const std::string& text, const std::string& name) {
+    try {
+        return runsFrom(Json::parse(text));
+    } catch (const std::exception& wrong) {
+        return Error{std::string("this says nothing about runs of nodes (") + wrong.what() + ")", name,
+                     "resources/manual/nodes-scaling.md has the format."};
+    }
+}
+
+Result<MeasuredRuns> readMeasuredRuns(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return Error{"the file cannot be opened", path.string(), ""};
+    return measuredRunsFrom({std::istreambuf_iterator<char>(file), {}}, path.string());
+}
+
+std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) {
+    const auto rate = [&facts](const MeasuredRun& run) {
+        facts.work.iterations = run.iterations;
+        return run.iterations * scaled(facts, Distribution::sortFirst, run.nodes).framesPerSecond;
+    };
+    facts.work.pixels = runs.pixels;
+    constexpr int kSteps = 60;  // nearly proportional: a few would do
+    for (int step = 0; step < kSteps; ++step)
+        facts.node.sample *= rate(runs.ofOne()) / runs.ofOne().iterationsPerSecond;
+    std::vector<ComparedRun> all;
+    for (const MeasuredRun& run : runs.runs)
+        all.push_back({run, rate(run)});
+    return all;
+}
+
+}  // namespace pdr::bench::scale

@@ -1,0 +1,116 @@
+/// pdrender-node: takes samples for pictures of other machines. Exit codes: exit_codes.h.
+
+#include <malloc.h>
+
+#include <QCoreApplication>
+#include <QTimer>
+#include <cstdio>
+#include <random>
+
+#include "app/film_memory.h"
+#include "app/node/node_service.h"
+#include "app/nodes/node_link.h"
+#include "app/nodes/reference_bits.h"
+#include "app/program/interrupt.h"
+#include "app/program/program.h"
+#include "app/remote/certificates.h"
+#include "render/base/version.h"
+#include "render/device/device_list.h"
+#include "render/tiles/reference_tiles.h"
+
+namespace pdr::node {
+namespace {
+
+int ending(const Error& error, ExitCode code) {
+    std::fprintf(stderr, "pdrender-node: %s\n", error.text().c_str());
+    return int(code);
+}
+
+int makeBundle(const QString& folder) {
+    if (const Result<void> made = remote::makeCertificates(folder); !made)
+        return ending(made.error(), ExitCode::configuration);
+    const QByteArray where = folder.toUtf8();
+    std::printf(
+        "certificates: %s/coordinator stays on the machine that shows the picture, %s/node goes to all nodes.\n"
+        "Keep the keys secret: who has one can take part.\n",
+        where.constData(), where.constData());
+    return 0;
+}
+
+Result<wire::Hello> introduction(const NodeOptions& options, Device& device) {
+    const Result<std::vector<std::byte>> tiles = referenceTiles(device);
+    if (!tiles)
+        return tiles.error();
+    wire::Hello hello;
+    std::random_device random;
+    hello.program = "pdrender-node " PDR_VERSION;
+    hello.name = options.name.toStdString();
+    hello.boot = nodes::newNonce(random);
+    hello.bits = nodes::bitsOf(*tiles);
+    const DeviceInfo info = device.info();
+    hello.device = info.name;
+    hello.details = info.details;
+    hello.memoryBytes = app::freeBytes();
+    return hello;
+}
+
+int work(const NodeOptions& options, const app::Interrupt& interrupt) {
+    Result<std::unique_ptr<Device>> device = openDevice(options.device, options.threads);
+    if (!device)
+        return ending(device.error(), ExitCode::configuration);
+    const Result<wire::Hello> hello = introduction(options, **device);
+    if (!hello)
+        return ending(hello.error(), ExitCode::temporary);
+    NodeService service(options, *hello, *std::move(device));
+    QObject::connect(&service, &NodeService::said, [](const QString& line) {
+        std::fprintf(stderr, "pdrender-node: %s\n", line.toUtf8().constData());
+    });
+    int code = int(ExitCode::internal);
+    QObject::connect(&service, &NodeService::finished, [&code](ExitCode why) {
+        code = int(why);
+        // What was said last still has to go out.
+        QTimer::singleShot(100, QCoreApplication::instance(), &QCoreApplication::quit);
+    });
+    QTimer signal;
+    QObject::connect(&signal, &QTimer::timeout, &service, [&] {
+        if (interrupt.token().stop_requested())
+            service.drain();
+    });
+    signal.start(50);
+    if (const Result<void> started = service.start(); !started)
+        return ending(started.error(), ExitCode::configuration);
+    QCoreApplication::exec();
+    return code;
+}
+
+int run() {
+    const app::Interrupt interrupt;
+    const Result<NodeOptions> options =
+        nodeOptions(QCoreApplication::arguments().mid(1), [](const char* name) { return qEnvironmentVariable(name); });
+    if (!options) {
+        ending(options.error(), ExitCode::usage);
+        std::fputs("\"pdrender-node --help\" lists all options.\n", stderr);
+        return int(ExitCode::usage);
+    }
+    if (options->help) {
+        std::fputs(nodeHelp().c_str(), stdout);
+        return 0;
+    }
+    if (options->version) {
+        std::puts("PD-Render " PDR_VERSION);
+        return 0;
+    }
+    return options->makeCertificates.isEmpty() ? work(*options, interrupt) : makeBundle(options->makeCertificates);
+}
+
+}  // namespace
+}  // namespace pdr::node
+
+int main(int argc, char** argv) {
+    mallopt(M_PERTURB, 0x5a);  // memory that is given back is overwritten: it may have held a scan
+    const int code = pdr::app::runProgram("pdrender-node", [&] {
+        const QCoreApplication application(argc, argv);
+        return pdr::node::run();
+    });
+    return code == 1 ? int(pdr::node::ExitCode::internal) : code;
+}

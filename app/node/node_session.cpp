@@ -1,0 +1,155 @@
+#include "app/node/node_session.h"
+
+#include <utility>
+#include <variant>
+
+namespace pdr::node {
+
+NodeSession::NodeSession(remote::Channel* channel, const wire::Hello& hello, NodeContents& contents,
+                         LeaseRenderer& renderer, QObject* parent)
+    : QObject(parent), channel_(channel), contents_(contents), renderer_(renderer) {
+    channel_->setParent(this);
+    connect(channel_, &remote::Channel::received, this, [this](const wire::Message& message) { take(message); });
+    connect(channel_, &remote::Channel::closed, this, [this](const QString& reason) {
+        dropLeases();
+        emit over(reason);
+    });
+    channel_->send(hello);
+}
+
+NodeSession::~NodeSession() {
+    channel_->disconnect(this);
+}
+
+void NodeSession::take(const wire::Message& message) {
+    std::visit([this](const auto& one) { take(one); }, message);
+}
+
+void NodeSession::take(const wire::Welcome& welcome) {
+    contents_.setKey(welcome.key);
+    channel_->setAdmitted();
+    emit this->welcome();
+}
+
+void NodeSession::take(const wire::Refused& refused) {
+    refusal_ = refused;
+    dismissed_ = true;
+    channel_->close(QString::fromStdString(refused.reason));
+}
+
+void NodeSession::take(const wire::Ping& ping) {
+    channel_->send(wire::Pong{ping.number});
+}
+
+void NodeSession::take(const wire::SceneOrder& order) {
+    dropLeases();
+    revision_ = order.revision;
+    if (const Result<void> begun = contents_.order(order); !begun)
+        return refuseScene(begun.error().what);
+    askOrRender();
+}
+
+void NodeSession::askOrRender() {
+    if (const std::optional<wire::Need> need = contents_.need()) {
+        channel_->send(*need);
+        return;
+    }
+    Result<Scene> scene = contents_.scene();
+    if (!scene)
+        return refuseScene(scene.error().what);
+    renderer_.setScene(revision_, std::make_shared<const Scene>(*std::move(scene)));
+}
+
+void NodeSession::take(const wire::Chunk& chunk) {
+    const Result<bool> whole = contents_.add(chunk);
+    if (!whole)
+        channel_->close(QString::fromStdString(whole.error().what));
+    else if (*whole)
+        askOrRender();
+}
+
+void NodeSession::take(const wire::Lease& lease) {
+    if (draining_ || lease.revision != revision_) {
+        channel_->send(wire::Abandoned{lease.number, lease.nonce, ""});
+        return;
+    }
+    leases_[lease.number] = {lease.nonce, lease.revision};
+    renderer_.add({lease.number, lease.revision, lease.tile, lease.samples, lease.before});
+    emit worked();
+}
+
+void NodeSession::take(const wire::Forget&) {
+    dropLeases();
+    revision_ = 0;
+    contents_.forget();
+    renderer_.forget();
+}
+
+void NodeSession::take(const wire::Bye& bye) {
+    dismissed_ = true;
+    channel_->close(QString::fromStdString(bye.reason));
+}
+
+/// Nobody waits for them: their scene is no longer the newest, or there is no connection.
+void NodeSession::dropLeases() {
+    leases_.clear();
+    renderer_.drop();
+}
+
+void NodeSession::answer(const LeaseAnswer& answer) {
+    std::visit([this](const auto& one) { say(one); }, answer);
+}
+
+void NodeSession::say(const SceneTaken& taken) {
+    if (taken.scene != revision_)
+        return;
+    if (taken.error)
+        refuseScene(taken.error->text());
+    else
+        channel_->send(wire::SceneReady{taken.scene});
+}
+
+void NodeSession::refuseScene(const std::string& reason) {
+    channel_->send(wire::SceneRefused{revision_, reason});
+}
+
+void NodeSession::say(const LeaseResult& result) {
+    const auto lease = leases_.find(result.number);
+    if (lease == leases_.end())
+        return;
+    const Taken taken = lease->second;
+    leases_.erase(lease);
+    channel_->send(wire::Result{result.number, taken.nonce, taken.revision, result.tile, result.samples, result.sums,
+                                result.health, result.seconds});
+    lookWhetherDrained();
+}
+
+void NodeSession::say(const LeaseLost& lost) {
+    const auto lease = leases_.find(lost.lease);
+    if (lease == leases_.end())
+        return;
+    channel_->send(wire::Abandoned{lost.lease, lease->second.nonce, lost.error.text()});
+    leases_.erase(lease);
+    lookWhetherDrained();
+}
+
+void NodeSession::drain() {
+    draining_ = true;
+    channel_->send(wire::Draining{});
+    lookWhetherDrained();
+}
+
+void NodeSession::lookWhetherDrained() {
+    if (draining_ && leases_.empty())
+        emit drained();
+}
+
+void NodeSession::leave() {
+    for (const auto& [number, taken] : leases_)
+        channel_->send(wire::Abandoned{number, taken.nonce, ""});
+    channel_->send(wire::Bye{});
+    dropLeases();
+    channel_->close(tr("this node has said goodbye"));
+}
+
+}  // namespace pdr::node

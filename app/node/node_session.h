@@ -1,0 +1,83 @@
+#pragma once
+/// The node's end of one connection: introduces itself, takes scenes and leases, answers. Lives in the thread of its
+/// channel.
+
+#include <QObject>
+#include <map>
+#include <optional>
+
+#include "app/node/node_contents.h"
+#include "app/remote/channel.h"
+#include "render/tiles/lease_renderer.h"
+
+namespace pdr::node {
+
+class NodeSession : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Takes `channel` over; the rest must outlive it.
+    NodeSession(remote::Channel* channel, const wire::Hello& hello, NodeContents& contents, LeaseRenderer& renderer,
+                QObject* parent = nullptr);
+    ~NodeSession() override;
+
+    /// What the renderer has answered.
+    void answer(const LeaseAnswer& answer);
+    /// Takes nothing new; finished() when all that was taken is answered.
+    void drain();
+    /// Says goodbye, giving back what is not done.
+    void leave();
+    bool isWelcome() const { return channel_->isAdmitted(); }
+    /// The coordinator has said goodbye or turned this node away: nothing of it is to be kept.
+    bool wasDismissed() const { return dismissed_; }
+    const std::optional<wire::Refused>& refusal() const { return refusal_; }
+    /// Leases that have no answer yet.
+    bool isBusy() const { return !leases_.empty(); }
+
+  signals:
+    void welcome();
+    /// A lease has come.
+    void worked();
+    /// After drain(): nothing is left to do.
+    void drained();
+    /// The connection is over; the last signal.
+    void over(const QString& reason);
+
+  private:
+    struct Taken {
+        wire::Nonce nonce;
+        std::uint64_t revision;
+    };
+
+    void take(const wire::Message& message);
+    void take(const wire::Welcome& welcome);
+    void take(const wire::Refused& refused);
+    void take(const wire::Ping& ping);
+    void take(const wire::SceneOrder& order);
+    void take(const wire::Chunk& chunk);
+    void take(const wire::Lease& lease);
+    void take(const wire::Forget&);
+    void take(const wire::Bye& bye);
+    /// What a coordinator never sends: the codec has refused it.
+    template <class Other>
+    void take(const Other&) {}
+
+    void say(const SceneTaken& taken);
+    void say(const LeaseResult& result);
+    void say(const LeaseLost& lost);
+    void askOrRender();
+    void refuseScene(const std::string& reason);
+    void dropLeases();
+    void lookWhetherDrained();
+
+    remote::Channel* channel_;
+    NodeContents& contents_;
+    LeaseRenderer& renderer_;
+    std::uint64_t revision_ = 0;  ///< of the newest scene that was ordered
+    std::map<std::uint64_t, Taken> leases_;
+    std::optional<wire::Refused> refusal_;
+    bool dismissed_ = false;
+    bool draining_ = false;
+};
+
+}  // namespace pdr::node

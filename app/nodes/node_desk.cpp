@@ -1,0 +1,241 @@
+#include "app/nodes/node_desk.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace pdr::nodes {
+namespace {
+
+constexpr int kTickMs = 100, kTellMs = 100;
+
+ContentKey newKey() {
+    std::random_device random;
+    ContentKey key;
+    for (std::byte& byte : key)
+        byte = std::byte(random());
+    return key;
+}
+
+std::chrono::milliseconds now() {
+    using namespace std::chrono;
+    return duration_cast<milliseconds>(steady_clock::now().time_since_epoch());
+}
+
+}  // namespace
+
+NodeDesk::NodeDesk(std::shared_ptr<WorkerPool> pool, const wire::Hash& bits)
+    : coordinator_{std::move(pool), newKey(), bits} {
+    tick_.setParent(this);
+    telling_.setParent(this);
+    connect(&tick_, &QTimer::timeout, this, [this] { coordinator_.pool->tick(); });
+    connect(&telling_, &QTimer::timeout, this, &NodeDesk::tell);
+    coordinator_.pool->setNotice([this] {
+        if (!pumpIsDue_.exchange(true))
+            QMetaObject::invokeMethod(this, &NodeDesk::pump, Qt::QueuedConnection);
+    });
+}
+
+NodeDesk::~NodeDesk() {
+    coordinator_.pool->setNotice({});
+    for (const auto& node : nodes_)
+        delete node->link;
+}
+
+NodeDesk::Node* NodeDesk::find(NodeId id) {
+    const auto found = std::ranges::find_if(nodes_, [&](const auto& node) { return node->status.id == id; });
+    return found == nodes_.end() ? nullptr : found->get();
+}
+
+Result<NodeId> NodeDesk::add(const QString& text) {
+    const Result<remote::Address> address = remote::parseAddress(text);
+    if (!address)
+        return address.error();
+    Result<remote::Identity> identity = remote::identityFor(*address, bundle_, remote::Role::coordinator);
+    if (!identity)
+        return identity.error();
+    auto node = std::make_unique<Node>();
+    node->status.id = next_++;
+    node->status.address = address->text();
+    node->status.dialled = true;
+    node->address = *address;
+    node->identity = *std::move(identity);
+    nodes_.push_back(std::move(node));
+    dial(*nodes_.back());
+    telling_.start(kTellMs);
+    tick_.start(kTickMs);
+    return nodes_.back()->status.id;
+}
+
+void NodeDesk::dial(Node& node) {
+    node.status.state = NodeState::dialling;
+    node.dial = new remote::Dial(*node.address, node.identity, {}, this);
+    const NodeId id = node.status.id;
+    connect(node.dial, &remote::Dial::connected, this, [this, id](remote::Channel* channel) {
+        if (Node* found = find(id))
+            connected(*found, channel);
+    });
+    connect(node.dial, &remote::Dial::failed, this, [this, id](const Error& error) {
+        Node* found = find(id);
+        if (!found)
+            return;
+        std::exchange(found->dial, nullptr)->deleteLater();
+        if (error.kind == ErrorKind::refused) {
+            found->status.state = NodeState::refused;
+            found->status.reason = QString::fromStdString(error.what);
+        } else {
+            dialLater(*found, QString::fromStdString(error.what));
+        }
+    });
+}
+
+void NodeDesk::dialLater(Node& node, const QString& reason) {
+    node.status.reason = reason;
+    const double random = double(random_() >> 11) * 0x1p-53;
+    const auto wait = node.backoff.failed(now(), random);
+    if (!node.again) {
+        node.again = new QTimer(this);
+        node.again->setSingleShot(true);
+        const NodeId id = node.status.id;
+        connect(node.again, &QTimer::timeout, this, [this, id] {
+            if (Node* found = find(id))
+                dial(*found);
+        });
+    }
+    node.again->start(wait.value_or(std::chrono::seconds(10)));
+}
+
+void NodeDesk::connected(Node& node, remote::Channel* channel) {
+    const NodeId id = node.status.id;
+    node.link = new NodeLink(channel, coordinator_, this);
+    node.link->setPaused(node.paused);
+    if (node.dial)
+        std::exchange(node.dial, nullptr)->deleteLater();
+    connect(node.link, &NodeLink::joined, this, [this, id] {
+        if (Node* found = find(id)) {
+            found->backoff.succeeded();
+            found->status.reason.clear();
+            emit joined(statusOf(*found));
+        }
+    });
+    connect(node.link, &NodeLink::over, this, [this, id](const QString& reason) { ended(id, reason); });
+}
+
+void NodeDesk::accepted(remote::Channel* channel) {
+    auto node = std::make_unique<Node>();
+    node->status.id = next_++;
+    node->status.address = channel->peerName();
+    nodes_.push_back(std::move(node));
+    connected(*nodes_.back(), channel);
+    telling_.start(kTellMs);
+    tick_.start(kTickMs);
+}
+
+void NodeDesk::ended(NodeId id, const QString& reason) {
+    Node* node = find(id);
+    if (!node)
+        return;
+    NodeLink* link = std::exchange(node->link, nullptr);
+    const NodeStatus last = link->status();
+    const bool wasKnown = !last.name.isEmpty() && !link->isRefused();
+    node->status.name = last.name;
+    node->status.device = last.device;
+    node->status.reason = reason;
+    node->status.state = link->isRefused() ? NodeState::refused : NodeState::lost;
+    link->deleteLater();
+    if (wasKnown) {
+        ++node->status.losses;
+        emit lost(node->status);
+    }
+    if (!node->address || closing_)
+        remove(id);
+    else if (node->status.state == NodeState::lost)
+        dialLater(*node, reason);
+}
+
+NodeStatus NodeDesk::statusOf(const Node& node) const {
+    if (!node.link)
+        return node.status;
+    NodeStatus status = node.link->status();
+    status.id = node.status.id;
+    status.address = node.status.address;
+    status.dialled = node.status.dialled;
+    status.losses = node.status.losses;
+    return status;
+}
+
+void NodeDesk::remove(NodeId id) {
+    Node* node = find(id);
+    if (!node)
+        return;
+    if (node->link) {  // it ends later, by itself
+        node->address.reset();
+        node->link->leave(tr("it is not needed any more"));
+        return;
+    }
+    delete node->dial;
+    delete node->again;
+    std::erase_if(nodes_, [&](const auto& one) { return one.get() == node; });
+    tell();
+    if (closing_ && nodes_.empty())
+        emit empty();
+}
+
+void NodeDesk::setPaused(NodeId id, bool paused) {
+    if (Node* node = find(id)) {
+        node->paused = paused;
+        if (node->link)
+            node->link->setPaused(paused);
+    }
+}
+
+Result<remote::Address> NodeDesk::listen(const QString& text) {
+    const Result<remote::Address> address = remote::parseListening(text);
+    if (!address)
+        return address.error();
+    const Result<remote::Identity> identity = remote::identityFor(*address, bundle_, remote::Role::coordinator);
+    if (!identity)
+        return identity.error();
+    auto listener = std::make_unique<remote::Listener>(*identity);
+    if (const Result<void> listens = listener->listen(*address); !listens)
+        return listens.error();
+    connect(listener.get(), &remote::Listener::connected, this, &NodeDesk::accepted);
+    listener_ = std::move(listener);
+    return listener_->address();
+}
+
+void NodeDesk::stopListening() {
+    listener_.reset();
+}
+
+void NodeDesk::close() {
+    closing_ = true;
+    stopListening();
+    if (nodes_.empty())
+        emit empty();
+    std::vector<NodeId> all;
+    for (const auto& node : nodes_)
+        all.push_back(node->status.id);
+    for (const NodeId id : all)
+        remove(id);
+}
+
+void NodeDesk::pump() {
+    pumpIsDue_ = false;
+    for (const auto& node : nodes_)
+        if (node->link)
+            node->link->pump();
+}
+
+void NodeDesk::tell() {
+    std::vector<NodeStatus> all;
+    for (const auto& node : nodes_)
+        all.push_back(statusOf(*node));
+    if (all.empty()) {
+        telling_.stop();
+        tick_.stop();
+    }
+    emit changed(all);
+}
+
+}  // namespace pdr::nodes

@@ -1,0 +1,73 @@
+#pragma once
+/// The network thread of RenderNodes: connections that are dialled, those that come, and the time between.
+
+#include <QObject>
+#include <QTimer>
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "app/nodes/node_link.h"
+#include "app/remote/backoff.h"
+#include "app/remote/dial.h"
+#include "app/remote/listener.h"
+
+namespace pdr::nodes {
+
+class NodeDesk : public QObject {
+    Q_OBJECT
+
+  public:
+    NodeDesk(std::shared_ptr<WorkerPool> pool, const wire::Hash& bits);
+    ~NodeDesk() override;
+
+    void setBundle(const QString& folder) { bundle_ = folder; }
+    Result<NodeId> add(const QString& address);
+    void remove(NodeId node);
+    void setPaused(NodeId node, bool paused);
+    Result<remote::Address> listen(const QString& address);
+    void stopListening();
+    /// Says goodbye to all; emits empty() when the last one has gone.
+    void close();
+
+  signals:
+    void changed(const std::vector<pdr::nodes::NodeStatus>& nodes);
+    void joined(const pdr::nodes::NodeStatus& node);
+    void lost(const pdr::nodes::NodeStatus& node);
+    void empty();
+
+  private:
+    struct Node {
+        NodeStatus status;                       ///< what is known without a link
+        std::optional<remote::Address> address;  ///< to be dialled; none: it dialled
+        remote::Identity identity;
+        remote::Backoff backoff{{.giveUp = std::chrono::hours(24 * 365)}};  ///< a person decides when it is enough
+        bool paused = false;
+        NodeLink* link = nullptr;
+        remote::Dial* dial = nullptr;
+        QTimer* again = nullptr;
+    };
+
+    Node* find(NodeId id);
+    void dial(Node& node);
+    void dialLater(Node& node, const QString& reason);
+    void connected(Node& node, remote::Channel* channel);
+    void accepted(remote::Channel* channel);
+    void ended(NodeId id, const QString& reason);
+    NodeStatus statusOf(const Node& node) const;
+    void pump();
+    void tell();
+
+    Coordinator coordinator_;
+    QString bundle_;
+    std::unique_ptr<remote::Listener> listener_;
+    std::vector<std::unique_ptr<Node>> nodes_;
+    NodeId next_ = 1;
+    QTimer tick_;     ///< of the pool
+    QTimer telling_;  ///< of changed()
+    bool closing_ = false;
+    std::atomic<bool> pumpIsDue_ = false;
+    std::mt19937_64 random_{std::random_device()()};
+};
+
+}  // namespace pdr::nodes

@@ -1,0 +1,286 @@
+#include "app/nodes/node_link.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <utility>
+#include <variant>
+
+#include "app/wire/content.h"
+
+namespace pdr::nodes {
+namespace {
+
+constexpr std::uint32_t kHeartbeatMs = 1000;
+
+remote::Heartbeat::Moment now() {
+    using namespace std::chrono;
+    return duration_cast<remote::Heartbeat::Moment>(steady_clock::now().time_since_epoch());
+}
+
+std::string keyOf(const wire::Nonce& boot) {
+    static constexpr char kDigits[] = "0123456789abcdef";
+    std::string text;
+    for (const std::byte byte : boot) {
+        text += kDigits[std::to_integer<int>(byte) >> 4];
+        text += kDigits[std::to_integer<int>(byte) & 15];
+    }
+    return text;
+}
+
+/// The highest version that both speak.
+std::optional<std::uint16_t> commonVersion(const wire::Versions& theirs) {
+    const wire::Versions ours;
+    const std::uint16_t highest = std::min(ours.highest, theirs.highest);
+    return highest >= std::max(ours.lowest, theirs.lowest) ? std::optional(highest) : std::nullopt;
+}
+
+}  // namespace
+
+wire::Nonce newNonce(std::random_device& random) {
+    wire::Nonce nonce;
+    for (std::size_t i = 0; i < nonce.size(); i += 4) {
+        const std::uint32_t four = random();
+        std::memcpy(&nonce[i], &four, sizeof four);
+    }
+    return nonce;
+}
+
+NodeLink::NodeLink(remote::Channel* channel, Coordinator& coordinator, QObject* parent)
+    : QObject(parent), channel_(channel), coordinator_(coordinator), heart_(now()) {
+    channel_->setParent(this);
+    connect(channel_, &remote::Channel::received, this, [this](const wire::Message& message) { take(message); });
+    connect(channel_, &remote::Channel::roomForMore, this, &NodeLink::pump);
+    connect(channel_, &remote::Channel::closed, this, &NodeLink::end);
+    connect(&beatTimer_, &QTimer::timeout, this, &NodeLink::beat);
+    beatTimer_.start(kHeartbeatMs / 4);
+}
+
+NodeLink::~NodeLink() {
+    channel_->disconnect(this);
+    if (worker_)
+        coordinator_.pool->leave(*worker_);
+}
+
+void NodeLink::take(const wire::Message& message) {
+    heart_.heard(now());
+    std::visit([this](const auto& one) { take(one); }, message);
+}
+
+void NodeLink::take(const wire::Hello& hello) {
+    if (worker_)
+        return;
+    name_ = QString::fromStdString(hello.name);
+    device_ = QString::fromStdString(hello.device + (hello.details.empty() ? "" : ", " + hello.details));
+    const std::optional<std::uint16_t> version = commonVersion(hello.versions);
+    if (!version)
+        return refuse(wire::Refused::Why::version,
+                      tr("it speaks another version of the protocol: %1").arg(QString::fromStdString(hello.program)));
+    if (hello.bits != coordinator_.bits)
+        return refuse(wire::Refused::Why::bits,
+                      tr("its pictures differ from this machine's in their last bits: it is of another build"));
+    worker_ = coordinator_.pool->join(keyOf(hello.boot), hello.name);
+    coordinator_.pool->setPaused(*worker_, paused_);
+    channel_->send(wire::Welcome{*version, kHeartbeatMs, coordinator_.key});
+    channel_->setAdmitted();
+    emit joined();
+    pump();
+}
+
+void NodeLink::refuse(wire::Refused::Why why, const QString& reason) {
+    refusal_ = reason;
+    channel_->send(wire::Refused{why, reason.toStdString()});
+    channel_->close(reason);
+}
+
+void NodeLink::pump() {
+    if (!worker_ || !channel_->isOpen())
+        return;
+    const PublishedScene scene = coordinator_.pool->scene();
+    if (scene.number != sent_)
+        sendScene(scene);
+    sendLeases();
+    sendChunks();
+}
+
+void NodeLink::sendScene(const PublishedScene& scene) {
+    sent_ = scene.number;
+    transfer_.reset();
+    nonces_.clear();
+    sceneTrouble_.clear();
+    if (!scene.scene) {
+        scene_.reset();
+        coordinator_.scenes.forget();
+        channel_->send(wire::Forget{});
+        return;
+    }
+    scene_ = coordinator_.scenes.ready(scene);
+    if (scene_)
+        channel_->send(scene_->order);
+    else
+        cannotHave(coordinator_.scenes.reason());
+}
+
+void NodeLink::cannotHave(const std::string& reason) {
+    sceneTrouble_ = QString::fromStdString(reason);
+    coordinator_.pool->cannotTakeScene(*worker_, reason);
+}
+
+const Content* NodeLink::find(const wire::Hash& hash) const {
+    if (scene_)
+        for (const Content& content : scene_->contents)
+            if (content.hash == hash)
+                return &content;
+    return nullptr;
+}
+
+void NodeLink::take(const wire::Need& need) {
+    transfer_ = Transfer{need.content, need.from};
+    sendChunks();
+}
+
+void NodeLink::sendChunks() {
+    while (transfer_ && channel_->hasRoom()) {
+        const Content* content = find(transfer_->hash);
+        if (!content || transfer_->next >= wire::chunksOf(content->bytes.size())) {
+            transfer_.reset();
+            return;
+        }
+        if (!channel_->send(wire::packChunk(content->hash, content->bytes, transfer_->next)))
+            return;
+        ++transfer_->next;
+    }
+}
+
+void NodeLink::take(const wire::SceneReady& ready) {
+    if (ready.revision != sent_ || !scene_)
+        return;
+    transfer_.reset();
+    coordinator_.pool->hasScene(*worker_, sent_);
+    pump();
+}
+
+void NodeLink::take(const wire::SceneRefused& refused) {
+    if (refused.revision != sent_)
+        return;
+    cannotHave(refused.reason);
+}
+
+void NodeLink::sendLeases() {
+    while (channel_->isOpen() && channel_->hasRoom()) {
+        std::optional<pdr::Lease> lease = coordinator_.pool->take(*worker_);
+        if (!lease)
+            return;
+        const wire::Nonce nonce = nonces_[lease->number] = newNonce(random_);
+        channel_->send(
+            wire::Lease{lease->number, nonce, lease->scene, lease->tile, lease->samples, std::move(lease->before)});
+    }
+}
+
+void NodeLink::take(const wire::Result& result) {
+    const auto nonce = nonces_.find(result.number);
+    if (result.revision != sent_ || nonce == nonces_.end())
+        return;  // of a scene that nobody wants any more, or twice
+    if (nonce->second != result.nonce) {
+        coordinator_.pool->quarantine(*worker_, "it answered a lease that it was not given");
+        return;
+    }
+    nonces_.erase(nonce);
+    coordinator_.pool->deliver(
+        *worker_, {result.number, result.tile, result.samples, result.sums, result.health, result.seconds});
+    sendLeases();
+}
+
+void NodeLink::take(const wire::Abandoned& abandoned) {
+    const auto nonce = nonces_.find(abandoned.number);
+    if (nonce == nonces_.end() || nonce->second != abandoned.nonce)
+        return;
+    nonces_.erase(nonce);
+    if (!abandoned.reason.empty())  // its device fails: it gets nothing more of this scene
+        cannotHave(abandoned.reason);
+    coordinator_.pool->abandon(*worker_, abandoned.number);
+}
+
+void NodeLink::take(const wire::Draining&) {
+    coordinator_.pool->setDraining(*worker_);
+}
+
+void NodeLink::take(const wire::Bye& bye) {
+    channel_->close(bye.reason.empty() ? tr("it said goodbye") : QString::fromStdString(bye.reason));
+}
+
+void NodeLink::take(const wire::Pong& pong) {
+    heart_.answered(pong, now());
+}
+
+void NodeLink::beat() {
+    if (!worker_)
+        return;
+    const remote::Heartbeat::Peer peer = heart_.at(now());
+    if (const std::optional<wire::Ping> ping = heart_.due(now()))
+        channel_->send(*ping);
+    coordinator_.pool->setSuspect(*worker_, peer != remote::Heartbeat::Peer::fine);
+    if (peer == remote::Heartbeat::Peer::dead)
+        channel_->close(tr("it has not been heard of for 10 seconds"));
+}
+
+void NodeLink::setPaused(bool paused) {
+    paused_ = paused;
+    if (worker_)
+        coordinator_.pool->setPaused(*worker_, paused);
+}
+
+void NodeLink::leave(const QString& reason) {
+    channel_->send(wire::Bye{reason.toStdString()});
+    channel_->close(reason);
+}
+
+void NodeLink::end(const QString& reason) {
+    beatTimer_.stop();
+    if (worker_)
+        coordinator_.pool->leave(*std::exchange(worker_, std::nullopt));
+    emit over(isRefused() ? refusal_ : reason);
+}
+
+NodeState NodeLink::stateOf(WorkerState worker) const {
+    switch (worker) {
+        case WorkerState::waiting:
+            return scene_ && sceneTrouble_.isEmpty() ? NodeState::sending : NodeState::ready;
+        case WorkerState::ready:
+            return NodeState::ready;
+        case WorkerState::suspect:
+            return NodeState::suspect;
+        case WorkerState::paused:
+            return NodeState::paused;
+        case WorkerState::draining:
+            return NodeState::draining;
+        case WorkerState::quarantined:
+            return NodeState::quarantined;
+    }
+    return NodeState::lost;
+}
+
+NodeStatus NodeLink::status() const {
+    NodeStatus status;
+    status.name = name_;
+    status.device = device_;
+    status.state = isRefused() ? NodeState::refused : NodeState::greeting;
+    status.reason = isRefused() ? refusal_ : sceneTrouble_;
+    if (transfer_)
+        if (const Content* content = find(transfer_->hash))
+            status.sent = double(transfer_->next) / wire::chunksOf(content->bytes.size());
+    if (const auto latency = heart_.latency())
+        status.latencyMs = std::chrono::duration<double, std::milli>(*latency).count();
+    status.bytesOut = channel_->bytesSent();
+    status.bytesIn = channel_->bytesReceived();
+    const std::optional<WorkerStatus> worker = worker_ ? coordinator_.pool->worker(*worker_) : std::nullopt;
+    if (!worker)
+        return status;
+    status.work = *worker;
+    status.state = stateOf(worker->state);
+    if (status.state == NodeState::quarantined)
+        status.reason = QString::fromStdString(worker->reason);
+    return status;
+}
+
+}  // namespace pdr::nodes

@@ -1,0 +1,35 @@
+#pragma once
+/// Scenes made ready for nodes: each once for all of them, and contents that were sent before under the same hash.
+
+#include <map>
+#include <memory>
+
+#include "app/nodes/scene_order.h"
+#include "render/tiles/worker_pool.h"
+
+namespace pdr::nodes {
+
+class OutgoingScenes {
+  public:
+    explicit OutgoingScenes(const ContentKey& key) : key_(key) {}
+
+    /// Null: it cannot be sent; `reason` says why.
+    std::shared_ptr<const OutgoingScene> ready(const PublishedScene& scene);
+    const std::string& reason() const { return reason_; }
+    void forget() { last_.reset(); }
+
+  private:
+    wire::Hash hashOf(const std::shared_ptr<const void>& owner, std::span<const std::byte> bytes);
+
+    struct Known {
+        std::weak_ptr<const void> owner;
+        wire::Hash hash;
+    };
+    ContentKey key_;
+    std::map<const void*, Known> known_;  ///< by the content's place in memory
+    std::shared_ptr<const OutgoingScene> last_;
+    std::uint64_t lastNumber_ = 0;
+    std::string reason_;
+};
+
+}  // namespace pdr::nodes

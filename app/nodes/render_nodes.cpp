@@ -1,0 +1,83 @@
+#include "app/nodes/render_nodes.h"
+
+#include <QCryptographicHash>
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "app/nodes/node_desk.h"
+#include "app/nodes/reference_bits.h"
+
+namespace pdr::nodes {
+namespace {
+
+constexpr unsigned long kFarewellMs = 1000;
+
+/// `ask` in the thread of `desk`, and what it returns.
+template <class Ask>
+auto in(NodeDesk* desk, Ask&& ask) {
+    using Answer = decltype(ask());
+    std::optional<Answer> answer;
+    QMetaObject::invokeMethod(
+        desk, [&] { answer.emplace(ask()); }, Qt::BlockingQueuedConnection);
+    return *std::move(answer);
+}
+
+}  // namespace
+
+RenderNodes::RenderNodes(std::shared_ptr<WorkerPool> pool, const std::vector<std::byte>& bits, QObject* parent)
+    : QObject(parent), pool_(std::move(pool)), desk_(new NodeDesk(pool_, bitsOf(bits))) {
+    qRegisterMetaType<NodeStatus>();
+    qRegisterMetaType<std::vector<NodeStatus>>();
+    desk_->moveToThread(&thread_);
+    connect(desk_, &NodeDesk::changed, this, [this](const std::vector<NodeStatus>& nodes) {
+        nodes_ = nodes;
+        emit changed();
+    });
+    connect(desk_, &NodeDesk::joined, this, &RenderNodes::joined);
+    connect(desk_, &NodeDesk::lost, this, &RenderNodes::lost);
+    connect(&thread_, &QThread::finished, desk_, &QObject::deleteLater);
+    connect(desk_, &NodeDesk::empty, &thread_, &QThread::quit, Qt::DirectConnection);
+    thread_.setObjectName("nodes");
+    thread_.start();
+}
+
+RenderNodes::~RenderNodes() {
+    QMetaObject::invokeMethod(desk_, &NodeDesk::close, Qt::QueuedConnection);
+    if (!thread_.wait(kFarewellMs)) {
+        thread_.quit();
+        thread_.wait();
+    }
+}
+
+void RenderNodes::setBundle(const QString& folder) {
+    QMetaObject::invokeMethod(desk_, [desk = desk_, folder] { desk->setBundle(folder); });
+}
+
+Result<NodeId> RenderNodes::add(const QString& address) {
+    return in(desk_, [&] { return desk_->add(address); });
+}
+
+void RenderNodes::remove(NodeId node) {
+    QMetaObject::invokeMethod(desk_, [desk = desk_, node] { desk->remove(node); });
+}
+
+void RenderNodes::setPaused(NodeId node, bool paused) {
+    QMetaObject::invokeMethod(desk_, [desk = desk_, node, paused] { desk->setPaused(node, paused); });
+}
+
+Result<remote::Address> RenderNodes::listen(const QString& address) {
+    return in(desk_, [&] { return desk_->listen(address); });
+}
+
+void RenderNodes::stopListening() {
+    QMetaObject::invokeMethod(desk_, [desk = desk_] { desk->stopListening(); });
+}
+
+int RenderNodes::working() const {
+    return int(std::ranges::count_if(nodes_, [](const NodeStatus& node) {
+        return node.state == NodeState::sending || node.state == NodeState::ready || node.state == NodeState::suspect;
+    }));
+}
+
+}  // namespace pdr::nodes

@@ -1,0 +1,39 @@
+#pragma once
+/// A film that lies on the host; nothing goes on behind. How it gets its samples is left to those who derive from it.
+
+#include <deque>
+#include <memory>
+
+#include "render/device/accumulator.h"
+#include "render/film/film.h"
+#include "render/film/tone_map.h"
+
+namespace pdr {
+
+class HostAccumulator : public Accumulator {
+  public:
+    HostAccumulator(const Tile& area, std::uint64_t revision) : film_(area, revision) {}
+
+    using Accumulator::resolve;
+
+    Tile area() const override { return film_.area(); }
+    Result<void> resolve(const Display& display, std::stop_token stop) override;
+    Result<Picture> readback() override;
+    int maxInFlight() const override { return 1; }
+    Result<std::shared_ptr<const Film>> film() override { return std::make_shared<const Film>(film_); }
+    Result<void> look(const std::function<void(const Film&)>& use) override {
+        use(film_);
+        return {};
+    }
+    Result<void> resume(const Film& film) override;
+    Result<void> restart(const Tile& area, std::uint64_t revision) override;
+
+  protected:
+    Film film_;
+
+  private:
+    Development development_;
+    std::deque<Picture> shown_;
+};
+
+}  // namespace pdr

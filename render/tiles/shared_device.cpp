@@ -1,0 +1,135 @@
+#include "render/tiles/shared_device.h"
+
+#include <utility>
+
+#include "render/scene/scene.h"
+#include "render/tiles/trace_lease.h"
+
+namespace pdr {
+namespace {
+
+class SharedDevice final : public Device {
+  public:
+    SharedDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool)
+        : own_(std::move(own)), pool_(std::move(pool)) {}
+    /// What another one has published since stays: a film moves from device to device while both are there.
+    ~SharedDevice() override {
+        if (pool_->scene().number == scene_)
+            pool_->forgetScene();
+    }
+
+    using Device::film;
+
+    DeviceInfo info() const override { return own_->info(); }
+
+    Result<void> upload(const Scene& scene) override {
+        if (Result<void> uploaded = own_->upload(scene); !uploaded)
+            return uploaded;
+        isShared_ = scene.filtering == Filtering::exact;  // texture units differ from each other
+        scene_ = pool_->publish(isShared_ ? std::make_shared<const Scene>(scene) : nullptr);
+        return {};
+    }
+    Result<void> unload() override {
+        pool_->forgetScene();
+        return own_->unload();
+    }
+    Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
+                                              const Schedule& schedule) override {
+        if (!isShared_ || schedule.kind == Schedule::Kind::kroes)  // whose iterations are filtered, each as a whole
+            return own_->film(area, revision, schedule);
+        return std::unique_ptr<Accumulator>(std::make_unique<SharedAccumulator>(*own_, *pool_, scene_, area, revision));
+    }
+    Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) override {
+        return own_->trace(tile, samples, sums, stop);
+    }
+    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
+        return own_->guide(finer, stop);
+    }
+
+  private:
+    std::unique_ptr<Device> own_;
+    std::shared_ptr<WorkerPool> pool_;
+    std::uint64_t scene_ = 0;
+    bool isShared_ = false;
+};
+
+/// What is to be done again of a film that nobody can believe any more.
+std::vector<TileGoal> allOf(const TileProgress& progress) {
+    std::vector<TileGoal> goals;
+    for (const EvenTile& even : progress.evenTiles(progress.area()))
+        goals.push_back({even.tile, progress.first(), even.next});
+    return goals;
+}
+
+}  // namespace
+
+std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool) {
+    return std::make_unique<SharedDevice>(std::move(own), std::move(pool));
+}
+
+OrderSize SharedAccumulator::orderSize() const {
+    const std::size_t workers = pool_.workers().size();
+    if (workers == 0)
+        return {};
+    return {1, std::uint32_t(kSamplesPerBlock * (workers + 1))};
+}
+
+Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) {
+    std::vector<TileGoal> goals;
+    for (const EvenTile& even : film_.progress().evenTiles(film_.progress().cellsAround(region)))
+        goals.push_back({even.tile, even.next, even.next + n});
+    for (;;) {
+        Result<void> done = pool_.hasWorkers() ? together(goals, stop) : alone(goals, stop);
+        if (!done || stop.stop_requested())
+            return done;
+        if (!pool_.areLiarsAmong(believed_))
+            return {};
+        goals = allOf(film_.progress());
+        believed_.clear();
+        film_.restart(film_.area(), film_.revision());
+    }
+}
+
+Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
+    for (const TileGoal& goal : goals)
+        for (std::uint64_t next = goal.next; next < goal.goal;) {
+            const SampleRange samples =
+                samplesInBlock(next, std::uint32_t(std::min<std::uint64_t>(goal.goal - next, kSamplesPerBlock)));
+            if (Result<void> traced = own_.trace(goal.tile, samples, film_.sums(goal.tile), stop); !traced)
+                return traced;
+            if (stop.stop_requested())
+                return {};
+            film_.commit(goal.tile, samples);
+            next = samples.end();
+        }
+    return {};
+}
+
+Result<void> SharedAccumulator::together(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
+    pool_.begin(film_, scene_, goals);
+    Result<void> done = takePart(stop);
+    believed_.merge(pool_.end());
+    return done;
+}
+
+Result<void> SharedAccumulator::takePart(const std::stop_token& stop) {
+    while (const std::optional<WorkerPool::OwnWork> work = pool_.nextOwn(stop)) {
+        Result<LeaseResult> result = traceLease(own_, work->lease, stop);
+        if (!result)
+            return result.error();
+        if (stop.stop_requested())
+            return {};
+        const Result<void> taken =
+            work->audit ? pool_.audited(*work->audit, *std::move(result)) : pool_.deliverOwn(*std::move(result));
+        if (!taken)
+            return taken;
+    }
+    return {};
+}
+
+Result<void> SharedAccumulator::restart(const Tile& area, std::uint64_t revision) {
+    believed_.clear();
+    return HostAccumulator::restart(area, revision);
+}
+
+}  // namespace pdr

@@ -1,0 +1,42 @@
+#pragma once
+/// A device whose films are filled by its own device and by the workers of a pool together. Whoever takes the samples,
+/// the film is the same to the last bit.
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "render/device/device.h"
+#include "render/device/host_accumulator.h"
+#include "render/tiles/worker_pool.h"
+
+namespace pdr {
+
+/// `pool` is asked for help with all that `own` renders; it may be used by one such device at a time.
+std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool);
+
+class SharedAccumulator final : public HostAccumulator {
+  public:
+    /// `own` and `scene`, the number that the uploaded scene was published under, must outlive it.
+    SharedAccumulator(Device& own, WorkerPool& pool, const std::uint64_t& scene, const Tile& area,
+                      std::uint64_t revision)
+        : HostAccumulator(area, revision), own_(own), pool_(pool), scene_(scene) {}
+
+    using Accumulator::accumulate;
+    OrderSize orderSize() const override;
+    Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
+    Result<void> restart(const Tile& area, std::uint64_t revision) override;
+
+  private:
+    Result<void> alone(const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    Result<void> together(const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    Result<void> takePart(const std::stop_token& stop);
+
+    Device& own_;
+    WorkerPool& pool_;
+    const std::uint64_t& scene_;
+    std::set<std::string> believed_;  ///< keys of those who have added results that nobody did again
+};
+
+}  // namespace pdr

@@ -1,0 +1,71 @@
+#include "render/tiles/shared_order.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pdr {
+
+Lease SharedOrder::leaseOf(const Portion& portion) const {
+    Lease lease{portion.number, scene_, portion.tile, portion.samples, {}};
+    const Tile& tile = portion.tile;
+    if (portion.samples.first % kSamplesPerBlock == 0)
+        return lease;
+    const TileSums here = film_.sums(tile);
+    lease.before.reserve(std::size_t(tile.width) * std::size_t(tile.height));
+    for (int y = 0; y < tile.height; ++y) {
+        const PixelSums* row = here.pixels + std::ptrdiff_t(y) * here.stride;
+        lease.before.insert(lease.before.end(), row, row + tile.width);
+    }
+    return lease;
+}
+
+Result<void> SharedOrder::take(const LeaseResult& result) {
+    if (!isNext(result)) {
+        early_.push_back(result);
+        scheduler_.finish(result.number);
+        return {};
+    }
+    if (Result<void> merged = merge(result); !merged)
+        return merged;
+    scheduler_.finish(result.number);
+    for (auto next = early_.begin(); next != early_.end();) {
+        if (!isNext(*next)) {
+            ++next;
+            continue;
+        }
+        const LeaseResult one = std::move(*next);
+        early_.erase(next);
+        if (Result<void> merged = merge(one); !merged)
+            return merged;
+        next = early_.begin();
+    }
+    return {};
+}
+
+bool SharedOrder::isNext(const LeaseResult& result) const {
+    const std::vector<EvenTile> here = film_.progress().evenTiles(result.tile);
+    return here.size() == 1 && here[0].next == result.samples.first;
+}
+
+Result<void> SharedOrder::merge(const LeaseResult& result) {
+    // A film that began within a block knows nothing of what comes before.
+    const SampleRange block = fromBlockStart(result.samples);
+    const std::uint64_t first = std::max(block.first, film_.progress().first());
+    const SampleRange samples{first, std::uint32_t(block.end() - first)};
+    return film_.merge({film_.revision(), result.tile, samples, result.sums, result.health});
+}
+
+void SharedOrder::keepForAudit(WorkerId worker, const Portion& portion, LeaseResult result) {
+    scheduler_.arrived(portion.number);
+    audits_.push_back({worker, std::move(result), leaseOf(portion)});
+}
+
+std::optional<Audit> SharedOrder::nextAudit() {
+    if (audits_.empty())
+        return std::nullopt;
+    Audit oldest = std::move(audits_.front());
+    audits_.pop_front();
+    return oldest;
+}
+
+}  // namespace pdr

@@ -1,0 +1,206 @@
+#include "render/tiles/tile_scheduler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pdr {
+namespace {
+
+/// One tile where both lie side by side; false: they do not.
+bool join(Tile& a, const Tile& b) {
+    if (a.x == b.x && a.width == b.width && (a.y + a.height == b.y || b.y + b.height == a.y)) {
+        a = {a.x, std::min(a.y, b.y), a.width, a.height + b.height};
+        return true;
+    }
+    if (a.y == b.y && a.height == b.height && (a.x + a.width == b.x || b.x + b.width == a.x)) {
+        a = {std::min(a.x, b.x), a.y, a.width + b.width, a.height};
+        return true;
+    }
+    return false;
+}
+
+/// The first `length` of a side, in whole cells, at least one.
+int cellsOf(double length, int side) {
+    const double cells = std::max(1.0, std::floor(length / kFilmCell));
+    return cells * kFilmCell >= side ? side : int(cells) * kFilmCell;
+}
+
+}  // namespace
+
+TileScheduler::TileScheduler(std::vector<TileGoal> goals, Split split, std::uint64_t firstNumber)
+    : split_(split), number_(firstNumber) {
+    for (const TileGoal& goal : goals)
+        if (goal.next < goal.goal)
+            open_.push_back(goal);
+}
+
+std::optional<Portion> TileScheduler::take(WorkerId worker, const Ability& ability, double now) {
+    if (std::optional<Portion> portion = cut(worker, ability, now))
+        return portion;
+    return hedge(worker, ability, now);
+}
+
+std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& ability, double now) {
+    if (open_.empty())
+        return std::nullopt;
+    const TileGoal from = open_.front();
+    const SampleRange samples =
+        samplesInBlock(from.next, std::uint32_t(std::min<std::uint64_t>(from.goal - from.next, kSamplesPerBlock)));
+    open_.pop_front();
+    const Tile tile = split_ == Split::tiles ? part(from.tile, ability.work / samples.count) : from.tile;
+    const Tile& all = from.tile;
+    const int right = all.x + all.width - (tile.x + tile.width), below = all.y + all.height - (tile.y + tile.height);
+    if (below > 0)
+        open_.push_front({{all.x, tile.y + tile.height, all.width, below}, from.next, from.goal});
+    if (right > 0)
+        open_.push_front({{tile.x + tile.width, tile.y, right, tile.height}, from.next, from.goal});
+    const Portion portion{number_++, tile, samples};
+    // Blocks need nothing of each other: the next one need not wait for this.
+    const bool follows = split_ == Split::samples && samples.end() < from.goal;
+    if (follows)
+        free({tile, samples.end(), from.goal}, false);
+    held_.push_back({portion, from.goal, {copyFor(worker, portion, ability, now)}, follows});
+    return portion;
+}
+
+/// Rows of cells from the top, or where that is too much, a part of one.
+Tile TileScheduler::part(const Tile& tile, double pixels) {
+    const double rows = pixels / tile.width;
+    if (rows >= kFilmCell)
+        return {tile.x, tile.y, tile.width, cellsOf(rows, tile.height)};
+    const int height = std::min(tile.height, kFilmCell);
+    return {tile.x, tile.y, cellsOf(pixels / height, tile.width), height};
+}
+
+std::optional<Portion> TileScheduler::hedge(WorkerId worker, const Ability& ability, double now) {
+    Held* latest = nullptr;
+    for (Held& held : held_) {
+        const bool his = std::ranges::any_of(held.copies, [&](const Copy& copy) { return copy.worker == worker; });
+        if (!his && isLate(held, now) && (!latest || held.copies[0].since < latest->copies[0].since))
+            latest = &held;
+    }
+    if (!latest)
+        return std::nullopt;
+    latest->copies.push_back(copyFor(worker, latest->portion, ability, now));
+    return latest->portion;
+}
+
+bool TileScheduler::isLate(const Held& held, double now) const {
+    return !held.arrived && std::ranges::all_of(held.copies, [&](const Copy& copy) {
+        return suspects_.contains(copy.worker) || now - copy.since > 2 * copy.expectedSeconds + kHedgeSeconds;
+    });
+}
+
+double TileScheduler::workHeldBy(WorkerId worker) const {
+    double work = 0;
+    for (const Held& held : held_)
+        for (const Copy& copy : held.copies)
+            if (copy.worker == worker && !held.arrived)
+                work += workOf(held.portion.tile, held.portion.samples);
+    return work;
+}
+
+TileScheduler::Copy TileScheduler::copyFor(WorkerId worker, const Portion& portion, const Ability& ability,
+                                           double now) const {
+    const double work = workHeldBy(worker) + workOf(portion.tile, portion.samples);
+    return {worker, now, work / ability.perSecond};
+}
+
+std::optional<Portion> TileScheduler::heldBy(WorkerId worker, std::uint64_t number) const {
+    for (const Held& held : held_)
+        if (held.portion.number == number && !held.arrived)
+            for (const Copy& copy : held.copies)
+                if (copy.worker == worker)
+                    return held.portion;
+    return std::nullopt;
+}
+
+std::vector<TileScheduler::Held>::iterator TileScheduler::find(std::uint64_t number) {
+    return std::ranges::find_if(held_, [&](const Held& held) { return held.portion.number == number; });
+}
+
+void TileScheduler::arrived(std::uint64_t number) {
+    if (const auto held = find(number); held != held_.end())
+        held->arrived = true;
+}
+
+void TileScheduler::finish(std::uint64_t number) {
+    const auto held = find(number);
+    if (held == held_.end())
+        return;
+    const TileGoal rest{held->portion.tile, held->portion.samples.end(), held->goal};
+    const bool follows = !held->followed && rest.next < rest.goal;
+    held_.erase(held);
+    if (follows)
+        free(rest, false);
+}
+
+void TileScheduler::free(const TileGoal& goal, bool first) {
+    for (TileGoal& open : open_)
+        if (open.next == goal.next && open.goal == goal.goal && join(open.tile, goal.tile))
+            return;
+    if (first)
+        open_.push_front(goal);
+    else
+        open_.push_back(goal);
+}
+
+void TileScheduler::drop(Held& held, WorkerId worker) {
+    if (!held.arrived)
+        std::erase_if(held.copies, [&](const Copy& copy) { return copy.worker == worker; });
+}
+
+/// What nobody has any more. Where its next block is free already, it is for this block alone.
+void TileScheduler::removeFreed() {
+    for (const Held& held : held_)
+        if (held.copies.empty())
+            free(
+                {held.portion.tile, held.portion.samples.first, held.followed ? held.portion.samples.end() : held.goal},
+                true);
+    std::erase_if(held_, [](const Held& held) { return held.copies.empty(); });
+}
+
+void TileScheduler::giveBack(WorkerId worker, std::uint64_t number) {
+    if (const auto held = find(number); held != held_.end())
+        drop(*held, worker);
+    removeFreed();
+}
+
+void TileScheduler::giveBackAll(WorkerId worker) {
+    suspects_.erase(worker);
+    for (Held& held : held_)
+        drop(held, worker);
+    removeFreed();
+}
+
+void TileScheduler::setSuspect(WorkerId worker, bool suspect) {
+    if (suspect)
+        suspects_.insert(worker);
+    else
+        suspects_.erase(worker);
+}
+
+std::vector<WorkerId> TileScheduler::expire(double now) {
+    std::vector<WorkerId> late;
+    for (Held& held : held_)
+        if (!held.arrived)
+            std::erase_if(held.copies, [&](const Copy& copy) {
+                const bool isOver =
+                    copy.worker != kOwnDevice && now - copy.since > 4 * copy.expectedSeconds + kExpirySeconds;
+                if (isOver)
+                    late.push_back(copy.worker);
+                return isOver;
+            });
+    removeFreed();
+    return late;
+}
+
+double TileScheduler::openWork() const {
+    double work = 0;
+    for (const TileGoal& goal : open_)
+        work += double(goal.tile.width) * goal.tile.height * double(goal.goal - goal.next);
+    return work;
+}
+
+}  // namespace pdr

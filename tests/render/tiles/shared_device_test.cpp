@@ -1,0 +1,189 @@
+#include <QTest>
+
+#include <atomic>
+#include <random>
+#include <thread>
+
+#include "render/tiles/shared_device.h"
+#include "tests/support/nearby_worker.h"
+#include "tests/support/tissue_scene.h"
+
+using namespace pdr;
+using namespace pdr::test;
+
+namespace {
+
+using Workers = std::vector<std::unique_ptr<NearbyWorker>>;
+
+Scene sceneToShare() {
+    Scene scene = tissueScene();
+    scene.film = {90, 61};
+    scene.revision = 7;
+    return scene;
+}
+
+std::shared_ptr<WorkerPool> newPool() {
+    return std::make_shared<WorkerPool>(1);
+}
+
+FilmContent alone(const Scene& scene, const std::vector<std::uint32_t>& orders) {
+    const auto device = makeCpuDevice(1);
+    const auto film = *startFilm(*device, scene);
+    for (const std::uint32_t n : orders)
+        (void)film->accumulate(n, {});
+    return (*film->film())->content();
+}
+
+FilmContent shared(const Scene& scene, const std::vector<std::uint32_t>& orders, std::shared_ptr<WorkerPool> pool) {
+    const auto device = shareDevice(makeCpuDevice(1), std::move(pool));
+    const auto film = *startFilm(*device, scene);
+    for (const std::uint32_t n : orders)
+        if (const auto done = film->accumulate(n, {}); !done)
+            qFatal("%s", done.error().text().c_str());
+    return (*film->film())->content();
+}
+
+const std::vector<std::uint32_t> kOrders{1, 5, 40, 64, 30, 130};
+
+}  // namespace
+
+/// Pictures that several workers make together.
+class SharedDeviceTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void pictureIsTheSameWhoeverMakesIt_data() {
+        QTest::addColumn<int>("workers");
+        QTest::addColumn<bool>("bySamples");
+        for (const int workers : {0, 1, 2, 3, 7})
+            for (const bool bySamples : {false, true})
+                QTest::addRow("%d workers, %s", workers, bySamples ? "blocks" : "tiles") << workers << bySamples;
+    }
+    void pictureIsTheSameWhoeverMakesIt() {
+        QFETCH(const int, workers);
+        QFETCH(const bool, bySamples);
+        const auto pool = newPool();
+        pool->setSplit(bySamples ? Split::samples : Split::tiles);
+        Workers all;
+        for (int i = 0; i < workers; ++i)
+            all.push_back(std::make_unique<NearbyWorker>(pool, "worker " + std::to_string(i)));
+        const FilmContent together = shared(sceneToShare(), kOrders, pool);
+        QVERIFY(sameBits(together, alone(sceneToShare(), kOrders)));
+    }
+
+    void workersTakeTheirPart() {
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        NearbyWorker worker(pool, "one");
+        (void)shared(sceneToShare(), {1, 64, 64, 64, 64}, pool);
+        QVERIFY(worker.status().work > 0);
+        QVERIFY(worker.status().audited > 0);
+        QCOMPARE(worker.status().state, WorkerState::ready);
+    }
+
+    void pictureSurvivesThoseWhoLeave() {
+        const auto pool = newPool();
+        std::atomic<bool> done = false;
+        std::jthread crowd([&] {
+            std::mt19937 random(5);
+            Workers all;
+            while (!done) {
+                all.push_back(std::make_unique<NearbyWorker>(pool, "worker " + std::to_string(random() % 5)));
+                std::this_thread::sleep_for(std::chrono::milliseconds(random() % 20));
+                if (all.size() > 3)
+                    all.erase(all.begin() + std::ptrdiff_t(random() % all.size()));
+            }
+        });
+        const FilmContent together = shared(sceneToShare(), kOrders, pool);
+        done = true;
+        QVERIFY(sameBits(together, alone(sceneToShare(), kOrders)));
+    }
+
+    void pictureSurvivesThoseWhoSayNothing() {
+        const auto pool = newPool();
+        NearbyWorker silent(pool, "silent", NearbyWorker::Nature::silent);
+        NearbyWorker honest(pool, "honest");
+        const FilmContent together = shared(sceneToShare(), {64, 64}, pool);
+        QVERIFY(sameBits(together, alone(sceneToShare(), {64, 64})));
+    }
+
+    void liarIsFoundWithItsFirstTile_data() {
+        QTest::addColumn<int>("nature");
+        QTest::newRow("one bit") << int(NearbyWorker::Nature::lies);
+        QTest::newRow("another tile") << int(NearbyWorker::Nature::sendsOthers);
+    }
+    void liarIsFoundWithItsFirstTile() {
+        QFETCH(const int, nature);
+        const auto pool = newPool();
+        NearbyWorker liar(pool, "liar", NearbyWorker::Nature(nature));
+        NearbyWorker honest(pool, "honest");
+        FilmContent together;
+        while (liar.status().state != WorkerState::quarantined)
+            together = shared(sceneToShare(), {64, 40}, pool);
+        QVERIFY(sameBits(together, alone(sceneToShare(), {64, 40})));
+        QVERIFY(!liar.status().reason.empty());
+        QCOMPARE(liar.status().results, 0u);
+    }
+
+    /// Who lies only when it is trusted: what it had added is taken again.
+    void pictureIsMadeAgainWithoutALiarsTiles() {
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        NearbyWorker liar(pool, "liar", NearbyWorker::Nature::liesSeldom);
+        const auto device = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*device, sceneToShare());
+        std::uint32_t samples = 0;
+        while (liar.status().state != WorkerState::quarantined) {
+            QVERIFY2(samples < 200000, "it is never found");
+            QVERIFY(film->accumulate(32, {}));
+            samples += 32;
+        }
+        QVERIFY(
+            sameBits((*film->film())->content(), alone(sceneToShare(), std::vector<std::uint32_t>(samples / 32, 32))));
+    }
+
+    void quarantineOutlastsALeave() {
+        const auto pool = newPool();
+        const WorkerId first = pool->join("key", "name");
+        pool->quarantine(first, "it lied");
+        pool->leave(first);
+        (void)pool->join("key", "name");
+        QCOMPARE(pool->workers().front().state, WorkerState::quarantined);
+        QCOMPARE(pool->workers().front().reason, std::string("it lied"));
+        (void)pool->join("another", "name");
+        QCOMPARE(pool->workers().back().state, WorkerState::waiting);
+    }
+
+    void stopEndsAnOrder() {
+        const auto pool = newPool();
+        NearbyWorker worker(pool, "one");
+        const auto device = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*device, sceneToShare());
+        std::stop_source stop;
+        std::jthread stopper([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            stop.request_stop();
+        });
+        QVERIFY(film->accumulate(1000000, stop.get_token()));
+        QVERIFY(film->restart(film->area(), 7));
+        for (const std::uint32_t n : kOrders)
+            QVERIFY(film->accumulate(n, {}));
+        QVERIFY(sameBits((*film->film())->content(), alone(sceneToShare(), kOrders)));
+    }
+
+    void partOfAPictureIsShared() {
+        const auto pool = newPool();
+        NearbyWorker worker(pool, "one");
+        const auto device = shareDevice(makeCpuDevice(1), pool), own = makeCpuDevice(1);
+        const auto film = *startFilm(*device, sceneToShare()), mine = *startFilm(*own, sceneToShare());
+        for (Accumulator* one : {film.get(), mine.get()}) {
+            QVERIFY(one->accumulate(10, {}));
+            QVERIFY(one->accumulate({40, 30, 50, 50}, 100, {}));
+            QVERIFY(one->accumulate(7, {}));
+        }
+        QVERIFY(sameBits((*film->film())->content(), (*mine->film())->content()));
+    }
+};
+
+QTEST_APPLESS_MAIN(SharedDeviceTest)
+#include "shared_device_test.moc"
