@@ -2,7 +2,6 @@
 
 #include <openssl/pem.h>
 #include <openssl/x509v3.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <QDir>
@@ -11,13 +10,14 @@
 #include <QSslKey>
 #include <QTemporaryDir>
 #include <QTest>
-#include <csignal>
 
 #include "app/remote/certificates.h"
 #include "app/remote/tls.h"
+#include "tests/support/file_size_limit.h"
 
 using namespace pdr;
 using namespace pdr::remote;
+using namespace pdr::test;
 
 namespace {
 
@@ -56,24 +56,6 @@ bool overwrite(const QString& path, const QByteArray& content) {
     QFile file(path);
     return file.open(QFile::WriteOnly) && file.write(content) == content.size();
 }
-
-/// Nothing may write longer files.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int);
-};
 
 }  // namespace
 
