@@ -38,7 +38,7 @@ Bytes takePayload(Result& result) {
     return packSums(result.sums);
 }
 
-const char* givePayload(SceneOrder& order, Bytes payload) {
+const char* givePayload(SceneOrder& order, const Bytes& payload) {
     if (!QByteArrayView(payload.data(), qsizetype(payload.size())).isValidUtf8())
         return "its text is no UTF-8";
     order.text.assign(reinterpret_cast<const char*>(payload.data()), payload.size());
@@ -50,7 +50,7 @@ const char* givePayload(Chunk& chunk, Bytes payload) {
     return chunk.packed.empty() ? "it is empty" : nullptr;
 }
 
-const char* givePayload(Lease& lease, Bytes payload) {
+const char* givePayload(Lease& lease, const Bytes& payload) {
     if (payload.empty())
         return nullptr;
     if (lease.samples.first % kSamplesPerBlock == 0)
@@ -58,7 +58,7 @@ const char* givePayload(Lease& lease, Bytes payload) {
     return unpack(lease.before, lease.tile, payload);
 }
 
-const char* givePayload(Result& result, Bytes payload) {
+const char* givePayload(Result& result, const Bytes& payload) {
     return unpack(result.sums, result.tile, payload);
 }
 

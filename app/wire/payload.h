@@ -17,12 +17,12 @@ Bytes takePayload(Result& result);
 
 /// Into a message whose fields are known and right. What is wrong; null: nothing.
 template <class OfType>
-const char* givePayload(OfType&, Bytes payload) {
+const char* givePayload(OfType&, const Bytes& payload) {
     return payload.empty() ? nullptr : "it has more bytes than such a message";
 }
-const char* givePayload(SceneOrder& order, Bytes payload);
+const char* givePayload(SceneOrder& order, const Bytes& payload);
 const char* givePayload(Chunk& chunk, Bytes payload);
-const char* givePayload(Lease& lease, Bytes payload);
-const char* givePayload(Result& result, Bytes payload);
+const char* givePayload(Lease& lease, const Bytes& payload);
+const char* givePayload(Result& result, const Bytes& payload);
 
 }  // namespace pdr::wire

@@ -11,15 +11,10 @@
 #include <set>
 #include <vector>
 
+#include "render/base/split.h"
 #include "render/tiles/lease.h"
 
 namespace pdr {
-
-/// How an order is cut.
-enum class Split {
-    tiles,   ///< sort-first: parts of the picture
-    samples  ///< sample-first: the whole picture, in blocks of samples
-};
 
 /// Whole cells that are equally far, and how far they are to come.
 struct TileGoal {

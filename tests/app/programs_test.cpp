@@ -19,7 +19,7 @@
 
 namespace {
 
-constexpr const char* kPrograms[] = {"pdrender", "pdrender-cli", "pdrender-bench"};
+constexpr const char* kPrograms[] = {"pdrender", "pdrender-cli", "pdrender-bench", "pdrender-node"};
 
 using pdr::test::ProgramRun;
 using Before = std::function<void()>;  ///< what the new process does before it becomes the program
@@ -99,6 +99,8 @@ class ProgramsTest : public QObject {
         row("pdrender-bench help", "pdrender-bench", {"help"}, "rebound");
         for (const char* command : {"picture", "rebound", "filtering", "paper", "parity", "selftest"})
             row(command, "pdrender-bench", {command, "--help"}, "--device D   ");
+        row("pdrender-node", "pdrender-node", {"--help"}, "--make-certificates");
+        row("pdrender-node -h", "pdrender-node", {"-h"}, "--coordinator");
         row("frames", "pdrender-bench", {"frames", "-h"}, "--threads N   ");
         row("trackers", "pdrender-bench", {"help", "trackers"}, "--rays N   ");
         row("prediction", "pdrender-bench", {"help", "prediction"}, "--seeds N   ");
@@ -206,6 +208,7 @@ class ProgramsTest : public QObject {
         QTest::newRow("pdrender-cli") << "pdrender-cli"
                                       << QStringList{"render", scene(), "-o", at("core.png"), "--seconds", "100"};
         QTest::newRow("pdrender-bench") << "pdrender-bench" << QStringList{"picture", scene(), "--samples", "1000000"};
+        QTest::newRow("pdrender-node") << "pdrender-node" << QStringList{"--listen", "127.0.0.1:0"};
     }
 
     void coreDumpsAreSwitchedOff() {

@@ -42,4 +42,4 @@ grep -q "ATest (1): no data" "$folder/said"
 # Only tests need everything to be built.
 grep -qx -- "--build --preset cpu-release" "$folder/calls"
 PATH=$folder/bin:$PATH "$folder/tree/bootstrap" build >/dev/null
-tail -n 1 "$folder/calls" | grep -qx -- "--build --preset cpu-release --target pdrender --target pdrender-cli --target pdrender-bench"
+tail -n 1 "$folder/calls" | grep -qx -- "--build --preset cpu-release --target pdrender --target pdrender-cli --target pdrender-bench --target pdrender-node"

@@ -82,7 +82,7 @@ inline std::vector<wire::Message> exampleMessages() {
             wire::Pong{5},
             exampleOrder(),
             wire::Need{counting<32>(3), 17},
-            wire::Chunk{counting<32>(3), 2, 9, {counting<9>(40).begin(), counting<9>(40).end()}},
+            wire::Chunk{counting<32>(3), 2, 9, wire::Bytes(12, std::byte(0x5a))},
             wire::SceneReady{41},
             wire::SceneRefused{41, "there is too little memory"},
             exampleLease(),

@@ -1,0 +1,74 @@
+#pragma once
+/// A render node without a network, on a thread of its own.
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "render/tiles/trace_lease.h"
+#include "render/tiles/worker_pool.h"
+
+namespace pdr::test {
+
+/// A node without a network: it asks the pool for leases from a thread of its own.
+class NearbyWorker {
+  public:
+    enum class Nature { honest, lies, liesSeldom, silent, sendsOthers };
+
+    NearbyWorker(std::shared_ptr<WorkerPool> pool, const std::string& key, Nature nature = Nature::honest)
+        : pool_(std::move(pool)),
+          id_(pool_->join(key, key)),
+          nature_(nature),
+          device_(makeCpuDevice(1)),
+          thread_([this](const std::stop_token& stop) { run(stop); }) {}
+    ~NearbyWorker() {
+        thread_.request_stop();
+        thread_.join();
+        pool_->leave(id_);
+    }
+
+    WorkerStatus status() const {
+        for (const WorkerStatus& one : pool_->workers())
+            if (one.id == id_)
+                return one;
+        return {};
+    }
+
+  private:
+    void run(const std::stop_token& stop) {
+        std::uint64_t have = 0;
+        while (!stop.stop_requested()) {
+            const PublishedScene scene = pool_->scene();
+            if (scene.scene && scene.number != have) {
+                (void)device_->upload(*scene.scene);
+                pool_->hasScene(id_, have = scene.number);
+            }
+            if (const auto lease = pool_->take(id_); lease && nature_ != Nature::silent)
+                answer(*lease);
+            else
+                std::this_thread::sleep_for(std::chrono::microseconds(200));
+            pool_->tick();
+        }
+    }
+
+    void answer(const Lease& lease) {
+        LeaseResult result = *traceLease(*device_, lease, {});
+        ++answers_;
+        if (nature_ == Nature::lies || (nature_ == Nature::liesSeldom && answers_ > 80))
+            result.sums.back().sum.x = std::nextafter(result.sums.back().sum.x, 1e9);
+        if (nature_ == Nature::sendsOthers)
+            result.tile.x += kFilmCell;
+        pool_->deliver(id_, std::move(result));
+    }
+
+    std::shared_ptr<WorkerPool> pool_;
+    WorkerId id_;
+    Nature nature_;
+    std::unique_ptr<Device> device_;
+    int answers_ = 0;
+    std::jthread thread_;
+};
+
+}  // namespace pdr::test

@@ -1,0 +1,70 @@
+#pragma once
+/// A render node as a program of its own, on this machine.
+
+#include <QProcess>
+#include <QRegularExpression>
+#include <csignal>
+#include <memory>
+
+#include "tests/support/patience.h"
+#include "tests/support/places.h"
+
+namespace pdr::test {
+
+class NodeProcess {
+  public:
+    /// Listens at a free port of this machine, with one thread, unless `options` say otherwise.
+    explicit NodeProcess(const QStringList& options = {"--listen", "127.0.0.1:0"}) {
+        process_.setProcessChannelMode(QProcess::MergedChannels);
+        process_.start(PDR_BINARY_DIR "/bin/pdrender-node", QStringList{"--threads", "1"} + options);
+        if (!process_.waitForStarted(kPatience))
+            qFatal("a render node cannot be started");
+        if (options.contains("--listen"))
+            waitForPort();
+    }
+    ~NodeProcess() {
+        if (process_.state() == QProcess::NotRunning)
+            return;
+        signal(SIGKILL);
+        process_.waitForFinished(kPatience);
+    }
+
+    QString address() const { return QString("localhost:%1").arg(port_); }
+    void signal(int number) { ::kill(pid_t(process_.processId()), number); }
+    qint64 id() const { return process_.processId(); }
+    /// Waits for its end: the exit code, or -1 after a signal.
+    int code() {
+        if (process_.state() != QProcess::NotRunning && !process_.waitForFinished(kPatience))
+            qFatal("a render node does not end");
+        return process_.exitStatus() == QProcess::NormalExit ? process_.exitCode() : -1;
+    }
+    /// All that it has said.
+    QByteArray log() {
+        log_ += process_.readAllStandardOutput();
+        return log_;
+    }
+
+  private:
+    void waitForPort() {
+        static const QRegularExpression kPort("listening at \\S*:(\\d+)");
+        while (!kPort.match(QString::fromUtf8(log())).hasMatch())
+            if (!process_.waitForReadyRead(kPatience))
+                qFatal("a render node does not listen: %s", log_.constData());
+        port_ = kPort.match(QString::fromUtf8(log_)).captured(1).toInt();
+    }
+
+    QProcess process_;
+    QByteArray log_;
+    int port_ = 0;
+};
+
+using NodeProcesses = std::vector<std::unique_ptr<NodeProcess>>;
+
+inline NodeProcesses startNodes(int count) {
+    NodeProcesses nodes;
+    for (int i = 0; i < count; ++i)
+        nodes.push_back(std::make_unique<NodeProcess>());
+    return nodes;
+}
+
+}  // namespace pdr::test

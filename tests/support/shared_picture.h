@@ -1,0 +1,57 @@
+#pragma once
+/// A picture that render nodes help with, and the same one made alone.
+
+#include "app/nodes/render_nodes.h"
+#include "render/tiles/reference_tiles.h"
+#include "render/tiles/shared_device.h"
+#include "tests/support/node_process.h"
+#include "tests/support/tissue_scene.h"
+
+namespace pdr::test {
+
+/// What a program does that renders with nodes.
+struct NodeTrial {
+    std::shared_ptr<WorkerPool> pool = std::make_shared<WorkerPool>(1);
+    nodes::RenderNodes nodes;
+    std::unique_ptr<Device> device;
+
+    NodeTrial() : nodes(pool, *referenceTiles(*makeCpuDevice(1))), device(shareDevice(makeCpuDevice(1), pool)) {}
+
+    void add(const NodeProcess& node) {
+        if (const auto added = nodes.add(node.address()); !added)
+            qFatal("%s", added.error().text().c_str());
+    }
+    /// Until so many can take samples of the scene that is on the device.
+    void awaitReady(int count) const {
+        const auto ready = [&] {
+            return std::ranges::count_if(pool->workers(),
+                                         [](const WorkerStatus& worker) { return worker.state == WorkerState::ready; });
+        };
+        while (ready() < count)
+            QThread::msleep(2);
+    }
+    FilmContent picture(const Scene& scene, const std::vector<std::uint32_t>& orders, int await = 0) const {
+        const auto film = *startFilm(*device, scene);
+        awaitReady(await);
+        for (const std::uint32_t n : orders)
+            if (const auto done = film->accumulate(n, {}); !done)
+                qFatal("%s", done.error().text().c_str());
+        return (*film->film())->content();
+    }
+    double workOfNodes() const {
+        double work = 0;
+        for (const WorkerStatus& worker : pool->workers())
+            work += worker.work;
+        return work;
+    }
+};
+
+inline FilmContent pictureAlone(const Scene& scene, const std::vector<std::uint32_t>& orders) {
+    const auto device = makeCpuDevice();
+    const auto film = *startFilm(*device, scene);
+    for (const std::uint32_t n : orders)
+        (void)film->accumulate(n, {});
+    return (*film->film())->content();
+}
+
+}  // namespace pdr::test
