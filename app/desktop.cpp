@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/keep_looks.h"
+#include "app/show_nodes.h"
 #include "app/show_scan.h"
 #include "app/wiring.h"
 #include "render/device/device_list.h"
@@ -69,6 +70,7 @@ Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, c
     showNothing(parts());
     showRecentFolders(parts());
     window_.setExample(exampleFolder());
+    wantNodesAgain(parts());
 }
 
 Desktop::~Desktop() {

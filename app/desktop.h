@@ -20,8 +20,8 @@ class Desktop {
     ~Desktop();
 
     DesktopParts parts() {
-        return {import_, document_,   bridge_,  window_, settings_, study_, tissue_,  cut_,
-                light_,  modelTrial_, picture_, masks_,  sky_,      looks_, ownLooks_};
+        return {import_, document_,   bridge_,  window_, settings_, study_, tissue_,   cut_,
+                light_,  modelTrial_, picture_, masks_,  sky_,      looks_, ownLooks_, nodes_};
     }
     ui::MainWindow& window() { return window_; }
     /// Reads a folder, lists its series and shows the first that can be shown.
@@ -43,6 +43,7 @@ class Desktop {
     SkyJob sky_;
     LookPictures looks_;
     OwnLooks ownLooks_;
+    NodesJob nodes_{bridge_};
 };
 
 }  // namespace pdr::app

@@ -8,6 +8,7 @@
 #include "app/look_pictures.h"
 #include "app/mask_job.h"
 #include "app/model_trial.h"
+#include "app/nodes_job.h"
 #include "app/own_looks.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
@@ -36,6 +37,7 @@ struct DesktopParts {
     SkyJob& sky;
     LookPictures& looks;
     OwnLooks& ownLooks;
+    NodesJob& nodes;
 };
 
 }  // namespace pdr::app

@@ -7,6 +7,7 @@
 #include "app/picture_writing.h"
 #include "render/device/device_list.h"
 #include "render/scene/scene.h"
+#include "render/tiles/reference_tiles.h"
 
 namespace pdr::app {
 namespace {
@@ -30,7 +31,7 @@ RenderBridge::RenderBridge(std::unique_ptr<Device> device, int threads)
       device_(QString::fromStdString(firstDevice_.name)),
       session_(
           std::move(device), [this](std::shared_ptr<const Frame> frame) { take(std::move(frame)); },
-          [threads] { return makeCpuDevice(threads); }) {}
+          [this]() -> Result<std::unique_ptr<Device>> { return shared(makeCpuDevice(threads_)); }) {}
 
 /// While the user drags, a picture that is a little behind is better than none; at rest only the newest scene counts.
 void RenderBridge::submit(const Scene& scene, bool moving) {
@@ -78,7 +79,44 @@ void RenderBridge::setPace(const FrameBudget& pace) {
 }
 
 void RenderBridge::setDevice(const QString& name) {
-    session_.setDevice([name = name.toStdString(), threads = threads_] { return openDevice(name, threads); });
+    chosen_ = name;
+    openAndGoOn(name);
+}
+
+/// The same device once more, since what it is in the middle of cannot be shared.
+void RenderBridge::setPool(std::shared_ptr<WorkerPool> pool) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (pool == pool_)
+            return;
+        pool_ = std::move(pool);
+    }
+    openAndGoOn(chosen_.value_or(device_));
+}
+
+void RenderBridge::openAndGoOn(const QString& device) {
+    session_.setDevice([this, name = device.toStdString()]() -> Result<std::unique_ptr<Device>> {
+        Result<std::unique_ptr<Device>> opened = openDevice(name, threads_);
+        if (!opened)
+            return opened;
+        return shared(*std::move(opened));
+    });
+}
+
+/// On the render thread.
+Result<std::unique_ptr<Device>> RenderBridge::shared(std::unique_ptr<Device> device) {
+    std::shared_ptr<WorkerPool> pool;
+    {
+        const std::lock_guard lock(mutex_);
+        pool = pool_;
+    }
+    if (!pool)
+        return device;
+    Result<std::vector<std::byte>> bits = referenceTiles(*device);
+    if (!bits)
+        return bits.error();
+    QMetaObject::invokeMethod(this, [this, bits = *std::move(bits)] { emit sharedWith(bits); });
+    return shareDevice(std::move(device), std::move(pool));
 }
 
 void RenderBridge::setStop(const StopRule& rule) {
@@ -169,6 +207,7 @@ DeviceOpener RenderBridge::anotherDevice() const {
 void RenderBridge::take(std::shared_ptr<const Frame> frame) {
     if (!frame->notice.empty()) {
         QMetaObject::invokeMethod(this, [this, notice = QString::fromStdString(frame->notice)] {
+            chosen_.reset();
             emit noticed(notice);
             emit deviceChanged(device_);
         });
@@ -200,6 +239,8 @@ void RenderBridge::deliver() {
         device_ = device;
         emit deviceChanged(device_);
     }
+    if (chosen_ == device_)
+        chosen_.reset();
     emit frameReady(frame);
 }
 

@@ -13,6 +13,7 @@
 #include "render/scene/scene.h"
 #include "render/session/effect_ledger.h"
 #include "render/session/session.h"
+#include "render/tiles/shared_device.h"
 
 namespace pdr::app {
 
@@ -33,7 +34,7 @@ class RenderBridge : public QObject {
     bool captioned() const { return captioned_; }
     /// The picture on the screen; null when there is none.
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
-    /// Opens another device of the kind in use, or where that cannot be the CPU. Any thread's.
+    /// Opens another device of the kind in use, alone, or where that cannot be the CPU. Any thread's.
     DeviceOpener anotherDevice() const;
     /// What effects cost, as far as it is known; null while nobody looks.
     const std::shared_ptr<const EffectLedger>& lastLedger() const { return lastLedger_; }
@@ -52,6 +53,8 @@ class RenderBridge : public QObject {
     void setPace(const pdr::FrameBudget& pace);
     /// The picture goes on there. A device that cannot be used ends with noticed().
     void setDevice(const QString& name);
+    /// The device takes samples together with the workers of `pool` from now on, or alone (null); the picture goes on.
+    void setPool(std::shared_ptr<pdr::WorkerPool> pool);
     /// When rendering holds by itself.
     void setStop(const pdr::StopRule& rule);
     /// The same, but for the levels.
@@ -69,6 +72,9 @@ class RenderBridge : public QObject {
     void save(const QString& file);
 
   signals:
+    /// The device in use takes samples together with others, which have to make the same bits as it does:
+    /// referenceTiles() of it.
+    void sharedWith(const std::vector<std::byte>& bits);
     void frameReady(const std::shared_ptr<const pdr::Frame>& frame);
     /// lastLedger() is another one.
     void ledgerChanged();
@@ -87,8 +93,11 @@ class RenderBridge : public QObject {
     void take(std::shared_ptr<const Frame> frame);
     void deliver();
     void takeLedger(std::shared_ptr<const EffectLedger> ledger);
+    void openAndGoOn(const QString& device);
+    Result<std::unique_ptr<Device>> shared(std::unique_ptr<Device> device);
 
     std::mutex mutex_;
+    std::shared_ptr<WorkerPool> pool_;      ///< guarded by mutex_: who renders along; null: nobody
     std::shared_ptr<const Frame> waiting_;  ///< guarded by mutex_: the newest frame that the window has not seen
     std::shared_ptr<const Frame> lastFrame_;
     std::shared_ptr<const EffectLedger> lastLedger_;
@@ -106,8 +115,9 @@ class RenderBridge : public QObject {
     bool reached_ = false;
     int threads_;
     DeviceInfo firstDevice_;
-    QString device_;   ///< that the last frame came from
-    Session session_;  ///< last, so that it ends first: its thread calls take()
+    QString device_;                 ///< that the last frame came from
+    std::optional<QString> chosen_;  ///< that is to be another, as long as it has not been heard of
+    Session session_;                ///< last, so that it ends first: its thread calls take()
 };
 
 }  // namespace pdr::app

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "ui/nodes/node_address.h"
+
 namespace pdr::app {
 namespace {
 
@@ -22,6 +24,10 @@ constexpr auto kFolders = "recent/folders";
 constexpr qsizetype kMostFolders = 8;
 constexpr auto kLanguage = "language";
 constexpr auto kKeys = "keys";
+constexpr auto kNodes = "nodes/addresses";
+constexpr qsizetype kMostNodes = 256;
+constexpr auto kPort = "nodes/listenedPort";
+constexpr auto kCertificates = "nodes/certificates";
 constexpr auto kPlanning = "secondsPerPixelToPlanning/";
 
 QString ownFile() {
@@ -141,6 +147,37 @@ void Settings::keepKeys(const QMap<QString, QString>& keys) {
 
 void Settings::keepTheme(ui::ThemeChoice theme) {
     store_.setValue(kTheme, kThemes[std::size_t(theme)]);
+}
+
+/// Files are edited by hand: what is no address is left out.
+QStringList Settings::nodes() const {
+    QStringList addresses;
+    for (const QString& kept : store_.value(kNodes).toStringList().mid(0, kMostNodes))
+        addresses << ui::readAddress(kept).address;
+    addresses.removeAll({});
+    addresses.removeDuplicates();
+    return addresses;
+}
+
+std::optional<quint16> Settings::listenedPort() const {
+    const int kept = store_.value(kPort).toInt();
+    return kept >= 1 && kept <= 65535 ? std::optional(quint16(kept)) : std::nullopt;
+}
+
+QString Settings::certificates() const {
+    return store_.value(kCertificates).toString();
+}
+
+void Settings::keepNodes(const QStringList& addresses) {
+    store_.setValue(kNodes, addresses);
+}
+
+void Settings::keepListenedPort(std::optional<quint16> port) {
+    store_.setValue(kPort, port ? *port : 0);
+}
+
+void Settings::keepCertificates(const QString& folder) {
+    store_.setValue(kCertificates, folder);
 }
 
 /// Each frame foretells it a little differently; the file is not written for that.

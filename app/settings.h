@@ -1,6 +1,7 @@
 #pragma once
 /// What the desktop keeps between two runs: the window's geometry, the device, the pace and the target that were
-/// chosen, and how long pictures took. Nothing of a patient, so folders, whose names may be patients', only where that
+/// chosen, the render nodes and where the certificates lie, and how long pictures took. No secrets, and nothing of a
+/// patient, so folders, whose names may be patients', only where that
 /// was chosen.
 
 #include <QByteArray>
@@ -45,6 +46,12 @@ class Settings {
     QMap<QString, QString> keys() const;  ///< as ui::KeyBindings::choices() has them
     void keepKeys(const QMap<QString, QString>& keys);
     void keepTheme(ui::ThemeChoice theme);
+    QStringList nodes() const;                    ///< "gpu-07:4743", each once
+    std::optional<quint16> listenedPort() const;  ///< none: nobody may dial in
+    QString certificates() const;                 ///< the folder of this machine's; empty: there are none
+    void keepNodes(const QStringList& addresses);
+    void keepListenedPort(std::optional<quint16> port);
+    void keepCertificates(const QString& folder);
     void keepPlanningSeconds(const QString& kind, double secondsPerPixel);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);
 

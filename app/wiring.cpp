@@ -7,6 +7,7 @@
 #include "app/show_frame.h"
 #include "app/show_looks.h"
 #include "app/show_message.h"
+#include "app/show_nodes.h"
 #include "app/show_scan.h"
 
 namespace pdr::app {
@@ -183,6 +184,23 @@ void wireScreen(const DesktopParts& parts) {
     QObject::connect(&parts.document, &Document::displayChanged, &window, [parts] { showDocument(parts); });
 }
 
+/// Other machines take samples of the picture.
+void wireNodes(const DesktopParts& parts) {
+    NodesJob& nodes = parts.nodes;
+    ui::NodesPanel& panel = parts.window.nodes();
+    QObject::connect(&panel, &ui::NodesPanel::bundleRequested, &nodes, &NodesJob::setBundle);
+    QObject::connect(&panel, &ui::NodesPanel::listenRequested, &nodes, &NodesJob::listen);
+    QObject::connect(&panel, &ui::NodesPanel::addRequested, &nodes, &NodesJob::add);
+    QObject::connect(&panel, &ui::NodesPanel::pauseRequested, &nodes, &NodesJob::setPaused);
+    QObject::connect(&panel, &ui::NodesPanel::removeRequested, &nodes, &NodesJob::remove);
+    QObject::connect(&nodes, &NodesJob::failed, &panel, &ui::NodesPanel::setProblem);
+    QObject::connect(&nodes, &NodesJob::changed, &panel, [parts] { showNodes(parts); });
+    QObject::connect(&nodes, &NodesJob::wantedChanged, &panel, [parts] {
+        showWantedNodes(parts);
+        keepNodes(parts);
+    });
+}
+
 /// 5. Small pictures of the looks follow the view and come back to the gallery.
 void wireLooks(const DesktopParts& parts) {
     QObject::connect(&parts.document, &Document::sceneChanged, &parts.looks,
@@ -266,6 +284,7 @@ void wire(const DesktopParts& parts) {
     wireSky(parts);
     wireRendering(parts);
     wireScreen(parts);
+    wireNodes(parts);
     wireLooks(parts);
     wirePicture(parts);
     wireSettings(parts);

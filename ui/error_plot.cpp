@@ -1,11 +1,14 @@
 #include "ui/error_plot.h"
 
+#include <QHelpEvent>
 #include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/error_marks.h"
 #include "ui/language.h"
 
 namespace pdr::ui {
@@ -31,11 +34,34 @@ ErrorPlot::ErrorPlot(QWidget* parent) : QWidget(parent) {
 void ErrorPlot::setAccuracy(const Accuracy& accuracy, double target) {
     accuracy_ = accuracy;
     target_ = target;
-    QStringList lines{tr("target: %1").arg(stepText(target))};
+    describe();
+    update();
+}
+
+void ErrorPlot::setEvents(const PlotEvents& events) {
+    if (events == events_)
+        return;
+    events_ = events;
+    describe();
+    update();
+}
+
+/// For those who do not see it.
+void ErrorPlot::describe() {
+    QStringList lines{tr("target: %1").arg(stepText(target_))};
     for (const QualityStep& step : accuracy_.steps)
         lines << stepForecastText(step, accuracy_.seconds);
+    for (const PlotEvent& event : events_)
+        lines << event.text;
     setAccessibleDescription(lines.join("; "));
-    update();
+}
+
+bool ErrorPlot::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip || events_.empty())
+        return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(), marksAt(help->pos(), axes(), events_), this);
+    return true;
 }
 
 ErrorAxes ErrorPlot::axes() const {
@@ -56,7 +82,9 @@ void ErrorPlot::paintEvent(QPaintEvent*) {
     if (!accuracy_.points.empty()) {
         paintRootLine(painter, axes);
         paintForecast(painter, axes);
+        paintMarks(painter, axes, events_, palette());
         paintMeasured(painter, axes);
+        paintMarkLegend(painter, axes, events_, palette());
     }
     painter.restore();
     if (accuracy_.points.empty()) {

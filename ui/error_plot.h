@@ -7,6 +7,7 @@
 
 #include "ui/accuracy_text.h"
 #include "ui/error_axes.h"
+#include "ui/plot_event.h"
 
 namespace pdr::ui {
 
@@ -19,6 +20,8 @@ class ErrorPlot : public QWidget {
     /// `target`: the levels at which rendering holds.
     void setAccuracy(const Accuracy& accuracy, double target);
     double target() const { return target_; }
+    /// What bent the curve, in the order of time; of the picture in hand.
+    void setEvents(const PlotEvents& events);
     /// Of the plot as it is large now.
     ErrorAxes axes() const;
 
@@ -26,9 +29,11 @@ class ErrorPlot : public QWidget {
     QSize minimumSizeHint() const override { return {240, 90}; }
 
   protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
   private:
+    void describe();
     void paintGrid(QPainter& painter, const ErrorAxes& axes) const;
     void paintTarget(QPainter& painter, const ErrorAxes& axes) const;
     void paintRootLine(QPainter& painter, const ErrorAxes& axes) const;
@@ -36,6 +41,7 @@ class ErrorPlot : public QWidget {
     void paintMeasured(QPainter& painter, const ErrorAxes& axes) const;
 
     Accuracy accuracy_;
+    PlotEvents events_;
     double target_ = kFinestStep;
 };
 

@@ -50,6 +50,15 @@ class ForgetfulDialog : KeptPlaces, public QFileDialog {
     }
 };
 
+QString askForFolderOf(QWidget* parent, const QString& title, const QString& start) {
+    ForgetfulDialog dialog(parent, title);
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    if (!start.isEmpty())
+        dialog.setDirectory(start);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 QString askForFile(QWidget* parent, const QString& title, const QString& filter) {
     ForgetfulDialog dialog(parent, title);
     dialog.setFileMode(QFileDialog::ExistingFile);
@@ -66,12 +75,11 @@ void addBelow(QFileDialog& dialog, QWidget* widget) {
 }  // namespace
 
 QString askForFolder(QWidget* parent, const QString& start) {
-    ForgetfulDialog dialog(parent, translated("Open a folder with a CT"));
-    dialog.setFileMode(QFileDialog::Directory);
-    dialog.setOption(QFileDialog::ShowDirsOnly);
-    if (!start.isEmpty())
-        dialog.setDirectory(start);
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    return askForFolderOf(parent, translated("Open a folder with a CT"), start);
+}
+
+QString askForCertificates(QWidget* parent, const QString& start) {
+    return askForFolderOf(parent, translated("The folder of this machine's certificates"), start);
 }
 
 QString askForLook(QWidget* parent) {

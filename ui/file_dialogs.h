@@ -14,6 +14,9 @@ namespace pdr::ui {
 /// Asks for a folder, beginning in `start`; empty: the user cancelled.
 QString askForFolder(QWidget* parent, const QString& start);
 
+/// Asks for a folder with certificates, beginning in `start`; empty: the user cancelled.
+QString askForCertificates(QWidget* parent, const QString& start);
+
 /// Asks for a file to save the picture in, for its size and for how good it is to be, beginning with the `view`'s size
 /// on the screen [pixels] and what is wanted there. None: the user cancelled, or `save` was disabled meanwhile: a name
 /// that was thought of for one patient must not go to the next.

@@ -50,6 +50,7 @@ MainWindow::MainWindow()
       camera_(new CameraPanel),
       rendering_(new RenderPanel),
       effects_(new EffectLedger),
+      nodes_(new NodesPanel),
       foot_(new Foot),
       accuracy_(new AccuracyPanel),
       message_(new MessageBar),
@@ -57,7 +58,7 @@ MainWindow::MainWindow()
       keys_(new KeysOverlay(this)),
       docks_(new WindowDocks(*this, *viewport_,
                              {series_, stacked(look_, visible_), tissue_, light_, camera_, &cut_->panel(), rendering_,
-                              accuracy_, effects_})),
+                              accuracy_, effects_, nodes_})),
       actions_(fillMenus(*menuBar(), docks_->toggles(), *cut_)),
       bindings_(namedActions(*menuBar())) {
     auto* middle = new QWidget;

@@ -16,6 +16,7 @@
 #include "ui/light/light_panel.h"
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
+#include "ui/nodes/nodes_panel.h"
 #include "ui/picture_order.h"
 #include "ui/region_box.h"
 #include "ui/render_panel.h"
@@ -45,6 +46,7 @@ class MainWindow : public QMainWindow {
     CameraPanel& camera() { return *camera_; }
     RenderPanel& rendering() { return *rendering_; }
     EffectLedger& effects() { return *effects_; }
+    NodesPanel& nodes() { return *nodes_; }
     Foot& foot() { return *foot_; }
     AccuracyPanel& accuracy() { return *accuracy_; }
     StatusLine& status() { return foot_->status(); }
@@ -156,6 +158,7 @@ class MainWindow : public QMainWindow {
     CameraPanel* camera_;
     RenderPanel* rendering_;
     EffectLedger* effects_;
+    NodesPanel* nodes_;
     Foot* foot_;
     AccuracyPanel* accuracy_;
     MessageBar* message_;

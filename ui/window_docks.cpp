@@ -51,20 +51,22 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       cut_(add("Cut", tr("Cut"), scrolled(panels.cut), Qt::RightDockWidgetArea, Qt::Key_F9)),
       rendering_(add("Rendering", tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
       accuracy_(add("Accuracy", tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
-      effects_(add("Effects", tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)) {
-    for (QDockWidget* folded : {tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_})
+      effects_(add("Effects", tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
+      nodes_(add("Nodes", tr("Nodes"), panels.nodes, Qt::BottomDockWidgetArea, Qt::Key_F12)) {
+    for (QDockWidget* folded : {tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_, nodes_})
         folded->hide();
     sides_ = {series_, look_, rendering_, tissue_, light_, camera_, cut_};
     editors_ = {{tissue_, panels.tissue}, {light_, panels.light}, {camera_, panels.camera}, {cut_, panels.cut}};
     for (QDockWidget* dock : std::as_const(sides_))
         connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) { opened(dock, shown); });
-    makeRoomBeside(accuracy_, effects_);
-    makeRoomBeside(effects_, accuracy_);
+    below_ = {accuracy_, effects_, nodes_};
+    for (QDockWidget* dock : std::as_const(below_))
+        connect(dock->toggleViewAction(), &QAction::triggered, this,
+                [this, dock](bool shown) { openedBelow(dock, shown); });
     connect(cut_->toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
         if (shown)
             emit cutShown();
     });
-    connect(toggleAccuracy(), &QAction::triggered, this, &WindowDocks::giveAccuracyItsPart);
     connect(effects_, &QDockWidget::visibilityChanged, this, &WindowDocks::effectsShown);
 }
 
@@ -100,13 +102,21 @@ QDockWidget* WindowDocks::add(const QString& name, const QString& title, QWidget
     return dock;
 }
 
-/// Side by side both are legible in wide windows only.
-void WindowDocks::makeRoomBeside(QDockWidget* opened, QDockWidget* other) {
-    constexpr int kWideEnough = 1700;
-    connect(opened->toggleViewAction(), &QAction::triggered, this, [this, other](bool shown) {
-        if (shown && window_.width() < kWideEnough)
-            other->hide();
-    });
+/// Side by side they are legible in wide windows only; what was opened last stays. Those that could take any height get
+/// so much of the window's that the picture keeps most of it.
+void WindowDocks::openedBelow(QDockWidget* dock, bool shown) {
+    constexpr int kLegible = 850;  // [px], across
+    constexpr double kPart = 0.22;
+    if (!shown)
+        return;
+    below_.removeAll(dock);
+    below_.prepend(dock);
+    qsizetype room = std::max(window_.width() / kLegible, 1);
+    for (QDockWidget* one : std::as_const(below_))
+        if (!one->isHidden() && --room < 0)
+            one->hide();
+    if (dock != effects_)
+        window_.resizeDocks({dock}, {int(kPart * window_.height())}, Qt::Vertical);
 }
 
 /// What is opened stays, whatever it takes. The right-hand column is wider as long as an editor stands in it.
@@ -198,13 +208,6 @@ QByteArray WindowDocks::wantedState() {
     for (QDockWidget* dock : std::as_const(gaveWay_))
         dock->hide();
     return state;
-}
-
-/// Of the window's height: the picture keeps most of it.
-void WindowDocks::giveAccuracyItsPart(bool shown) {
-    constexpr double kPart = 0.22;
-    if (shown)
-        window_.resizeDocks({accuracy_}, {int(kPart * window_.height())}, Qt::Vertical);
 }
 
 }  // namespace pdr::ui

@@ -15,7 +15,7 @@ class WindowDocks : public QObject {
   public:
     /// What stands in the docks.
     struct Panels {
-        QWidget *series, *look, *tissue, *light, *camera, *cut, *rendering, *accuracy, *effects;
+        QWidget *series, *look, *tissue, *light, *camera, *cut, *rendering, *accuracy, *effects, *nodes;
     };
 
     /// Adds all docks to `window`; all but series and look are folded away. `picture`: what is to keep most of it.
@@ -49,8 +49,7 @@ class WindowDocks : public QObject {
     int middleHeight() const;
     int widthOf(const QDockWidget& dock) const;
     double pictureShare(const QList<QDockWidget*>& panels) const;
-    void makeRoomBeside(QDockWidget* opened, QDockWidget* other);
-    void giveAccuracyItsPart(bool shown);
+    void openedBelow(QDockWidget* dock, bool shown);
 
     QMainWindow& window_;
     QWidget& picture_;
@@ -65,6 +64,8 @@ class WindowDocks : public QObject {
     QDockWidget* rendering_;
     QDockWidget* accuracy_;
     QDockWidget* effects_;
+    QDockWidget* nodes_;
+    QList<QDockWidget*> below_;             ///< the picture, the one opened last first
     QList<QDockWidget*> sides_;             ///< left and right of the picture
     QMap<QDockWidget*, QWidget*> editors_;  ///< wide ones on the right, one at a time, with their panels
     QList<QDockWidget*> gaveWay_;           ///< that come back when there is room

@@ -46,6 +46,12 @@ constexpr Command kCommands[] = {
      "  --points N    places at which HU are compared; default 1000000\n"
      "  --rounds N    of which the median counts, from 1; default 3\n"
      "  --json        print one line of JSON instead of a table\n"},
+    {"bits", bits, "[SCENE.json ...] [--device D] [--threads N] [--samples N]",
+     "Prints a number for the reference tiles of render nodes and for the picture of each scene. Two machines that\n"
+     "print the same may fill one picture together.\n",
+     "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"
+     "  --threads N   threads of the CPU; default 0: one per core\n"
+     "  --samples N   per pixel, from 1; default 70\n"},
     {"paper", paperExperiment,
      "[SCENE.json] [--device D] [--threads N] [--estimator E] [--clock C] [--largest WxH]\n"
      "                            [--seconds S] [--rounds N] [--out DIR]",

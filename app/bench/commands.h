@@ -40,6 +40,10 @@ int trackers(const Arguments& arguments);
 /// one is emulated on the CPU.
 int filtering(const Arguments& arguments);
 
+/// bits [SCENE.json ...] [--device D] [--threads N] [--samples N]: a line for the reference tiles of render nodes and for
+/// the picture of each scene: the same on two machines where they make the same bits.
+int bits(const Arguments& arguments);
+
 /// paper [SCENE.json] [--device D] [--threads N] [--estimator unbiased|kroesMarch] [--clock wall|processor]
 /// [--largest WxH] [--seconds S] [--rounds N] [--out DIR]: the experiment that this program began with: frames per
 /// second, time of an iteration, time beside it, and efficiency, for six resolutions, Exposure Render's schedule and

@@ -93,6 +93,10 @@ std::string NodeCrew::report() const {
                       worker.reason.empty() ? "" : "; ", worker.reason.c_str());
         text += line;
     }
+    const SplitChoice split = pool_->split();
+    if (!split.reason.empty())
+        text += std::string("shared out by ") + (split.split == Split::tiles ? "tiles: " : "samples: ") + split.reason +
+                "\n";
     return text;
 }
 

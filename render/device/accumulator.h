@@ -15,9 +15,18 @@
 
 namespace pdr {
 
+/// How much one call of accumulate() should ask for, where nothing else bounds it.
+struct OrderSize {
+    double seconds = 0.25;  ///< so that Ctrl-C and time limits are obeyed soon
+    std::uint32_t samples = kSamplesPerBlock;
+};
+
 class Accumulator {
   public:
     virtual ~Accumulator() = default;
+
+    /// More where many share an order out: towards its end some of them have nothing to do.
+    virtual OrderSize orderSize() const { return {}; }
 
     /// The part of the image that it holds.
     virtual Tile area() const = 0;

@@ -9,7 +9,6 @@
 namespace pdr {
 namespace {
 
-constexpr double kLaunchSeconds = 0.25;  ///< so that Ctrl-C and --seconds are obeyed soon
 constexpr double kReportSeconds = 0.5;
 constexpr std::uint64_t kErrorEvery = 16;     ///< samples between two looks at the error; it costs time
 constexpr std::uint64_t kSamplesToStop = 64;  ///< before which no error counts as reached: too little is known of it
@@ -80,7 +79,8 @@ Result<void> BatchRender::look() {
 std::uint32_t BatchRender::wantedSamples(double elapsed) const {
     if (done_ == 0)
         return 1;
-    double time = kLaunchSeconds;
+    const OrderSize order = film_.orderSize();
+    double time = order.seconds;
     if (stops_.seconds)
         time = std::min(time, *stops_.seconds - elapsed);
     double wanted = std::floor(time * double(done_) / std::max(elapsed, 1e-9));
@@ -88,7 +88,7 @@ std::uint32_t BatchRender::wantedSamples(double elapsed) const {
         wanted = std::min(wanted, double(*stops_.samples - done_));
     if (stopsByError())
         wanted = std::min(wanted, double(kErrorEvery - done_ % kErrorEvery));
-    return std::uint32_t(std::clamp(wanted, 1.0, double(kSamplesPerBlock)));
+    return std::uint32_t(std::clamp(wanted, 1.0, double(order.samples)));
 }
 
 std::optional<StopReason> BatchRender::reached(double elapsed) const {

@@ -12,7 +12,11 @@ class SharedDevice final : public Device {
   public:
     SharedDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool)
         : own_(std::move(own)), pool_(std::move(pool)) {}
-    ~SharedDevice() override { pool_->forgetScene(); }
+    /// What another one has published since stays: a film moves from device to device while both are there.
+    ~SharedDevice() override {
+        if (pool_->scene().number == scene_)
+            pool_->forgetScene();
+    }
 
     using Device::film;
 
@@ -61,6 +65,13 @@ std::vector<TileGoal> allOf(const TileProgress& progress) {
 
 std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool) {
     return std::make_unique<SharedDevice>(std::move(own), std::move(pool));
+}
+
+OrderSize SharedAccumulator::orderSize() const {
+    const std::size_t workers = pool_.workers().size();
+    if (workers == 0)
+        return {};
+    return {1, std::uint32_t(kSamplesPerBlock * (workers + 1))};
 }
 
 Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) {

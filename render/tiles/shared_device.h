@@ -24,6 +24,7 @@ class SharedAccumulator final : public HostAccumulator {
         : HostAccumulator(area, revision), own_(own), pool_(pool), scene_(scene) {}
 
     using Accumulator::accumulate;
+    OrderSize orderSize() const override;
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
     Result<void> restart(const Tile& area, std::uint64_t revision) override;
 

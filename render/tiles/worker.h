@@ -47,11 +47,11 @@ class Trust {
 };
 
 enum class WorkerState {
-    waiting,      ///< for the scene
-    ready,        ///< takes samples, or would
-    suspect,      ///< has not been heard of for some time
-    paused,       ///< by the user
-    draining,     ///< finishes what it has
+    waiting,     ///< for the scene
+    ready,       ///< takes samples, or would
+    suspect,     ///< has not been heard of for some time
+    paused,      ///< by the user
+    draining,    ///< finishes what it has
     quarantined  ///< has sent what is not true
 };
 

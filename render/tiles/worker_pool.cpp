@@ -176,6 +176,7 @@ void WorkerPool::deliver(WorkerId id, LeaseResult result) {
         } else {
             const double now = clock_(), work = workOf(result.tile, result.samples);
             worker->speed.add(work, now - worker->lastResult);
+            times_.add(work, now - worker->lastResult);
             worker->lastResult = now;
             worker->status.busySeconds += result.seconds;
             if (worker->trust.isAuditDue()) {
@@ -253,14 +254,31 @@ void WorkerPool::forgetScene() {
     publish(nullptr);
 }
 
-void WorkerPool::setSplit(Split split) {
+void WorkerPool::setSplit(std::optional<Split> split) {
     const std::lock_guard lock(mutex_);
-    split_ = split;
+    pinned_ = split;
 }
 
-Split WorkerPool::split() const {
+SplitChoice WorkerPool::split() const {
     const std::lock_guard lock(mutex_);
     return split_;
+}
+
+SplitChoice WorkerPool::choose(const std::vector<TileGoal>& goals) const {
+    if (pinned_)
+        return {*pinned_, "chosen by hand"};
+    SplitFacts facts;
+    for (const TileGoal& goal : goals) {
+        facts.pixels += double(goal.tile.width) * goal.tile.height;
+        facts.samples = std::max(facts.samples, goal.goal - goal.next);
+    }
+    facts.nodes = ownHelps_ ? 1 : 0;
+    for (const auto& [id, worker] : workers_)
+        facts.nodes += worker.takesWork(scene_.number) ? 1 : 0;
+    facts.nodes = std::max(facts.nodes, 1);
+    facts.sampleSeconds = times_.secondsPerWork();
+    facts.launchSeconds = times_.secondsBefore();
+    return chooseSplit(facts);
 }
 
 bool WorkerPool::hasWorkers() const {
@@ -276,7 +294,8 @@ void WorkerPool::setOwnHelps(bool helps) {
 void WorkerPool::begin(Film& film, std::uint64_t scene, std::vector<TileGoal> goals) {
     {
         const std::lock_guard lock(mutex_);
-        order_ = std::make_unique<SharedOrder>(film, scene, std::move(goals), split_, nextLease_);
+        split_ = choose(goals);
+        order_ = std::make_unique<SharedOrder>(film, scene, std::move(goals), split_.split, nextLease_);
         believed_.clear();
         for (auto& [id, worker] : workers_) {
             worker.inFlight = 0;

@@ -15,8 +15,10 @@
 #include <vector>
 
 #include "render/scene/scene.h"
+#include "render/tiles/lease_times.h"
 #include "render/tiles/shared_order.h"
 #include "render/tiles/worker.h"
+#include "render/timing/split_choice.h"
 
 namespace pdr {
 
@@ -64,9 +66,10 @@ class WorkerPool {
     /// The scene of the next orders. Returns its number.
     std::uint64_t publish(std::shared_ptr<const Scene> scene);
     void forgetScene();
-    /// How orders are cut.
-    void setSplit(Split split);
-    Split split() const;
+    /// How orders are cut; none: as a model of their costs says (timing/split_choice.h).
+    void setSplit(std::optional<Split> split);
+    /// Of the last order, and why.
+    SplitChoice split() const;
     /// Whether anybody but the own device could take samples.
     bool hasWorkers() const;
     /// The own device takes samples only where nobody else can, and audits.
@@ -112,6 +115,7 @@ class WorkerPool {
     Worker* find(WorkerId worker);
     Ability abilityOf(const WorkerSpeed& speed, double longest) const;
     bool anyTakesWork() const;
+    SplitChoice choose(const std::vector<TileGoal>& goals) const;
     void caught(Worker& worker, const std::string& reason);
     void tell() const;
 
@@ -129,7 +133,9 @@ class WorkerPool {
     std::unique_ptr<SharedOrder> order_;
     std::set<std::string> believed_;  ///< in the order
     std::uint64_t nextLease_ = 1;
-    Split split_ = Split::tiles;
+    std::optional<Split> pinned_;
+    SplitChoice split_;
+    LeaseTimes times_;
     bool ownHelps_ = true;
     WorkerSpeed ownSpeed_;
     double ownTaken_ = 0;  ///< when its lease was taken

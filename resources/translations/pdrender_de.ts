@@ -36,6 +36,26 @@
         <translation> · kursiv: von der Ansicht davor</translation>
     </message>
     <message>
+        <source>"%1" is no address of a node: only a host and a port, without slashes, such as gpu-07:%2.</source>
+        <translation>„%1“ ist keine Adresse eines Knotens: nur Rechner und Port, ohne Schrägstriche, etwa gpu-07:%2.</translation>
+    </message>
+    <message>
+        <source>"%1" is no host: names have letters, digits, dots and hyphens.</source>
+        <translation>„%1“ ist kein Rechner: Namen haben Buchstaben, Ziffern, Punkte und Bindestriche.</translation>
+    </message>
+    <message>
+        <source>"%1" is no port: ports are numbers from 1 to 65535.</source>
+        <translation>„%1“ ist kein Port: Ports sind Zahlen von 1 bis 65535.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture's samples</source>
+        <translation>%1 % der Abtastungen des Bildes</translation>
+    </message>
+    <message>
         <source>%1 % of the voxels lie below</source>
         <translation>%1 % der Voxel liegen darunter</translation>
     </message>
@@ -82,8 +102,24 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 in mindestens %2</translation>
     </message>
     <message>
+        <source>%1 is in the list already.</source>
+        <translation>%1 steht schon in der Liste.</translation>
+    </message>
+    <message>
         <source>%1 iterations per frame on %2</source>
         <translation>%1 Iterationen je Bild auf %2</translation>
+    </message>
+    <message>
+        <source>%1 iterations/s</source>
+        <translation>%1 Iterationen/s</translation>
+    </message>
+    <message>
+        <source>%1 joined</source>
+        <translation>%1 kam dazu</translation>
+    </message>
+    <message>
+        <source>%1 leaves</source>
+        <translation>%1 verabschiedet sich</translation>
     </message>
     <message>
         <source>%1 line that smoothing took away is marked</source>
@@ -102,6 +138,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 nodes make other bits than this machine</source>
+        <translation>%1 Knoten rechnen andere Bits als dieser Rechner</translation>
+    </message>
+    <message>
         <source>%1 of the curve</source>
         <translation>%1 der Kurve</translation>
     </message>
@@ -116,6 +160,26 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 samples</source>
         <translation>%1 Abtastungen</translation>
+    </message>
+    <message>
+        <source>%1 waits for the scan</source>
+        <translation>%1 wartet auf den Scan</translation>
+    </message>
+    <message>
+        <source>%1 was lost</source>
+        <translation>%1 ging verloren</translation>
+    </message>
+    <message>
+        <source>%1 was lost: %2</source>
+        <translation>%1 ging verloren: %2</translation>
+    </message>
+    <message>
+        <source>%1 was paused</source>
+        <translation>%1 wurde angehalten</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>%1 wurde entfernt</translation>
     </message>
     <message>
         <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels</source>
@@ -442,6 +506,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>1 Iteration je Bild auf %1</translation>
     </message>
     <message>
+        <source>1 node makes other bits than this machine</source>
+        <translation>1 Knoten rechnet andere Bits als dieser Rechner</translation>
+    </message>
+    <message>
         <source>1 sample</source>
         <translation>1 Abtastung</translation>
     </message>
@@ -550,6 +618,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ebene hinzufügen: %1</translation>
     </message>
     <message>
+        <source>Add the node</source>
+        <translation>Den Knoten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Address of a node</source>
+        <translation>Adresse eines Knotens</translation>
+    </message>
+    <message>
         <source>Adds a panel like the chosen one, as a lamp of its own</source>
         <translation>Fügt eine Fläche wie die gewählte hinzu, als eigene Lampe</translation>
     </message>
@@ -566,6 +642,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Alles ist scharf. Eine Linse zeichnet weich, was vor und hinter ihrer Schärfeebene liegt.</translation>
     </message>
     <message>
+        <source>All nodes make the same bits as this machine</source>
+        <translation>Alle Knoten rechnen bitgleich mit diesem Rechner</translation>
+    </message>
+    <message>
         <source>All panels in numbers</source>
         <translation>Alle Leuchtflächen in Zahlen</translation>
     </message>
@@ -576,6 +656,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>All tissue glows through all other. Lights do not count.</source>
         <translation>Alles Gewebe leuchtet durch alles andere. Lampen zählen nicht.</translation>
+    </message>
+    <message>
+        <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
+        <translation>Eine IPv6-Adresse steht in Klammern: [%1] oder [%1]:%2.</translation>
     </message>
     <message>
         <source>Another</source>
@@ -678,6 +762,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Helligkeit</translation>
     </message>
     <message>
+        <source>Bytes from the node</source>
+        <translation>Bytes vom Knoten</translation>
+    </message>
+    <message>
+        <source>Bytes to the node</source>
+        <translation>Bytes zum Knoten</translation>
+    </message>
+    <message>
         <source>CPU</source>
         <translation>CPU</translation>
     </message>
@@ -700,6 +792,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Cancel what runs</source>
         <translation>Laufendes abbrechen</translation>
+    </message>
+    <message>
+        <source>Certificates...</source>
+        <translation>Zertifikate...</translation>
     </message>
     <message>
         <source>Chest</source>
@@ -752,6 +848,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Comparison with Exposure Render</source>
         <translation>Vergleich mit Exposure Render</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Wird verbunden</translation>
     </message>
     <message>
         <source>Copies the picture to the clipboard, with its caption and no name.</source>
@@ -838,6 +938,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Gerät</translation>
     </message>
     <message>
+        <source>Dialling</source>
+        <translation>Wird angerufen</translation>
+    </message>
+    <message>
         <source>Diameter of the lens. At 0 all is sharp; the larger, the less is sharp before and behind the focus</source>
         <translation>Durchmesser der Linse. Bei 0 ist alles scharf; je größer, desto weniger ist vor und hinter der Schärfeebene scharf</translation>
     </message>
@@ -878,6 +982,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Eine geschlossene Linie ins Bild zeichnen, dann wegschneiden, was hinter ihr liegt, oder alles andere.</translation>
     </message>
     <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Kante</translation>
     </message>
@@ -896,6 +1004,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Edit the tissue</source>
         <translation>Gewebe bearbeiten</translation>
+    </message>
+    <message>
+        <source>Efficiency: the part of its time that went into samples</source>
+        <translation>Effizienz: der Teil seiner Zeit, der in Abtastungen floss</translation>
+    </message>
+    <message>
+        <source>Encrypted, and each side proves who it is, by the certificates in %1</source>
+        <translation>Verschlüsselt, und jede Seite weist sich aus, mit den Zertifikaten in %1</translation>
     </message>
     <message>
         <source>Error against time</source>
@@ -962,6 +1078,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Zugewandt</translation>
     </message>
     <message>
+        <source>Faults</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
         <source>Feet</source>
         <translation>Kaudal</translation>
     </message>
@@ -1020,6 +1140,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Free points, or a curve that a few numbers say. It becomes free points when one is moved.</source>
         <translation>Freie Punkte oder eine Kurve aus wenigen Zahlen. Sie wird zu freien Punkten, wenn einer bewegt wird.</translation>
+    </message>
+    <message>
+        <source>From a question to its answer [milliseconds]</source>
+        <translation>Von einer Frage bis zur Antwort [Millisekunden]</translation>
     </message>
     <message>
         <source>From the &amp;back (P)</source>
@@ -1206,6 +1330,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wie viel Gewebe hintereinander liegt. Lampen zählen nicht.</translation>
     </message>
     <message>
+        <source>How nodes are spoken to</source>
+        <translation>Wie mit Knoten gesprochen wird</translation>
+    </message>
+    <message>
+        <source>How the work is split</source>
+        <translation>Wie die Arbeit verteilt ist</translation>
+    </message>
+    <message>
         <source>Implants</source>
         <translation>Implantate</translation>
     </message>
@@ -1220,6 +1352,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Iterations per picture</source>
         <translation>Iterationen je Bild</translation>
+    </message>
+    <message>
+        <source>Iterations/s</source>
+        <translation>Iterationen/s</translation>
+    </message>
+    <message>
+        <source>Its name and where it is reached</source>
+        <translation>Wie er heißt und wo er erreicht wird</translation>
     </message>
     <message>
         <source>Keep all</source>
@@ -1250,6 +1390,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>S&amp;prache</translation>
     </message>
     <message>
+        <source>Latency</source>
+        <translation>Latenz</translation>
+    </message>
+    <message>
         <source>Leave out</source>
         <translation>Weglassen</translation>
     </message>
@@ -1260,6 +1404,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Leaves out what nobody would see, and says first what that is</source>
         <translation>Lässt weg, was niemand sehen würde, und sagt vorher, was das ist</translation>
+    </message>
+    <message>
+        <source>Leaving</source>
+        <translation>Verabschiedet sich</translation>
     </message>
     <message>
         <source>Left</source>
@@ -1318,6 +1466,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Gezeichnete Linien: %1</translation>
     </message>
     <message>
+        <source>Listen on port</source>
+        <translation>Am Port lauschen</translation>
+    </message>
+    <message>
         <source>Lists the CT series of a folder and shows the first that can be shown.</source>
         <translation>Listet die CT-Serien eines Ordners auf und zeigt die erste darstellbare.</translation>
     </message>
@@ -1352,6 +1504,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Looks: %1</source>
         <translation>Darstellungen: %1</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Verloren</translation>
     </message>
     <message>
         <source>Lung vessels</source>
@@ -1450,6 +1606,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Kein bekannter systematischer Fehler der Rechnung</translation>
     </message>
     <message>
+        <source>No nodes: other machines can render along, and the picture becomes right sooner</source>
+        <translation>Keine Knoten: Andere Rechner können mitrechnen, dann wird das Bild eher richtig</translation>
+    </message>
+    <message>
         <source>No picture</source>
         <translation>Kein Bild</translation>
     </message>
@@ -1460,6 +1620,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>No tissue is in view</source>
         <translation>Kein Gewebe im Bild</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Nodes may dial in: "pdrender-node --coordinator" with this machine's name and this port.</source>
+        <translation>Knoten dürfen sich melden: „pdrender-node --coordinator“ mit dem Namen dieses Rechners und diesem Port.</translation>
     </message>
     <message>
         <source>Noise</source>
@@ -1488,6 +1660,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Nothing is known of the error yet</source>
         <translation>Vom Fehler ist noch nichts bekannt</translation>
+    </message>
+    <message>
+        <source>Of the picture's samples, that it took: what it adds to the error curve</source>
+        <translation>An den Abtastungen des Bildes: was er zur Fehlerkurve beiträgt</translation>
+    </message>
+    <message>
+        <source>Of the whole picture, that its samples come to</source>
+        <translation>Des ganzen Bildes, die seine Abtastungen ergeben</translation>
     </message>
     <message>
         <source>Off, and nothing is lost: %1</source>
@@ -1600,6 +1780,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Gezeigter Teil</translation>
     </message>
     <message>
+        <source>Parts with the chosen nodes; they forget the scan (Delete)</source>
+        <translation>Trennt sich von den gewählten Knoten; sie vergessen den Scan (Entf)</translation>
+    </message>
+    <message>
         <source>Patient</source>
         <translation>Patient</translation>
     </message>
@@ -1610,6 +1794,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pausiert</translation>
     </message>
     <message>
         <source>Peeled off</source>
@@ -1644,6 +1832,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Planes</source>
         <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
     </message>
     <message>
         <source>Preparing the volume of %1...</source>
@@ -1688,6 +1880,14 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Radiance, in the units of the exposure</source>
         <translation>Strahldichte, in den Einheiten der Belichtung</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Empfangen</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -1760,6 +1960,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Reflection</source>
         <translation>Reflexion</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgewiesen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -1842,6 +2046,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Sagittal</translation>
     </message>
     <message>
+        <source>Samples: each node takes some of all pixels' samples</source>
+        <translation>Abtastungen: Jeder Knoten rechnet einen Teil der Abtastungen aller Pixel</translation>
+    </message>
+    <message>
         <source>Save and share looks</source>
         <translation>Darstellungen sichern und weitergeben</translation>
     </message>
@@ -1870,6 +2078,14 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Ablauf</translation>
     </message>
     <message>
+        <source>Sending the scan, %1 %</source>
+        <translation>Scan wird übertragen, %1 %</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Gesendet</translation>
+    </message>
+    <message>
         <source>Series</source>
         <translation>Serien</translation>
     </message>
@@ -1884,6 +2100,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Shape of the curve</source>
         <translation>Form der Kurve</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
     </message>
     <message>
         <source>Sharp from %1 before the focus on; it is %2 away.</source>
@@ -1946,6 +2166,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>&amp;Größe</translation>
     </message>
     <message>
+        <source>Silent</source>
+        <translation>Schweigt</translation>
+    </message>
+    <message>
         <source>Size of the chosen lamp</source>
         <translation>Größe der gewählten Lampe</translation>
     </message>
@@ -2002,6 +2226,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Weichgewebe ist nicht zu sehen. Verkalkter Knorpel sieht aus wie Knochen.</translation>
     </message>
     <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
         <source>Str&amp;ength</source>
         <translation>&amp;Stärke</translation>
     </message>
@@ -2026,12 +2254,24 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die gewählte Lampe</translation>
     </message>
     <message>
+        <source>The chosen nodes take nothing new, or go on (Space)</source>
+        <translation>Die gewählten Knoten nehmen nichts Neues an oder machen weiter (Leertaste)</translation>
+    </message>
+    <message>
         <source>The densest contrast looks like bone, and marrow looks like blood.</source>
         <translation>Das dichteste Kontrastmittel sieht aus wie Knochen, Mark wie Blut.</translation>
     </message>
     <message>
         <source>The densest tissue on each line of sight; not which of two lies in front.</source>
         <translation>Das dichteste Gewebe auf jedem Sehstrahl; nicht, was davon vorn liegt.</translation>
+    </message>
+    <message>
+        <source>The folder of this machine's certificates</source>
+        <translation>Der Ordner mit den Zertifikaten dieses Rechners</translation>
+    </message>
+    <message>
+        <source>The folder of this machine's certificates, which "pdrender-node --make-certificates" has made: with them nodes on other machines may be used.</source>
+        <translation>Der Ordner mit den Zertifikaten dieses Rechners, die „pdrender-node --make-certificates“ erzeugt hat: Mit ihnen lassen sich Knoten auf anderen Rechnern verwenden.</translation>
     </message>
     <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
@@ -2096,6 +2336,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schwellwert</translation>
     </message>
     <message>
+        <source>Tiles: each node takes parts of the picture, as fast as it is</source>
+        <translation>Kacheln: Jeder Knoten rechnet Teile des Bildes, so viele, wie er schafft</translation>
+    </message>
+    <message>
         <source>Tissue</source>
         <translation>Gewebe</translation>
     </message>
@@ -2126,6 +2370,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Two lamps behind: bright outlines</source>
         <translation>Zwei Lampen dahinter: helle Umrisse</translation>
+    </message>
+    <message>
+        <source>Type the address of a node first, such as gpu-07 or 10.0.0.7:%1.</source>
+        <translation>Geben Sie zuerst die Adresse eines Knotens ein, etwa gpu-07 oder 10.0.0.7:%1.</translation>
     </message>
     <message>
         <source>Unbiased</source>
@@ -2244,6 +2492,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Was das Bild berechnet. Es geht dort mit den vorhandenen Abtastungen weiter.</translation>
     </message>
     <message>
+        <source>What could not be done</source>
+        <translation>Was nicht ging</translation>
+    </message>
+    <message>
         <source>What else is true of the picture</source>
         <translation>Was sonst für das Bild gilt</translation>
     </message>
@@ -2262,6 +2514,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>What is taken for bone is left out: the densest contrast may be missing, rims of bone may be left over.</source>
         <translation>Was für Knochen gehalten wird, ist weggelassen: Das dichteste Kontrastmittel kann fehlen, Ränder von Knochen können übrig bleiben.</translation>
+    </message>
+    <message>
+        <source>What it computes with</source>
+        <translation>Womit er rechnet</translation>
+    </message>
+    <message>
+        <source>What it is doing. What a lost node had in hand is rendered by others</source>
+        <translation>Was er gerade tut. Was ein verlorener Knoten in Arbeit hatte, rechnen andere</translation>
     </message>
     <message>
         <source>What it shows and costs</source>
@@ -2300,8 +2560,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Was diese Darstellung nicht zeigt</translation>
     </message>
     <message>
+        <source>What went wrong with it, and was put right by others</source>
+        <translation>Was mit ihm schiefging und von anderen behoben wurde</translation>
+    </message>
+    <message>
         <source>Wheel, right drag, + and -</source>
         <translation>Rad, Ziehen mit rechts, + und -</translation>
+    </message>
+    <message>
+        <source>Where a machine waits that is to render along: one on which "pdrender-node --listen" runs. Without a port it is %1.</source>
+        <translation>Wo ein Rechner wartet, der mitrechnen soll: einer, auf dem „pdrender-node --listen“ läuft. Ohne Port gilt %1.</translation>
     </message>
     <message>
         <source>Where it is rough before smoothing</source>
@@ -2348,12 +2616,32 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Fenster</translation>
     </message>
     <message>
+        <source>Without certificates</source>
+        <translation>Ohne Zertifikate</translation>
+    </message>
+    <message>
+        <source>Without certificates connections are plain, and to this machine only</source>
+        <translation>Ohne Zertifikate sind Verbindungen unverschlüsselt und nur innerhalb dieses Rechners möglich</translation>
+    </message>
+    <message>
+        <source>Without certificates: only nodes on this machine</source>
+        <translation>Ohne Zertifikate: nur Knoten auf diesem Rechner</translation>
+    </message>
+    <message>
         <source>X-ray</source>
         <translation>Röntgenbild</translation>
     </message>
     <message>
         <source>Zoom</source>
         <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>a node joined</source>
+        <translation>ein Knoten kam dazu</translation>
+    </message>
+    <message>
+        <source>a node was lost</source>
+        <translation>ein Knoten ging verloren</translation>
     </message>
     <message>
         <source>a single slice</source>
@@ -2404,6 +2692,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Quader von %1 x %2 x %3 mm</translation>
     </message>
     <message>
+        <source>brought too late: %1</source>
+        <translation>zu spät gebracht: %1</translation>
+    </message>
+    <message>
         <source>can be shown</source>
         <translation>kann gezeigt werden</translation>
     </message>
@@ -2418,6 +2710,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>comparison: %1</source>
         <translation>Vergleich: %1</translation>
+    </message>
+    <message>
+        <source>connections lost: %1</source>
+        <translation>verlorene Verbindungen: %1</translation>
     </message>
     <message>
         <source>contrast</source>
@@ -2480,6 +2776,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>hier: noch nicht bekannt</translation>
     </message>
     <message>
+        <source>host or host:port</source>
+        <translation>Rechner oder Rechner:Port</translation>
+    </message>
+    <message>
         <source>in the box 95 % of the tissue within ±%1</source>
         <translation>im Rahmen 95 % des Gewebes innerhalb ±%1</translation>
     </message>
@@ -2518,6 +2818,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>muscle</source>
         <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>never brought: %1</source>
+        <translation>nie gebracht: %1</translation>
     </message>
     <message>
         <source>no contrast was found in the blood</source>

@@ -36,6 +36,26 @@
         <translation> · en cursiva: de la vista anterior</translation>
     </message>
     <message>
+        <source>"%1" is no address of a node: only a host and a port, without slashes, such as gpu-07:%2.</source>
+        <translation>«%1» no es la dirección de un nodo: solo equipo y puerto, sin barras, como gpu-07:%2.</translation>
+    </message>
+    <message>
+        <source>"%1" is no host: names have letters, digits, dots and hyphens.</source>
+        <translation>«%1» no es un equipo: los nombres tienen letras, cifras, puntos y guiones.</translation>
+    </message>
+    <message>
+        <source>"%1" is no port: ports are numbers from 1 to 65535.</source>
+        <translation>«%1» no es un puerto: los puertos son números del 1 al 65535.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture's samples</source>
+        <translation>%1 % de las muestras de la imagen</translation>
+    </message>
+    <message>
         <source>%1 % of the voxels lie below</source>
         <translation>%1 % de los vóxeles están por debajo</translation>
     </message>
@@ -82,8 +102,24 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 en al menos %2</translation>
     </message>
     <message>
+        <source>%1 is in the list already.</source>
+        <translation>%1 ya está en la lista.</translation>
+    </message>
+    <message>
         <source>%1 iterations per frame on %2</source>
         <translation>%1 iteraciones por imagen en %2</translation>
+    </message>
+    <message>
+        <source>%1 iterations/s</source>
+        <translation>%1 iteraciones/s</translation>
+    </message>
+    <message>
+        <source>%1 joined</source>
+        <translation>%1 se unió</translation>
+    </message>
+    <message>
+        <source>%1 leaves</source>
+        <translation>%1 se despide</translation>
     </message>
     <message>
         <source>%1 line that smoothing took away is marked</source>
@@ -102,6 +138,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 nodes make other bits than this machine</source>
+        <translation>%1 nodos calculan otros bits que este equipo</translation>
+    </message>
+    <message>
         <source>%1 of the curve</source>
         <translation>%1 de la curva</translation>
     </message>
@@ -116,6 +160,26 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 samples</source>
         <translation>%1 muestras</translation>
+    </message>
+    <message>
+        <source>%1 waits for the scan</source>
+        <translation>%1 espera el estudio</translation>
+    </message>
+    <message>
+        <source>%1 was lost</source>
+        <translation>%1 se perdió</translation>
+    </message>
+    <message>
+        <source>%1 was lost: %2</source>
+        <translation>%1 se perdió: %2</translation>
+    </message>
+    <message>
+        <source>%1 was paused</source>
+        <translation>%1 se pausó</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>%1 se quitó</translation>
     </message>
     <message>
         <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels</source>
@@ -442,6 +506,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>1 iteración por imagen en %1</translation>
     </message>
     <message>
+        <source>1 node makes other bits than this machine</source>
+        <translation>1 nodo calcula otros bits que este equipo</translation>
+    </message>
+    <message>
         <source>1 sample</source>
         <translation>1 muestra</translation>
     </message>
@@ -550,6 +618,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Añadir un plano: %1</translation>
     </message>
     <message>
+        <source>Add the node</source>
+        <translation>Añadir el nodo</translation>
+    </message>
+    <message>
+        <source>Address of a node</source>
+        <translation>Dirección de un nodo</translation>
+    </message>
+    <message>
         <source>Adds a panel like the chosen one, as a lamp of its own</source>
         <translation>Añade un panel como el elegido, como lámpara propia</translation>
     </message>
@@ -566,6 +642,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Todo está nítido. Una lente desenfoca lo que hay delante y detrás de su foco.</translation>
     </message>
     <message>
+        <source>All nodes make the same bits as this machine</source>
+        <translation>Todos los nodos calculan los mismos bits que este equipo</translation>
+    </message>
+    <message>
         <source>All panels in numbers</source>
         <translation>Todos los paneles en números</translation>
     </message>
@@ -576,6 +656,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>All tissue glows through all other. Lights do not count.</source>
         <translation>Todo tejido brilla a través de los demás. Las luces no cuentan.</translation>
+    </message>
+    <message>
+        <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
+        <translation>Una dirección IPv6 va entre corchetes: [%1] o [%1]:%2.</translation>
     </message>
     <message>
         <source>Another</source>
@@ -678,6 +762,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Brillo</translation>
     </message>
     <message>
+        <source>Bytes from the node</source>
+        <translation>Bytes desde el nodo</translation>
+    </message>
+    <message>
+        <source>Bytes to the node</source>
+        <translation>Bytes hacia el nodo</translation>
+    </message>
+    <message>
         <source>CPU</source>
         <translation>CPU</translation>
     </message>
@@ -700,6 +792,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Cancel what runs</source>
         <translation>Cancelar lo que está en curso</translation>
+    </message>
+    <message>
+        <source>Certificates...</source>
+        <translation>Certificados...</translation>
     </message>
     <message>
         <source>Chest</source>
@@ -752,6 +848,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Comparison with Exposure Render</source>
         <translation>Comparación con Exposure Render</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Conectando</translation>
     </message>
     <message>
         <source>Copies the picture to the clipboard, with its caption and no name.</source>
@@ -838,6 +938,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Dispositivo</translation>
     </message>
     <message>
+        <source>Dialling</source>
+        <translation>Llamando</translation>
+    </message>
+    <message>
         <source>Diameter of the lens. At 0 all is sharp; the larger, the less is sharp before and behind the focus</source>
         <translation>Diámetro de la lente. Con 0 todo está nítido; cuanto mayor, menos nítido es lo que hay delante y detrás del foco</translation>
     </message>
@@ -878,6 +982,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Dibuje una línea cerrada en la imagen y corte lo que queda detrás, o todo lo demás.</translation>
     </message>
     <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Lado</translation>
     </message>
@@ -896,6 +1004,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Edit the tissue</source>
         <translation>Editar el tejido</translation>
+    </message>
+    <message>
+        <source>Efficiency: the part of its time that went into samples</source>
+        <translation>Eficiencia: la parte de su tiempo que se dedicó a muestras</translation>
+    </message>
+    <message>
+        <source>Encrypted, and each side proves who it is, by the certificates in %1</source>
+        <translation>Cifrado, y cada parte demuestra quién es, con los certificados de %1</translation>
     </message>
     <message>
         <source>Error against time</source>
@@ -962,6 +1078,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>De frente</translation>
     </message>
     <message>
+        <source>Faults</source>
+        <translation>Fallos</translation>
+    </message>
+    <message>
         <source>Feet</source>
         <translation>Pies</translation>
     </message>
@@ -1020,6 +1140,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Free points, or a curve that a few numbers say. It becomes free points when one is moved.</source>
         <translation>Puntos libres, o una curva descrita por pocos números. Pasa a puntos libres cuando se mueve uno.</translation>
+    </message>
+    <message>
+        <source>From a question to its answer [milliseconds]</source>
+        <translation>De una pregunta a su respuesta [milisegundos]</translation>
     </message>
     <message>
         <source>From the &amp;back (P)</source>
@@ -1206,6 +1330,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cuánto tejido hay uno tras otro. Las luces no cuentan.</translation>
     </message>
     <message>
+        <source>How nodes are spoken to</source>
+        <translation>Cómo se habla con los nodos</translation>
+    </message>
+    <message>
+        <source>How the work is split</source>
+        <translation>Cómo se reparte el trabajo</translation>
+    </message>
+    <message>
         <source>Implants</source>
         <translation>Implantes</translation>
     </message>
@@ -1220,6 +1352,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Iterations per picture</source>
         <translation>Iteraciones por imagen</translation>
+    </message>
+    <message>
+        <source>Iterations/s</source>
+        <translation>Iteraciones/s</translation>
+    </message>
+    <message>
+        <source>Its name and where it is reached</source>
+        <translation>Cómo se llama y dónde se le encuentra</translation>
     </message>
     <message>
         <source>Keep all</source>
@@ -1250,6 +1390,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>I&amp;dioma</translation>
     </message>
     <message>
+        <source>Latency</source>
+        <translation>Latencia</translation>
+    </message>
+    <message>
         <source>Leave out</source>
         <translation>Omitir</translation>
     </message>
@@ -1260,6 +1404,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Leaves out what nobody would see, and says first what that is</source>
         <translation>Omite lo que nadie vería, y antes dice qué es</translation>
+    </message>
+    <message>
+        <source>Leaving</source>
+        <translation>Despidiéndose</translation>
     </message>
     <message>
         <source>Left</source>
@@ -1318,6 +1466,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Líneas dibujadas: %1</translation>
     </message>
     <message>
+        <source>Listen on port</source>
+        <translation>Escuchar en el puerto</translation>
+    </message>
+    <message>
         <source>Lists the CT series of a folder and shows the first that can be shown.</source>
         <translation>Lista las series de TC de una carpeta y muestra la primera que se pueda mostrar.</translation>
     </message>
@@ -1352,6 +1504,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Looks: %1</source>
         <translation>Aspectos: %1</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Perdido</translation>
     </message>
     <message>
         <source>Lung vessels</source>
@@ -1450,6 +1606,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Ningún sesgo conocido en el cálculo</translation>
     </message>
     <message>
+        <source>No nodes: other machines can render along, and the picture becomes right sooner</source>
+        <translation>Sin nodos: otros equipos pueden calcular también, y la imagen es correcta antes</translation>
+    </message>
+    <message>
         <source>No picture</source>
         <translation>Sin imagen</translation>
     </message>
@@ -1460,6 +1620,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>No tissue is in view</source>
         <translation>No hay tejido a la vista</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Nodo</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nodos</translation>
+    </message>
+    <message>
+        <source>Nodes may dial in: "pdrender-node --coordinator" with this machine's name and this port.</source>
+        <translation>Los nodos pueden llamar: «pdrender-node --coordinator» con el nombre de este equipo y este puerto.</translation>
     </message>
     <message>
         <source>Noise</source>
@@ -1488,6 +1660,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Nothing is known of the error yet</source>
         <translation>Aún no se sabe nada del error</translation>
+    </message>
+    <message>
+        <source>Of the picture's samples, that it took: what it adds to the error curve</source>
+        <translation>De las muestras de la imagen: lo que aporta a la curva de error</translation>
+    </message>
+    <message>
+        <source>Of the whole picture, that its samples come to</source>
+        <translation>De la imagen entera, a las que equivalen sus muestras</translation>
     </message>
     <message>
         <source>Off, and nothing is lost: %1</source>
@@ -1600,6 +1780,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Parte que se muestra</translation>
     </message>
     <message>
+        <source>Parts with the chosen nodes; they forget the scan (Delete)</source>
+        <translation>Se despide de los nodos elegidos; olvidan el estudio (Supr)</translation>
+    </message>
+    <message>
         <source>Patient</source>
         <translation>Paciente</translation>
     </message>
@@ -1610,6 +1794,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Pause</source>
         <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
     </message>
     <message>
         <source>Peeled off</source>
@@ -1644,6 +1832,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Planes</source>
         <translation>Planos</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Puerto</translation>
     </message>
     <message>
         <source>Preparing the volume of %1...</source>
@@ -1688,6 +1880,14 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Radiance, in the units of the exposure</source>
         <translation>Radiancia, en las unidades de la exposición</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Recibido</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -1760,6 +1960,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Reflection</source>
         <translation>Reflexión</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Rechazado</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -1842,6 +2046,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Sagital</translation>
     </message>
     <message>
+        <source>Samples: each node takes some of all pixels' samples</source>
+        <translation>Muestras: cada nodo calcula una parte de las muestras de todos los píxeles</translation>
+    </message>
+    <message>
         <source>Save and share looks</source>
         <translation>Guardar y compartir aspectos</translation>
     </message>
@@ -1870,6 +2078,14 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Esquema</translation>
     </message>
     <message>
+        <source>Sending the scan, %1 %</source>
+        <translation>Enviando el estudio, %1 %</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Enviado</translation>
+    </message>
+    <message>
         <source>Series</source>
         <translation>Series</translation>
     </message>
@@ -1884,6 +2100,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Shape of the curve</source>
         <translation>Forma de la curva</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Parte</translation>
     </message>
     <message>
         <source>Sharp from %1 before the focus on; it is %2 away.</source>
@@ -1946,6 +2166,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Ta&amp;maño</translation>
     </message>
     <message>
+        <source>Silent</source>
+        <translation>En silencio</translation>
+    </message>
+    <message>
         <source>Size of the chosen lamp</source>
         <translation>Tamaño de la lámpara elegida</translation>
     </message>
@@ -2002,6 +2226,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>No se ven los tejidos blandos. El cartílago calcificado parece hueso.</translation>
     </message>
     <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
         <source>Str&amp;ength</source>
         <translation>&amp;Intensidad</translation>
     </message>
@@ -2026,12 +2254,24 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>La lámpara elegida</translation>
     </message>
     <message>
+        <source>The chosen nodes take nothing new, or go on (Space)</source>
+        <translation>Los nodos elegidos no aceptan nada nuevo, o continúan (espacio)</translation>
+    </message>
+    <message>
         <source>The densest contrast looks like bone, and marrow looks like blood.</source>
         <translation>El contraste más denso parece hueso; la médula, sangre.</translation>
     </message>
     <message>
         <source>The densest tissue on each line of sight; not which of two lies in front.</source>
         <translation>El tejido más denso en cada línea de visión; no cuál de dos está delante.</translation>
+    </message>
+    <message>
+        <source>The folder of this machine's certificates</source>
+        <translation>La carpeta con los certificados de este equipo</translation>
+    </message>
+    <message>
+        <source>The folder of this machine's certificates, which "pdrender-node --make-certificates" has made: with them nodes on other machines may be used.</source>
+        <translation>La carpeta con los certificados de este equipo, creados con «pdrender-node --make-certificates»: con ellos se pueden usar nodos en otros equipos.</translation>
     </message>
     <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
@@ -2096,6 +2336,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Umbral</translation>
     </message>
     <message>
+        <source>Tiles: each node takes parts of the picture, as fast as it is</source>
+        <translation>Teselas: cada nodo calcula partes de la imagen, tantas como puede</translation>
+    </message>
+    <message>
         <source>Tissue</source>
         <translation>Tejido</translation>
     </message>
@@ -2126,6 +2370,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Two lamps behind: bright outlines</source>
         <translation>Dos lámparas detrás: contornos brillantes</translation>
+    </message>
+    <message>
+        <source>Type the address of a node first, such as gpu-07 or 10.0.0.7:%1.</source>
+        <translation>Escriba primero la dirección de un nodo, como gpu-07 o 10.0.0.7:%1.</translation>
     </message>
     <message>
         <source>Unbiased</source>
@@ -2244,6 +2492,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Lo que calcula la imagen. Continúa allí con las muestras que tiene.</translation>
     </message>
     <message>
+        <source>What could not be done</source>
+        <translation>Lo que no se pudo hacer</translation>
+    </message>
+    <message>
         <source>What else is true of the picture</source>
         <translation>Qué más es cierto de la imagen</translation>
     </message>
@@ -2262,6 +2514,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>What is taken for bone is left out: the densest contrast may be missing, rims of bone may be left over.</source>
         <translation>Se omite lo que se toma por hueso: puede faltar el contraste más denso y quedar bordes de hueso.</translation>
+    </message>
+    <message>
+        <source>What it computes with</source>
+        <translation>Con qué calcula</translation>
+    </message>
+    <message>
+        <source>What it is doing. What a lost node had in hand is rendered by others</source>
+        <translation>Qué está haciendo. Lo que un nodo perdido tenía entre manos lo calculan otros</translation>
     </message>
     <message>
         <source>What it shows and costs</source>
@@ -2300,8 +2560,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Qué no muestra este aspecto</translation>
     </message>
     <message>
+        <source>What went wrong with it, and was put right by others</source>
+        <translation>Lo que falló en él y arreglaron otros</translation>
+    </message>
+    <message>
         <source>Wheel, right drag, + and -</source>
         <translation>Rueda, arrastrar con el derecho, + y -</translation>
+    </message>
+    <message>
+        <source>Where a machine waits that is to render along: one on which "pdrender-node --listen" runs. Without a port it is %1.</source>
+        <translation>Dónde espera un equipo que ha de calcular también: uno en el que se ejecuta «pdrender-node --listen». Sin puerto es %1.</translation>
     </message>
     <message>
         <source>Where it is rough before smoothing</source>
@@ -2348,12 +2616,32 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Ventana</translation>
     </message>
     <message>
+        <source>Without certificates</source>
+        <translation>Sin certificados</translation>
+    </message>
+    <message>
+        <source>Without certificates connections are plain, and to this machine only</source>
+        <translation>Sin certificados las conexiones no van cifradas y solo son posibles dentro de este equipo</translation>
+    </message>
+    <message>
+        <source>Without certificates: only nodes on this machine</source>
+        <translation>Sin certificados: solo nodos en este equipo</translation>
+    </message>
+    <message>
         <source>X-ray</source>
         <translation>Radiografía</translation>
     </message>
     <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>a node joined</source>
+        <translation>se unió un nodo</translation>
+    </message>
+    <message>
+        <source>a node was lost</source>
+        <translation>se perdió un nodo</translation>
     </message>
     <message>
         <source>a single slice</source>
@@ -2404,6 +2692,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>caja de %1 x %2 x %3 mm</translation>
     </message>
     <message>
+        <source>brought too late: %1</source>
+        <translation>entregado tarde: %1</translation>
+    </message>
+    <message>
         <source>can be shown</source>
         <translation>se puede mostrar</translation>
     </message>
@@ -2418,6 +2710,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>comparison: %1</source>
         <translation>comparación: %1</translation>
+    </message>
+    <message>
+        <source>connections lost: %1</source>
+        <translation>conexiones perdidas: %1</translation>
     </message>
     <message>
         <source>contrast</source>
@@ -2480,6 +2776,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>aquí: aún no se conoce</translation>
     </message>
     <message>
+        <source>host or host:port</source>
+        <translation>equipo o equipo:puerto</translation>
+    </message>
+    <message>
         <source>in the box 95 % of the tissue within ±%1</source>
         <translation>en el recuadro, 95 % del tejido dentro de ±%1</translation>
     </message>
@@ -2518,6 +2818,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>muscle</source>
         <translation>músculo</translation>
+    </message>
+    <message>
+        <source>never brought: %1</source>
+        <translation>nunca entregado: %1</translation>
     </message>
     <message>
         <source>no contrast was found in the blood</source>

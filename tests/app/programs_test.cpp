@@ -97,7 +97,7 @@ class ProgramsTest : public QObject {
         row("pdrender-bench", "pdrender-bench", {"--help"}, "selftest");
         row("pdrender-bench -h", "pdrender-bench", {"-h"}, "paper");
         row("pdrender-bench help", "pdrender-bench", {"help"}, "rebound");
-        for (const char* command : {"picture", "rebound", "filtering", "paper", "parity", "selftest"})
+        for (const char* command : {"picture", "rebound", "filtering", "bits", "paper", "parity", "selftest"})
             row(command, "pdrender-bench", {command, "--help"}, "--device D   ");
         row("pdrender-node", "pdrender-node", {"--help"}, "--make-certificates");
         row("pdrender-node -h", "pdrender-node", {"-h"}, "--coordinator");

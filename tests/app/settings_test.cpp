@@ -17,6 +17,8 @@ class TestSettings : public QObject {
     void forgettingLeavesNothingInTheFile();
     void coloursAreKept();
     void keysAreKept();
+    void nodesAreKept();
+    void whatIsNoNodeIsLeftOut();
 };
 
 struct Kept {
@@ -75,6 +77,31 @@ void TestSettings::keysAreKept() {
     QCOMPARE(Settings(kept.file).keys(), keys);
     kept.settings.keepKeys({});
     QVERIFY(Settings(kept.file).keys().isEmpty());
+}
+
+void TestSettings::nodesAreKept() {
+    Kept kept;
+    QVERIFY(kept.settings.nodes().isEmpty() && !kept.settings.listenedPort() && kept.settings.certificates().isEmpty());
+    kept.settings.keepNodes({"gpu-07:4743", "[::1]:9000"});
+    kept.settings.keepListenedPort(9001);
+    kept.settings.keepCertificates("/etc/pdrender/desktop");
+    const Settings later(kept.file);
+    QCOMPARE(later.nodes(), QStringList({"gpu-07:4743", "[::1]:9000"}));
+    QCOMPARE(later.listenedPort(), std::optional<quint16>(9001));
+    QCOMPARE(later.certificates(), QString("/etc/pdrender/desktop"));
+    kept.settings.keepNodes({});
+    kept.settings.keepListenedPort(std::nullopt);
+    QVERIFY(Settings(kept.file).nodes().isEmpty() && !Settings(kept.file).listenedPort());
+}
+
+void TestSettings::whatIsNoNodeIsLeftOut() {
+    Kept kept;
+    QSettings file(kept.file, QSettings::IniFormat);
+    file.setValue("nodes/addresses", QStringList{"gpu-07", "http://gpu-08", "gpu-07:4743", "", "gpu-09:0", "gpu-10:1"});
+    file.setValue("nodes/listenedPort", 70000);
+    file.sync();
+    QCOMPARE(Settings(kept.file).nodes(), QStringList({"gpu-07:4743", "gpu-10:1"}));
+    QVERIFY(!Settings(kept.file).listenedPort());
 }
 
 }  // namespace pdr::app

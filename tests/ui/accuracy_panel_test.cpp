@@ -4,6 +4,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/contrast.h"
+#include "ui/error_marks.h"
 #include "ui/main_window.h"
 #include "ui/status_text.h"
 #include "ui/theme.h"
@@ -21,6 +23,7 @@ class TestAccuracyPanel : public QObject {
     void independentSamplesFallByHalfInFourTimesTheTime();
     void whatWasMeasuredStandsInItsPlace();
     void whatIsForetoldIsHatchedFromNowOn();
+    void nodesThatCameAndWentAreMarked();
     void noiseAndWhatIsNotNoiseAreTwoSentences();
     void theLimitThatComesFirstIsTold();
     void aRuleIsTypedInThreeFields();
@@ -129,6 +132,32 @@ void TestAccuracyPanel::whatIsForetoldIsHatchedFromNowOn() {
         if (!step.reached)
             step.seconds = {step.seconds.low, step.seconds.low, kUnknown};
     QVERIFY(marksAt(2, atLeast, 1200, 3500) > 20);
+}
+
+/// Where they did, told apart by form, and named where the mouse is.
+void TestAccuracyPanel::nodesThatCameAndWentAreMarked() {
+    ErrorPlot plot;
+    plot.setAccuracy(accuracyNow(), 1);
+    const QImage before = shot(plot);
+    const PlotEvents events{{4, "gpu-07 joined", true}, {20, "gpu-07 was lost", false}};
+    plot.setEvents(events);
+    const QImage image = shot(plot);
+    const ErrorAxes axes = plot.axes();
+    const auto mark = [&](double seconds) { return QPointF(axes.xOf(seconds), axes.area().bottom() - 5).toPoint(); };
+    const QPalette palette = plot.palette();
+    QCOMPARE(image.pixelColor(mark(4)), palette.color(QPalette::WindowText));
+    QVERIFY(test::contrast(image.pixelColor(mark(20)), palette.color(QPalette::WindowText)) >= 4.5);  // hollow
+    for (const double seconds : {4.0, 20.0})
+        QVERIFY(image.copy(QRect(mark(seconds) - QPoint(5, 5), QSize(10, 10))) !=
+                before.copy(QRect(mark(seconds) - QPoint(5, 5), QSize(10, 10))));
+    const QRect upperRight(300, 2, 190, 16);
+    QVERIFY(image.copy(upperRight) != before.copy(upperRight));
+    QCOMPARE(marksAt(mark(4), axes, events), QString("gpu-07 joined"));
+    QCOMPARE(marksAt(mark(20) + QPoint(4, -20), axes, events), QString("gpu-07 was lost"));
+    QCOMPARE(marksAt(mark(9), axes, events), QString());
+    QVERIFY(plot.accessibleDescription().endsWith("gpu-07 joined; gpu-07 was lost"));
+    plot.setEvents({});
+    QVERIFY(shot(plot) == before);
 }
 
 void TestAccuracyPanel::noiseAndWhatIsNotNoiseAreTwoSentences() {

@@ -34,7 +34,7 @@ class WallsTest : public QObject {
         {"render/prepare/", "^render/(base|volume|kernel|scene|prepare)/"},
         {"render/device/", "^render/(base|kernel|film|prepare|device)/|^render/scene/(scene|schedule).h"},
         {"render/session/", "^render/(base|volume|kernel|film|scene|prepare|device|accuracy|timing|session)/"},
-        {"render/tiles/", "^render/(base|volume|film|device|tiles)/|^render/scene/(scene|schedule).h"},
+        {"render/tiles/", "^render/(base|volume|film|device|timing|tiles)/|^render/scene/(scene|schedule).h"},
         {"dicom/", "^dicom/|^render/(base|volume)/"},
         {"ui/", "^ui/|^render/(base|volume|scene|film|accuracy|timing)/|^dicom/series.h"},
         {"app/program/", "^app/program/"},

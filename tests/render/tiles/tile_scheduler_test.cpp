@@ -139,6 +139,9 @@ class TileSchedulerTest : public QObject {
         const auto again = scheduler.take(5, kCells, 0);
         QCOMPARE(again->samples, (SampleRange{64, 64}));
         QVERIFY(!scheduler.take(6, kCells, 0));
+        for (std::uint64_t number = 1; number <= again->number; ++number)
+            scheduler.finish(number);
+        QVERIFY(scheduler.isDone());
     }
 
     /// Workers that take, finish, lose and leave by chance.

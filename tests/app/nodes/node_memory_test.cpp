@@ -1,0 +1,120 @@
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include <cstring>
+#include <numeric>
+#include <string_view>
+
+#include "tests/support/shared_picture.h"
+
+using namespace pdr;
+using namespace pdr::test;
+
+namespace {
+
+/// Voxels that stand nowhere else: a row of them is looked for in a node's memory.
+constexpr int kRow = 48;
+
+std::shared_ptr<const Volume> markedVolume() {
+    return makeVolume({kRow, 40, 36}, {1, 1, 1}, [](int i, int, int) { return 1000 + (i * 7919) % 997; });
+}
+
+std::string rowBytes() {
+    const auto volume = markedVolume();
+    return {reinterpret_cast<const char*>(volume->voxels().data()), kRow * sizeof(std::int16_t)};
+}
+
+/// How often `bytes` stand in the memory of a process that may be read.
+int countIn(qint64 process, std::string_view bytes) {
+    QFile maps(QString("/proc/%1/maps").arg(process)), memory(QString("/proc/%1/mem").arg(process));
+    if (!maps.open(QIODevice::ReadOnly) || !memory.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
+        return -1;
+    int found = 0;
+    for (const QByteArray& line : maps.readAll().split('\n')) {
+        const QList<QByteArray> range = line.split(' ').value(0).split('-');
+        if (range.size() != 2 || !line.contains(" rw") || line.contains("[v"))
+            continue;
+        const qint64 from = range[0].toLongLong(nullptr, 16), to = range[1].toLongLong(nullptr, 16);
+        constexpr qint64 kPiece = 16 << 20;
+        for (qint64 at = from; at < to; at += kPiece) {
+            if (!memory.seek(at))
+                break;
+            const QByteArray piece = memory.read(std::min(kPiece + qint64(bytes.size()), to - at));
+            for (auto place = std::string_view(piece.constData(), std::size_t(piece.size())).find(bytes);
+                 place != std::string_view::npos;
+                 place = std::string_view(piece.constData(), std::size_t(piece.size())).find(bytes, place + 1))
+                ++found;
+        }
+    }
+    return found;
+}
+
+Scene markedScene() {
+    Scene scene = plainScene(markedVolume(), 0.05f);
+    scene.lookName = "ZZCANARY^123";
+    return scene;
+}
+
+}  // namespace
+
+/// What of a patient gets to a node, and what stays there.
+class NodeMemoryTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() {
+        const NodeProcess process;
+        if (countIn(process.id(), "x") < 0)
+            QSKIP("memory of another program can be read by root only");
+    }
+
+    void scanIsGoneAfterTheGoodbye() {
+        NodeProcess process;
+        {
+            NodeTrial trial;
+            trial.add(process);
+            (void)trial.picture(markedScene(), {64, 64}, 1);
+            QVERIFY(countIn(process.id(), rowBytes()) > 0);  // else nothing was looked for
+            QCOMPARE(countIn(process.id(), "ZZCANARY"), 0);
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(process.log().contains("the connection has ended"), kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(countIn(process.id(), rowBytes()), 0, 10000);
+    }
+
+    void scanIsGoneWhenItIsClosed() {
+        NodeProcess process;
+        NodeTrial trial;
+        trial.add(process);
+        (void)trial.picture(markedScene(), {64}, 1);
+        QVERIFY(countIn(process.id(), rowBytes()) > 0);
+        QVERIFY(bool(trial.device->unload()));
+        QTRY_COMPARE_WITH_TIMEOUT(countIn(process.id(), rowBytes()), 0, 10000);
+    }
+
+    void logSaysNothingOfThePicture() {
+        NodeProcess process;
+        {
+            NodeTrial trial;
+            trial.add(process);
+            (void)trial.picture(markedScene(), {64}, 1);
+        }
+        process.signal(SIGTERM);
+        QCOMPARE(process.code(), 0);
+        QVERIFY(!process.log().contains("ZZCANARY"));
+    }
+
+    void nothingIsWritten() {
+        NodeProcess process;
+        NodeTrial trial;
+        trial.add(process);
+        (void)trial.picture(markedScene(), {64}, 1);
+        const QDir open(QString("/proc/%1/fd").arg(process.id()));
+        for (const QFileInfo& file : open.entryInfoList(QDir::Files | QDir::System))
+            QVERIFY2(!file.symLinkTarget().startsWith("/tmp") && !file.symLinkTarget().startsWith("/var"),
+                     qPrintable(file.symLinkTarget()));
+    }
+};
+
+QTEST_GUILESS_MAIN(NodeMemoryTest)
+#include "node_memory_test.moc"

@@ -1,0 +1,266 @@
+/// Real render nodes and the window, on this machine: they come and go, the picture goes on, and the scan does not stay
+/// with them.
+
+#include <QCheckBox>
+#include <QFile>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <set>
+
+#include "tests/support/desktop_trial.h"
+#include "tests/support/named_widget.h"
+#include "tests/support/phantom_series.h"
+#include "tests/support/places.h"
+#include "tests/support/taken_port.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+using ui::NodeState;
+
+class NodeProcess {
+  public:
+    explicit NodeProcess(const QStringList& arguments) {
+        process_.setProcessChannelMode(QProcess::ForwardedChannels);
+        process_.start(PDR_BINARY_DIR "/bin/pdrender-node",
+                       QStringList{"--threads", "1", "--device", "cpu"} + arguments);
+        if (!process_.waitForStarted(test::kPatience))
+            qFatal("pdrender-node does not start");
+    }
+    ~NodeProcess() { kill(); }
+
+    void kill() {
+        process_.kill();
+        process_.waitForFinished(test::kPatience);
+    }
+    qint64 id() const { return process_.processId(); }
+    QProcess& process() { return process_; }
+
+  private:
+    QProcess process_;
+};
+
+static NodeProcess dialling(quint16 port) {
+    return NodeProcess({"--coordinator", QString("127.0.0.1:%1").arg(port)});
+}
+
+class TestNodesInWindow : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void nodesDialInAndThePictureGoesOnWithoutThem();
+    void aNodeThatIsAddedIsDialledUntilItAnswers();
+    void aPausedNodeRestsAndGoesOn();
+    void whatIsWrongIsToldInThePanel();
+    void theyAreWantedTheNextTime();
+    void nothingOfTheScanStaysWithThem();
+    void theWindowClosesWithNodesConnected();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+void TestNodesInWindow::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_), "ZZCANARY");
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+struct NodesTrial : Trial {
+    ui::NodesPanel& panel() { return desktop.window().nodes(); }
+    NodesJob& nodes() { return desktop.parts().nodes; }
+
+    void listen(quint16 port) {
+        test::named<QSpinBox>(panel(), "Port").setValue(port);
+        test::named<QCheckBox>(panel(), "Listen on port").setChecked(true);
+    }
+    int count(NodeState state) { return int(std::ranges::count(nodes().rows(), state, &ui::NodeRow::state)); }
+    void waitForMore(std::uint64_t samples) {
+        const std::uint64_t enough = frames.back()->status.samplesPerPixel + samples;
+        QTRY_VERIFY_WITH_TIMEOUT(frames.back()->status.samplesPerPixel >= enough, test::kPatience);
+    }
+    bool neverFellBack() const {
+        for (std::size_t i = 1; i < frames.size(); ++i)
+            if (frames[i]->revision == frames[i - 1]->revision && !frames[i]->coarse && !frames[i - 1]->coarse &&
+                frames[i]->status.samplesPerPixel < frames[i - 1]->status.samplesPerPixel)
+                return false;
+        return true;
+    }
+    QString events() {
+        QStringList texts;
+        for (const ui::PlotEvent& event : nodes().events())
+            texts << event.text;
+        return texts.join('\n');
+    }
+};
+
+void TestNodesInWindow::nodesDialInAndThePictureGoesOnWithoutThem() {
+    NodesTrial trial;
+    trial.openAndWait(series_);
+    const quint16 port = test::freePort();
+    trial.listen(port);
+    NodeProcess one({"--coordinator", QString("127.0.0.1:%1").arg(port), "--name", "one"});
+    const NodeProcess two({"--coordinator", QString("127.0.0.1:%1").arg(port), "--name", "two"});
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 2, test::kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(std::ranges::all_of(trial.nodes().rows(), [](const auto& row) { return row.share > 0; }),
+                             test::kPatience);
+    QCOMPARE(trial.panel().table().model()->rowCount(), 2);
+    const QString first = trial.panel().table().model()->index(0, 0).data().toString();
+    QVERIFY2(first.startsWith("one (127.0.0.1:") || first.startsWith("two (127.0.0.1:"), qPrintable(first));
+    one.kill();
+    QTRY_COMPARE_WITH_TIMEOUT(trial.nodes().rows().size(), 1, test::kPatience);
+    QTRY_VERIFY2_WITH_TIMEOUT(trial.events().contains("one was"), qPrintable(trial.events()), test::kPatience);
+    trial.waitForMore(3);
+    QVERIFY(trial.neverFellBack());
+    QVERIFY(trial.desktop.window().message().isHidden());  // a kink in the curve, no box
+}
+
+void TestNodesInWindow::aNodeThatIsAddedIsDialledUntilItAnswers() {
+    NodesTrial trial;
+    trial.openAndWait(series_);
+    const QString address = QString("127.0.0.1:%1").arg(test::freePort());
+    emit trial.panel().addRequested(address);
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::dialling), 1, test::kPatience);
+    trial.waitForMore(1);
+    {
+        const NodeProcess node({"--listen", address});
+        QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(trial.count(NodeState::rendering) == 0 && trial.nodes().rows()[0].faults.lost == 1,
+                             test::kPatience);
+    const NodeProcess again({"--listen", address});
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
+    trial.waitForMore(2);
+    QVERIFY(trial.neverFellBack());
+    emit trial.panel().removeRequested(trial.nodes().rows()[0].id);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.nodes().rows().isEmpty(), test::kPatience);
+    trial.waitForMore(2);
+    QVERIFY(trial.neverFellBack());
+}
+
+void TestNodesInWindow::aPausedNodeRestsAndGoesOn() {
+    NodesTrial trial;
+    trial.openAndWait(series_);
+    const quint16 port = test::freePort();
+    trial.listen(port);
+    const NodeProcess node = dialling(port);
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
+    const quint64 id = trial.nodes().rows()[0].id;
+    emit trial.panel().pauseRequested(id, true);
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::paused), 1, test::kPatience);
+    trial.waitForMore(2);
+    emit trial.panel().pauseRequested(id, false);
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
+    QVERIFY(trial.neverFellBack());
+}
+
+void TestNodesInWindow::whatIsWrongIsToldInThePanel() {
+    NodesTrial trial;
+    const auto said = [&] { return test::named<QLabel>(trial.panel(), "What could not be done").text(); };
+    emit trial.panel().addRequested("192.0.2.7:4743");  // needs certificates
+    QTRY_VERIFY_WITH_TIMEOUT(!said().isEmpty(), test::kPatience);
+    QVERIFY2(said().contains("192.0.2.7"), qPrintable(said()));
+    QCOMPARE(trial.count(NodeState::refused), 1);
+    emit trial.panel().addRequested("192.0.2.7:4743");
+    QCOMPARE(said(), QString("192.0.2.7:4743 is in the list already."));
+    const test::TakenPort other;
+    trial.listen(other.number());
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains(QString::number(other.number())), qPrintable(said()), test::kPatience);
+    QVERIFY(trial.desktop.window().message().isHidden());
+}
+
+void TestNodesInWindow::theyAreWantedTheNextTime() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("settings.ini");
+    const quint16 port = test::freePort();
+    const QString address = QString("127.0.0.1:%1").arg(test::freePort());
+    {
+        Desktop desktop(*bundledLooks(), makeCpuDevice(1), file, 1);
+        emit desktop.window().nodes().addRequested(address);
+        emit desktop.window().nodes().addRequested("127.0.0.1:1");
+        emit desktop.window().nodes().listenRequested(port);
+        emit desktop.window().nodes().removeRequested(desktop.parts().nodes.rows()[1].id);
+    }
+    Desktop desktop(*bundledLooks(), makeCpuDevice(1), file, 1);
+    QCOMPARE(desktop.parts().nodes.addresses(), QStringList{address});
+    QCOMPARE(desktop.parts().nodes.port(), std::optional(port));
+    QVERIFY(test::named<QCheckBox>(desktop.window().nodes(), "Listen on port").isChecked());
+    QCOMPARE(test::named<QSpinBox>(desktop.window().nodes(), "Port").value(), int(port));
+}
+
+/// Whether `bytes` stand somewhere in what the process may write to; none: it cannot be looked at.
+static std::optional<bool> holds(qint64 process, const QByteArray& bytes) {
+    QFile maps(QString("/proc/%1/maps").arg(process)), memory(QString("/proc/%1/mem").arg(process));
+    if (!maps.open(QFile::ReadOnly) || !memory.open(QFile::ReadOnly | QFile::Unbuffered))
+        return std::nullopt;
+    for (const QByteArray& line : maps.readAll().split('\n')) {
+        const QList<QByteArray> ends = line.left(line.indexOf(' ')).split('-');
+        if (ends.size() != 2 || !line.contains(" rw"))
+            continue;
+        const qint64 begin = ends[0].toLongLong(nullptr, 16), end = ends[1].toLongLong(nullptr, 16);
+        if (memory.seek(begin) && memory.read(end - begin).contains(bytes))
+            return true;
+    }
+    return false;
+}
+
+/// Some of its voxels as they lie in memory: enough not to be there by chance.
+static QByteArray someVoxels(const Volume& volume) {
+    const std::span<const std::int16_t> voxels = volume.voxels();
+    const std::size_t middle = voxels.size() / 2;
+    std::size_t best = middle, most = 0;
+    for (std::size_t at = middle; at + 24 < std::min(voxels.size(), middle + 20'000); ++at) {
+        const std::set<std::int16_t> values(voxels.begin() + std::ptrdiff_t(at),
+                                            voxels.begin() + std::ptrdiff_t(at + 24));
+        if (values.size() > most) {
+            most = values.size();
+            best = at;
+        }
+    }
+    return {reinterpret_cast<const char*>(&voxels[best]), 48};
+}
+
+void TestNodesInWindow::nothingOfTheScanStaysWithThem() {
+    NodesTrial trial;
+    trial.openAndWait(series_);
+    const quint16 port = test::freePort();
+    trial.listen(port);
+    const NodeProcess node = dialling(port);
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
+    const QByteArray voxels = someVoxels(*trial.desktop.parts().document.scene().volume);
+    const std::optional<bool> there = holds(node.id(), voxels);
+    if (!there)
+        QSKIP("another program's memory cannot be read here");
+    QVERIFY(*there);
+    QVERIFY(!*holds(node.id(), "ZZCANARY"));
+    trial.desktop.parts().bridge.clear();
+    QTRY_VERIFY_WITH_TIMEOUT(!*holds(node.id(), voxels), test::kPatience);
+    QCOMPARE(trial.nodes().rows().size(), 1);  // it stays connected
+}
+
+void TestNodesInWindow::theWindowClosesWithNodesConnected() {
+    const quint16 port = test::freePort();
+    const NodeProcess node = dialling(port);
+    QByteArray voxels;
+    {
+        NodesTrial trial;
+        trial.openAndWait(series_);
+        trial.listen(port);
+        QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
+        voxels = someVoxels(*trial.desktop.parts().document.scene().volume);
+    }
+    if (!holds(node.id(), voxels))
+        QSKIP("another program's memory cannot be read here");
+    QTRY_VERIFY_WITH_TIMEOUT(!*holds(node.id(), voxels), test::kPatience);
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestNodesInWindow)
+#include "nodes_in_window_test.moc"

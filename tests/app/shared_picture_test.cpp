@@ -1,0 +1,134 @@
+/// A picture in the window that others render along: it goes on when they come and go, and is the same.
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+
+#include "tests/support/desktop_trial.h"
+#include "tests/support/nearby_worker.h"
+#include "tests/support/phantom_series.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+class TestSharedPicture : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void itGoesOnWhenOthersComeAndGo();
+    void itIsTheSameWhoeverRendersIt();
+    void anotherDeviceIsSharedToo();
+    void nothingIsLeftWhenItIsClosed();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+static std::shared_ptr<WorkerPool> newPool() {
+    return std::make_shared<WorkerPool>(1);
+}
+
+/// In which samples of one picture are never lost.
+static bool neverFallsBack(const Trial& trial) {
+    for (std::size_t i = 1; i < trial.frames.size(); ++i) {
+        const Frame &before = *trial.frames[i - 1], &now = *trial.frames[i];
+        if (now.revision == before.revision && !now.coarse && !before.coarse &&
+            now.status.samplesPerPixel < before.status.samplesPerPixel)
+            return false;
+    }
+    return true;
+}
+
+static void waitForMore(Trial& trial, std::uint64_t samples) {
+    const std::uint64_t enough = trial.frames.back()->status.samplesPerPixel + samples;
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= enough, test::kPatience);
+}
+
+void TestSharedPicture::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_), "Head of a phantom");
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+void TestSharedPicture::itGoesOnWhenOthersComeAndGo() {
+    Trial trial;
+    trial.openAndWait(series_);
+    waitForMore(trial, 3);
+    QSignalSpy noticed(&trial.desktop.parts().bridge, &RenderBridge::noticed);
+    const auto pool = newPool();
+    trial.desktop.parts().bridge.setPool(pool);
+    waitForMore(trial, 2);
+    {
+        const test::NearbyWorker worker(pool, "one");
+        QTRY_VERIFY_WITH_TIMEOUT(worker.status().results > 2, test::kPatience);
+        waitForMore(trial, 2);
+    }
+    waitForMore(trial, 2);
+    trial.desktop.parts().bridge.setPool(nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(!pool->scene().scene, test::kPatience);  // it forgets the scan
+    waitForMore(trial, 2);
+    QVERIFY(neverFallsBack(trial));
+    QVERIFY(noticed.isEmpty());
+}
+
+/// Of the picture as it is after so many samples.
+static QByteArray pictureOf(const QString& series, std::uint64_t samples, const std::shared_ptr<WorkerPool>& pool) {
+    Trial trial;
+    DesktopParts parts = trial.desktop.parts();
+    parts.document.setSmoothed(false);
+    parts.bridge.setStop({.levels = kFinestTarget, .samples = samples});
+    parts.bridge.setPool(pool);
+    trial.openAndWait(series);
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->reached, test::kPatience); }();
+    const Frame& last = *trial.frames.back();
+    return {reinterpret_cast<const char*>(last.rgba.data()), qsizetype(last.rgba.size())};
+}
+
+void TestSharedPicture::itIsTheSameWhoeverRendersIt() {
+    constexpr std::uint64_t kSamples = 70;  // more than a block
+    const QByteArray alone = pictureOf(series_, kSamples, nullptr);
+    const auto pool = newPool();
+    const test::NearbyWorker one(pool, "one"), two(pool, "two");
+    const QByteArray together = pictureOf(series_, kSamples, pool);
+    QVERIFY(!alone.isEmpty() && alone == together);
+    QVERIFY(one.status().results + two.status().results > 0);
+}
+
+void TestSharedPicture::anotherDeviceIsSharedToo() {
+    Trial trial;
+    trial.openAndWait(series_);
+    const auto pool = newPool();
+    trial.desktop.parts().bridge.setPool(pool);
+    const test::NearbyWorker worker(pool, "one");
+    QTRY_VERIFY_WITH_TIMEOUT(worker.status().results > 0, test::kPatience);
+    const std::uint64_t before = pool->scene().number;
+    trial.desktop.parts().bridge.setDevice("cpu");
+    QTRY_VERIFY_WITH_TIMEOUT(pool->scene().number > before, test::kPatience);
+    waitForMore(trial, 2);
+    QVERIFY(pool->scene().scene);  // that of the new device
+    const std::uint64_t results = worker.status().results;
+    QTRY_VERIFY_WITH_TIMEOUT(worker.status().results > results, test::kPatience);
+}
+
+void TestSharedPicture::nothingIsLeftWhenItIsClosed() {
+    const auto pool = newPool();
+    {
+        Trial trial;
+        trial.desktop.parts().bridge.setPool(pool);
+        trial.openAndWait(series_);
+        QVERIFY(pool->scene().scene);
+        trial.desktop.parts().bridge.clear();
+        QTRY_VERIFY_WITH_TIMEOUT(!pool->scene().scene, test::kPatience);
+        trial.desktop.open(series_);
+        QTRY_VERIFY_WITH_TIMEOUT(pool->scene().scene, test::kPatience);
+    }
+    QVERIFY(!pool->scene().scene);
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestSharedPicture)
+#include "shared_picture_test.moc"
