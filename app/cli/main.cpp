@@ -1,4 +1,4 @@
-/// pdrender-cli: info, looks, render, accuracy, effects, replay, example. Exit codes: 0, 1 for an error, 2 for wrong
+/// pdrender-cli: info, looks, render, accuracy, effects, replay, cluster, example. Exit codes: 0, 1 for an error, 2 for wrong
 /// usage.
 
 #include <QCoreApplication>
@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/cli/accuracy_command.h"
+#include "app/cli/cluster_command.h"
 #include "app/cli/effects_command.h"
 #include "app/cli/example_command.h"
 #include "app/cli/info_command.h"
@@ -28,6 +29,7 @@ constexpr const char* kHelp =
     "  pdrender-cli accuracy FOLDER|SCENE.json -o DIR ...     measure what accuracy costs in time\n"
     "  pdrender-cli effects FOLDER|SCENE.json ...             list what the picture needs, why, and at what cost\n"
     "  pdrender-cli replay FOLDER|SCENE.json --pixel X,Y ...  tell how one sample came about, event by event\n"
+    "  pdrender-cli cluster start --slurm N --listen PORT ... start render nodes as a job of Slurm\n"
     "  pdrender-cli example FOLDER ...                        write an example CT series\n"
     "  pdrender-cli help COMMAND                              explain a command; the same as COMMAND --help\n"
     "  pdrender-cli --version                                 say which version this is\n"
@@ -61,6 +63,8 @@ int run(QStringList arguments) {
         return runReplay(arguments);
     if (command == "example")
         return runExample(arguments);
+    if (command == "cluster")
+        return runCluster(arguments);
     if (command == "--version" || command == "-v") {
         std::puts("PD-Render " PDR_VERSION);
         return 0;

@@ -160,7 +160,23 @@ class BenchScaleTest : public QObject {
         const auto all = compared(*runs, some);
         QCOMPARE(all.size(), std::size_t(2));
         QVERIFY(std::fabs(all[0].off()) < 1e-6);
-        QVERIFY(all[1].foretold > 19 && all[1].foretold <= 20);
+        QVERIFY(all[1].foretold > 19 && all[1].foretold < 20.1);
+    }
+
+    /// Of 10 s of one node 1 s goes into 1000 pieces; two nodes have 600 each.
+    void piecesOfWorkCostTime() {
+        const auto runs = measuredRunsFrom(
+            R"({"format": "pdrender-scale-runs", "formatVersion": 1, "width": 480, "height": 270, "clock": "processor",
+                "leaseSeconds": 0.001, "runs": [
+                {"nodes": 1, "iterations": 100, "iterationsPerSecond": 10, "messages": 2000},
+                {"nodes": 2, "iterations": 100, "iterationsPerSecond": 19, "messages": 2400}]})",
+            "runs.json");
+        QVERIFY(runs && runs->byProcessor);
+        ScalingFacts some = facts();
+        some.node = {0, 1e-9, 0, 0};
+        const auto all = compared(*runs, some);
+        QVERIFY(std::fabs(all[0].off()) < 1e-6);
+        QVERIFY(std::fabs(all[1].foretold - 100 / (0.6 + 9.0 / 2)) < 1e-3);
     }
 
     void whatSaysNothingAboutRunsIsRefused() {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace pdr::bench::scale {
@@ -41,6 +42,8 @@ MeasuredRuns runsFrom(const Json& json) {
     MeasuredRuns runs;
     runs.pixels = number(json, "width", 1) * number(json, "height", 1);
     runs.machine = json.value("machine", "");
+    runs.byProcessor = json.value("clock", "wall") == "processor";
+    runs.leaseSeconds = ifThere(json, "leaseSeconds");
     for (const Json& run : json.at("runs"))
         runs.runs.push_back(runFrom(run));
     if (std::ranges::find(runs.runs, 1, &MeasuredRun::nodes) == runs.runs.end())
@@ -71,11 +74,20 @@ Result<MeasuredRuns> readMeasuredRuns(const std::filesystem::path& path) {
 }
 
 std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) {
-    const auto rate = [&facts](const MeasuredRun& run) {
-        facts.work.iterations = run.iterations;
-        return run.iterations * scaled(facts, Distribution::sortFirst, run.nodes).framesPerSecond;
-    };
     facts.work.pixels = runs.pixels;
+    facts.node.launch = runs.leaseSeconds.value_or(facts.node.launch);
+    if (runs.byProcessor)
+        facts.link = {0, std::numeric_limits<double>::infinity(), 0};
+    const auto rate = [&](const MeasuredRun& run) {
+        ScalingFacts its = facts;
+        its.work.iterations = run.iterations;
+        if (run.messages) {  // as many tiles as there were, each a launch
+            its.work.perLaunch = run.iterations;
+            its.tilesPerNode = std::max(1.0, std::round(*run.messages / 2 / run.nodes));
+            its.leastTilePixels = runs.pixels / (its.tilesPerNode * run.nodes) / 2;
+        }
+        return run.iterations * scaled(its, Distribution::sortFirst, run.nodes).framesPerSecond;
+    };
     constexpr int kSteps = 60;  // nearly proportional: a few would do
     for (int step = 0; step < kSteps; ++step)
         facts.node.sample *= rate(runs.ofOne()) / runs.ofOne().iterationsPerSecond;

@@ -1,13 +1,17 @@
 #pragma once
-/// Runs of real nodes to compare with. A JSON file:
+/// Runs of real nodes to compare with. A JSON file, as tests/bench/nodes_scaling.py writes it:
 ///
 ///   {"format": "pdrender-scale-runs", "formatVersion": 1,
 ///    "width": 480, "height": 270,             pixels of the picture
 ///    "machine": "two cores, ...",             for the reader; may be missing
+///    "clock": "wall",                         or "processor": of the nodes, so that ways and waits took no time;
+///                                             default wall
+///    "leaseSeconds": 0.001,                   that a node spends on a piece of work beside its samples, T0; may be
+///                                             missing: as of this machine's launches
 ///    "runs": [{"nodes": 1,                    that took samples, whole number from 1
 ///              "iterations": 256,             samples of each pixel in the run, from 1
 ///              "iterationsPerSecond": 12.5,   of the whole picture, > 0
-///              "messages": 4096,              both ways, all nodes, >= 0; may be missing
+///              "messages": 4096,              orders and results of pieces of work, all nodes; may be missing
 ///              "bytes": 81920000}]}           from the nodes, >= 0; may be missing
 ///
 /// A run of one node must be among them: it says what one node can do there. Other names are passed over.
@@ -32,7 +36,9 @@ struct MeasuredRun {
 struct MeasuredRuns {
     double pixels = 0;
     std::string machine;
-    std::vector<MeasuredRun> runs;  ///< one of one node at least
+    bool byProcessor = false;            ///< the clock
+    std::optional<double> leaseSeconds;  ///< T0
+    std::vector<MeasuredRun> runs;       ///< one of one node at least
 
     const MeasuredRun& ofOne() const;
 };
@@ -49,8 +55,8 @@ struct ComparedRun {
     double off() const { return foretold / run.iterationsPerSecond - 1; }
 };
 
-/// The picture is one frame of as many iterations as each run has, shared out as tiles. `facts` as of this machine;
-/// its alpha is scaled until one node takes as long as there.
+/// The picture is one frame of as many iterations as each run has, shared out as tiles: half as many as there were
+/// messages, where that is known. `facts` as of this machine; alpha is scaled until one node takes as long as there.
 std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts);
 
 }  // namespace pdr::bench::scale

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""nodes_scaling.py PROGRAMS OUT.json: renders one picture by 1 and by 2 render nodes, each a process with one thread on one core
+of its own, and writes what `pdrender-bench scale --measured OUT.json` compares. By hand, on Linux.
+
+The clock is the nodes' own processor time while the picture is made, the mean of the nodes, so that what the coordinator and
+others take of the cores does not count; nor does what a node waits for: the time on the wall is printed beside it. What a piece
+of work costs a node beside its samples (leaseSeconds) follows from one node and pictures of two sizes, whose samples come in
+pieces of other sizes. Messages are orders and results; bytes are those from the nodes, TLS and all."""
+
+import argparse
+import json
+import os
+import re
+import signal
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+TICKS = os.sysconf("SC_CLK_TCK")
+
+
+def processor_seconds(pid):
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / TICKS
+
+
+def received(port):
+    """Bytes that came in on all connections of that port of this machine, as far as they are open."""
+    shown = subprocess.run(["ss", "-tinH", "state", "established", f"( sport = :{port} )"], capture_output=True, text=True)
+    return sum(int(count) for count in re.findall(r"bytes_received:(\d+)", shown.stdout))
+
+
+class Coordinator:
+    """pdrender-cli that waits for nodes; its words are read from a file as they come."""
+
+    def __init__(self, arguments, folder, nodes, size, samples):
+        self.said = folder / "said"
+        command = [arguments.programs / "pdrender-cli", "render", folder / "ct", "-o", folder / "picture.exr",
+                   "--size", size, "--samples", str(samples), "--threads", "1", "--nodes-only",
+                   "--split", arguments.split, "--listen", "127.0.0.1:0", "--bundle", folder / "certificates/coordinator",
+                   "--await", str(nodes)]
+        self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=self.said.open("w"))
+
+    def wait_for(self, pattern):
+        while not (found := re.search(pattern, self.said.read_text(), re.M)):
+            if self.process.poll() is not None:
+                raise SystemExit(self.said.read_text())
+            time.sleep(0.005)
+        return found
+
+    def tiles(self):
+        return sum(int(count) for count in re.findall(r"([\d]+) tiles, [\d]+ checked", self.said.read_text()))
+
+
+def start_node(arguments, folder, address, core):
+    command = [arguments.programs / "pdrender-node", "--coordinator", address, "--bundle", folder / "certificates/node",
+               "--name", f"core-{core}", "--device", "cpu", "--threads", "1"]
+    return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                            preexec_fn=lambda: os.sched_setaffinity(0, {core}))
+
+
+def picture(arguments, folder, nodes, size, samples):
+    coordinator = Coordinator(arguments, folder, nodes, size, samples)
+    address = coordinator.wait_for(r"^waiting for nodes at (\S+)$")[1]
+    cores = sorted(os.sched_getaffinity(0))
+    processes = [start_node(arguments, folder, address, cores[i]) for i in range(nodes)]
+    try:
+        coordinator.wait_for(r"rendering: ")
+        before, began = [processor_seconds(node.pid) for node in processes], time.monotonic()
+        count = 0
+        while coordinator.process.poll() is None:
+            count = max(count, received(address.rpartition(":")[2]))
+            worked = [processor_seconds(node.pid) - then for node, then in zip(processes, before)]
+            took = time.monotonic() - began
+            time.sleep(0.02)
+    finally:
+        for node in processes:
+            node.send_signal(signal.SIGTERM)
+            node.wait()
+    return {"nodes": nodes, "iterations": samples, "iterationsPerSecond": samples * nodes / sum(worked),
+            "messages": 2 * coordinator.tiles(), "bytes": count, "wallSeconds": took, "nodeSeconds": worked}
+
+
+def lease_seconds(runs):
+    """Seconds of one node = samples * a + leases * b, from two pictures."""
+    (s1, l1, t1), (s2, l2, t2) = runs
+    return max(0.0, (t2 * s1 - t1 * s2) / (l2 * s1 - l1 * s2))
+
+
+def facts(run, pixels):
+    return run["iterations"] * pixels, run["messages"] / 2, run["nodeSeconds"][0]
+
+
+def middle(runs):
+    return sorted(runs, key=lambda run: run["iterationsPerSecond"])[len(runs) // 2]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("programs", type=Path)
+    parser.add_argument("out", type=Path)
+    parser.add_argument("--size", default="240x180")
+    parser.add_argument("--samples", type=int, default=1024)
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--split", default="tiles", choices=["tiles", "samples"])
+    arguments = parser.parse_args()
+    width, height = (int(side) for side in arguments.size.split("x"))
+    small = (width // 4, height // 4)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        subprocess.run([arguments.programs / "pdrender-node", "--make-certificates", folder / "certificates"], check=True,
+                       stdout=subprocess.DEVNULL)
+        subprocess.run([arguments.programs / "pdrender-cli", "example", folder / "ct"], check=True, capture_output=True)
+        kinds = [(1, f"{small[0]}x{small[1]}", 4 * arguments.samples), (1, arguments.size, arguments.samples),
+                 (2, arguments.size, arguments.samples)]
+        rounds = [[picture(arguments, folder, *kind) for kind in kinds] for _ in range(arguments.rounds)]
+    for run in (run for kind in zip(*rounds) for run in kind):
+        print(json.dumps(run))
+    few, one, two = (middle(kind) for kind in zip(*rounds))
+    lease = lease_seconds([facts(few, small[0] * small[1]), facts(one, width * height)])
+    print(f"leaseSeconds {lease:.6f}")
+    arguments.out.write_text(json.dumps({
+        "format": "pdrender-scale-runs", "formatVersion": 1, "width": width, "height": height, "clock": "processor",
+        "leaseSeconds": lease, "machine": f"nodes of one core, {arguments.split}, medians of {arguments.rounds}",
+        "runs": [one, two]}, indent=1) + "\n")
+
+
+main()
