@@ -2692,10 +2692,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Quader von %1 x %2 x %3 mm</translation>
     </message>
     <message>
-        <source>brought too late: %1</source>
-        <translation>zu spät gebracht: %1</translation>
-    </message>
-    <message>
         <source>can be shown</source>
         <translation>kann gezeigt werden</translation>
     </message>
@@ -2820,10 +2816,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Muskel</translation>
     </message>
     <message>
-        <source>never brought: %1</source>
-        <translation>nie gebracht: %1</translation>
-    </message>
-    <message>
         <source>no contrast was found in the blood</source>
         <translation>im Blut wurde kein Kontrastmittel gefunden</translation>
     </message>
@@ -2862,6 +2854,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
         <translation>an einem Bild von %1 × %2 Pixeln auf der CPU (%3)</translation>
+    </message>
+    <message>
+        <source>results that never came: %1</source>
+        <translation>ausgebliebene Ergebnisse: %1</translation>
     </message>
     <message>
         <source>right</source>

@@ -2692,10 +2692,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>caja de %1 x %2 x %3 mm</translation>
     </message>
     <message>
-        <source>brought too late: %1</source>
-        <translation>entregado tarde: %1</translation>
-    </message>
-    <message>
         <source>can be shown</source>
         <translation>se puede mostrar</translation>
     </message>
@@ -2820,10 +2816,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>músculo</translation>
     </message>
     <message>
-        <source>never brought: %1</source>
-        <translation>nunca entregado: %1</translation>
-    </message>
-    <message>
         <source>no contrast was found in the blood</source>
         <translation>no se ha encontrado contraste en la sangre</translation>
     </message>
@@ -2862,6 +2854,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
         <translation>en una imagen de %1 × %2 píxeles en la CPU (%3)</translation>
+    </message>
+    <message>
+        <source>results that never came: %1</source>
+        <translation>resultados que no llegaron: %1</translation>
     </message>
     <message>
         <source>right</source>

@@ -70,8 +70,7 @@ QString faultsText(const NodeFaults& faults) {
             texts << translated(text).arg(count);
     };
     add(faults.lost, QT_TRANSLATE_NOOP("nodeText", "connections lost: %1"));
-    add(faults.late, QT_TRANSLATE_NOOP("nodeText", "brought too late: %1"));
-    add(faults.overdue, QT_TRANSLATE_NOOP("nodeText", "never brought: %1"));
+    add(faults.overdue, QT_TRANSLATE_NOOP("nodeText", "results that never came: %1"));
     return texts.join(", ");
 }
 
