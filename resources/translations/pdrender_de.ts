@@ -2046,8 +2046,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Sagittal</translation>
     </message>
     <message>
-        <source>Samples: each node takes some of all pixels' samples</source>
-        <translation>Abtastungen: Jeder Knoten rechnet einen Teil der Abtastungen aller Pixel</translation>
+        <source>Samples: %1</source>
+        <translation>Abtastungen: %1</translation>
     </message>
     <message>
         <source>Save and share looks</source>
@@ -2336,8 +2336,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schwellwert</translation>
     </message>
     <message>
-        <source>Tiles: each node takes parts of the picture, as fast as it is</source>
-        <translation>Kacheln: Jeder Knoten rechnet Teile des Bildes, so viele, wie er schafft</translation>
+        <source>Tiles: %1</source>
+        <translation>Kacheln: %1</translation>
     </message>
     <message>
         <source>Tissue</source>

@@ -2046,8 +2046,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Sagital</translation>
     </message>
     <message>
-        <source>Samples: each node takes some of all pixels' samples</source>
-        <translation>Muestras: cada nodo calcula una parte de las muestras de todos los píxeles</translation>
+        <source>Samples: %1</source>
+        <translation>Muestras: %1</translation>
     </message>
     <message>
         <source>Save and share looks</source>
@@ -2336,8 +2336,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Umbral</translation>
     </message>
     <message>
-        <source>Tiles: each node takes parts of the picture, as fast as it is</source>
-        <translation>Teselas: cada nodo calcula partes de la imagen, tantas como puede</translation>
+        <source>Tiles: %1</source>
+        <translation>Teselas: %1</translation>
     </message>
     <message>
         <source>Tissue</source>
