@@ -72,6 +72,7 @@ ui::NodeRow NodeFigures::rowOf(const nodes::NodeStatus& node) const {
     row.reason = node.reason;
     row.scanSent = node.sent;
     row.dialledIn = !node.dialled;
+    row.sameBits = !node.otherBits;
     row.latencyMs = node.latencyMs.value_or(-1);
     row.bytesSent = quint64(node.bytesOut);
     row.bytesReceived = quint64(node.bytesIn);

@@ -142,8 +142,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 nodes make other bits than this machine</source>
-        <translation>%1 Knoten rechnen andere Bits als dieser Rechner</translation>
+        <source>%1 nodes make other bits than this machine, and take no part</source>
+        <translation>%1 Knoten rechnen andere Bits als dieser Rechner und wirken nicht mit</translation>
     </message>
     <message>
         <source>%1 of the curve</source>
@@ -506,8 +506,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>1 Iteration je Bild auf %1</translation>
     </message>
     <message>
-        <source>1 node makes other bits than this machine</source>
-        <translation>1 Knoten rechnet andere Bits als dieser Rechner</translation>
+        <source>1 node makes other bits than this machine, and takes no part</source>
+        <translation>1 Knoten rechnet andere Bits als dieser Rechner und wirkt nicht mit</translation>
     </message>
     <message>
         <source>1 sample</source>

@@ -142,8 +142,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 nodes make other bits than this machine</source>
-        <translation>%1 nodos calculan otros bits que este equipo</translation>
+        <source>%1 nodes make other bits than this machine, and take no part</source>
+        <translation>%1 nodos calculan otros bits que este equipo y no participan</translation>
     </message>
     <message>
         <source>%1 of the curve</source>
@@ -506,8 +506,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>1 iteración por imagen en %1</translation>
     </message>
     <message>
-        <source>1 node makes other bits than this machine</source>
-        <translation>1 nodo calcula otros bits que este equipo</translation>
+        <source>1 node makes other bits than this machine, and takes no part</source>
+        <translation>1 nodo calcula otros bits que este equipo y no participa</translation>
     </message>
     <message>
         <source>1 sample</source>

@@ -11,6 +11,7 @@
 #include "app/nodes/reference_bits.h"
 #include "app/remote/certificates.h"
 #include "app/remote/dial.h"
+#include "app/remote/listener.h"
 #include "render/tiles/reference_tiles.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/event_times.h"
@@ -20,6 +21,16 @@
 #include "ui/to_qt.h"
 
 namespace pdr::app {
+
+static wire::Hello greeting(int number, const wire::Hash& bits) {
+    wire::Hello hello;
+    hello.program = "test";
+    hello.name = "node " + std::to_string(number);
+    hello.bits = bits;
+    hello.boot[0] = std::byte(number);
+    hello.device = "cpu";
+    return hello;
+}
 
 /// Nodes that take the scan and never say that they have it, on a thread of their own.
 class Crowd : public QObject {
@@ -49,13 +60,7 @@ class Crowd : public QObject {
             channel->setParent(this);
             connect(channel, &remote::Channel::received, this,
                     [channel](const wire::Message& message) { answer(*channel, message); });
-            wire::Hello hello;
-            hello.program = "test";
-            hello.name = "node " + std::to_string(number);
-            hello.bits = bits_;
-            hello.boot[0] = std::byte(number);
-            hello.device = "cpu";
-            channel->send(hello);
+            channel->send(greeting(number, bits_));
         });
         connect(dial, &remote::Dial::failed, this, [this, number] { this->dial(number); });
     }
@@ -79,6 +84,7 @@ class TestManyNodes : public QObject {
 
   private slots:
     void sixtyFourLeaveTheWindowFree();
+    void whoMakesOtherBitsIsRefusedAndSaid();
 };
 
 static test::TimedApplication& application() {
@@ -116,6 +122,22 @@ void TestManyNodes::sixtyFourLeaveTheWindowFree() {
           app.at(1, &test::EventTime::processorMs), app.at(0.99, &test::EventTime::wallMs));
     QVERIFY2(p99 <= kMostMs, app.longest(8).c_str());
     QCOMPARE(panel.table().model()->rowCount(), kNodes);
+}
+
+void TestManyNodes::whoMakesOtherBitsIsRefusedAndSaid() {
+    remote::Listener node({remote::Role::node, std::nullopt});
+    QVERIFY(node.listen({"127.0.0.1", 0}));
+    connect(&node, &remote::Listener::connected, &node,
+            [](remote::Channel* channel) { channel->send(greeting(1, wire::Hash{})); });
+    Trial trial;
+    ui::NodesPanel& panel = trial.desktop.window().nodes();
+    emit panel.addRequested(node.address().text());
+    const auto rows = [&] { return trial.desktop.parts().nodes.rows(); };
+    QTRY_COMPARE_WITH_TIMEOUT(rows().value(0).state, ui::NodeState::refused, test::kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!rows()[0].sameBits && rows()[0].name == "node 1", test::kPatience);
+    const QString said = panel.table().model()->index(0, ui::NodesModel::state).data().toString();
+    QVERIFY2(said.contains("last bits"), qPrintable(said));
+    QVERIFY(trial.desktop.window().message().isHidden());
 }
 
 }  // namespace pdr::app

@@ -336,7 +336,7 @@ void TestNodesPanel::theLastLineSaysHowWorkIsSplit() {
     QList<NodeRow> mixed = nodes(3);
     mixed[1].sameBits = false;
     panel.setNodes(mixed);
-    QVERIFY(said(panel, "How the work is split").endsWith("1 node makes other bits than this machine"));
+    QVERIFY(said(panel, "How the work is split").endsWith("1 node makes other bits than this machine, and takes no part"));
 }
 
 void TestNodesPanel::everyControlIsNamedAndReached() {
