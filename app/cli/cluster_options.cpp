@@ -25,7 +25,7 @@ constexpr const char* kHelp =
     "  --keep-seconds S       that they go on dialling while nobody listens; default 600\n"
     "  --idle-minutes N       without work, before they end; default 10\n"
     "\n"
-    "  pdrender-cli cluster start --slurm 8 --listen 7733 --bundle certificates/coordinator -- --gres=gpu:1\n";
+    "  pdrender-cli cluster start --slurm 8 --listen 4743 --bundle certificates/coordinator -- --gres=gpu:1\n";
 
 void describe(QCommandLineParser& parser) {
     parser.addOptions({{{"h", "help"}, ""},

@@ -102,12 +102,12 @@ class ClusterCommandTest : public QObject {
     void wrongWordsAreNamed() {
         QVERIFY(says(told({}), "cluster start"));
         QVERIFY(says(told({"stop"}), "cluster start"));
-        QVERIFY(says(told({"start", "--listen", "7733"}), "--slurm"));
-        QVERIFY(says(told({"start", "--slurm", "0", "--listen", "7733"}), "--slurm"));
+        QVERIFY(says(told({"start", "--listen", "4743"}), "--slurm"));
+        QVERIFY(says(told({"start", "--slurm", "0", "--listen", "4743"}), "--slurm"));
         QVERIFY(says(told({"start", "--slurm", "2"}), "--listen"));
         QVERIFY(says(told({"start", "--slurm", "2", "--listen", "1", "--bundle", "/none/such"}), "/none/such"));
         const auto options =
-            clusterOptions({"start", "--slurm", "2", "--listen", "7733", "--", "--gres=gpu:1", "-p", "x"});
+            clusterOptions({"start", "--slurm", "2", "--listen", "4743", "--", "--gres=gpu:1", "-p", "x"});
         QVERIFY(options);
         QCOMPARE(options->sbatch, (QStringList{"--gres=gpu:1", "-p", "x"}));
         QVERIFY(clusterOptions({"--help"})->help);
