@@ -72,10 +72,11 @@ ui::NodeRow NodeFigures::rowOf(const nodes::NodeStatus& node) const {
     row.reason = node.reason;
     row.scanSent = node.sent;
     row.dialledIn = !node.dialled;
+    row.sameBits = !node.otherBits;
     row.latencyMs = node.latencyMs.value_or(-1);
     row.bytesSent = quint64(node.bytesOut);
     row.bytesReceived = quint64(node.bytesIn);
-    row.faults = {int(node.losses), int(node.work.late), int(node.work.overdue)};
+    row.faults = {int(node.losses), int(node.work.overdue)};
     if (row.state == ui::NodeState::rendering) {
         row.efficiency = followed.efficiency;
         row.iterationsPerSecond = picture_.pixels > 0 ? node.work.workPerSecond / picture_.pixels : 0;

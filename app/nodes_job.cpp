@@ -54,8 +54,11 @@ QString NodesJob::splitText() const {
     });
     if (!any)
         return {};
-    return pool_->split().split == Split::tiles ? tr("Tiles: each node takes parts of the picture, as fast as it is")
-                                          : tr("Samples: each node takes some of all pixels' samples");
+    const SplitChoice choice = pool_->split();
+    const QString reason = QString::fromStdString(choice.reason);
+    if (reason.isEmpty())  // no work has been split yet
+        return {};
+    return choice.split == Split::tiles ? tr("Tiles: %1").arg(reason) : tr("Samples: %1").arg(reason);
 }
 
 void NodesJob::add(const QString& address) {

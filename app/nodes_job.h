@@ -31,7 +31,7 @@ class NodesJob : public QObject {
     QStringList addresses() const;  ///< of those that are wanted
     std::optional<quint16> port() const { return port_; }
     const QString& bundle() const { return bundle_; }
-    /// How their work is split, in a sentence; empty without any.
+    /// How their work is split, and why; empty without any.
     QString splitText() const;
 
   public slots:

@@ -140,6 +140,7 @@ void NodeDesk::ended(NodeId id, const QString& reason) {
     const bool wasKnown = !last.name.isEmpty() && !link->isRefused();
     node->status.name = last.name;
     node->status.device = last.device;
+    node->status.otherBits = last.otherBits;
     node->status.reason = reason;
     node->status.state = link->isRefused() ? NodeState::refused : NodeState::lost;
     link->deleteLater();

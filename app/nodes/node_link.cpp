@@ -76,7 +76,8 @@ void NodeLink::take(const wire::Hello& hello) {
     if (!version)
         return refuse(wire::Refused::Why::version,
                       tr("it speaks another version of the protocol: %1").arg(QString::fromStdString(hello.program)));
-    if (hello.bits != coordinator_.bits)
+    otherBits_ = hello.bits != coordinator_.bits;
+    if (otherBits_)
         return refuse(wire::Refused::Why::bits,
                       tr("its pictures differ from this machine's in their last bits: it is of another build"));
     worker_ = coordinator_.pool->join(keyOf(hello.boot), hello.name);
@@ -264,6 +265,7 @@ NodeStatus NodeLink::status() const {
     NodeStatus status;
     status.name = name_;
     status.device = device_;
+    status.otherBits = otherBits_;
     status.state = isRefused() ? NodeState::refused : NodeState::greeting;
     status.reason = isRefused() ? refusal_ : sceneTrouble_;
     if (transfer_)

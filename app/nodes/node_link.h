@@ -85,6 +85,7 @@ class NodeLink : public QObject {
     QTimer beatTimer_;
     std::optional<WorkerId> worker_;
     QString name_, device_, refusal_, sceneTrouble_;
+    bool otherBits_ = false;
     bool paused_ = false;
     std::uint64_t sent_ = 0;                      ///< number of the scene that it was sent
     std::shared_ptr<const OutgoingScene> scene_;  ///< that; null: none

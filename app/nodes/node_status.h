@@ -28,9 +28,10 @@ enum class NodeState {
 
 struct NodeStatus {
     NodeId id = 0;
-    QString address;       ///< as it was given, or from where it dialled
-    bool dialled = false;  ///< by this program, which goes on trying
-    QString name, device;  ///< as it says itself: "gpu-07", "cpu, 16 threads"
+    QString address;         ///< as it was given, or from where it dialled
+    bool dialled = false;    ///< by this program, which goes on trying
+    QString name, device;    ///< as it says itself: "gpu-07", "cpu, 16 threads"
+    bool otherBits = false;  ///< its samples differ from those of the own device: it is refused
     NodeState state = NodeState::dialling;
     QString reason;                   ///< of the state; empty: none
     double sent = 0;                  ///< of the scene's contents; [0, 1]

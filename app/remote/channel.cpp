@@ -184,11 +184,9 @@ void Channel::close(const QString& reason) {
     socket_->disconnectFromHost();
 }
 
-/// The last messages may be here. A side that refuses this one's certificate says so by no more than ending the
-/// connection.
+/// A side that refuses this one's certificate says so by no more than ending the connection.
 void Channel::lose(const QString& reason) {
-    read();
-    finish(admitted_ ? reason : reason + ", before it was known to be welcome here or this side there");
+    finish(admitted_ ? reason : reason + ", before both sides knew each other");
 }
 
 void Channel::finish(const QString& reason) {

@@ -37,10 +37,7 @@ Listener::Listener(const Identity& identity, const ListenerLimits& limits, QObje
             [this] { QTimer::singleShot(kOutOfDescriptors, server_.get(), &QTcpServer::resumeAccepting); });
 }
 
-Listener::~Listener() {
-    for (auto place = places_.keyBegin(); place != places_.keyEnd(); ++place)
-        (*place)->disconnect(this);
-}
+Listener::~Listener() = default;
 
 Result<void> Listener::listen(const Address& address) {
     const bool isName = address.host.compare("localhost", Qt::CaseInsensitive) == 0;

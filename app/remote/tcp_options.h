@@ -6,9 +6,9 @@
 
 namespace pdr::remote {
 
-/// Small messages go out at once; a connection whose other side is out of reach fails, after `unheard` where something is
-/// on its way and after 5 s where it is idle, and so does one whose other side takes nothing for so long; a fast sender is
-/// slowed down before it fills the memory.
+/// Small messages go out at once; a connection whose other side is out of reach fails, after `unheard` where something
+/// is on its way and after 5 s where it is idle, and so does one whose other side takes nothing for so long; a fast
+/// sender is slowed down before it fills the memory.
 void setOptions(QTcpSocket& socket, std::chrono::milliseconds unheard);
 
 }  // namespace pdr::remote

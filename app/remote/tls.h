@@ -23,7 +23,8 @@ QSslConfiguration tlsConfiguration(const QList<QSslCertificate>& authorities, co
                                    const QSslKey& key);
 
 /// `folder`: that role's part of a bundle (certificates.h), or the whole bundle. Errors: files that are missing, cannot
-/// be read, are another role's, do not belong together, have expired; a key that others on this machine may read.
+/// be read, are another role's, do not belong together, have expired; a key that others on this machine may read
+/// (the program's group may, where root has handed it out).
 Result<Identity> readIdentity(const QString& folder, Role role);
 
 /// Whom to be when dialling or listening at `address`. Plain TCP only where the address is this machine itself and

@@ -77,7 +77,7 @@ std::optional<Portion> TileScheduler::hedge(WorkerId worker, const Ability& abil
     Held* latest = nullptr;
     for (Held& held : held_) {
         const bool his = std::ranges::any_of(held.copies, [&](const Copy& copy) { return copy.worker == worker; });
-        if (!his && isLate(held, now) && (!latest || held.copies[0].since < latest->copies[0].since))
+        if (!his && isLate(held, worker, now) && (!latest || held.copies[0].since < latest->copies[0].since))
             latest = &held;
     }
     if (!latest)
@@ -86,9 +86,11 @@ std::optional<Portion> TileScheduler::hedge(WorkerId worker, const Ability& abil
     return latest->portion;
 }
 
-bool TileScheduler::isLate(const Held& held, double now) const {
+bool TileScheduler::isLate(const Held& held, WorkerId whoAsks, double now) const {
     return !held.arrived && std::ranges::all_of(held.copies, [&](const Copy& copy) {
-        return suspects_.contains(copy.worker) || now - copy.since > 2 * copy.expectedSeconds + kHedgeSeconds;
+        const double patience = whoAsks == kOwnDevice ? copy.expectedSeconds + kOwnHedgeSeconds
+                                                      : 2 * copy.expectedSeconds + kHedgeSeconds;
+        return suspects_.contains(copy.worker) || now - copy.since > patience;
     });
 }
 

@@ -63,6 +63,8 @@ class TileScheduler {
 
     /// Beyond twice the time that it should take, and this, a portion is given to others as well.
     static constexpr double kHedgeSeconds = 0.05;
+    /// To the own device, which has nothing else to do then and costs no way, beyond that time once, and this.
+    static constexpr double kOwnHedgeSeconds = 0.005;
     /// Beyond four times that time, and this, it is taken away.
     static constexpr double kExpirySeconds = 3;
 
@@ -83,7 +85,7 @@ class TileScheduler {
     std::optional<Portion> hedge(WorkerId worker, const Ability& ability, double now);
     Tile part(const Tile& tile, double pixels);
     void free(const TileGoal& goal, bool first);
-    bool isLate(const Held& held, double now) const;
+    bool isLate(const Held& held, WorkerId whoAsks, double now) const;
     double workHeldBy(WorkerId worker) const;
     Copy copyFor(WorkerId worker, const Portion& portion, const Ability& ability, double now) const;
     std::vector<Held>::iterator find(std::uint64_t number);

@@ -142,8 +142,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 nodes make other bits than this machine</source>
-        <translation>%1 Knoten rechnen andere Bits als dieser Rechner</translation>
+        <source>%1 nodes make other bits than this machine, and take no part</source>
+        <translation>%1 Knoten rechnen andere Bits als dieser Rechner und wirken nicht mit</translation>
     </message>
     <message>
         <source>%1 of the curve</source>
@@ -506,8 +506,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>1 Iteration je Bild auf %1</translation>
     </message>
     <message>
-        <source>1 node makes other bits than this machine</source>
-        <translation>1 Knoten rechnet andere Bits als dieser Rechner</translation>
+        <source>1 node makes other bits than this machine, and takes no part</source>
+        <translation>1 Knoten rechnet andere Bits als dieser Rechner und wirkt nicht mit</translation>
     </message>
     <message>
         <source>1 sample</source>
@@ -2046,8 +2046,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Sagittal</translation>
     </message>
     <message>
-        <source>Samples: each node takes some of all pixels' samples</source>
-        <translation>Abtastungen: Jeder Knoten rechnet einen Teil der Abtastungen aller Pixel</translation>
+        <source>Samples: %1</source>
+        <translation>Abtastungen: %1</translation>
     </message>
     <message>
         <source>Save and share looks</source>
@@ -2336,8 +2336,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schwellwert</translation>
     </message>
     <message>
-        <source>Tiles: each node takes parts of the picture, as fast as it is</source>
-        <translation>Kacheln: Jeder Knoten rechnet Teile des Bildes, so viele, wie er schafft</translation>
+        <source>Tiles: %1</source>
+        <translation>Kacheln: %1</translation>
     </message>
     <message>
         <source>Tissue</source>
@@ -2692,10 +2692,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Quader von %1 x %2 x %3 mm</translation>
     </message>
     <message>
-        <source>brought too late: %1</source>
-        <translation>zu spät gebracht: %1</translation>
-    </message>
-    <message>
         <source>can be shown</source>
         <translation>kann gezeigt werden</translation>
     </message>
@@ -2820,10 +2816,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Muskel</translation>
     </message>
     <message>
-        <source>never brought: %1</source>
-        <translation>nie gebracht: %1</translation>
-    </message>
-    <message>
         <source>no contrast was found in the blood</source>
         <translation>im Blut wurde kein Kontrastmittel gefunden</translation>
     </message>
@@ -2862,6 +2854,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
         <translation>an einem Bild von %1 × %2 Pixeln auf der CPU (%3)</translation>
+    </message>
+    <message>
+        <source>results that never came: %1</source>
+        <translation>ausgebliebene Ergebnisse: %1</translation>
     </message>
     <message>
         <source>right</source>

@@ -142,8 +142,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 nodes make other bits than this machine</source>
-        <translation>%1 nodos calculan otros bits que este equipo</translation>
+        <source>%1 nodes make other bits than this machine, and take no part</source>
+        <translation>%1 nodos calculan otros bits que este equipo y no participan</translation>
     </message>
     <message>
         <source>%1 of the curve</source>
@@ -506,8 +506,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>1 iteración por imagen en %1</translation>
     </message>
     <message>
-        <source>1 node makes other bits than this machine</source>
-        <translation>1 nodo calcula otros bits que este equipo</translation>
+        <source>1 node makes other bits than this machine, and takes no part</source>
+        <translation>1 nodo calcula otros bits que este equipo y no participa</translation>
     </message>
     <message>
         <source>1 sample</source>
@@ -2046,8 +2046,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Sagital</translation>
     </message>
     <message>
-        <source>Samples: each node takes some of all pixels' samples</source>
-        <translation>Muestras: cada nodo calcula una parte de las muestras de todos los píxeles</translation>
+        <source>Samples: %1</source>
+        <translation>Muestras: %1</translation>
     </message>
     <message>
         <source>Save and share looks</source>
@@ -2336,8 +2336,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Umbral</translation>
     </message>
     <message>
-        <source>Tiles: each node takes parts of the picture, as fast as it is</source>
-        <translation>Teselas: cada nodo calcula partes de la imagen, tantas como puede</translation>
+        <source>Tiles: %1</source>
+        <translation>Teselas: %1</translation>
     </message>
     <message>
         <source>Tissue</source>
@@ -2692,10 +2692,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>caja de %1 x %2 x %3 mm</translation>
     </message>
     <message>
-        <source>brought too late: %1</source>
-        <translation>entregado tarde: %1</translation>
-    </message>
-    <message>
         <source>can be shown</source>
         <translation>se puede mostrar</translation>
     </message>
@@ -2820,10 +2816,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>músculo</translation>
     </message>
     <message>
-        <source>never brought: %1</source>
-        <translation>nunca entregado: %1</translation>
-    </message>
-    <message>
         <source>no contrast was found in the blood</source>
         <translation>no se ha encontrado contraste en la sangre</translation>
     </message>
@@ -2862,6 +2854,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
         <translation>en una imagen de %1 × %2 píxeles en la CPU (%3)</translation>
+    </message>
+    <message>
+        <source>results that never came: %1</source>
+        <translation>resultados que no llegaron: %1</translation>
     </message>
     <message>
         <source>right</source>

@@ -87,7 +87,11 @@ void TestNodeFigures::everyStateHasItsOwn() {
                              nodes::NodeState::draining, nodes::NodeState::refused, nodes::NodeState::lost})
         states << int(figures.rowOf(node(1, 0, 0, state)).state);
     QCOMPARE(states.size(), 9);
-    QCOMPARE(figures.rowOf(node(1, 0, 0, nodes::NodeState::quarantined)).state, ui::NodeState::refused);
+    nodes::NodeStatus other = node(1, 0, 0, nodes::NodeState::quarantined);
+    QCOMPARE(figures.rowOf(other).state, ui::NodeState::refused);
+    QVERIFY(figures.rowOf(other).sameBits);
+    other.otherBits = true;
+    QVERIFY(!figures.rowOf(other).sameBits);
 }
 
 }  // namespace pdr::app

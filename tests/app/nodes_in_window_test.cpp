@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QFile>
-#include <QProcess>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -13,8 +12,8 @@
 
 #include "tests/support/desktop_trial.h"
 #include "tests/support/named_widget.h"
+#include "tests/support/node_process.h"
 #include "tests/support/phantom_series.h"
-#include "tests/support/places.h"
 #include "tests/support/taken_port.h"
 #include "ui/to_qt.h"
 
@@ -22,30 +21,8 @@ namespace pdr::app {
 
 using ui::NodeState;
 
-class NodeProcess {
-  public:
-    explicit NodeProcess(const QStringList& arguments) {
-        process_.setProcessChannelMode(QProcess::ForwardedChannels);
-        process_.start(PDR_BINARY_DIR "/bin/pdrender-node",
-                       QStringList{"--threads", "1", "--device", "cpu"} + arguments);
-        if (!process_.waitForStarted(test::kPatience))
-            qFatal("pdrender-node does not start");
-    }
-    ~NodeProcess() { kill(); }
-
-    void kill() {
-        process_.kill();
-        process_.waitForFinished(test::kPatience);
-    }
-    qint64 id() const { return process_.processId(); }
-    QProcess& process() { return process_; }
-
-  private:
-    QProcess process_;
-};
-
-static NodeProcess dialling(quint16 port) {
-    return NodeProcess({"--coordinator", QString("127.0.0.1:%1").arg(port)});
+static QStringList dialling(quint16 port, const QString& name = "node") {
+    return {"--coordinator", QString("127.0.0.1:%1").arg(port), "--name", name};
 }
 
 class TestNodesInWindow : public QObject {
@@ -105,15 +82,18 @@ void TestNodesInWindow::nodesDialInAndThePictureGoesOnWithoutThem() {
     trial.openAndWait(series_);
     const quint16 port = test::freePort();
     trial.listen(port);
-    NodeProcess one({"--coordinator", QString("127.0.0.1:%1").arg(port), "--name", "one"});
-    const NodeProcess two({"--coordinator", QString("127.0.0.1:%1").arg(port), "--name", "two"});
+    test::NodeProcess one(dialling(port, "one"));
+    const test::NodeProcess two(dialling(port, "two"));
     QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 2, test::kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(std::ranges::all_of(trial.nodes().rows(), [](const auto& row) { return row.share > 0; }),
                              test::kPatience);
     QCOMPARE(trial.panel().table().model()->rowCount(), 2);
     const QString first = trial.panel().table().model()->index(0, 0).data().toString();
     QVERIFY2(first.startsWith("one (127.0.0.1:") || first.startsWith("two (127.0.0.1:"), qPrintable(first));
-    one.kill();
+    const QString lastLine = test::named<QLabel>(trial.panel(), "How the work is split").text();
+    QVERIFY2(lastLine.startsWith("Tiles: ") && lastLine.endsWith("All nodes make the same bits as this machine"),
+             qPrintable(lastLine));
+    one.signal(SIGKILL);
     QTRY_COMPARE_WITH_TIMEOUT(trial.nodes().rows().size(), 1, test::kPatience);
     QTRY_VERIFY2_WITH_TIMEOUT(trial.events().contains("one was"), qPrintable(trial.events()), test::kPatience);
     trial.waitForMore(3);
@@ -129,12 +109,12 @@ void TestNodesInWindow::aNodeThatIsAddedIsDialledUntilItAnswers() {
     QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::dialling), 1, test::kPatience);
     trial.waitForMore(1);
     {
-        const NodeProcess node({"--listen", address});
+        const test::NodeProcess node({"--listen", address});
         QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
     }
     QTRY_VERIFY_WITH_TIMEOUT(trial.count(NodeState::rendering) == 0 && trial.nodes().rows()[0].faults.lost == 1,
                              test::kPatience);
-    const NodeProcess again({"--listen", address});
+    const test::NodeProcess again({"--listen", address});
     QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
     trial.waitForMore(2);
     QVERIFY(trial.neverFellBack());
@@ -149,7 +129,7 @@ void TestNodesInWindow::aPausedNodeRestsAndGoesOn() {
     trial.openAndWait(series_);
     const quint16 port = test::freePort();
     trial.listen(port);
-    const NodeProcess node = dialling(port);
+    const test::NodeProcess node(dialling(port));
     QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
     const quint64 id = trial.nodes().rows()[0].id;
     emit trial.panel().pauseRequested(id, true);
@@ -231,7 +211,7 @@ void TestNodesInWindow::nothingOfTheScanStaysWithThem() {
     trial.openAndWait(series_);
     const quint16 port = test::freePort();
     trial.listen(port);
-    const NodeProcess node = dialling(port);
+    const test::NodeProcess node(dialling(port));
     QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
     const QByteArray voxels = someVoxels(*trial.desktop.parts().document.scene().volume);
     const std::optional<bool> there = holds(node.id(), voxels);
@@ -246,7 +226,7 @@ void TestNodesInWindow::nothingOfTheScanStaysWithThem() {
 
 void TestNodesInWindow::theWindowClosesWithNodesConnected() {
     const quint16 port = test::freePort();
-    const NodeProcess node = dialling(port);
+    const test::NodeProcess node(dialling(port));
     QByteArray voxels;
     {
         NodesTrial trial;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the manual's pictures of the window anew: the program on a chest, under an X server of its own.
 #   tests/looks/window_pictures.sh FOLDER PICTURE...
-# PICTURE: window-light window-dark window-small window-4k tissue light; none: all of them. SECONDS_OPEN (45) and the number
+# PICTURE: window-light window-dark window-small window-4k tissue light nodes; none: all of them. SECONDS_OPEN (45) and the number
 # of the X DISPLAY (81) may be set. Needs ./bootstrap build, Xvfb, openbox, xdotool and ImageMagick.
 set -euo pipefail
 
@@ -27,7 +27,7 @@ shot() {
     mkdir -p "$scratch/.config/pd-render"
     echo '<openbox_config><applications><application class="*"><maximized>yes</maximized></application></applications></openbox_config>' \
         >"$scratch/openbox.xml"
-    printf '[General]\ntheme=%s\nlanguage=en\n' "$theme" >"$scratch/.config/pd-render/pdrender.ini"
+    printf "[General]\ntheme=%s\nlanguage=en\n${settings:-}\n" "$theme" >"$scratch/.config/pd-render/pdrender.ini"
     Xvfb "$DISPLAY" -screen 0 "${size}x24" >/dev/null 2>&1 &
     started+=($!)
     sleep 2
@@ -51,7 +51,17 @@ window-4k() { QT_SCALE_FACTOR=2 shot window-4k dark 3840x2160 $((2 * seconds)); 
 tissue() { shot tissue dark 1100x740 "$seconds" F5; }
 light() { shot light dark 1100x740 "$seconds" F8; }
 
-[ $# -gt 0 ] || set -- window-light window-dark window-small window-4k tissue light
+# With two nodes of this machine, and one that is not there.
+nodes() {
+    local port=${NODE_PORT:-14743} node
+    for node in left right; do
+        build/release/bin/pdrender-node --coordinator "127.0.0.1:$port" --name "$node" --threads 1 >/dev/null 2>&1 &
+        started+=($!)
+    done
+    settings="[nodes]\nlistenedPort=$port\naddresses=127.0.0.1:$((port + 1))" shot nodes dark 1280x800 "$seconds" F12
+}
+
+[ $# -gt 0 ] || set -- window-light window-dark window-small window-4k tissue light nodes
 for picture in "$@"; do
     "$picture"
 done

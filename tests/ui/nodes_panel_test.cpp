@@ -60,7 +60,7 @@ static NodeRow node(quint64 id, NodeState state = NodeState::rendering) {
     row.latencyMs = 3.25;
     row.bytesSent = 256'000'000;
     row.bytesReceived = 1'500'000;
-    row.faults = {.lost = 1, .late = 2};
+    row.faults = {.lost = 1, .overdue = 2};
     return row;
 }
 
@@ -95,10 +95,10 @@ void TestNodesPanel::everyFigureHasItsCell() {
         cells << cell(panel, 0, column);
     QCOMPARE(cells, QStringList({"gpu-7 (10.0.0.7:4743)", "Rendering", "cpu, 16 threads", "2.50", "97 %", "13 %",
                                  "3.3 ms", "256.0 MB", "1.5 MB", "3"}));
-    QCOMPARE(cell(panel, 0, NodesModel::faults, Qt::ToolTipRole), "connections lost: 1, brought too late: 2");
+    QCOMPARE(cell(panel, 0, NodesModel::faults, Qt::ToolTipRole), "connections lost: 1, results that never came: 2");
     QCOMPARE(cell(panel, 0, NodesModel::node, Qt::AccessibleTextRole),
              "gpu-7 (10.0.0.7:4743), Rendering, cpu, 16 threads, 2.50 iterations/s, 13 % of the picture's samples, "
-             "connections lost: 1, brought too late: 2");
+             "connections lost: 1, results that never came: 2");
     for (int column = 0; column < NodesModel::kColumns; ++column)
         for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole)})
             QVERIFY(!panel.table().model()->headerData(column, Qt::Horizontal, role).toString().isEmpty());
@@ -336,7 +336,7 @@ void TestNodesPanel::theLastLineSaysHowWorkIsSplit() {
     QList<NodeRow> mixed = nodes(3);
     mixed[1].sameBits = false;
     panel.setNodes(mixed);
-    QVERIFY(said(panel, "How the work is split").endsWith("1 node makes other bits than this machine"));
+    QVERIFY(said(panel, "How the work is split").endsWith("1 node makes other bits than this machine, and takes no part"));
 }
 
 void TestNodesPanel::everyControlIsNamedAndReached() {

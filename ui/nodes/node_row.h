@@ -24,10 +24,9 @@ enum class NodeState {
 /// What went wrong with a node, and was put right by others.
 struct NodeFaults {
     int lost = 0;     ///< connections that broke
-    int late = 0;     ///< results that somebody else had brought before
     int overdue = 0;  ///< results that it never brought
 
-    int all() const { return lost + late + overdue; }
+    int all() const { return lost + overdue; }
     bool operator==(const NodeFaults&) const = default;
 };
 

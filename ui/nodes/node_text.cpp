@@ -70,8 +70,7 @@ QString faultsText(const NodeFaults& faults) {
             texts << translated(text).arg(count);
     };
     add(faults.lost, QT_TRANSLATE_NOOP("nodeText", "connections lost: %1"));
-    add(faults.late, QT_TRANSLATE_NOOP("nodeText", "brought too late: %1"));
-    add(faults.overdue, QT_TRANSLATE_NOOP("nodeText", "never brought: %1"));
+    add(faults.overdue, QT_TRANSLATE_NOOP("nodeText", "results that never came: %1"));
     return texts.join(", ");
 }
 
@@ -96,8 +95,8 @@ QString bitsText(const QList<NodeRow>& nodes) {
     if (others == 0)
         return translated("All nodes make the same bits as this machine");
     if (others == 1)
-        return translated("1 node makes other bits than this machine");
-    return translated("%1 nodes make other bits than this machine").arg(others);
+        return translated("1 node makes other bits than this machine, and takes no part");
+    return translated("%1 nodes make other bits than this machine, and take no part").arg(others);
 }
 
 }  // namespace pdr::ui

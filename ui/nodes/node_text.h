@@ -14,7 +14,7 @@ QString nodeName(const NodeRow& node);
 QString nodeStateText(const NodeRow& node);
 /// "1.5 MB"; nothing of none.
 QString bytesText(quint64 bytes);
-/// "3 connections lost, 1 late"; nothing where there are none.
+/// "connections lost: 3, results that never came: 1"; nothing where there are none.
 QString faultsText(const NodeFaults& faults);
 /// All that is known of the node in a sentence, for those who hear it.
 QString nodeSentence(const NodeRow& node);

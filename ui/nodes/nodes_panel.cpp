@@ -93,8 +93,8 @@ void NodesPanel::layOut() {
     column->addWidget(&table_, 1);
     lastLines_->setContentsMargins(0, 0, 0, 0);
     lastLines_->setSpacing(4);
-    lastLines_->addWidget(&notes_, 1);
-    lastLines_->addWidget(&security_, 1);
+    lastLines_->addWidget(&notes_, 5);
+    lastLines_->addWidget(&security_, 4);
     column->addLayout(lastLines_);
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/remote/heartbeat.h"
 #include "tests/app/remote/meeting.h"
+#include "tests/app/wire/example_messages.h"
 #include "tests/support/fault_proxy.h"
 #include "tests/support/random_bytes.h"
 
@@ -112,6 +113,25 @@ class BadNetworkTest : public QObject {
         sendSome();
         QTRY_COMPARE_WITH_TIMEOUT(arrived, kChunks, kPatience);
         qInfo("%.0f MiB/s", 4.0 * kChunks / (double(clock.nsecsElapsed()) * 1e-9));
+    }
+
+    /// More than the sockets hold, by a side that ends the connection right behind it.
+    void theLastMessagesArriveOverTls() {
+        Meeting meeting(identityOf(Role::coordinator), identityOf(Role::node));
+        meeting.begin();
+        QTRY_VERIFY_WITH_TIMEOUT(meeting.isSettled(), kPatience);
+        Channel& sender = *meeting.listening.channel;
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            wire::SceneOrder order = exampleOrder();
+            order.revision = i;
+            order.text = std::string(5 << 20, 'x');
+            QVERIFY(sender.send(std::move(order)));
+        }
+        QVERIFY(sender.send(wire::Bye{"enough"}));
+        sender.close("we are through");
+        QTRY_VERIFY_WITH_TIMEOUT(meeting.listening.ends == 1 && meeting.dialling.ends == 1, kPatience);
+        QCOMPARE(meeting.dialling.received.size(), std::size_t(5));
+        QCOMPARE(std::get<wire::Bye>(meeting.dialling.received.back()).reason, std::string("enough"));
     }
 
     void aStallIsWaitedFor() {

@@ -2,7 +2,7 @@
 
 #include <openssl/pem.h>
 #include <openssl/x509v3.h>
-#include <sys/resource.h>
+#include <unistd.h>
 
 #include <QDir>
 #include <QSslCertificate>
@@ -10,13 +10,14 @@
 #include <QSslKey>
 #include <QTemporaryDir>
 #include <QTest>
-#include <csignal>
 
 #include "app/remote/certificates.h"
 #include "app/remote/tls.h"
+#include "tests/support/file_size_limit.h"
 
 using namespace pdr;
 using namespace pdr::remote;
+using namespace pdr::test;
 
 namespace {
 
@@ -55,24 +56,6 @@ bool overwrite(const QString& path, const QByteArray& content) {
     QFile file(path);
     return file.open(QFile::WriteOnly) && file.write(content) == content.size();
 }
-
-/// Nothing may write longer files.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int);
-};
 
 }  // namespace
 
@@ -194,6 +177,33 @@ class CertificatesTest : public QObject {
         }
         QVERIFY(QFile::setPermissions(folder + "/node/key.pem", QFile::ReadOwner));
         QCOMPARE(refusalOf(folder, Role::node), QString());
+    }
+
+    /// As Kubernetes and systemd hand out keys.
+    void aKeyOfRootsMayBeReadByTheGroup() {
+        if (geteuid() != 0)
+            QSKIP("only root can hand out keys");
+        const QString folder = another();
+        for (const char* part : {"", "/node"})
+            QVERIFY(QFile::setPermissions(folder + part, QFile::Permissions(0x7755)));
+        QVERIFY(QFile::setPermissions(folder_.path(), QFile::Permissions(0x7755)));
+        for (const char* file : {"/node/ca.pem", "/node/certificate.pem"})
+            QVERIFY(QFile::setPermissions(folder + file, QFile::Permissions(0x6644)));
+        QVERIFY(QFile::setPermissions(folder + "/node/key.pem", QFile::Permissions(0x6640)));
+        const auto refusalOfSomebody = [&] {
+            const bool left = setegid(0) == 0 && seteuid(1) == 0;
+            const QString refusal = refusalOf(folder, Role::node);
+            return left && seteuid(0) == 0 ? refusal : "cannot be somebody";
+        };
+        QCOMPARE(refusalOfSomebody(), QString());
+        QVERIFY(refusalOf(folder, Role::node).contains("others on this machine"));  // root's own
+        for (const int more : {0x6660, 0x6644}) {
+            QVERIFY(QFile::setPermissions(folder + "/node/key.pem", QFile::Permissions(more)));
+            QVERIFY(refusalOfSomebody().contains("others on this machine"));
+        }
+        QVERIFY(chown(QFile::encodeName(folder + "/node/key.pem").constData(), 1, 0) == 0);
+        QVERIFY(QFile::setPermissions(folder + "/node/key.pem", QFile::Permissions(0x6640)));
+        QVERIFY(refusalOfSomebody().contains("others on this machine"));
     }
 
     void badBundlesAreRefusedWithASentence() {

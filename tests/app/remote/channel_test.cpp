@@ -2,11 +2,9 @@
 
 #include <QFile>
 #include <QSignalSpy>
-#include <QTcpServer>
 #include <random>
 
-#include "app/wire/frame_reader.h"
-#include "tests/app/remote/meeting.h"
+#include "tests/app/remote/channel_rig.h"
 #include "tests/app/wire/example_messages.h"
 #include "tests/support/random_bytes.h"
 
@@ -18,59 +16,6 @@ using std::chrono::milliseconds;
 namespace {
 
 constexpr qint64 kMiB = 1 << 20;
-
-/// A coordinator's channel, and a socket that does what the test says.
-struct Rig {
-    explicit Rig(const ChannelLimits& limits = Meeting::patientLimits().channel) {
-        QTcpServer server;
-        if (!server.listen(QHostAddress::LocalHost))
-            qFatal("no port is free");
-        socket.connectToHost(server.serverAddress(), server.serverPort());
-        if (!server.waitForNewConnection(kPatience) || !socket.waitForConnected(kPatience))
-            qFatal("this machine does not talk to itself");
-        QTcpSocket* accepted = server.nextPendingConnection();
-        accepted->setParent(nullptr);
-        channel = std::make_unique<Channel>(accepted, Role::coordinator, limits);
-        QObject::connect(channel.get(), &Channel::received, channel.get(),
-                         [this](const wire::Message& message) { received.push_back(message); });
-        QObject::connect(channel.get(), &Channel::closed, channel.get(), [this](const QString& why) {
-            ++ends;
-            reason = why;
-        });
-    }
-
-    void say(const wire::Message& message) { say(wire::inOnePiece(wire::encode(message))); }
-    void say(const wire::Bytes& bytes) {
-        socket.write(reinterpret_cast<const char*>(bytes.data()), qint64(bytes.size()));
-    }
-
-    QTcpSocket socket;
-    std::unique_ptr<Channel> channel;
-    std::vector<wire::Message> received;
-    int ends = 0;
-    QString reason;
-};
-
-/// What it sends to a node.
-struct Reading {
-    explicit Reading(QTcpSocket& socket) : reader(Role::node) {
-        reader.setAdmitted(true);
-        QObject::connect(&socket, &QTcpSocket::readyRead, &socket, [this, &socket] { take(socket.readAll()); });
-        take(socket.readAll());
-    }
-    void take(const QByteArray& bytes) {
-        auto rest = std::as_bytes(std::span(bytes.constData(), std::size_t(bytes.size())));
-        while (auto message = reader.next(rest)) {
-            if (!*message)
-                return;
-            messages.push_back(**message);
-        }
-        isSenseless = true;
-    }
-    wire::FrameReader reader;
-    std::vector<wire::Message> messages;
-    bool isSenseless = false;
-};
 
 wire::Chunk chunkOf(qint64 bytes, std::uint32_t index) {
     return {.index = index, .rawBytes = wire::kChunkBytes, .packed = randomBytes(std::size_t(bytes), index)};
@@ -145,7 +90,9 @@ class ChannelTest : public QObject {
             }
         const qint64 grown = residentBytes() - before;
         qInfo("%.1f MiB more for each of %d", double(grown) / kStalled / kMiB, kStalled);
+#if !defined(__SANITIZE_ADDRESS__)  // which keeps what was freed
         QVERIFY(grown < kStalled * 16 * kMiB);
+#endif
     }
 
     void thereIsRoomAgainWhenTheOtherSideReads() {

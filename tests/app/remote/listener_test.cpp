@@ -1,5 +1,7 @@
 /// A side that listens is there for those that belong to it, whoever else knocks.
 
+#include <sys/resource.h>
+
 #include <QElapsedTimer>
 #include <QSignalSpy>
 
@@ -60,6 +62,13 @@ std::unique_ptr<QTcpSocket> stranger(quint16 port, const QByteArray& words = {})
     return socket;
 }
 
+bool mayOpen(rlim_t files) {
+    rlimit limit{};
+    getrlimit(RLIMIT_NOFILE, &limit);
+    limit.rlim_cur = std::max(limit.rlim_cur, std::min(limit.rlim_max, files));
+    return setrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur >= files;
+}
+
 }  // namespace
 
 class ListenerTest : public QObject {
@@ -86,6 +95,8 @@ class ListenerTest : public QObject {
 
     /// Neither from the node's own address, nor with more sockets than may wait.
     void aThousandSilentSocketsKeepNobodyOut() {
+        if (!mayOpen(1500))
+            QSKIP("a program may not have as many sockets here");
         const House house(coordinator_);
         std::vector<std::unique_ptr<QTcpSocket>> silent;
         for (int i = 0; i < 1000; ++i)

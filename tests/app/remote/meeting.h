@@ -97,7 +97,8 @@ class Meeting {
     static remote::ListenerLimits patientLimits() {
         const std::chrono::milliseconds patience(kPatience);
         return {.handshake = patience,
-                .channel = {.admission = patience, .unheard = patience, .drip = {.window = patience}}};
+                .channel = {
+                    .admission = patience, .farewell = patience, .unheard = patience, .drip = {.window = patience}}};
     }
 
     remote::Listener listener;

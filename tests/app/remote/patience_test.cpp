@@ -180,6 +180,15 @@ class PatienceTest : public QObject {
         QVERIFY(noticed);
     }
 
+    void aMessageThatIsWholeIsNoDrip() {
+        DripWatch watch(DripLimits{});
+        QVERIFY(!watch.tooSlow(0ms, 10, 0, true));
+        QVERIFY(!watch.tooSlow(9990ms, 20, 0, true));
+        QVERIFY(!watch.tooSlow(10010ms, 40, 1, true));  // the next has begun
+        QVERIFY(!watch.tooSlow(20000ms, 50, 1, true));
+        QVERIFY(watch.tooSlow(20010ms, 60, 1, true));
+    }
+
     void whoSaysNothingIsNoDrip() {
         DripWatch watch(DripLimits{});
         for (int time = 0; time <= 100000; time += 250)

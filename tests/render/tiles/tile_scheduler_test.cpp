@@ -94,6 +94,13 @@ class TileSchedulerTest : public QObject {
         QVERIFY(!scheduler.heldBy(1, 1) && scheduler.isDone());
     }
 
+    void ownDeviceIsNotAsPatient() {
+        TileScheduler scheduler({{{0, 0, 16, 16}, 0, 1}}, Split::tiles, 1);
+        (void)scheduler.take(1, {1e9, 256}, 0);  // a second's
+        QVERIFY(!scheduler.take(kOwnDevice, kCells, 1));
+        QVERIFY(scheduler.take(kOwnDevice, kCells, 1 + 2 * TileScheduler::kOwnHedgeSeconds));
+    }
+
     void whoIsSuspectIsHedgedAtOnce() {
         TileScheduler scheduler({{{0, 0, 16, 16}, 0, 1}}, Split::tiles, 1);
         (void)scheduler.take(1, {1e9, 1e-3}, 0);
