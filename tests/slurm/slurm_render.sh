@@ -45,6 +45,12 @@ within 60 "it renders" "$(now)" heard 1 'rendering: '
 began=$(now)
 kill -KILL "$(pgrep -f -- "--name slurm-$job-3-r0")"
 within 8 "it is there again" "$began" works 2 3
+drained() {
+    grep -q 'exit code 0$' "$folder/job.$job.$1.txt"
+}
+began=$(now)
+scancel "${job}_5"
+within 10 "a node at work drains" "$began" drained 5
 is 0 "$(over && echo 1 || echo 0)" "pictures that ended before"
 until over; do sleep 0.2; done
 code=0
