@@ -33,6 +33,7 @@ class TestNodesInWindow : public QObject {
     void nodesDialInAndThePictureGoesOnWithoutThem();
     void aNodeThatIsAddedIsDialledUntilItAnswers();
     void aPausedNodeRestsAndGoesOn();
+    void aNodeThatStandsStillHoldsNobodyUp();
     void whatIsWrongIsToldInThePanel();
     void theyAreWantedTheNextTime();
     void nothingOfTheScanStaysWithThem();
@@ -138,6 +139,24 @@ void TestNodesInWindow::aPausedNodeRestsAndGoesOn() {
     emit trial.panel().pauseRequested(id, false);
     QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
     QVERIFY(trial.neverFellBack());
+}
+
+/// Neither the picture nor the window, which closes at the end.
+void TestNodesInWindow::aNodeThatStandsStillHoldsNobodyUp() {
+    const quint16 port = test::freePort();
+    test::NodeProcess node(dialling(port));
+    NodesTrial trial;
+    trial.openAndWait(series_);
+    trial.listen(port);
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
+    node.signal(SIGSTOP);
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::suspect), 1, test::kPatience);
+    trial.waitForMore(3);
+    QVERIFY(trial.neverFellBack());
+    QVERIFY(!trial.events().contains("was lost"));  // it may come back
+    node.signal(SIGCONT);
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
+    node.signal(SIGSTOP);
 }
 
 void TestNodesInWindow::whatIsWrongIsToldInThePanel() {
