@@ -34,8 +34,9 @@ RenderNodes::RenderNodes(std::shared_ptr<WorkerPool> pool, const std::vector<std
         nodes_ = nodes;
         emit changed();
     });
-    connect(desk_, &NodeDesk::joined, this, &RenderNodes::joined);
-    connect(desk_, &NodeDesk::lost, this, &RenderNodes::lost);
+    // Passed on at once: who made this may be too busy to hear of it.
+    connect(desk_, &NodeDesk::joined, this, &RenderNodes::joined, Qt::DirectConnection);
+    connect(desk_, &NodeDesk::lost, this, &RenderNodes::lost, Qt::DirectConnection);
     connect(&thread_, &QThread::finished, desk_, &QObject::deleteLater);
     connect(desk_, &NodeDesk::empty, &thread_, &QThread::quit, Qt::DirectConnection);
     thread_.setObjectName("nodes");

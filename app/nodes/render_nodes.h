@@ -44,6 +44,7 @@ class RenderNodes : public QObject {
   signals:
     /// nodes() is another one; at most ten times a second.
     void changed();
+    // Emitted in the thread of the connections: each receiver hears of it in its own.
     void joined(const pdr::nodes::NodeStatus& node);
     void lost(const pdr::nodes::NodeStatus& node);
 

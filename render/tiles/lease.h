@@ -35,6 +35,9 @@ inline SampleRange fromBlockStart(SampleRange samples) {
     return {start, std::uint32_t(samples.end() - start)};
 }
 
+/// Pixels of a lease, at most: what a worker has to hold and to send at a time.
+inline constexpr int kMostLeasePixels = 512 * 512;
+
 /// Samples times pixels: what work is measured in.
 inline double workOf(const Tile& tile, SampleRange samples) {
     return double(tile.width) * tile.height * samples.count;

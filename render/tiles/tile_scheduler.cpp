@@ -48,7 +48,8 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
     const SampleRange samples =
         samplesInBlock(from.next, std::uint32_t(std::min<std::uint64_t>(from.goal - from.next, kSamplesPerBlock)));
     open_.pop_front();
-    const Tile tile = split_ == Split::tiles ? part(from.tile, ability.work / samples.count) : from.tile;
+    const double most = kMostLeasePixels;
+    const Tile tile = part(from.tile, split_ == Split::tiles ? std::min(ability.work / samples.count, most) : most);
     const Tile& all = from.tile;
     const int right = all.x + all.width - (tile.x + tile.width), below = all.y + all.height - (tile.y + tile.height);
     if (below > 0)
@@ -88,8 +89,8 @@ std::optional<Portion> TileScheduler::hedge(WorkerId worker, const Ability& abil
 
 bool TileScheduler::isLate(const Held& held, WorkerId whoAsks, double now) const {
     return !held.arrived && std::ranges::all_of(held.copies, [&](const Copy& copy) {
-        const double patience = whoAsks == kOwnDevice ? copy.expectedSeconds + kOwnHedgeSeconds
-                                                      : 2 * copy.expectedSeconds + kHedgeSeconds;
+        const double patience =
+            whoAsks == kOwnDevice ? copy.expectedSeconds + kOwnHedgeSeconds : 3 * copy.expectedSeconds + kHedgeSeconds;
         return suspects_.contains(copy.worker) || now - copy.since > patience;
     });
 }

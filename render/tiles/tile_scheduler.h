@@ -61,7 +61,7 @@ class TileScheduler {
     double openWork() const;
     std::uint64_t nextNumber() const { return number_; }
 
-    /// Beyond twice the time that it should take, and this, a portion is given to others as well.
+    /// Beyond three times the time that it should take, and this, a portion is given to others as well.
     static constexpr double kHedgeSeconds = 0.05;
     /// To the own device, which has nothing else to do then and costs no way, beyond that time once, and this.
     static constexpr double kOwnHedgeSeconds = 0.005;

@@ -69,6 +69,16 @@ class TileSchedulerTest : public QObject {
         QCOMPARE(rest->tile, (Tile{2 * kFilmCell, 0, 250 - 2 * kFilmCell, kFilmCell}));
     }
 
+    void portionsAreNoLargerThanALeaseMayBe() {
+        for (const Split split : {Split::tiles, Split::samples}) {
+            TileScheduler scheduler({{{0, 0, 16384, 300}, 0, 64}, {{0, 300, 700, 700}, 0, 64}}, split, 1);
+            int portions = 0;
+            for (; const auto portion = scheduler.take(1, {1e30, 1e30}, 0); ++portions)
+                QVERIFY(portion->tile.width * portion->tile.height <= kMostLeasePixels);
+            QVERIFY(portions > 20);
+        }
+    }
+
     void whatIsLostComesBack() {
         TileScheduler scheduler({{kArea, 0, 64}}, Split::tiles, 1);
         const auto lost = scheduler.take(1, kCells, 0);
@@ -85,7 +95,7 @@ class TileSchedulerTest : public QObject {
         TileScheduler scheduler({{{0, 0, 16, 16}, 0, 1}}, Split::tiles, 1);
         const auto portion = scheduler.take(1, {1e9, 256}, 0);  // a second's
         QVERIFY(!scheduler.take(2, kCells, 1));
-        const double late = 2 + TileScheduler::kHedgeSeconds;
+        const double late = 3 + TileScheduler::kHedgeSeconds;
         QVERIFY(!scheduler.take(1, kCells, late + 0.1));  // not to the one who has it
         const auto copy = scheduler.take(2, kCells, late + 0.1);
         QVERIFY(copy && copy->number == portion->number);
