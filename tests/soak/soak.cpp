@@ -129,7 +129,7 @@ class Soak {
     /// The table; whether all is well.
     bool tell() const {
         std::printf("%-28s %lld\n", "minutes", clock_.elapsed() / 60'000);
-        std::printf("%-28s %d\n%-28s %d\n%-28s %.1f s\n", "pictures", pictures_, "wrong pictures", wrong_,
+        std::printf("%-28s %d\n%-28s %d\n%-28s %.1f s\n", "pictures", pictures_.load(), "wrong pictures", wrong_.load(),
                     "longest picture", double(longest_) / 1000);
         for (std::size_t i = 0; i < kBlows.size(); ++i)
             std::printf("%-28s %d\n", kBlows[i], blows_[i]);
