@@ -10,8 +10,8 @@ std::shared_ptr<const OutgoingScene> OutgoingScenes::ready(const PublishedScene&
     lastNumber_ = scene.number;
     const auto find = [this](const auto& owner, std::span<const std::byte> bytes) { return hashOf(owner, bytes); };
     Result<OutgoingScene> going = outgoingScene(scene.number, *scene.scene, find);
+    reason_ = going ? "" : going.error().text();
     last_ = going ? std::make_shared<const OutgoingScene>(*std::move(going)) : nullptr;
-    reason_ = last_ ? "" : going.error().text();
     return last_;
 }
 

@@ -17,7 +17,7 @@ std::array<double, 12> rowsOf(const dmat4& matrix) {
     std::array<double, 12> rows;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row)
-            rows[std::size_t(column * 3 + row)] = matrix[column][row];
+            rows[std::size_t(column) * 3 + std::size_t(row)] = matrix[column][row];
     return rows;
 }
 
@@ -25,7 +25,7 @@ dmat4 matrixOf(const std::array<double, 12>& rows) {
     dmat4 matrix(1.0);
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row)
-            matrix[column][row] = rows[std::size_t(column * 3 + row)];
+            matrix[column][row] = rows[std::size_t(column) * 3 + std::size_t(row)];
     return matrix;
 }
 

@@ -119,8 +119,7 @@ Result<void> SharedAccumulator::takePart(const std::stop_token& stop) {
             return result.error();
         if (stop.stop_requested())
             return {};
-        const Result<void> taken =
-            work->audit ? pool_.audited(*work->audit, *std::move(result)) : pool_.deliverOwn(*std::move(result));
+        Result<void> taken = work->audit ? pool_.audited(*work->audit, *std::move(result)) : pool_.deliverOwn(*result);
         if (!taken)
             return taken;
     }

@@ -23,8 +23,9 @@ struct Audit {
 class SharedOrder {
   public:
     /// `film` must outlive it.
-    SharedOrder(Film& film, std::uint64_t scene, std::vector<TileGoal> goals, Split split, std::uint64_t firstNumber)
-        : film_(film), scene_(scene), split_(split), scheduler_(std::move(goals), split, firstNumber) {}
+    SharedOrder(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, Split split,
+                std::uint64_t firstNumber)
+        : film_(film), scene_(scene), split_(split), scheduler_(goals, split, firstNumber) {}
 
     TileScheduler& scheduler() { return scheduler_; }
     const TileScheduler& scheduler() const { return scheduler_; }

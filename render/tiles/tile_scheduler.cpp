@@ -28,7 +28,7 @@ int cellsOf(double length, int side) {
 
 }  // namespace
 
-TileScheduler::TileScheduler(std::vector<TileGoal> goals, Split split, std::uint64_t firstNumber)
+TileScheduler::TileScheduler(const std::vector<TileGoal>& goals, Split split, std::uint64_t firstNumber)
     : split_(split), number_(firstNumber) {
     for (const TileGoal& goal : goals)
         if (goal.next < goal.goal)

@@ -37,7 +37,7 @@ struct Ability {
 class TileScheduler {
   public:
     /// `firstNumber`: of the first portion; numbers go on from there.
-    TileScheduler(std::vector<TileGoal> goals, Split split, std::uint64_t firstNumber);
+    TileScheduler(const std::vector<TileGoal>& goals, Split split, std::uint64_t firstNumber);
 
     /// Work for that worker; none: there is nothing left for it now.
     std::optional<Portion> take(WorkerId worker, const Ability& ability, double now);

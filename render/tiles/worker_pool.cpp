@@ -291,11 +291,11 @@ void WorkerPool::setOwnHelps(bool helps) {
     ownHelps_ = helps;
 }
 
-void WorkerPool::begin(Film& film, std::uint64_t scene, std::vector<TileGoal> goals) {
+void WorkerPool::begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals) {
     {
         const std::lock_guard lock(mutex_);
         split_ = choose(goals);
-        order_ = std::make_unique<SharedOrder>(film, scene, std::move(goals), split_.split, nextLease_);
+        order_ = std::make_unique<SharedOrder>(film, scene, goals, split_.split, nextLease_);
         believed_.clear();
         for (auto& [id, worker] : workers_) {
             worker.inFlight = 0;
@@ -323,7 +323,7 @@ std::optional<WorkerPool::OwnWork> WorkerPool::nextOwn(const std::stop_token& st
     return std::nullopt;
 }
 
-Result<void> WorkerPool::deliverOwn(LeaseResult result) {
+Result<void> WorkerPool::deliverOwn(const LeaseResult& result) {
     {
         const std::lock_guard lock(mutex_);
         const double work = workOf(result.tile, result.samples);

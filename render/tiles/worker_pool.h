@@ -76,7 +76,7 @@ class WorkerPool {
     void setOwnHelps(bool helps);
 
     /// Begins an order for `film`, of the scene of that number. One at a time.
-    void begin(Film& film, std::uint64_t scene, std::vector<TileGoal> goals);
+    void begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals);
     /// What the own device is to do next: an audit, or a lease. Waits for it, and returns none when the order is done
     /// or `stop` is requested.
     struct OwnWork {
@@ -85,7 +85,7 @@ class WorkerPool {
     };
     std::optional<OwnWork> nextOwn(const std::stop_token& stop);
     /// Error: the sums of the own device are none.
-    Result<void> deliverOwn(LeaseResult result);
+    Result<void> deliverOwn(const LeaseResult& result);
     /// `truth`: what the own device has found of it.
     Result<void> audited(const Audit& audit, LeaseResult truth);
     /// Ends the order, done or not. Returns the keys of those whose results were believed without an audit.
