@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::uint32_t kHeartbeatMs = 1000;
 
+// What is given out here must be let through there.
+static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels);
+
 remote::Heartbeat::Moment now() {
     using namespace std::chrono;
     return duration_cast<remote::Heartbeat::Moment>(steady_clock::now().time_since_epoch());

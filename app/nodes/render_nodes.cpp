@@ -1,8 +1,5 @@
 #include "app/nodes/render_nodes.h"
 
-#include <QCryptographicHash>
-#include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "app/nodes/node_desk.h"
@@ -73,12 +70,6 @@ Result<remote::Address> RenderNodes::listen(const QString& address) {
 
 void RenderNodes::stopListening() {
     QMetaObject::invokeMethod(desk_, [desk = desk_] { desk->stopListening(); });
-}
-
-int RenderNodes::working() const {
-    return int(std::ranges::count_if(nodes_, [](const NodeStatus& node) {
-        return node.state == NodeState::sending || node.state == NodeState::ready || node.state == NodeState::suspect;
-    }));
 }
 
 }  // namespace pdr::nodes

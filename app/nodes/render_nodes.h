@@ -38,8 +38,6 @@ class RenderNodes : public QObject {
 
     /// As of the last change.
     const std::vector<NodeStatus>& nodes() const { return nodes_; }
-    /// Nodes that can take samples now or soon: all but those that are lost, refused or quarantined.
-    int working() const;
 
   signals:
     /// nodes() is another one; at most ten times a second.

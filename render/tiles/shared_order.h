@@ -25,12 +25,11 @@ class SharedOrder {
     /// `film` must outlive it.
     SharedOrder(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, Split split,
                 std::uint64_t firstNumber)
-        : film_(film), scene_(scene), split_(split), scheduler_(goals, split, firstNumber) {}
+        : film_(film), scene_(scene), scheduler_(goals, split, firstNumber) {}
 
     TileScheduler& scheduler() { return scheduler_; }
     const TileScheduler& scheduler() const { return scheduler_; }
     std::uint64_t scene() const { return scene_; }
-    Split split() const { return split_; }
     bool isDone() const { return scheduler_.isDone(); }
 
     /// The portion with the sums that it goes on from.
@@ -48,7 +47,6 @@ class SharedOrder {
 
     Film& film_;
     std::uint64_t scene_;
-    Split split_;
     TileScheduler scheduler_;
     std::vector<LeaseResult> early_;  ///< of blocks whose predecessors are still missing
     std::deque<Audit> audits_;

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/paper/report.h"
-#include "render/base/replacing_file.h"
+#include "app/bench/text_file.h"
 
 namespace pdr::bench::paper {
 
@@ -80,14 +80,6 @@ Json fitJson(const Figures& figures) {
                                  {"manyNodes", tile.manyNodes},
                                  {"share", parameter(tile.fraction, tile.interval)}});
     return json;
-}
-
-Result<void> writeText(const std::filesystem::path& path, const std::string& text) {
-    Result<ReplacingFile> file = ReplacingFile::open(path);
-    if (!file)
-        return file.error();
-    file->write(text.data(), text.size());
-    return file->commit();
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "app/bench/scale/plot.h"
 #include "app/bench/scale/star_simulation.h"
-#include "render/base/replacing_file.h"
+#include "app/bench/text_file.h"
 
 namespace pdr::bench::scale {
 
@@ -91,14 +91,6 @@ Plot plotOf(const Report& report, const char* title, double ScaledFrames::*figur
         paper.points.emplace_back(row.told.nodes, row.told.paper);
     plot.curves.push_back(std::move(paper));
     return plot;
-}
-
-Result<void> writeText(const std::filesystem::path& path, const std::string& text) {
-    Result<ReplacingFile> file = ReplacingFile::open(path);
-    if (!file)
-        return file.error();
-    file->write(text.data(), text.size());
-    return file->commit();
 }
 
 }  // namespace
