@@ -31,7 +31,8 @@ NodeService::NodeService(const NodeOptions& options, const wire::Hello& hello, s
     // Answers come on the render thread.
     renderer_ = std::make_unique<LeaseRenderer>(std::move(device), [this](LeaseAnswer answered) {
         QMetaObject::invokeMethod(
-            this, [this, answered = std::move(answered)] { answer(answered); }, Qt::QueuedConnection);
+            this, [this, answered = std::move(answered)]() mutable { answer(std::move(answered)); },
+            Qt::QueuedConnection);
     });
 }
 
@@ -130,12 +131,14 @@ void NodeService::ended(const QString& reason) {
         dialLater({reason.toStdString(), options_.coordinator->text().toStdString(), ""});
 }
 
-void NodeService::answer(const LeaseAnswer& answered) {
-    if (session_)
-        session_->answer(answered);
+void NodeService::answer(LeaseAnswer answered) {
     if (const auto* lost = std::get_if<LeaseLost>(&answered); lost && lost->error.kind == ErrorKind::deviceLost) {
+        if (session_)
+            session_->answer(*lost);
         emit said(QString::fromStdString(lost->error.text()));
         finish(ExitCode::temporary);
+    } else if (session_) {
+        session_->answer(std::move(answered));
     }
 }
 

@@ -44,7 +44,7 @@ class NodeService : public QObject {
     void ended(const QString& reason);
     void finish(ExitCode code);
     void forget();
-    void answer(const LeaseAnswer& answer);
+    void answer(LeaseAnswer answer);
 
     NodeOptions options_;
     wire::Hello hello_;

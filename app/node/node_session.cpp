@@ -9,7 +9,7 @@ NodeSession::NodeSession(remote::Channel* channel, const wire::Hello& hello, Nod
                          LeaseRenderer& renderer, QObject* parent)
     : QObject(parent), channel_(channel), contents_(contents), renderer_(renderer) {
     channel_->setParent(this);
-    connect(channel_, &remote::Channel::received, this, [this](const wire::Message& message) { take(message); });
+    connect(channel_, &remote::Channel::received, this, [this](wire::Message& message) { take(message); });
     connect(channel_, &remote::Channel::closed, this, [this](const QString& reason) {
         dropLeases();
         emit over(reason);
@@ -21,8 +21,8 @@ NodeSession::~NodeSession() {
     channel_->disconnect(this);
 }
 
-void NodeSession::take(const wire::Message& message) {
-    std::visit([this](const auto& one) { take(one); }, message);
+void NodeSession::take(wire::Message& message) {
+    std::visit([this](auto& one) { take(one); }, message);
 }
 
 void NodeSession::take(const wire::Welcome& welcome) {
@@ -68,13 +68,13 @@ void NodeSession::take(const wire::Chunk& chunk) {
         askOrRender();
 }
 
-void NodeSession::take(const wire::Lease& lease) {
+void NodeSession::take(wire::Lease& lease) {
     if (draining_ || lease.revision != revision_) {
         channel_->send(wire::Abandoned{lease.number, lease.nonce, ""});
         return;
     }
     leases_[lease.number] = {lease.nonce, lease.revision};
-    renderer_.add({lease.number, lease.revision, lease.tile, lease.samples, lease.before});
+    renderer_.add({lease.number, lease.revision, lease.tile, lease.samples, std::move(lease.before)});
     emit worked();
 }
 
@@ -96,8 +96,8 @@ void NodeSession::dropLeases() {
     renderer_.drop();
 }
 
-void NodeSession::answer(const LeaseAnswer& answer) {
-    std::visit([this](const auto& one) { say(one); }, answer);
+void NodeSession::answer(LeaseAnswer answer) {
+    std::visit([this](auto& one) { say(std::move(one)); }, answer);
 }
 
 void NodeSession::say(const SceneTaken& taken) {
@@ -113,14 +113,14 @@ void NodeSession::refuseScene(const std::string& reason) {
     channel_->send(wire::SceneRefused{revision_, reason});
 }
 
-void NodeSession::say(const LeaseResult& result) {
+void NodeSession::say(LeaseResult result) {
     const auto lease = leases_.find(result.number);
     if (lease == leases_.end())
         return;
     const Taken taken = lease->second;
     leases_.erase(lease);
-    channel_->send(wire::Result{result.number, taken.nonce, taken.revision, result.tile, result.samples, result.sums,
-                                result.health, result.seconds});
+    channel_->send(wire::Result{result.number, taken.nonce, taken.revision, result.tile, result.samples,
+                                std::move(result.sums), result.health, result.seconds});
     lookWhetherDrained();
 }
 

@@ -22,7 +22,7 @@ class NodeSession : public QObject {
     ~NodeSession() override;
 
     /// What the renderer has answered.
-    void answer(const LeaseAnswer& answer);
+    void answer(LeaseAnswer answer);
     /// Takes nothing new; finished() when all that was taken is answered.
     void drain();
     /// Says goodbye, giving back what is not done.
@@ -49,13 +49,13 @@ class NodeSession : public QObject {
         std::uint64_t revision;
     };
 
-    void take(const wire::Message& message);
+    void take(wire::Message& message);
     void take(const wire::Welcome& welcome);
     void take(const wire::Refused& refused);
     void take(const wire::Ping& ping);
     void take(const wire::SceneOrder& order);
     void take(const wire::Chunk& chunk);
-    void take(const wire::Lease& lease);
+    void take(wire::Lease& lease);
     void take(const wire::Forget&);
     void take(const wire::Bye& bye);
     /// What a coordinator never sends: the codec has refused it.
@@ -63,7 +63,7 @@ class NodeSession : public QObject {
     void take(const Other&) {}
 
     void say(const SceneTaken& taken);
-    void say(const LeaseResult& result);
+    void say(LeaseResult result);
     void say(const LeaseLost& lost);
     void askOrRender();
     void refuseScene(const std::string& reason);

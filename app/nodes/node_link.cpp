@@ -52,7 +52,7 @@ wire::Nonce newNonce(std::random_device& random) {
 NodeLink::NodeLink(remote::Channel* channel, Coordinator& coordinator, QObject* parent)
     : QObject(parent), channel_(channel), coordinator_(coordinator), heart_(now()) {
     channel_->setParent(this);
-    connect(channel_, &remote::Channel::received, this, [this](const wire::Message& message) { take(message); });
+    connect(channel_, &remote::Channel::received, this, [this](wire::Message& message) { take(message); });
     connect(channel_, &remote::Channel::roomForMore, this, &NodeLink::pump);
     connect(channel_, &remote::Channel::closed, this, &NodeLink::end);
     connect(&beatTimer_, &QTimer::timeout, this, &NodeLink::beat);
@@ -65,9 +65,9 @@ NodeLink::~NodeLink() {
         coordinator_.pool->leave(*worker_);
 }
 
-void NodeLink::take(const wire::Message& message) {
+void NodeLink::take(wire::Message& message) {
     heart_.heard(now());
-    std::visit([this](const auto& one) { take(one); }, message);
+    std::visit([this](auto& one) { take(one); }, message);
 }
 
 void NodeLink::take(const wire::Hello& hello) {
@@ -181,7 +181,7 @@ void NodeLink::sendLeases() {
     }
 }
 
-void NodeLink::take(const wire::Result& result) {
+void NodeLink::take(wire::Result& result) {
     const auto nonce = nonces_.find(result.number);
     if (result.revision != sent_ || nonce == nonces_.end())
         return;  // of a scene that nobody wants any more, or twice
@@ -191,7 +191,7 @@ void NodeLink::take(const wire::Result& result) {
     }
     nonces_.erase(nonce);
     coordinator_.pool->deliver(
-        *worker_, {result.number, result.tile, result.samples, result.sums, result.health, result.seconds});
+        *worker_, {result.number, result.tile, result.samples, std::move(result.sums), result.health, result.seconds});
     sendLeases();
 }
 

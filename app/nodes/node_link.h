@@ -55,13 +55,13 @@ class NodeLink : public QObject {
         std::uint32_t next = 0;
     };
 
-    void take(const wire::Message& message);
+    void take(wire::Message& message);
     void take(const wire::Hello& hello);
     void take(const wire::Pong& pong);
     void take(const wire::Need& need);
     void take(const wire::SceneReady& ready);
     void take(const wire::SceneRefused& refused);
-    void take(const wire::Result& result);
+    void take(wire::Result& result);
     void take(const wire::Abandoned& abandoned);
     void take(const wire::Draining&);
     void take(const wire::Bye& bye);

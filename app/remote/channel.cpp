@@ -137,12 +137,12 @@ void Channel::read() {
 
 void Channel::take(std::span<const std::byte> bytes) {
     while (state_ == State::open) {
-        const auto next = reader_->next(bytes);
+        auto next = reader_->next(bytes);
         if (!next)
             return finish(QString::fromStdString(next.error().text()));
         if (!*next)
             return;
-        const wire::Message& message = **next;
+        wire::Message& message = **next;
         ++messages_;
         if (!mayCome(message))
             return finish("the other side did not introduce itself first");

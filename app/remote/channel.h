@@ -67,7 +67,8 @@ class Channel : public QObject {
     QString peerHost() const { return peerHost_; }
 
   signals:
-    void received(const pdr::wire::Message& message);
+    /// Who takes it may move out of it.
+    void received(pdr::wire::Message& message);
     /// After there was no room: there is again.
     void roomForMore();
     void admitted();

@@ -98,7 +98,7 @@ pdr::Result<void> ContentAssembly::add(const Chunk& chunk) {
     if (auto room = makeRoom(); !room)
         return room;
     Scratch halves(chunk.rawBytes);
-    if (!unpackFrame(chunk.packed, halves.all()))
+    if (!FrameUnpacker().unpack(chunk.packed, halves.all()))
         return senseless("a damaged piece of a scan", "Chunk");
     bytes_.resize(begin + chunk.rawBytes);
     const auto part = std::span(bytes_).subspan(begin);

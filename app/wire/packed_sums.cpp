@@ -30,8 +30,8 @@ struct Layout {
     std::size_t pixels, own;
 
     static constexpr std::size_t places = sizeof(PixelSums);
-    std::size_t planes() const { return places + (pixels + 7) / 8; }
-    std::size_t bytes() const { return planes() + kPlanes * planeBytes(own); }
+    constexpr std::size_t planes() const { return places + (pixels + 7) / 8; }
+    constexpr std::size_t bytes() const { return planes() + kPlanes * planeBytes(own); }
 };
 
 /// Whether any byte differs; without a branch, for light and dark take turns in noise.
@@ -51,91 +51,116 @@ PixelSums groundOf(std::span<const PixelSums> sums) {
     return dark == sums.end() ? PixelSums{} : *dark;
 }
 
-/// What zstd gets, or gives back.
-class Raw {
-  public:
-    explicit Raw(const Layout& layout)
-        : layout_(layout), bytes_(std::make_unique_for_overwrite<std::byte[]>(layout.bytes())) {}
+constexpr std::size_t kRawBytes = Layout{kSlicePixels, kSlicePixels}.bytes();
 
-    std::span<std::byte> all() const { return {bytes_.get(), layout_.bytes()}; }
-    std::span<std::byte> places() const { return {bytes_.get() + layout_.places, bytes_.get() + layout_.planes()}; }
-    std::byte* planes() const { return bytes_.get() + layout_.planes(); }
+/// Packs slices, in memory that it keeps.
+class SlicePacker {
+  public:
+    SlicePacker() : own_(kSlicePixels), raw_(std::make_unique_for_overwrite<std::byte[]>(kRawBytes)) {}
+
+    /// Behind what is in `packed`.
+    void pack(std::span<const PixelSums> slice, Bytes& packed) {
+        const PixelSums ground = groundOf(slice);
+        const std::span<const std::uint32_t> own = thoseUnlike(ground, slice);
+        const Layout layout{slice.size(), own.size()};
+        std::memcpy(raw_.get(), &ground, sizeof ground);
+        const std::span<std::byte> places(raw_.get() + layout.places, raw_.get() + layout.planes());
+        std::ranges::fill(places, std::byte(0));
+        for (const std::uint32_t pixel : own)
+            places[pixel / 8] |= std::byte(1) << pixel % 8;
+        splitPlanes(slice, own, raw_.get() + layout.planes());
+        const Head head{std::uint32_t(slice.size()), std::uint32_t(own.size())};
+        append(packed, std::as_bytes(std::span(&head, 1)));
+        append(packed, frames_.pack({raw_.get(), layout.bytes()}));
+    }
 
   private:
-    Layout layout_;
-    std::unique_ptr<std::byte[]> bytes_;
+    std::span<const std::uint32_t> thoseUnlike(const PixelSums& ground, std::span<const PixelSums> slice) {
+        std::size_t count = 0;
+        for (std::size_t pixel = 0; pixel < slice.size(); ++pixel) {
+            own_[count] = std::uint32_t(pixel);
+            count += differ(slice[pixel], ground);
+        }
+        return std::span(own_).first(count);
+    }
+    static void append(Bytes& packed, std::span<const std::byte> bytes) {
+        packed.insert(packed.end(), bytes.begin(), bytes.end());
+    }
+
+    Indices own_;
+    std::unique_ptr<std::byte[]> raw_;
+    FramePacker frames_{kLevel};
 };
 
-Indices thoseUnlike(const PixelSums& ground, std::span<const PixelSums> sums) {
-    Indices own(sums.size());
-    std::size_t count = 0;
-    for (std::size_t pixel = 0; pixel < sums.size(); ++pixel) {
-        own[count] = std::uint32_t(pixel);
-        count += differ(sums[pixel], ground);
+/// Unpacks slices, in memory that it keeps.
+class SliceUnpacker {
+  public:
+    SliceUnpacker() : raw_(std::make_unique_for_overwrite<std::byte[]>(kRawBytes)) {}
+
+    /// The slice that `packed` begins with, which is taken off it. False: it begins with no pack of so many pixels.
+    bool unpack(std::span<const std::byte>& packed, std::span<PixelSums> slice) {
+        Head head;
+        if (packed.size() < sizeof head)
+            return false;
+        std::memcpy(&head, packed.data(), sizeof head);
+        if (head.pixels != slice.size() || head.own > slice.size())
+            return false;
+        packed = packed.subspan(sizeof head);
+        const std::span<const std::byte> frame = packed.first(firstFrameBytes(packed));
+        packed = packed.subspan(frame.size());
+        const Layout layout{slice.size(), head.own};
+        if (!frames_.unpack(frame, {raw_.get(), layout.bytes()}) || !findPlaces(layout))
+            return false;
+        PixelSums ground;
+        std::memcpy(&ground, raw_.get(), sizeof ground);
+        std::ranges::fill(slice, ground);
+        joinPlanes(raw_.get() + layout.planes(), own_, slice);
+        return true;
     }
-    own.resize(count);
-    return own;
-}
 
-Raw laidOut(std::span<const PixelSums> sums, const PixelSums& ground, const Indices& own) {
-    Raw raw({sums.size(), own.size()});
-    std::memcpy(raw.all().data(), &ground, sizeof ground);
-    std::ranges::fill(raw.places(), std::byte(0));
-    for (const std::uint32_t pixel : own)
-        raw.places()[pixel / 8] |= std::byte(1) << pixel % 8;
-    splitPlanes(sums, own, raw.planes());
-    return raw;
-}
+  private:
+    /// The pixels whose bit is set. False: they are not as many as was said.
+    bool findPlaces(const Layout& layout) {
+        own_.clear();
+        for (std::size_t i = 0; layout.places + i < layout.planes(); ++i)
+            for (unsigned rest = std::to_integer<unsigned>(raw_[layout.places + i]); rest != 0; rest &= rest - 1)
+                if (const std::size_t pixel = 8 * i + std::size_t(std::countr_zero(rest)); pixel < layout.pixels)
+                    own_.push_back(std::uint32_t(pixel));
+        return own_.size() == layout.own;
+    }
 
-/// The pixels whose bit is set, of those that there are.
-Indices placesIn(std::span<const std::byte> bits, std::size_t pixels) {
-    Indices own;
-    for (std::size_t i = 0; i < bits.size(); ++i)
-        for (unsigned rest = std::to_integer<unsigned>(bits[i]); rest != 0; rest &= rest - 1)
-            if (const std::size_t pixel = 8 * i + std::size_t(std::countr_zero(rest)); pixel < pixels)
-                own.push_back(std::uint32_t(pixel));
-    return own;
-}
-
-Error noPack() {
-    return senseless("sums of pixels that cannot be unpacked");
-}
+    Indices own_;
+    std::unique_ptr<std::byte[]> raw_;
+    FrameUnpacker frames_;
+};
 
 }  // namespace
 
 Bytes packSums(std::span<const PixelSums> sums) {
+    Bytes packed;
     if (sums.empty())
-        return {};
-    const PixelSums ground = groundOf(sums);
-    const Indices own = thoseUnlike(ground, sums);
-    const Raw raw = laidOut(sums, ground, own);
-    const Head head{std::uint32_t(sums.size()), std::uint32_t(own.size())};
-    return packedFrame(std::as_bytes(std::span(&head, 1)), raw.all(), kLevel);
+        return packed;
+    packed.reserve(packedSumsBound(sums.size()));
+    SlicePacker packer;
+    for (std::size_t first = 0; first < sums.size(); first += kSlicePixels)
+        packer.pack(sums.subspan(first, std::min(kSlicePixels, sums.size() - first)), packed);
+    return packed;
 }
 
 pdr::Result<std::vector<PixelSums>> unpackSums(std::span<const std::byte> packed, std::size_t pixels) {
-    Head head;
+    const Error noPack = senseless("sums of pixels that cannot be unpacked");
+    std::vector<PixelSums> sums;
     if (pixels == 0 && packed.empty())
-        return std::vector<PixelSums>();
-    if (packed.size() < sizeof head)
-        return noPack();
-    std::memcpy(&head, packed.data(), sizeof head);
-    if (head.pixels != pixels || head.own > pixels)
-        return noPack();
-    const std::span<const std::byte> frame = packed.subspan(sizeof head);
-    const Layout layout{pixels, head.own};
-    if (!isFrameOf(frame, layout.bytes()))
-        return noPack();
-    const Raw raw(layout);
-    if (!unpackFrame(frame, raw.all()))
-        return noPack();
-    const Indices own = placesIn(raw.places(), pixels);
-    if (own.size() != head.own)
-        return noPack();
-    PixelSums ground;
-    std::memcpy(&ground, raw.all().data(), sizeof ground);
-    std::vector<PixelSums> sums(pixels, ground);
-    joinPlanes(raw.planes(), own, sums);
+        return sums;
+    sums.reserve(pixels);
+    SliceUnpacker unpacker;
+    for (std::size_t first = 0; first < pixels; first += kSlicePixels) {
+        sums.resize(std::min(first + kSlicePixels, pixels));
+        if (!unpacker.unpack(packed, std::span(sums).subspan(first)))
+            return noPack;
+    }
+    if (!packed.empty())
+        return noPack;
     return sums;
 }
 

@@ -12,6 +12,13 @@ namespace pdr {
 using WorkerId = std::uint32_t;
 inline constexpr WorkerId kOwnDevice = 0;
 
+/// Of an order, what one takes at a time.
+struct Portion {
+    std::uint64_t number = 0;
+    Tile tile;
+    SampleRange samples;  ///< in one block
+};
+
 struct Lease {
     std::uint64_t number = 0;  ///< of this lease alone
     std::uint64_t scene = 0;   ///< the number that it was published under

@@ -56,14 +56,14 @@ void LeaseRenderer::run(const std::stop_token& ended) {
             lock.unlock();
             takeScene(number, scene);
         } else {
-            const Lease lease = std::move(leases_.front());
+            Lease lease = std::move(leases_.front());
             leases_.pop_front();
             current_ = {};
             const std::stop_token stop = current_.get_token();
             const bool isStale = lease.scene != number_;
             lock.unlock();
             if (!isStale)
-                take(lease, stop);
+                take(std::move(lease), stop);
         }
         lock.lock();
         isBusy_ = false;
@@ -80,14 +80,15 @@ void LeaseRenderer::takeScene(std::uint64_t number, const std::shared_ptr<const 
     answered_(SceneTaken{number, taken ? std::optional<Error>() : taken.error()});
 }
 
-void LeaseRenderer::take(const Lease& lease, const std::stop_token& stop) {
-    Result<LeaseResult> result = traceLease(*device_, lease, stop);
+void LeaseRenderer::take(Lease lease, const std::stop_token& stop) {
+    const std::uint64_t number = lease.number;
+    Result<LeaseResult> result = traceLease(*device_, std::move(lease), stop);
     if (stop.stop_requested())
         return;
     if (result)
         answered_(*std::move(result));
     else
-        answered_(LeaseLost{lease.number, result.error()});
+        answered_(LeaseLost{number, result.error()});
 }
 
 }  // namespace pdr

@@ -47,7 +47,7 @@ class LeaseRenderer {
   private:
     void run(const std::stop_token& ended);
     void takeScene(std::uint64_t number, const std::shared_ptr<const Scene>& scene);
-    void take(const Lease& lease, const std::stop_token& stop);
+    void take(Lease lease, const std::stop_token& stop);
     /// To be called with the lock.
     void dropLeases();
 

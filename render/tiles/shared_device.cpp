@@ -119,7 +119,8 @@ Result<void> SharedAccumulator::takePart(const std::stop_token& stop) {
             return result.error();
         if (stop.stop_requested())
             return {};
-        Result<void> taken = work->audit ? pool_.audited(*work->audit, *std::move(result)) : pool_.deliverOwn(*result);
+        Result<void> taken =
+            work->audit ? pool_.audited(*work->audit, *std::move(result)) : pool_.deliverOwn(*std::move(result));
         if (!taken)
             return taken;
     }

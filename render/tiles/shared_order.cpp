@@ -19,23 +19,24 @@ Lease SharedOrder::leaseOf(const Portion& portion) const {
     return lease;
 }
 
-Result<void> SharedOrder::take(const LeaseResult& result) {
+Result<void> SharedOrder::take(LeaseResult result) {
+    const std::uint64_t number = result.number;
     if (!isNext(result)) {
-        early_.push_back(result);
-        scheduler_.finish(result.number);
+        early_.push_back(std::move(result));
+        scheduler_.finish(number);
         return {};
     }
-    if (Result<void> merged = merge(result); !merged)
+    if (Result<void> merged = merge(std::move(result)); !merged)
         return merged;
-    scheduler_.finish(result.number);
+    scheduler_.finish(number);
     for (auto next = early_.begin(); next != early_.end();) {
         if (!isNext(*next)) {
             ++next;
             continue;
         }
-        const LeaseResult one = std::move(*next);
+        LeaseResult one = std::move(*next);
         early_.erase(next);
-        if (Result<void> merged = merge(one); !merged)
+        if (Result<void> merged = merge(std::move(one)); !merged)
             return merged;
         next = early_.begin();
     }
@@ -47,17 +48,32 @@ bool SharedOrder::isNext(const LeaseResult& result) const {
     return here.size() == 1 && here[0].next == result.samples.first;
 }
 
-Result<void> SharedOrder::merge(const LeaseResult& result) {
+Result<void> SharedOrder::merge(LeaseResult result) {
     // A film that began within a block knows nothing of what comes before.
     const SampleRange block = fromBlockStart(result.samples);
     const std::uint64_t first = std::max(block.first, film_.progress().first());
     const SampleRange samples{first, std::uint32_t(block.end() - first)};
-    return film_.merge({film_.revision(), result.tile, samples, result.sums, result.health});
+    return film_.merge({film_.revision(), result.tile, samples, std::move(result.sums), result.health});
 }
 
-void SharedOrder::keepForAudit(WorkerId worker, const Portion& portion, LeaseResult result) {
+void SharedOrder::withhold(const WorkerStatus& worker, const Portion& portion, LeaseResult result) {
     scheduler_.arrived(portion.number);
-    audits_.push_back({worker, std::move(result), leaseOf(portion)});
+    audits_.push_back({worker.id, worker.key, std::move(result), leaseOf(portion), true});
+}
+
+void SharedOrder::auditPart(const WorkerStatus& worker, const Portion& portion, const LeaseResult& result,
+                            const Tile& part) {
+    if (audits_.size() >= kMostAudits)
+        return;
+    LeaseResult claimed{result.number, part, result.samples, {}, {}, 0};
+    claimed.sums.reserve(std::size_t(part.width) * std::size_t(part.height));
+    const Tile& all = result.tile;
+    for (int y = part.y; y < part.y + part.height; ++y) {
+        const auto row = result.sums.begin() + std::ptrdiff_t(y - all.y) * all.width + (part.x - all.x);
+        claimed.sums.insert(claimed.sums.end(), row, row + part.width);
+    }
+    audits_.push_back(
+        {worker.id, worker.key, std::move(claimed), leaseOf({portion.number, part, portion.samples}), false});
 }
 
 std::optional<Audit> SharedOrder::nextAudit() {

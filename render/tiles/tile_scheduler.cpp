@@ -1,7 +1,8 @@
 #include "render/tiles/tile_scheduler.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
 namespace pdr {
@@ -20,16 +21,25 @@ bool join(Tile& a, const Tile& b) {
     return false;
 }
 
-/// The first `length` of a side, in whole cells, at least one.
-int cellsOf(double length, int side) {
-    const double cells = std::max(1.0, std::floor(length / kFilmCell));
-    return cells * kFilmCell >= side ? side : int(cells) * kFilmCell;
+/// Makes a side of a tile longer, by whole cells and to `most` at most, as long as it is not too much.
+void grow(int& side, int most, const std::function<bool()>& isTooMuch) {
+    while (side < most) {
+        const int before = side;
+        side = std::min(side + kFilmCell, most);
+        if (isTooMuch()) {
+            side = before;
+            return;
+        }
+    }
 }
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TileScheduler::TileScheduler(const std::vector<TileGoal>& goals, Split split, std::uint64_t firstNumber)
-    : split_(split), number_(firstNumber) {
+TileScheduler::TileScheduler(const std::vector<TileGoal>& goals, Split split, std::uint64_t firstNumber,
+                             CellCosts costs)
+    : split_(split), number_(firstNumber), costs_(std::move(costs)) {
     for (const TileGoal& goal : goals)
         if (goal.next < goal.goal)
             open_.push_back(goal);
@@ -48,8 +58,7 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
     const SampleRange samples =
         samplesInBlock(from.next, std::uint32_t(std::min<std::uint64_t>(from.goal - from.next, kSamplesPerBlock)));
     open_.pop_front();
-    const double most = kMostLeasePixels;
-    const Tile tile = part(from.tile, split_ == Split::tiles ? std::min(ability.work / samples.count, most) : most);
+    const Tile tile = part(from.tile, split_ == Split::tiles ? ability.cost / samples.count : kUnlimited);
     const Tile& all = from.tile;
     const int right = all.x + all.width - (tile.x + tile.width), below = all.y + all.height - (tile.y + tile.height);
     if (below > 0)
@@ -65,13 +74,20 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
     return portion;
 }
 
-/// Rows of cells from the top, or where that is too much, a part of one.
-Tile TileScheduler::part(const Tile& tile, double pixels) {
-    const double rows = pixels / tile.width;
-    if (rows >= kFilmCell)
-        return {tile.x, tile.y, tile.width, cellsOf(rows, tile.height)};
-    const int height = std::min(tile.height, kFilmCell);
-    return {tile.x, tile.y, cellsOf(pixels / height, tile.width), height};
+/// Rows of cells from the top, or where one is too much, a part of it: of that cost, and no more pixels than a lease
+/// may have, but at least a cell.
+Tile TileScheduler::part(const Tile& tile, double cost) const {
+    const auto isTooMuch = [&](const Tile& some) {
+        return some.width * some.height > kMostLeasePixels || costs_.ofSample(some) > cost;
+    };
+    Tile rows{tile.x, tile.y, tile.width, std::min(tile.height, kFilmCell)};
+    if (isTooMuch(rows)) {
+        Tile cells{tile.x, tile.y, std::min(tile.width, kFilmCell), rows.height};
+        grow(cells.width, tile.width, [&] { return isTooMuch(cells); });
+        return cells;
+    }
+    grow(rows.height, tile.height, [&] { return isTooMuch(rows); });
+    return rows;
 }
 
 std::optional<Portion> TileScheduler::hedge(WorkerId worker, const Ability& ability, double now) {
@@ -95,19 +111,18 @@ bool TileScheduler::isLate(const Held& held, WorkerId whoAsks, double now) const
     });
 }
 
-double TileScheduler::workHeldBy(WorkerId worker) const {
-    double work = 0;
+double TileScheduler::costHeldBy(WorkerId worker) const {
+    double cost = 0;
     for (const Held& held : held_)
         for (const Copy& copy : held.copies)
             if (copy.worker == worker && !held.arrived)
-                work += workOf(held.portion.tile, held.portion.samples);
-    return work;
+                cost += costOf(held.portion);
+    return cost;
 }
 
 TileScheduler::Copy TileScheduler::copyFor(WorkerId worker, const Portion& portion, const Ability& ability,
                                            double now) const {
-    const double work = workHeldBy(worker) + workOf(portion.tile, portion.samples);
-    return {worker, now, work / ability.perSecond};
+    return {worker, now, (costHeldBy(worker) + costOf(portion)) / ability.perSecond};
 }
 
 std::optional<Portion> TileScheduler::heldBy(WorkerId worker, std::uint64_t number) const {
@@ -199,11 +214,11 @@ std::vector<WorkerId> TileScheduler::expire(double now) {
     return late;
 }
 
-double TileScheduler::openWork() const {
-    double work = 0;
+double TileScheduler::openCost() const {
+    double cost = 0;
     for (const TileGoal& goal : open_)
-        work += double(goal.tile.width) * goal.tile.height * double(goal.goal - goal.next);
-    return work;
+        cost += costs_.ofSample(goal.tile) * double(goal.goal - goal.next);
+    return cost;
 }
 
 }  // namespace pdr

@@ -1,9 +1,9 @@
 #pragma once
 /// Who renders what of one order of samples: a state machine without threads, clocks or sockets. Portions are cut as
-/// workers ask for them, so that nothing has to be known beforehand of what a tile costs. What is not delivered in time
-/// goes to others as well, and the first result counts.
+/// workers ask for them, by what their cells cost as far as that is known. What is not delivered in time goes to others
+/// as well, and the first result counts.
 ///   seconds   since some moment, the same for all calls
-///   work      pixels times samples
+///   cost      pixels times samples, each worth what its cell costs (cell_costs.h)
 
 #include <cstdint>
 #include <deque>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "render/base/split.h"
+#include "render/tiles/cell_costs.h"
 #include "render/tiles/lease.h"
 
 namespace pdr {
@@ -22,22 +23,17 @@ struct TileGoal {
     std::uint64_t next = 0, goal = 0;  ///< numbers of samples: the next one, and the first that is not wanted
 };
 
-struct Portion {
-    std::uint64_t number = 0;
-    Tile tile;
-    SampleRange samples;  ///< in one block
-};
-
 /// What a worker asks for.
 struct Ability {
-    double work = 0;       ///< it wants about so much
+    double cost = 0;       ///< it wants about so much
     double perSecond = 0;  ///< it is believed to do so much; > 0
 };
 
 class TileScheduler {
   public:
     /// `firstNumber`: of the first portion; numbers go on from there.
-    TileScheduler(const std::vector<TileGoal>& goals, Split split, std::uint64_t firstNumber);
+    TileScheduler(const std::vector<TileGoal>& goals, Split split, std::uint64_t firstNumber,
+                  CellCosts costs = CellCosts());
 
     /// Work for that worker; none: there is nothing left for it now.
     std::optional<Portion> take(WorkerId worker, const Ability& ability, double now);
@@ -57,8 +53,9 @@ class TileScheduler {
     std::vector<WorkerId> expire(double now);
 
     bool isDone() const { return open_.empty() && held_.empty(); }
-    /// That nobody has yet.
-    double openWork() const;
+    double costOf(const Portion& portion) const { return costs_.ofSample(portion.tile) * portion.samples.count; }
+    /// Of what nobody has yet.
+    double openCost() const;
     std::uint64_t nextNumber() const { return number_; }
 
     /// Beyond three times the time that it should take, and this, a portion is given to others as well.
@@ -83,10 +80,10 @@ class TileScheduler {
 
     std::optional<Portion> cut(WorkerId worker, const Ability& ability, double now);
     std::optional<Portion> hedge(WorkerId worker, const Ability& ability, double now);
-    Tile part(const Tile& tile, double pixels);
+    Tile part(const Tile& tile, double cost) const;
     void free(const TileGoal& goal, bool first);
     bool isLate(const Held& held, WorkerId whoAsks, double now) const;
-    double workHeldBy(WorkerId worker) const;
+    double costHeldBy(WorkerId worker) const;
     Copy copyFor(WorkerId worker, const Portion& portion, const Ability& ability, double now) const;
     std::vector<Held>::iterator find(std::uint64_t number);
     /// Without `worker`'s copy; where that was the last, it becomes free.
@@ -95,6 +92,7 @@ class TileScheduler {
 
     Split split_;
     std::uint64_t number_;
+    CellCosts costs_;
     std::deque<TileGoal> open_;
     std::vector<Held> held_;
     std::set<WorkerId> suspects_;

@@ -9,6 +9,6 @@
 namespace pdr {
 
 /// Of the scene that `device` holds. After a stop request the result is worthless. Errors: the device's.
-Result<LeaseResult> traceLease(Device& device, const Lease& lease, const std::stop_token& stop);
+Result<LeaseResult> traceLease(Device& device, Lease lease, const std::stop_token& stop);
 
 }  // namespace pdr

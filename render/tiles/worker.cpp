@@ -4,9 +4,29 @@
 
 namespace pdr {
 
-void WorkerSpeed::add(double work, double seconds) {
-    work_ = kKept * work_ + work;
+void WorkerSpeed::add(double cost, double seconds) {
+    cost_ = kKept * cost_ + cost;
     seconds_ = kKept * seconds_ + std::max(seconds, kShortestSeconds);
+}
+
+/// The tile is cut into parts, at most kOneIn, and one number in kOneIn is drawn: the part of that number, if there is.
+std::optional<Tile> Trust::partToAudit(const Tile& tile) {
+    const auto cellsIn = [](int pixels) { return (pixels + kFilmCell - 1) / kFilmCell; };
+    const int rows = cellsIn(tile.height), columns = cellsIn(tile.width);
+    const int down = std::min(rows, kOneIn), across = std::min(columns, kOneIn / down);
+    const int drawn = int(random_() % kOneIn);
+    if (drawn >= down * across)
+        return std::nullopt;
+    const int i = drawn % across, j = drawn / across;
+    const int left = columns * i / across * kFilmCell, top = rows * j / down * kFilmCell;
+    const int right = std::min(columns * (i + 1) / across * kFilmCell, tile.width);
+    const int bottom = std::min(rows * (j + 1) / down * kFilmCell, tile.height);
+    return Tile{tile.x + left, tile.y + top, right - left, bottom - top};
+}
+
+void Worker::count(const Portion& portion) {
+    ++status.results;
+    status.work += workOf(portion.tile, portion.samples);
 }
 
 void Worker::updateState() {

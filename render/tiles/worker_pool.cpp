@@ -10,8 +10,8 @@ namespace {
 /// Of what is left to do, a worker gets so much of its fair share at a time: the last portions are small then, and all
 /// end together (guided self-scheduling, Polychronopoulos & Kuck 1987).
 constexpr double kShare = 0.4;
-/// Work of somebody of whom nothing is known: some cells.
-constexpr double kFirstWork = 16 * kFilmCell * kFilmCell;
+/// What somebody gets of whom nothing is known: some cells.
+constexpr double kFirstCost = 16 * kFilmCell * kFilmCell;
 /// The own device looks so often whether there is something new for it.
 constexpr auto kLookAgain = std::chrono::milliseconds(5);
 
@@ -126,15 +126,16 @@ void WorkerPool::setDraining(WorkerId id) {
     }
 }
 
-Ability WorkerPool::abilityOf(const WorkerSpeed& speed, double longest) const {
+Ability WorkerPool::abilityOf(const WorkerSpeed& speed, bool isOnProbation) const {
     double all = ownHelps_ || !anyTakesWork() ? ownSpeed_.perSecond() : 0;
     for (const auto& [other, worker] : workers_)
         if (worker.takesWork(scene_.number))
             all += worker.speed.perSecond();
     const double mine = speed.perSecond();
     if (mine <= 0)  // let it be as fast as the own device, for what it is expected to take
-        return {kFirstWork, std::max(ownSpeed_.perSecond(), kFirstWork)};
-    const double fair = order_->scheduler().openWork() * mine / std::max(all, mine) * kShare;
+        return {kFirstCost, std::max(ownSpeed_.perSecond(), kFirstCost)};
+    const double fair = order_->scheduler().openCost() * mine / std::max(all, mine) * kShare;
+    const double longest = isOnProbation ? kProbationSeconds : costs_.isKnown() ? kLongestSeconds : kUnknownSeconds;
     return {std::clamp(fair, mine * kShortestSeconds, mine * longest), mine};
 }
 
@@ -151,7 +152,7 @@ std::optional<Lease> WorkerPool::take(WorkerId id) {
     if (worker->inFlight >= (probation ? 1 : kInFlight))
         return std::nullopt;
     const double now = clock_();
-    const Ability ability = abilityOf(worker->speed, probation ? kProbationSeconds : kLongestSeconds);
+    const Ability ability = abilityOf(worker->speed, probation);
     const std::optional<Portion> portion = order_->scheduler().take(id, ability, now);
     if (!portion)
         return std::nullopt;
@@ -174,24 +175,34 @@ void WorkerPool::deliver(WorkerId id, LeaseResult result) {
         } else if (result.tile != portion->tile || result.samples != portion->samples) {
             caught(*worker, "it sent a tile that it was not asked for");
         } else {
-            const double now = clock_(), work = workOf(result.tile, result.samples);
-            worker->speed.add(work, now - worker->lastResult);
-            times_.add(work, now - worker->lastResult);
+            const double now = clock_();
+            timed(id, worker->speed, *portion, now - worker->lastResult, result.seconds);
+            times_.add(workOf(result.tile, result.samples), now - worker->lastResult);
             worker->lastResult = now;
             worker->status.busySeconds += result.seconds;
-            if (worker->trust.isAuditDue()) {
-                order_->keepForAudit(id, *portion, std::move(result));
-            } else if (Result<void> taken = order_->take(result); !taken) {
-                caught(*worker, taken.error().what);
-            } else {
-                believed_.insert(worker->status.key);
-                ++worker->status.results;
-                worker->status.work += work;
-            }
+            if (worker->trust.isOnProbation())
+                order_->withhold(worker->status, *portion, std::move(result));
+            else
+                believe(*worker, *portion, std::move(result));
         }
         changed_.notify_all();
     }
     tell();
+}
+
+void WorkerPool::timed(WorkerId worker, WorkerSpeed& speed, const Portion& portion, double seconds,
+                       double busySeconds) {
+    speed.add(order_->scheduler().costOf(portion), seconds);
+    timed_.push_back({worker, portion.tile, portion.samples.count, std::min(busySeconds, seconds)});
+}
+
+void WorkerPool::believe(Worker& worker, const Portion& portion, LeaseResult result) {
+    if (const std::optional<Tile> part = worker.trust.partToAudit(result.tile))
+        order_->auditPart(worker.status, portion, result, *part);
+    if (Result<void> taken = order_->take(std::move(result)); !taken)
+        return caught(worker, taken.error().what);
+    believed_.insert(worker.status.key);
+    worker.count(portion);
 }
 
 void WorkerPool::caught(Worker& worker, const std::string& reason) {
@@ -295,7 +306,9 @@ void WorkerPool::begin(Film& film, std::uint64_t scene, const std::vector<TileGo
     {
         const std::lock_guard lock(mutex_);
         split_ = choose(goals);
-        order_ = std::make_unique<SharedOrder>(film, scene, goals, split_.split, nextLease_);
+        if (costs_.area() != film.area())
+            costs_ = costs_.stretchedOver(film.area());
+        order_ = std::make_unique<SharedOrder>(film, scene, goals, split_.split, nextLease_, costs_);
         believed_.clear();
         for (auto& [id, worker] : workers_) {
             worker.inFlight = 0;
@@ -314,7 +327,7 @@ std::optional<WorkerPool::OwnWork> WorkerPool::nextOwn(const std::stop_token& st
         }
         ownTaken_ = clock_();
         if (ownHelps_ || !anyTakesWork()) {
-            const Ability ability = abilityOf(ownSpeed_, kLongestSeconds);
+            const Ability ability = abilityOf(ownSpeed_, false);
             if (const auto portion = order_->scheduler().take(kOwnDevice, ability, ownTaken_))
                 return OwnWork{std::nullopt, order_->leaseOf(*portion)};
         }
@@ -323,16 +336,16 @@ std::optional<WorkerPool::OwnWork> WorkerPool::nextOwn(const std::stop_token& st
     return std::nullopt;
 }
 
-Result<void> WorkerPool::deliverOwn(const LeaseResult& result) {
+Result<void> WorkerPool::deliverOwn(LeaseResult result) {
     {
         const std::lock_guard lock(mutex_);
-        const double work = workOf(result.tile, result.samples);
-        ownSpeed_.add(work, clock_() - ownTaken_);
+        const Portion portion{result.number, result.tile, result.samples};
+        timed(kOwnDevice, ownSpeed_, portion, clock_() - ownTaken_, result.seconds);
         if (!order_->scheduler().heldBy(kOwnDevice, result.number))
             return {};  // a worker was faster
-        if (Result<void> taken = order_->take(result); !taken)
+        if (Result<void> taken = order_->take(std::move(result)); !taken)
             return taken;
-        ownWork_ += work;
+        ownWork_ += workOf(portion.tile, portion.samples);
     }
     tell();
     return {};
@@ -346,13 +359,20 @@ Result<void> WorkerPool::audited(const Audit& audit, LeaseResult truth) {
         if (worker && honest) {
             worker->trust.passed();
             ++worker->status.audited;
-            ++worker->status.results;
-            worker->status.work += workOf(truth.tile, truth.samples);
-        } else if (worker) {
-            caught(*worker, "a tile of it was not what this machine found when it did it again");
+            if (audit.isWithheld)
+                worker->count({truth.number, truth.tile, truth.samples});
+        } else if (!honest) {
+            const std::string reason = "a tile of it was not what this machine found when it did it again";
+            if (worker)
+                caught(*worker, reason);
+            liars_.insert(audit.key);
+            if (const auto past = past_.find(audit.key); past != past_.end())
+                past->second.quarantine = reason;
         }
+        if (!audit.isWithheld)
+            return {};
         truth.number = audit.claimed.number;
-        if (Result<void> taken = order_->take(truth); !taken)
+        if (Result<void> taken = order_->take(std::move(truth)); !taken)
             return taken;
     }
     tell();
@@ -362,6 +382,7 @@ Result<void> WorkerPool::audited(const Audit& audit, LeaseResult truth) {
 std::set<std::string> WorkerPool::end() {
     const std::lock_guard lock(mutex_);
     nextLease_ = order_->scheduler().nextNumber();
+    costs_.learn(std::exchange(timed_, {}));
     order_.reset();
     return std::exchange(believed_, {});
 }

@@ -85,7 +85,7 @@ class WorkerPool {
     };
     std::optional<OwnWork> nextOwn(const std::stop_token& stop);
     /// Error: the sums of the own device are none.
-    Result<void> deliverOwn(const LeaseResult& result);
+    Result<void> deliverOwn(LeaseResult result);
     /// `truth`: what the own device has found of it.
     Result<void> audited(const Audit& audit, LeaseResult truth);
     /// Ends the order, done or not. Returns the keys of those whose results were believed without an audit.
@@ -101,8 +101,10 @@ class WorkerPool {
     /// Work that the own device has done of orders.
     double ownWork() const;
 
-    /// A portion takes about so long at least and at most [s], and this on probation.
-    static constexpr double kShortestSeconds = 0.004, kLongestSeconds = 0.5, kProbationSeconds = 0.01;
+    /// A portion takes about so long at least and at most [s]; at most this where nobody knows yet what its cells cost;
+    /// and this on probation.
+    static constexpr double kShortestSeconds = 0.004, kLongestSeconds = 0.3, kUnknownSeconds = 0.1,
+                            kProbationSeconds = 0.01;
     /// So many leases wait at a worker, so that it need not wait for the next.
     static constexpr int kInFlight = 2;
 
@@ -113,9 +115,13 @@ class WorkerPool {
     };
 
     Worker* find(WorkerId worker);
-    Ability abilityOf(const WorkerSpeed& speed, double longest) const;
+    Ability abilityOf(const WorkerSpeed& speed, bool isOnProbation) const;
+    /// The worker has done that portion in so many seconds, of which it says that it spent `busySeconds` on samples.
+    void timed(WorkerId worker, WorkerSpeed& speed, const Portion& portion, double seconds, double busySeconds);
     bool anyTakesWork() const;
     SplitChoice choose(const std::vector<TileGoal>& goals) const;
+    /// Takes the result of a trusted worker.
+    void believe(Worker& worker, const Portion& portion, LeaseResult result);
     void caught(Worker& worker, const std::string& reason);
     void tell() const;
 
@@ -135,6 +141,8 @@ class WorkerPool {
     std::uint64_t nextLease_ = 1;
     std::optional<Split> pinned_;
     SplitChoice split_;
+    CellCosts costs_;
+    std::vector<TimedLease> timed_;  ///< in the order
     LeaseTimes times_;
     bool ownHelps_ = true;
     WorkerSpeed ownSpeed_;

@@ -1,14 +1,16 @@
 /// How much render nodes bring, as programs on this machine, each pinned to a core of its own.
 ///   node_speed [--size WxH] [--samples N] [--rounds N] [--nodes N] [--model NAME]
-/// Each round renders the same frame of N samples (default 100, at 1920x1080) by the own device with one thread, by
-/// one node, and by all nodes (default 2); nodes take everything, and the own device audits. All ways alternate, so
-/// that a busy machine is busy for all. Prints a line each: seconds of each round, iterations a second (median); then
-/// the ratios of the medians: one node against the own device (what the protocol costs), and all nodes against one.
+/// Each round renders the same frame of N samples (default 100, at 1920x1080) by the own device with one thread and
+/// with as many as there are nodes, by one node, and by all nodes (default 2); nodes take everything, and the own
+/// device audits. All ways alternate, so that a busy machine is busy for all. Prints a line each: seconds of each
+/// round, iterations a second (median); then ratios of the medians: one node against one thread (what the protocol
+/// costs), all nodes against one, and all threads against one, which is what this machine could bring at most.
 
 #include <sched.h>
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QDir>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -32,11 +34,15 @@ Scene speedScene(ivec2 size, Model model) {
     return scene;
 }
 
+/// All threads of it, and so those that they start.
 void pin(qint64 process, int core) {
     cpu_set_t set;
     CPU_ZERO(&set);
     CPU_SET(core, &set);
-    sched_setaffinity(pid_t(process), sizeof set, &set);
+    const QDir threads(QString("/proc/%1/task").arg(process));
+    for (const QString& thread : threads.entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+        if (sched_setaffinity(pid_t(thread.toInt()), sizeof set, &set) != 0)
+            qFatal("a node cannot be kept to one core");
 }
 
 /// Seconds of a frame. The scene must be on the device, and its workers ready.
@@ -45,7 +51,7 @@ double frameSeconds(Accumulator& film, std::uint32_t samples) {
         qFatal("the film cannot be emptied");
     const auto start = std::chrono::steady_clock::now();
     for (std::uint32_t done = 0; done < samples;) {
-        const std::uint32_t n = std::min(samples - done, kSamplesPerBlock);
+        const std::uint32_t n = std::min(samples - done, film.orderSize().samples);
         if (const auto taken = film.accumulate(n, {}); !taken)
             qFatal("%s", taken.error().text().c_str());
         done += n;
@@ -99,19 +105,22 @@ int run() {
     const auto samples = std::uint32_t(parser.value("samples").toUInt());
     const auto* model = std::ranges::find(kModels, parser.value("model").toStdString(), modelName);
     const Scene scene = speedScene({size.value(0).toInt(), size.value(1).toInt()}, *model);
-    const auto own = makeCpuDevice(1);
-    const auto alone = *startFilm(*own, scene);
-    Crew one(1, scene), all(parser.value("nodes").toInt(), scene);
-    std::vector<double> aloneSeconds, oneSeconds, allSeconds;
+    const int nodes = parser.value("nodes").toInt();
+    const auto oneThread = makeCpuDevice(1), allThreads = makeCpuDevice(nodes);
+    const auto thread = *startFilm(*oneThread, scene), threads = *startFilm(*allThreads, scene);
+    Crew one(1, scene), all(nodes, scene);
+    std::vector<double> threadSeconds, threadsSeconds, oneSeconds, allSeconds;
     for (int round = 0; round < parser.value("rounds").toInt(); ++round) {
-        aloneSeconds.push_back(frameSeconds(*alone, samples));
+        threadSeconds.push_back(frameSeconds(*thread, samples));
+        threadsSeconds.push_back(frameSeconds(*threads, samples));
         oneSeconds.push_back(frameSeconds(*one.film, samples));
         allSeconds.push_back(frameSeconds(*all.film, samples));
     }
-    const double aloneRate = told("own device", aloneSeconds, samples), oneRate = told("one node", oneSeconds, samples),
-                 allRate = told("all nodes", allSeconds, samples);
-    std::printf("one node against the own device: %.3f; all nodes against one: %.2f\n", oneRate / aloneRate,
-                allRate / oneRate);
+    const double threadRate = told("one thread", threadSeconds, samples);
+    const double threadsRate = told("all threads", threadsSeconds, samples);
+    const double oneRate = told("one node", oneSeconds, samples), allRate = told("all nodes", allSeconds, samples);
+    std::printf("one node against one thread: %.3f; all nodes against one: %.2f; all threads against one: %.2f\n",
+                oneRate / threadRate, allRate / oneRate, threadsRate / threadRate);
     return 0;
 }
 

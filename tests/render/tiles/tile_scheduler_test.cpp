@@ -69,6 +69,24 @@ class TileSchedulerTest : public QObject {
         QCOMPARE(rest->tile, (Tile{2 * kFilmCell, 0, 250 - 2 * kFilmCell, kFilmCell}));
     }
 
+    void portionsOfDearCellsAreSmaller() {
+        const Tile left{0, 0, 128, 130}, right{128, 0, 122, 130};
+        CellCosts costs(kArea);
+        for (int order = 0; order < 10; ++order)  // pixels on the right cost four times as much
+            costs.learn({{1, left, 1, 128}, {1, right, 1, 4 * 122}});
+        TileScheduler scheduler({{right, 0, 1}, {left, 0, 1}}, Split::tiles, 1, costs);
+        const Ability some{costs.ofSample({0, 0, 128, 64}), 1};
+        const auto dear = scheduler.take(1, some, 0);
+        QCOMPARE(dear->tile, (Tile{128, 0, 122, 16}));
+        QVERIFY(scheduler.costOf(*dear) <= some.cost);
+        while (const auto next = scheduler.take(1, some, 0))
+            if (next->tile.x == 0) {
+                QCOMPARE(next->tile, (Tile{0, 0, 128, 64}));
+                return;
+            }
+        QFAIL("the left side was never given out");
+    }
+
     void portionsAreNoLargerThanALeaseMayBe() {
         for (const Split split : {Split::tiles, Split::samples}) {
             TileScheduler scheduler({{{0, 0, 16384, 300}, 0, 64}, {{0, 300, 700, 700}, 0, 64}}, split, 1);
@@ -82,10 +100,10 @@ class TileSchedulerTest : public QObject {
     void whatIsLostComesBack() {
         TileScheduler scheduler({{kArea, 0, 64}}, Split::tiles, 1);
         const auto lost = scheduler.take(1, kCells, 0);
-        const double open = scheduler.openWork();
+        const double open = scheduler.openCost();
         scheduler.giveBackAll(1);
         QVERIFY(!scheduler.heldBy(1, lost->number));
-        QCOMPARE(scheduler.openWork(), open + workOf(lost->tile, lost->samples));
+        QCOMPARE(scheduler.openCost(), open + workOf(lost->tile, lost->samples));
         const auto again = scheduler.take(2, kCells, 0);
         QCOMPARE(again->tile, lost->tile);
         QVERIFY(again->number != lost->number);
@@ -124,7 +142,7 @@ class TileSchedulerTest : public QObject {
         (void)scheduler.take(1, {1e9, 256}, 0);
         QVERIFY(scheduler.expire(4 + TileScheduler::kExpirySeconds - 0.1).empty());
         QCOMPARE(scheduler.expire(4 + TileScheduler::kExpirySeconds + 0.1), std::vector<WorkerId>{1});
-        QVERIFY(scheduler.openWork() > 0);
+        QVERIFY(scheduler.openCost() > 0);
         // The own device cannot lose anything.
         TileScheduler own({{{0, 0, 16, 16}, 0, 1}}, Split::tiles, 1);
         (void)own.take(kOwnDevice, {1e9, 256}, 0);
