@@ -15,8 +15,8 @@ function(pdr_watch_threads directory)
   endforeach()
 endfunction()
 
-pdr_watch_threads(${PROJECT_SOURCE_DIR}/render session/*.cpp)
+pdr_watch_threads(${PROJECT_SOURCE_DIR}/render session/*.cpp tiles/*.cpp)
 pdr_watch_threads(${PROJECT_SOURCE_DIR}/app render_bridge.cpp import_job.cpp document.cpp show_scan.cpp show_frame.cpp wiring.cpp)
 pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/render session/session_test.cpp session/first_look_test.cpp
-                  session/faults_test.cpp device/exceptions_test.cpp)
+                  session/faults_test.cpp device/exceptions_test.cpp tiles/shared_device_test.cpp)
 pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/app import_job_test.cpp picture_on_screen_test.cpp)

@@ -1,18 +1,16 @@
 #include "app/node/node_service.h"
 
 #include <chrono>
+#include <random>
 #include <utility>
+
+#include "app/remote/steady_time.h"
 
 namespace pdr::node {
 namespace {
 
 /// Contents of a connection that was lost are kept so long for the coordinator to come back.
 constexpr std::chrono::seconds kMemory(60);
-
-std::chrono::milliseconds now() {
-    using namespace std::chrono;
-    return duration_cast<milliseconds>(steady_clock::now().time_since_epoch());
-}
 
 }  // namespace
 
@@ -79,7 +77,7 @@ void NodeService::dial() {
 void NodeService::dialLater(const Error& error) {
     if (draining_)
         return finish(ExitCode::done);
-    const auto wait = backoff_.failed(now(), double(random_() >> 11) * 0x1p-53);
+    const auto wait = backoff_.failed(remote::steadyTime(), std::generate_canonical<double, 53>(random_));
     if (!wait) {
         emit said(tr("given up: %1").arg(QString::fromStdString(error.text())));
         return finish(ExitCode::unreachable);

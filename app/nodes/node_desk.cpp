@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <random>
 #include <utility>
+
+#include "app/remote/steady_time.h"
 
 namespace pdr::nodes {
 namespace {
@@ -15,11 +18,6 @@ ContentKey newKey() {
     for (std::byte& byte : key)
         byte = std::byte(random());
     return key;
-}
-
-std::chrono::milliseconds now() {
-    using namespace std::chrono;
-    return duration_cast<milliseconds>(steady_clock::now().time_since_epoch());
 }
 
 }  // namespace
@@ -91,8 +89,7 @@ void NodeDesk::dial(Node& node) {
 
 void NodeDesk::dialLater(Node& node, const QString& reason) {
     node.status.reason = reason;
-    const double random = double(random_() >> 11) * 0x1p-53;
-    const auto wait = node.backoff.failed(now(), random);
+    const auto wait = node.backoff.failed(remote::steadyTime(), std::generate_canonical<double, 53>(random_));
     if (!node.again) {
         node.again = new QTimer(this);
         node.again->setSingleShot(true);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/remote/steady_time.h"
 #include "app/wire/content.h"
 
 namespace pdr::nodes {
@@ -15,11 +16,6 @@ constexpr std::uint32_t kHeartbeatMs = 1000;
 
 // What is given out here must be let through there.
 static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels);
-
-remote::Heartbeat::Moment now() {
-    using namespace std::chrono;
-    return duration_cast<remote::Heartbeat::Moment>(steady_clock::now().time_since_epoch());
-}
 
 std::string keyOf(const wire::Nonce& boot) {
     static constexpr char kDigits[] = "0123456789abcdef";
@@ -50,7 +46,7 @@ wire::Nonce newNonce(std::random_device& random) {
 }
 
 NodeLink::NodeLink(remote::Channel* channel, Coordinator& coordinator, QObject* parent)
-    : QObject(parent), channel_(channel), coordinator_(coordinator), heart_(now()) {
+    : QObject(parent), channel_(channel), coordinator_(coordinator), heart_(remote::steadyTime()) {
     channel_->setParent(this);
     connect(channel_, &remote::Channel::received, this, [this](wire::Message& message) { take(message); });
     connect(channel_, &remote::Channel::roomForMore, this, &NodeLink::pump);
@@ -66,7 +62,7 @@ NodeLink::~NodeLink() {
 }
 
 void NodeLink::take(wire::Message& message) {
-    heart_.heard(now());
+    heart_.heard(remote::steadyTime());
     std::visit([this](auto& one) { take(one); }, message);
 }
 
@@ -214,14 +210,14 @@ void NodeLink::take(const wire::Bye& bye) {
 }
 
 void NodeLink::take(const wire::Pong& pong) {
-    heart_.answered(pong, now());
+    heart_.answered(pong, remote::steadyTime());
 }
 
 void NodeLink::beat() {
     if (!worker_)
         return;
-    const remote::Heartbeat::Peer peer = heart_.at(now());
-    if (const std::optional<wire::Ping> ping = heart_.due(now()))
+    const remote::Heartbeat::Peer peer = heart_.at(remote::steadyTime());
+    if (const std::optional<wire::Ping> ping = heart_.due(remote::steadyTime()))
         channel_->send(*ping);
     coordinator_.pool->setSuspect(*worker_, peer != remote::Heartbeat::Peer::fine);
     if (peer == remote::Heartbeat::Peer::dead)

@@ -19,7 +19,7 @@ class Backoff {
     /// It failed at `now` (since any moment, never back). How long to wait: at least half of 0.2 s, 0.4 s, ... 10 s,
     /// and at most all of it, as `random` in [0, 1) says, so that nodes that failed together do not dial together.
     /// Nothing: give up, since the next try would come too late.
-    std::optional<std::chrono::milliseconds> failed(std::chrono::milliseconds now, double random) {
+    std::optional<std::chrono::milliseconds> failed(std::chrono::microseconds now, double random) {
         if (!failing_)
             since_ = now;
         failing_ = true;
@@ -36,7 +36,7 @@ class Backoff {
     BackoffLimits limits_;
     std::chrono::milliseconds next_ = limits_.first;
     bool failing_ = false;
-    std::chrono::milliseconds since_{0};  ///< when the first in a row failed
+    std::chrono::microseconds since_{0};  ///< when the first in a row failed
 };
 
 }  // namespace pdr::remote

@@ -2,6 +2,9 @@
 """nodes_scaling.py PROGRAMS OUT.json: renders one picture by 1 and by 2 render nodes, each a process with one thread on one core
 of its own, and writes what `pdrender-bench scale --measured OUT.json` compares. By hand, on Linux.
 
+nodes_scaling.py PROGRAMS --counts: renders one picture by 1 to 16 such nodes, in blocks of samples, and compares the messages of
+orders and results with what the model has for them: two for each block. Cores may be fewer than nodes.
+
 The clock is the nodes' own processor time while the picture is made, the mean of the nodes, so that what the coordinator and
 others take of the cores does not count; nor does what a node waits for: the time on the wall is printed beside it. What a piece
 of work costs a node beside its samples (leaseSeconds) follows from one node and pictures of two sizes, whose samples come in
@@ -9,6 +12,7 @@ pieces of other sizes. Messages are orders and results; bytes are those from the
 
 import argparse
 import json
+import math
 import os
 import re
 import signal
@@ -18,6 +22,7 @@ import time
 from pathlib import Path
 
 TICKS = os.sysconf("SC_CLK_TCK")
+BLOCK = 64  # samples
 
 
 def processor_seconds(pid):
@@ -64,7 +69,7 @@ def picture(arguments, folder, nodes, size, samples):
     coordinator = Coordinator(arguments, folder, nodes, size, samples)
     address = coordinator.wait_for(r"^waiting for nodes at (\S+)$")[1]
     cores = sorted(os.sched_getaffinity(0))
-    processes = [start_node(arguments, folder, address, cores[i]) for i in range(nodes)]
+    processes = [start_node(arguments, folder, address, cores[i % len(cores)]) for i in range(nodes)]
     try:
         coordinator.wait_for(r"rendering: ")
         before, began = [processor_seconds(node.pid) for node in processes], time.monotonic()
@@ -80,6 +85,15 @@ def picture(arguments, folder, nodes, size, samples):
             node.wait()
     return {"nodes": nodes, "iterations": samples, "iterationsPerSecond": samples * nodes / sum(worked),
             "messages": 2 * coordinator.tiles(), "bytes": count, "wallSeconds": took, "nodeSeconds": worked}
+
+
+def compare_counts(arguments, folder):
+    arguments.split = "samples"
+    foretold = 2 * math.ceil(arguments.samples / BLOCK)
+    print("nodes  messages  foretold")
+    for nodes in (1, 2, 4, 8, 16):
+        messages = picture(arguments, folder, nodes, arguments.size, arguments.samples)["messages"]
+        print(f"{nodes:5}  {messages:8}  {foretold:8}  {100 * (foretold / messages - 1):+.1f} %", flush=True)
 
 
 def lease_seconds(runs):
@@ -99,12 +113,15 @@ def middle(runs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("programs", type=Path)
-    parser.add_argument("out", type=Path)
+    parser.add_argument("out", type=Path, nargs="?")
+    parser.add_argument("--counts", action="store_true")
     parser.add_argument("--size", default="240x180")
     parser.add_argument("--samples", type=int, default=1024)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--split", default="tiles", choices=["tiles", "samples"])
     arguments = parser.parse_args()
+    if arguments.counts == (arguments.out is not None):
+        parser.error("give the file to write, or --counts")
     width, height = (int(side) for side in arguments.size.split("x"))
     small = (width // 4, height // 4)
     with tempfile.TemporaryDirectory() as name:
@@ -112,6 +129,8 @@ def main():
         subprocess.run([arguments.programs / "pdrender-node", "--make-certificates", folder / "certificates"], check=True,
                        stdout=subprocess.DEVNULL)
         subprocess.run([arguments.programs / "pdrender-cli", "example", folder / "ct"], check=True, capture_output=True)
+        if arguments.counts:
+            return compare_counts(arguments, folder)
         kinds = [(1, f"{small[0]}x{small[1]}", 4 * arguments.samples), (1, arguments.size, arguments.samples),
                  (2, arguments.size, arguments.samples)]
         rounds = [[picture(arguments, folder, *kind) for kind in kinds] for _ in range(arguments.rounds)]
