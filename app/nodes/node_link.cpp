@@ -13,6 +13,8 @@ namespace pdr::nodes {
 namespace {
 
 constexpr std::uint32_t kHeartbeatMs = 1000;
+/// Between two scenes. A node bears twice as many messages (remote::ChannelLimits).
+constexpr std::chrono::milliseconds kPace{4};
 
 // What is given out here must be let through there.
 static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels);
@@ -53,6 +55,8 @@ NodeLink::NodeLink(remote::Channel* channel, Coordinator& coordinator, QObject* 
     connect(channel_, &remote::Channel::closed, this, &NodeLink::end);
     connect(&beatTimer_, &QTimer::timeout, this, &NodeLink::beat);
     beatTimer_.start(kHeartbeatMs / 4);
+    pace_.setSingleShot(true);
+    connect(&pace_, &QTimer::timeout, this, &NodeLink::pump);
 }
 
 NodeLink::~NodeLink() {
@@ -97,8 +101,10 @@ void NodeLink::pump() {
     if (!worker_ || !channel_->isOpen())
         return;
     const PublishedScene scene = coordinator_.pool->scene();
-    if (scene.number != sent_)
+    if (scene.number != sent_ && !pace_.isActive()) {
         sendScene(scene);
+        pace_.start(kPace);
+    }
     sendLeases();
     sendChunks();
 }
@@ -106,6 +112,7 @@ void NodeLink::pump() {
 void NodeLink::sendScene(const PublishedScene& scene) {
     sent_ = scene.number;
     transfer_.reset();
+    stale_ += nonces_.size();
     nonces_.clear();
     sceneTrouble_.clear();
     if (!scene.scene) {
@@ -156,6 +163,7 @@ void NodeLink::take(const wire::SceneReady& ready) {
     if (ready.revision != sent_ || !scene_)
         return;
     transfer_.reset();
+    stale_ = 0;  // it drops leases before it takes a scene, and what it says arrives in order
     coordinator_.pool->hasScene(*worker_, sent_);
     pump();
 }
@@ -177,25 +185,35 @@ void NodeLink::sendLeases() {
     }
 }
 
+/// The nonce of a lease that is answered now, and by nothing else from here on. Nothing: it is of a scene that nobody
+/// wants any more; or nobody asked, and the connection ends: to unpack a result costs more than to send it.
+std::optional<wire::Nonce> NodeLink::answered(std::uint64_t lease) {
+    if (const auto open = nonces_.extract(lease))
+        return open.mapped();
+    if (stale_ == 0)
+        channel_->close(tr("it sends results that nobody asked it for"));
+    else
+        --stale_;
+    return std::nullopt;
+}
+
 void NodeLink::take(wire::Result& result) {
-    const auto nonce = nonces_.find(result.number);
-    if (result.revision != sent_ || nonce == nonces_.end())
-        return;  // of a scene that nobody wants any more, or twice
-    if (nonce->second != result.nonce) {
+    const std::optional<wire::Nonce> nonce = answered(result.number);
+    if (!nonce)
+        return;
+    if (*nonce != result.nonce || result.revision != sent_) {
         coordinator_.pool->quarantine(*worker_, "it answered a lease that it was not given");
         return;
     }
-    nonces_.erase(nonce);
     coordinator_.pool->deliver(
         *worker_, {result.number, result.tile, result.samples, std::move(result.sums), result.health, result.seconds});
     sendLeases();
 }
 
 void NodeLink::take(const wire::Abandoned& abandoned) {
-    const auto nonce = nonces_.find(abandoned.number);
-    if (nonce == nonces_.end() || nonce->second != abandoned.nonce)
+    const std::optional<wire::Nonce> nonce = answered(abandoned.number);
+    if (!nonce || *nonce != abandoned.nonce)
         return;
-    nonces_.erase(nonce);
     if (!abandoned.reason.empty())  // its device fails: it gets nothing more of this scene
         cannotHave(abandoned.reason);
     coordinator_.pool->abandon(*worker_, abandoned.number);
@@ -237,6 +255,7 @@ void NodeLink::leave(const QString& reason) {
 
 void NodeLink::end(const QString& reason) {
     beatTimer_.stop();
+    pace_.stop();
     if (worker_)
         coordinator_.pool->leave(*std::exchange(worker_, std::nullopt));
     emit over(isRefused() ? refusal_ : reason);

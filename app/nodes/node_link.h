@@ -32,7 +32,8 @@ class NodeLink : public QObject {
     NodeLink(remote::Channel* channel, Coordinator& coordinator, QObject* parent = nullptr);
     ~NodeLink() override;
 
-    /// There may be a scene to send or work to take.
+    /// There may be a scene to send or work to take. Of scenes that change faster than any screen shows them only some
+    /// are sent, the last one in any case: no more than the other side takes for a flood.
     void pump();
     void setPaused(bool paused);
     /// Says goodbye: the node forgets all that it has.
@@ -69,6 +70,7 @@ class NodeLink : public QObject {
     template <class Other>
     void take(const Other&) {}
 
+    std::optional<wire::Nonce> answered(std::uint64_t lease);
     void refuse(wire::Refused::Why why, const QString& reason);
     void sendScene(const PublishedScene& scene);
     void cannotHave(const std::string& reason);
@@ -83,6 +85,7 @@ class NodeLink : public QObject {
     Coordinator& coordinator_;
     remote::Heartbeat heart_;
     QTimer beatTimer_;
+    QTimer pace_;  ///< runs until another scene may be sent
     std::optional<WorkerId> worker_;
     QString name_, device_, refusal_, sceneTrouble_;
     bool otherBits_ = false;
@@ -91,6 +94,7 @@ class NodeLink : public QObject {
     std::shared_ptr<const OutgoingScene> scene_;  ///< that; null: none
     std::optional<Transfer> transfer_;
     std::map<std::uint64_t, wire::Nonce> nonces_;  ///< of leases that it has
+    std::size_t stale_ = 0;                        ///< leases of earlier scenes whose answers may be on their way
     std::random_device random_;
 };
 

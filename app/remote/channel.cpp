@@ -18,6 +18,12 @@ constexpr std::size_t kWritePiece = 64 << 10;
 constexpr qint64 kHandedOver = 256 << 10;
 constexpr std::chrono::milliseconds kWatch{500};
 
+/// What comes as fast as work is done. Answers to leases are counted by who has given these.
+bool isOfWork(const wire::Message& message) {
+    return std::holds_alternative<wire::Lease>(message) || std::holds_alternative<wire::Result>(message) ||
+           std::holds_alternative<wire::Abandoned>(message) || std::holds_alternative<wire::Chunk>(message);
+}
+
 }  // namespace
 
 Channel::Channel(QTcpSocket* socket, Role role, const ChannelLimits& limits, QObject* parent)
@@ -25,7 +31,8 @@ Channel::Channel(QTcpSocket* socket, Role role, const ChannelLimits& limits, QOb
       socket_(socket),
       limits_(limits),
       reader_(std::make_unique<wire::FrameReader>(role)),
-      drip_(limits.drip) {
+      drip_(limits.drip),
+      bucket_(limits.messages) {
     socket_->setParent(this);
     setOptions(*socket_, limits_.unheard);
     peerHost_ = socket_->peerAddress().toString();
@@ -140,14 +147,23 @@ void Channel::take(std::span<const std::byte> bytes) {
         auto next = reader_->next(bytes);
         if (!next)
             return finish(QString::fromStdString(next.error().text()));
+        if (isFlood(*next))
+            return finish("the other side sends more messages than it has reason to");
         if (!*next)
             return;
         wire::Message& message = **next;
-        ++messages_;
         if (!mayCome(message))
             return finish("the other side did not introduce itself first");
         emit received(message);
     }
+}
+
+/// Whether it came too soon, or what was passed over before it.
+bool Channel::isFlood(const std::optional<wire::Message>& newest) {
+    const qint64 come = reader_->messages() - counted_;
+    counted_ += come;
+    const qint64 counts = come - (newest && isOfWork(*newest) ? 1 : 0);
+    return !bucket_.take(TokenBucket::Moment(clock_.nsecsElapsed() / 1000), counts);
 }
 
 bool Channel::mayCome(const wire::Message& message) const {
@@ -158,7 +174,7 @@ bool Channel::mayCome(const wire::Message& message) const {
 
 void Channel::watch() {
     const std::chrono::milliseconds now(clock_.elapsed());
-    if (state_ == State::open && drip_.tooSlow(now, bytesReceived_, messages_, reader_->isInside()))
+    if (state_ == State::open && drip_.tooSlow(now, bytesReceived_, reader_->messages(), reader_->isInside()))
         finish("the other side sends a message too slowly");
 }
 

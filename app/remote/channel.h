@@ -13,6 +13,7 @@
 
 #include "app/remote/drip_watch.h"
 #include "app/remote/role.h"
+#include "app/remote/token_bucket.h"
 #include "app/wire/message_codec.h"
 #include "app/wire/messages.h"
 
@@ -28,6 +29,9 @@ struct ChannelLimits {
     std::chrono::milliseconds farewell{2000};   ///< for the last messages to go out
     std::chrono::milliseconds unheard{5000};    ///< by the other side's system, which takes or confirms nothing
     DripLimits drip;                            ///< of messages that come in
+    /// That come in, but for chunks, leases and answers to leases. Twice the scenes of a coordinator (nodes::NodeLink),
+    /// of which each has one answer; at once twice what piles up in the 10 s that a heartbeat bears.
+    RateLimit messages{.perSecond = 500, .burst = 5000};
 };
 
 class Channel : public QObject {
@@ -81,6 +85,7 @@ class Channel : public QObject {
     void begin();
     void read();
     void take(std::span<const std::byte> bytes);
+    bool isFlood(const std::optional<wire::Message>& newest);
     bool mayCome(const wire::Message& message) const;
     qint64 inSocket() const;
     void pump(qint64 most);
@@ -98,13 +103,15 @@ class Channel : public QObject {
     wire::Frame frame_;           ///< on its way into the socket ...
     std::size_t handedOver_ = 0;  ///< ... so much of it
     qint64 waiting_ = 0;          ///< bytes of urgent_, chunks_ and the rest of frame_
-    qint64 bytesSent_ = 0, bytesReceived_ = 0, messages_ = 0;
+    qint64 bytesSent_ = 0, bytesReceived_ = 0;
+    qint64 counted_ = 0;  ///< messages that came, in bucket_
     bool admitted_ = false;
     bool wasFull_ = false;
     State state_ = State::open;
     QString reason_;
     QString peerName_, peerHost_;
     DripWatch drip_;
+    TokenBucket bucket_;
     QElapsedTimer clock_;
     QTimer watchTimer_;
     QTimer patience_;  ///< for being admitted, then for the last messages to go out

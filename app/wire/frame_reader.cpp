@@ -45,6 +45,7 @@ pdr::Result<std::optional<Message>> FrameReader::readOne(std::span<const std::by
     if (!whole)
         return std::optional<Message>();
     head_.clear();
+    ++messages_;
     return decode(*std::exchange(header_, {}), std::exchange(map_, {}), std::exchange(payload_, {}));
 }
 

@@ -30,6 +30,8 @@ class FrameReader {
     void setAdmitted(bool admitted) { admitted_ = admitted; }
     /// Whether a message has begun that is not whole.
     bool isInside() const { return !head_.empty(); }
+    /// Messages so far that were whole, with those of types that are not known, which next() passes over.
+    std::int64_t messages() const { return messages_; }
 
   private:
     /// Fills `part` up to `size`; false: that would take more bytes than there are.
@@ -43,6 +45,7 @@ class FrameReader {
     bool admitted_ = false;
     std::optional<FrameHeader> header_;
     std::uint64_t toSkip_ = 0;
+    std::int64_t messages_ = 0;
     Bytes head_, map_, payload_;
     std::optional<Error> error_;
 };

@@ -1,0 +1,151 @@
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/support/acted_node.h"
+#include "tests/support/one_link.h"
+#include "tests/support/shared_picture.h"
+
+using namespace pdr;
+using namespace pdr::test;
+
+namespace {
+
+const std::vector<std::uint32_t> kOrders{2, 62, 64};
+
+Scene scene(std::uint64_t revision = 0) {
+    Scene scene = tissueScene();
+    scene.film = {122, 90};
+    scene.revision = revision;
+    return scene;
+}
+
+wire::Result resultOfNoLease() {
+    wire::Result result;
+    result.number = std::uint64_t(1) << 40;
+    result.tile = {0, 0, 512, 512};
+    result.samples = {0, 1};
+    result.sums.resize(512 * 512);
+    return result;
+}
+
+wire::Abandoned givenBack(const wire::Lease& lease) {
+    return {lease.number, lease.nonce, ""};
+}
+
+/// A coordinator that waits for nodes, and tells why it lost them.
+struct Waiting : NodeTrial {
+    QSignalSpy lost{&nodes, &nodes::RenderNodes::lost};
+    quint16 port = nodes.listen("127.0.0.1:0")->port;
+
+    QString reason() const { return lost.at(0).at(0).value<nodes::NodeStatus>().reason; }
+};
+
+}  // namespace
+
+/// Nodes that say more than they were asked.
+class FloodingNodesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void floodIsCutOff_data() {
+        QTest::addColumn<wire::Message>("drop");
+        QTest::addColumn<int>("drops");
+        QTest::addColumn<QString>("reason");
+        const auto row = [](const char* name, const wire::Message& drop, int drops, const char* reason) {
+            QTest::newRow(name) << drop << drops << QString(reason);
+        };
+        row("answers to no Ping", wire::Pong{7}, 100'000, "more messages");
+        row("introductions", wire::Hello{}, 100'000, "more messages");
+        row("scenes taken", wire::SceneReady{~0u}, 100'000, "more messages");
+        row("results of no lease", resultOfNoLease(), 3, "nobody asked");
+        row("leases that it never had, given back", wire::Abandoned{~0u, {}, ""}, 3, "nobody asked");
+    }
+    void floodIsCutOff() {
+        QFETCH(const wire::Message, drop);
+        QFETCH(int, drops);
+        QFETCH(const QString, reason);
+        const FilmContent alone = pictureAlone(scene(), kOrders);
+        Waiting trial;
+        NodeProcess honest;
+        trial.add(honest);
+        ActedNode flooder(trial.port);
+        QTRY_VERIFY_WITH_TIMEOUT(flooder.isWelcome(), kPatience);
+        FilmContent picture;
+        std::jthread renderer([&] { picture = trial.picture(scene(), kOrders, 1); });
+        for (; drops > 0 && flooder.say(drop); --drops)
+            QTRY_VERIFY_WITH_TIMEOUT(flooder.waits() < (1 << 20) || flooder.isOver(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(flooder.waits() == 0 || flooder.isOver(), kPatience);
+        flooder.leave();
+        renderer.join();
+        QVERIFY(sameBits(picture, alone));
+        QTRY_COMPARE_WITH_TIMEOUT(trial.lost.count(), 1, kPatience);
+        QVERIFY2(trial.reason().contains(reason), qPrintable(trial.reason()));
+        QVERIFY(trial.workOfNodes() > 0);  // the honest one is still there
+    }
+
+    void leaseIsAnsweredOnce() {
+        Waiting trial;
+        ActedNode node(trial.port);
+        std::jthread renderer;
+        const wire::Lease lease = leaseOf(trial, node, renderer, 1);
+        node.say(givenBack(lease));
+        node.say(givenBack(lease));
+        node.leave();
+        QTRY_COMPARE_WITH_TIMEOUT(trial.lost.count(), 1, kPatience);
+        QVERIFY2(trial.reason().contains("nobody asked"), qPrintable(trial.reason()));
+    }
+
+    /// What is on its way when another scene is ordered.
+    void lateAnswerIsNoFlood() {
+        Waiting trial;
+        ActedNode node(trial.port);
+        std::jthread renderer;
+        const wire::Lease before = leaseOf(trial, node, renderer, 1);
+        renderer.join();
+        const auto order = [&node] { return node.heard<wire::SceneOrder>().size(); };
+        const auto sceneBefore = order();
+        renderer = std::jthread([&] { (void)trial.picture(scene(2), kOrders); });
+        QTRY_VERIFY_WITH_TIMEOUT(order() > sceneBefore, kPatience);
+        node.say(givenBack(before));
+        renderer.join();
+        const wire::Lease after = leaseOf(trial, node, renderer, 3);
+        QVERIFY(after.revision > before.revision && !node.isOver());
+        node.say(givenBack(before));  // now it has taken another scene
+        node.leave();
+        QTRY_COMPARE_WITH_TIMEOUT(trial.lost.count(), 1, kPatience);
+        QVERIFY2(trial.reason().contains("nobody asked"), qPrintable(trial.reason()));
+    }
+
+    /// As when a hand turns it: a node gets no more scenes than it bears, and the last one.
+    void scenesThatChangeFastAreNoFlood() {
+        OneLink coordinator;
+        ActedNode node(coordinator.port());
+        QTRY_VERIFY_WITH_TIMEOUT(node.isWelcome() && coordinator.hasJoined, kPatience);
+        std::uint64_t last = 0;
+        for (std::uint64_t revision = 0; revision < 100; ++revision) {
+            last = coordinator.coordinator.pool->publish(std::make_shared<Scene>(scene(revision)));
+            coordinator.link->pump();
+        }
+        const auto orders = [&node] { return node.heard<wire::SceneOrder>(); };
+        QTRY_VERIFY_WITH_TIMEOUT(!orders().empty() && orders().back().revision == last, kPatience);
+        QCOMPARE(orders().size(), std::size_t(2));
+    }
+
+  private:
+    /// Has a picture of that revision made until the node, which says that it can take part, has a lease of it.
+    static wire::Lease leaseOf(const Waiting& trial, ActedNode& node, std::jthread& renderer, std::uint64_t revision) {
+        const auto leases = node.heard<wire::Lease>().size(), scenes = node.heard<wire::SceneOrder>().size();
+        renderer = std::jthread([&trial, revision] { (void)trial.picture(scene(revision), kOrders, 1); });
+        const auto comes = [&node](const auto& all, std::size_t before) {
+            if (!QTest::qWaitFor([&] { return all().size() > before || node.isOver(); }, kPatience) || node.isOver())
+                qFatal("the node gets nothing any more");
+        };
+        comes([&node] { return node.heard<wire::SceneOrder>(); }, scenes);
+        node.say(wire::SceneReady{node.heard<wire::SceneOrder>().back().revision});
+        comes([&node] { return node.heard<wire::Lease>(); }, leases);
+        return node.heard<wire::Lease>().back();
+    }
+};
+
+QTEST_GUILESS_MAIN(FloodingNodesTest)
+#include "flooding_nodes_test.moc"

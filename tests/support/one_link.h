@@ -1,0 +1,33 @@
+#pragma once
+/// A coordinator's end of one connection, in the thread of the test, which says when it looks for something to send.
+
+#include "app/nodes/node_link.h"
+#include "app/nodes/reference_bits.h"
+#include "app/remote/listener.h"
+#include "render/tiles/reference_tiles.h"
+
+namespace pdr::test {
+
+struct OneLink {
+    explicit OneLink(const nodes::ContentKey& key = {std::byte{1}})
+        : coordinator{std::make_shared<WorkerPool>(1), key} {
+        coordinator.bits = nodes::bitsOf(*referenceTiles(*makeCpuDevice(1)));
+        if (!listener.listen({"127.0.0.1", 0}))
+            qFatal("no port is free");
+        QObject::connect(&listener, &remote::Listener::connected, &listener, [this](remote::Channel* channel) {
+            link = std::make_unique<nodes::NodeLink>(channel, coordinator);
+            QObject::connect(link.get(), &nodes::NodeLink::joined, &listener, [this] { hasJoined = true; });
+            QObject::connect(link.get(), &nodes::NodeLink::over, &listener,
+                             [this](const QString& why) { reason = why; });
+        });
+    }
+    quint16 port() const { return listener.address().port; }
+
+    nodes::Coordinator coordinator;
+    remote::Listener listener{{remote::Role::coordinator, std::nullopt}};
+    std::unique_ptr<nodes::NodeLink> link;
+    bool hasJoined = false;
+    std::optional<QString> reason;  ///< why it is over
+};
+
+}  // namespace pdr::test
