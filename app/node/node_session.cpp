@@ -7,7 +7,7 @@ namespace pdr::node {
 
 NodeSession::NodeSession(remote::Channel* channel, const wire::Hello& hello, NodeContents& contents,
                          LeaseRenderer& renderer, QObject* parent)
-    : QObject(parent), channel_(channel), contents_(contents), renderer_(renderer) {
+    : QObject(parent), channel_(channel), contents_(contents), renderer_(renderer), versions_(hello.versions) {
     channel_->setParent(this);
     connect(channel_, &remote::Channel::received, this, [this](wire::Message& message) { take(message); });
     connect(channel_, &remote::Channel::closed, this, [this](const QString& reason) {
@@ -26,6 +26,9 @@ void NodeSession::take(wire::Message& message) {
 }
 
 void NodeSession::take(const wire::Welcome& welcome) {
+    if (welcome.version < versions_.lowest || welcome.version > versions_.highest)
+        return take(wire::Refused{wire::Refused::Why::version,
+                                  "the coordinator speaks a version of the protocol that it was not offered"});
     contents_.setKey(welcome.key);
     channel_->setAdmitted();
     emit this->welcome();

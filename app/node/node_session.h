@@ -73,6 +73,7 @@ class NodeSession : public QObject {
     remote::Channel* channel_;
     NodeContents& contents_;
     LeaseRenderer& renderer_;
+    wire::Versions versions_;     ///< that it has offered
     std::uint64_t revision_ = 0;  ///< of the newest scene that was ordered
     std::map<std::uint64_t, Taken> leases_;
     std::optional<wire::Refused> refusal_;

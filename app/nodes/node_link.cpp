@@ -1,6 +1,5 @@
 #include "app/nodes/node_link.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <utility>
@@ -27,13 +26,6 @@ std::string keyOf(const wire::Nonce& boot) {
         text += kDigits[std::to_integer<int>(byte) & 15];
     }
     return text;
-}
-
-/// The highest version that both speak.
-std::optional<std::uint16_t> commonVersion(const wire::Versions& theirs) {
-    const wire::Versions ours;
-    const std::uint16_t highest = std::min(ours.highest, theirs.highest);
-    return highest >= std::max(ours.lowest, theirs.lowest) ? std::optional(highest) : std::nullopt;
 }
 
 }  // namespace
@@ -75,7 +67,7 @@ void NodeLink::take(const wire::Hello& hello) {
         return;
     name_ = QString::fromStdString(hello.name);
     device_ = QString::fromStdString(hello.device + (hello.details.empty() ? "" : ", " + hello.details));
-    const std::optional<std::uint16_t> version = commonVersion(hello.versions);
+    const std::optional<std::uint16_t> version = wire::commonVersion(coordinator_.versions, hello.versions);
     if (!version)
         return refuse(wire::Refused::Why::version,
                       tr("it speaks another version of the protocol: %1").arg(QString::fromStdString(hello.program)));

@@ -22,6 +22,7 @@ struct Coordinator {
     ContentKey key{};
     wire::Hash bits{};  ///< what the reference tiles come to on the own device
     OutgoingScenes scenes{key};
+    wire::Versions versions;  ///< of the protocol, that it speaks
 };
 
 class NodeLink : public QObject {

@@ -33,6 +33,11 @@ struct Versions {
     std::uint16_t lowest = 1, highest = 1;
     bool operator==(const Versions&) const = default;
 };
+/// The highest version that both speak; nothing: there is none.
+inline std::optional<std::uint16_t> commonVersion(const Versions& ours, const Versions& theirs) {
+    const std::uint16_t highest = ours.highest < theirs.highest ? ours.highest : theirs.highest;
+    return highest >= ours.lowest && highest >= theirs.lowest ? std::optional(highest) : std::nullopt;
+}
 
 /// First, by the node.
 struct Hello {

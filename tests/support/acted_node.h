@@ -3,24 +3,28 @@
 
 #include "app/nodes/reference_bits.h"
 #include "app/remote/dial.h"
+#include "app/remote/listener.h"
 #include "render/tiles/reference_tiles.h"
 
 namespace pdr::test {
 
 class ActedNode {
   public:
+    /// Waits at a free port of this machine.
+    explicit ActedNode(const wire::Hello& hello = helloOfThisMachine()) : hello_(hello), listener_(kNode) {
+        if (!listener_.listen({"127.0.0.1", 0}))
+            qFatal("no port is free");
+        QObject::connect(&listener_, &remote::Listener::connected, &listener_,
+                         [this](remote::Channel* channel) { meet(channel); });
+    }
     /// Dials a coordinator at that port of this machine.
     explicit ActedNode(quint16 port, const wire::Hello& hello = helloOfThisMachine())
-        : dial_({"127.0.0.1", port}, {remote::Role::node, std::nullopt}) {
-        QObject::connect(&dial_, &remote::Dial::failed, &dial_,
+        : hello_(hello), listener_(kNode) {
+        dial_ = std::make_unique<remote::Dial>(remote::Address{"127.0.0.1", port}, kNode);
+        QObject::connect(dial_.get(), &remote::Dial::failed, &listener_,
                          [](const Error& error) { qFatal("%s", error.text().c_str()); });
-        QObject::connect(&dial_, &remote::Dial::connected, &dial_, [this, hello](remote::Channel* channel) {
-            channel_ = channel;
-            QObject::connect(channel, &remote::Channel::received, &dial_,
-                             [this](wire::Message& message) { take(message); });
-            QObject::connect(channel, &remote::Channel::closed, &dial_, [this] { isOver_ = true; });
-            channel->send(hello);
-        });
+        QObject::connect(dial_.get(), &remote::Dial::connected, &listener_,
+                         [this](remote::Channel* channel) { meet(channel); });
     }
 
     static wire::Hello helloOfThisMachine() {
@@ -31,6 +35,8 @@ class ActedNode {
         return hello;
     }
 
+    /// Where it waits.
+    quint16 port() const { return listener_.address().port; }
     bool say(wire::Message message) { return channel_->send(std::move(message)); }
     void leave() { channel_->close("it goes"); }
     bool isWelcome() const { return channel_ && channel_->isAdmitted(); }
@@ -48,6 +54,15 @@ class ActedNode {
     }
 
   private:
+    static inline const remote::Identity kNode{remote::Role::node, std::nullopt};
+
+    void meet(remote::Channel* channel) {
+        channel_ = channel;
+        QObject::connect(channel, &remote::Channel::received, &listener_,
+                         [this](wire::Message& message) { take(message); });
+        QObject::connect(channel, &remote::Channel::closed, &listener_, [this] { isOver_ = true; });
+        channel->send(hello_);
+    }
     void take(wire::Message& message) {
         if (std::holds_alternative<wire::Welcome>(message))
             channel_->setAdmitted();
@@ -56,10 +71,12 @@ class ActedNode {
         received_.push_back(std::move(message));
     }
 
-    remote::Dial dial_;
-    remote::Channel* channel_ = nullptr;
+    wire::Hello hello_;
     std::vector<wire::Message> received_;
     bool isOver_ = false;
+    remote::Channel* channel_ = nullptr;
+    remote::Listener listener_;
+    std::unique_ptr<remote::Dial> dial_;
 };
 
 }  // namespace pdr::test

@@ -3,6 +3,7 @@
 
 #include "app/nodes/node_link.h"
 #include "app/nodes/reference_bits.h"
+#include "app/remote/dial.h"
 #include "app/remote/listener.h"
 #include "render/tiles/reference_tiles.h"
 
@@ -14,17 +15,25 @@ struct OneLink {
         coordinator.bits = nodes::bitsOf(*referenceTiles(*makeCpuDevice(1)));
         if (!listener.listen({"127.0.0.1", 0}))
             qFatal("no port is free");
-        QObject::connect(&listener, &remote::Listener::connected, &listener, [this](remote::Channel* channel) {
-            link = std::make_unique<nodes::NodeLink>(channel, coordinator);
-            QObject::connect(link.get(), &nodes::NodeLink::joined, &listener, [this] { hasJoined = true; });
-            QObject::connect(link.get(), &nodes::NodeLink::over, &listener,
-                             [this](const QString& why) { reason = why; });
-        });
+        QObject::connect(&listener, &remote::Listener::connected, &listener,
+                         [this](remote::Channel* channel) { meet(channel); });
     }
     quint16 port() const { return listener.address().port; }
+    void dialNode(quint16 port) {
+        dial = std::make_unique<remote::Dial>(remote::Address{"127.0.0.1", port}, kCoordinator);
+        QObject::connect(dial.get(), &remote::Dial::connected, &listener,
+                         [this](remote::Channel* channel) { meet(channel); });
+    }
+    void meet(remote::Channel* channel) {
+        link = std::make_unique<nodes::NodeLink>(channel, coordinator);
+        QObject::connect(link.get(), &nodes::NodeLink::joined, &listener, [this] { hasJoined = true; });
+        QObject::connect(link.get(), &nodes::NodeLink::over, &listener, [this](const QString& why) { reason = why; });
+    }
 
+    static inline const remote::Identity kCoordinator{remote::Role::coordinator, std::nullopt};
     nodes::Coordinator coordinator;
-    remote::Listener listener{{remote::Role::coordinator, std::nullopt}};
+    remote::Listener listener{kCoordinator};
+    std::unique_ptr<remote::Dial> dial;
     std::unique_ptr<nodes::NodeLink> link;
     bool hasJoined = false;
     std::optional<QString> reason;  ///< why it is over

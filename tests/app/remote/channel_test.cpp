@@ -167,6 +167,12 @@ class ChannelTest : public QObject {
         damaged[33] ^= std::byte(0xff);
         QTest::addRow("no map") << damaged;
         QTest::addRow("what nodes do not say") << wire::inOnePiece(wire::encode(wire::Ping{}));
+        const auto header = [](const wire::FrameHeader& of) {
+            const auto bytes = wire::bytesOf(of);
+            return wire::Bytes(bytes.begin(), bytes.end());
+        };
+        QTest::addRow("a kind that must be understood") << header({.type = wire::kFirstCritical});
+        QTest::addRow("another layout") << header({.version = wire::kLayoutVersion + 1, .type = 1});
         QTest::addRow("not introduced") << wire::inOnePiece(wire::encode(wire::Need{}));
     }
     void whatMakesNoSenseEndsIt() {
