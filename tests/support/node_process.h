@@ -4,6 +4,7 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <csignal>
+#include <functional>
 #include <memory>
 
 #include "tests/support/patience.h"
@@ -13,9 +14,13 @@ namespace pdr::test {
 
 class NodeProcess {
   public:
-    /// Listens at a free port of this machine, with one thread, unless `options` say otherwise.
-    explicit NodeProcess(const QStringList& options = {"--listen", "127.0.0.1:0"}) {
+    /// Listens at a free port of this machine, with one thread, unless `options` say otherwise. `inChild` runs in its
+    /// process before the program does.
+    explicit NodeProcess(const QStringList& options = {"--listen", "127.0.0.1:0"},
+                         const std::function<void()>& inChild = {}) {
         process_.setProcessChannelMode(QProcess::MergedChannels);
+        if (inChild)
+            process_.setChildProcessModifier(inChild);
         process_.start(PDR_BINARY_DIR "/bin/pdrender-node", QStringList{"--threads", "1"} + options);
         if (!process_.waitForStarted(kPatience))
             qFatal("a render node cannot be started");
