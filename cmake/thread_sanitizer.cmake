@@ -11,7 +11,8 @@ function(pdr_watch_threads directory)
     if(NOT files)
       message(FATAL_ERROR "${directory}/${pattern}: no such file; what moved must be looked for at its new place")
     endif()
-    set_source_files_properties(${files} DIRECTORY ${directory} PROPERTIES COMPILE_OPTIONS "-fsanitize=thread;-O1;-g")
+    set_source_files_properties(${files} DIRECTORY ${directory} PROPERTIES
+                                COMPILE_OPTIONS "-fsanitize=thread;-O1;-g" SKIP_PRECOMPILE_HEADERS ON)
   endforeach()
 endfunction()
 
