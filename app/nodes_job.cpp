@@ -149,13 +149,22 @@ void NodesJob::setBundle(const QString& folder) {
     follow();
 }
 
+void NodesJob::setSplit(const std::optional<Split>& split) {
+    split_ = split;
+    if (pool_)
+        pool_->setSplit(split_);
+    emit wantedChanged();
+}
+
 /// With the first node that is wanted the device is shared; with the last it is alone again.
 void NodesJob::beginOrEnd() {
     const bool any = !wanted_.empty() || port_;
     if (any == (pool_ != nullptr))
         return;
     pool_ = any ? std::make_shared<WorkerPool>(newSeed()) : nullptr;
-    if (!any) {
+    if (any) {
+        pool_->setSplit(split_);
+    } else {
         nodes_.reset();
         bits_.clear();
     }

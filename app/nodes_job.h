@@ -31,6 +31,7 @@ class NodesJob : public QObject {
     QStringList addresses() const;  ///< of those that are wanted
     std::optional<quint16> port() const { return port_; }
     const QString& bundle() const { return bundle_; }
+    std::optional<Split> wantedSplit() const { return split_; }
     /// How their work is split, and why; empty without any.
     QString splitText() const;
 
@@ -44,11 +45,13 @@ class NodesJob : public QObject {
     /// The folder of this machine's certificates, for all connections from now on; empty: there are none. Those that
     /// there are begin anew.
     void setBundle(const QString& folder);
+    /// Of the work; none: as its costs say.
+    void setSplit(const std::optional<pdr::Split>& split);
 
   signals:
     /// rows() or events() are others; some times a second at most.
     void changed();
-    /// addresses(), port() or bundle() are.
+    /// addresses(), port(), bundle() or wantedSplit() are.
     void wantedChanged();
     /// What was asked for could not be done: a sentence for the user.
     void failed(const QString& sentence);
@@ -77,6 +80,7 @@ class NodesJob : public QObject {
     std::vector<Wanted> wanted_;
     std::optional<quint16> port_;
     QString bundle_;
+    std::optional<Split> split_;
     quint64 nextId_ = 1;
     NodeFigures figures_;
     NodeEvents events_;

@@ -27,6 +27,9 @@ constexpr auto kKeys = "keys";
 constexpr auto kNodes = "nodes/addresses";
 constexpr qsizetype kMostNodes = 256;
 constexpr auto kPort = "nodes/listenedPort";
+constexpr auto kSplit = "nodes/split";
+constexpr auto kTiles = "tiles";
+constexpr auto kSamples = "samples";
 constexpr auto kCertificates = "nodes/certificates";
 constexpr auto kPlanning = "secondsPerPixelToPlanning/";
 
@@ -164,6 +167,13 @@ std::optional<quint16> Settings::listenedPort() const {
     return kept >= 1 && kept <= 65535 ? std::optional(quint16(kept)) : std::nullopt;
 }
 
+std::optional<Split> Settings::nodeSplit() const {
+    const QString kept = store_.value(kSplit).toString();
+    return kept == kTiles     ? std::optional(Split::tiles)
+           : kept == kSamples ? std::optional(Split::samples)
+                              : std::nullopt;
+}
+
 QString Settings::certificates() const {
     return store_.value(kCertificates).toString();
 }
@@ -174,6 +184,10 @@ void Settings::keepNodes(const QStringList& addresses) {
 
 void Settings::keepListenedPort(std::optional<quint16> port) {
     store_.setValue(kPort, port ? *port : 0);
+}
+
+void Settings::keepNodeSplit(std::optional<Split> split) {
+    store_.setValue(kSplit, !split ? "" : *split == Split::tiles ? kTiles : kSamples);
 }
 
 void Settings::keepCertificates(const QString& folder) {

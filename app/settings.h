@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "render/accuracy/stop_rule.h"
+#include "render/base/split.h"
 #include "ui/render_panel.h"
 #include "ui/theme.h"
 
@@ -48,9 +49,11 @@ class Settings {
     void keepTheme(ui::ThemeChoice theme);
     QStringList nodes() const;                    ///< "gpu-07:4743", each once
     std::optional<quint16> listenedPort() const;  ///< none: nobody may dial in
+    std::optional<Split> nodeSplit() const;       ///< none: as its costs say
     QString certificates() const;                 ///< the folder of this machine's; empty: there are none
     void keepNodes(const QStringList& addresses);
     void keepListenedPort(std::optional<quint16> port);
+    void keepNodeSplit(std::optional<Split> split);
     void keepCertificates(const QString& folder);
     void keepPlanningSeconds(const QString& kind, double secondsPerPixel);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);

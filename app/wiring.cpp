@@ -193,6 +193,7 @@ void wireNodes(const DesktopParts& parts) {
     QObject::connect(&panel, &ui::NodesPanel::addRequested, &nodes, &NodesJob::add);
     QObject::connect(&panel, &ui::NodesPanel::pauseRequested, &nodes, &NodesJob::setPaused);
     QObject::connect(&panel, &ui::NodesPanel::removeRequested, &nodes, &NodesJob::remove);
+    QObject::connect(&panel, &ui::NodesPanel::splitRequested, &nodes, &NodesJob::setSplit);
     QObject::connect(&nodes, &NodesJob::failed, &panel, &ui::NodesPanel::setProblem);
     QObject::connect(&nodes, &NodesJob::changed, &panel, [parts] { showNodes(parts); });
     QObject::connect(&nodes, &NodesJob::wantedChanged, &panel, [parts] {

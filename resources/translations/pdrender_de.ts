@@ -658,6 +658,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Alles Gewebe leuchtet durch alles andere. Lampen zählen nicht.</translation>
     </message>
     <message>
+        <source>Always samples</source>
+        <translation>Immer Abtastungen</translation>
+    </message>
+    <message>
+        <source>Always tiles</source>
+        <translation>Immer Kacheln</translation>
+    </message>
+    <message>
         <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
         <translation>Eine IPv6-Adresse steht in Klammern: [%1] oder [%1]:%2.</translation>
     </message>
@@ -1332,6 +1340,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>How nodes are spoken to</source>
         <translation>Wie mit Knoten gesprochen wird</translation>
+    </message>
+    <message>
+        <source>How nodes share the work</source>
+        <translation>Wie sich Knoten die Arbeit teilen</translation>
     </message>
     <message>
         <source>How the work is split</source>
@@ -2106,6 +2118,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Anteil</translation>
     </message>
     <message>
+        <source>Shared out by cost</source>
+        <translation>Nach Kosten verteilt</translation>
+    </message>
+    <message>
         <source>Sharp from %1 before the focus on; it is %2 away.</source>
         <translation>Scharf ab %1 vor der Schärfeebene; sie ist %2 entfernt.</translation>
     </message>
@@ -2338,6 +2354,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Tiles: %1</source>
         <translation>Kacheln: %1</translation>
+    </message>
+    <message>
+        <source>Tiles: each node renders a part of the picture. Samples: each renders the whole picture, a block of samples at a time, which is sooner where tiles would be too small.</source>
+        <translation>Kacheln: Jeder Knoten rechnet einen Teil des Bildes. Abtastungen: Jeder rechnet das ganze Bild, immer einen Block von Abtastungen; das ist schneller, wo Kacheln zu klein wären.</translation>
     </message>
     <message>
         <source>Tissue</source>

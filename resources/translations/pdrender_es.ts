@@ -658,6 +658,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Todo tejido brilla a través de los demás. Las luces no cuentan.</translation>
     </message>
     <message>
+        <source>Always samples</source>
+        <translation>Siempre muestras</translation>
+    </message>
+    <message>
+        <source>Always tiles</source>
+        <translation>Siempre teselas</translation>
+    </message>
+    <message>
         <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
         <translation>Una dirección IPv6 va entre corchetes: [%1] o [%1]:%2.</translation>
     </message>
@@ -1332,6 +1340,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>How nodes are spoken to</source>
         <translation>Cómo se habla con los nodos</translation>
+    </message>
+    <message>
+        <source>How nodes share the work</source>
+        <translation>Cómo se reparten los nodos el trabajo</translation>
     </message>
     <message>
         <source>How the work is split</source>
@@ -2106,6 +2118,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Parte</translation>
     </message>
     <message>
+        <source>Shared out by cost</source>
+        <translation>Repartido según el coste</translation>
+    </message>
+    <message>
         <source>Sharp from %1 before the focus on; it is %2 away.</source>
         <translation>Nítido desde %1 delante del foco; este está a %2.</translation>
     </message>
@@ -2338,6 +2354,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Tiles: %1</source>
         <translation>Teselas: %1</translation>
+    </message>
+    <message>
+        <source>Tiles: each node renders a part of the picture. Samples: each renders the whole picture, a block of samples at a time, which is sooner where tiles would be too small.</source>
+        <translation>Teselas: cada nodo calcula una parte de la imagen. Muestras: cada uno calcula la imagen entera, un bloque de muestras tras otro, lo que es más rápido donde las teselas serían demasiado pequeñas.</translation>
     </message>
     <message>
         <source>Tissue</source>

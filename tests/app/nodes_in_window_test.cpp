@@ -2,6 +2,7 @@
 /// with them.
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFile>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -34,6 +35,7 @@ class TestNodesInWindow : public QObject {
     void aNodeThatIsAddedIsDialledUntilItAnswers();
     void aPausedNodeRestsAndGoesOn();
     void aNodeThatStandsStillHoldsNobodyUp();
+    void theUserMaySayHowTheyShareTheWork();
     void whatIsWrongIsToldInThePanel();
     void theyAreWantedTheNextTime();
     void nothingOfTheScanStaysWithThem();
@@ -159,6 +161,25 @@ void TestNodesInWindow::aNodeThatStandsStillHoldsNobodyUp() {
     node.signal(SIGSTOP);
 }
 
+void TestNodesInWindow::theUserMaySayHowTheyShareTheWork() {
+    NodesTrial trial;
+    trial.openAndWait(series_);
+    const quint16 port = test::freePort();
+    trial.listen(port);
+    const test::NodeProcess node(dialling(port));
+    QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
+    auto& box = test::named<QComboBox>(trial.panel(), "How nodes share the work");
+    for (const auto& [entry, said] : {std::pair(2, "Samples: chosen by hand"), std::pair(1, "Tiles: chosen by hand")}) {
+        box.setCurrentIndex(entry);
+        emit box.activated(entry);
+        QTRY_COMPARE_WITH_TIMEOUT(trial.nodes().splitText(), QString(said), test::kPatience);
+    }
+    box.setCurrentIndex(0);
+    emit box.activated(0);
+    QTRY_VERIFY_WITH_TIMEOUT(!trial.nodes().splitText().contains("by hand"), test::kPatience);
+    QVERIFY(trial.neverFellBack());
+}
+
 void TestNodesInWindow::whatIsWrongIsToldInThePanel() {
     NodesTrial trial;
     const auto said = [&] { return test::named<QLabel>(trial.panel(), "What could not be done").text(); };
@@ -185,12 +206,16 @@ void TestNodesInWindow::theyAreWantedTheNextTime() {
         emit desktop.window().nodes().addRequested("127.0.0.1:1");
         emit desktop.window().nodes().listenRequested(port);
         emit desktop.window().nodes().removeRequested(desktop.parts().nodes.rows()[1].id);
+        emit desktop.window().nodes().splitRequested(Split::samples);
     }
     Desktop desktop(*bundledLooks(), makeCpuDevice(1), file, 1);
     QCOMPARE(desktop.parts().nodes.addresses(), QStringList{address});
     QCOMPARE(desktop.parts().nodes.port(), std::optional(port));
     QVERIFY(test::named<QCheckBox>(desktop.window().nodes(), "Listen on port").isChecked());
     QCOMPARE(test::named<QSpinBox>(desktop.window().nodes(), "Port").value(), int(port));
+    QVERIFY(desktop.parts().nodes.wantedSplit() == Split::samples);
+    QCOMPARE(test::named<QComboBox>(desktop.window().nodes(), "How nodes share the work").currentText(),
+             QString("Always samples"));
 }
 
 /// Whether `bytes` stand somewhere in what the process may write to; none: it cannot be looked at.

@@ -312,6 +312,7 @@ void TestNodesPanel::settersAreSilent() {
     QSignalSpy paused(&panel, &NodesPanel::pauseRequested), bundle(&panel, &NodesPanel::bundleRequested);
     int listened = 0;
     connect(&panel, &NodesPanel::listenRequested, &panel, [&] { ++listened; });
+    connect(&panel, &NodesPanel::splitRequested, &panel, [&] { ++listened; });
     panel.setNodes(nodes(3));
     panel.setNodes({});
     panel.setListening(9000);
@@ -319,6 +320,7 @@ void TestNodesPanel::settersAreSilent() {
     panel.setBundle("/somewhere");
     panel.setBundle({});
     panel.setSplit("Tiles: an iteration takes 0.4 s");
+    panel.setWantedSplit(Split::tiles);
     panel.setProblem("Nothing works.");
     QCOMPARE(added.size() + removed.size() + paused.size() + bundle.size() + listened, 0);
     QCOMPARE(test::named<QSpinBox>(panel, "Port").value(), 9000);
@@ -336,7 +338,8 @@ void TestNodesPanel::theLastLineSaysHowWorkIsSplit() {
     QList<NodeRow> mixed = nodes(3);
     mixed[1].sameBits = false;
     panel.setNodes(mixed);
-    QVERIFY(said(panel, "How the work is split").endsWith("1 node makes other bits than this machine, and takes no part"));
+    QVERIFY(
+        said(panel, "How the work is split").endsWith("1 node makes other bits than this machine, and takes no part"));
 }
 
 void TestNodesPanel::everyControlIsNamedAndReached() {

@@ -93,7 +93,10 @@ void NodesPanel::layOut() {
     column->addWidget(&table_, 1);
     lastLines_->setContentsMargins(0, 0, 0, 0);
     lastLines_->setSpacing(4);
-    lastLines_->addWidget(&notes_, 5);
+    auto* split = new QHBoxLayout;
+    split->addWidget(&splitBox_);
+    split->addWidget(&notes_, 1);
+    lastLines_->addLayout(split, 5);
     lastLines_->addWidget(&security_, 4);
     column->addLayout(lastLines_);
 }
@@ -109,6 +112,7 @@ void NodesPanel::connectControls() {
         setProblem({});
         emit bundleRequested(folder);
     });
+    connect(&splitBox_, &SplitBox::splitRequested, this, &NodesPanel::splitRequested);
     connect(table_.selectionModel(), &QItemSelectionModel::selectionChanged, this, &NodesPanel::enableWhatCounts);
     connect(&pause_, &QPushButton::clicked, this, &NodesPanel::pauseOrGoOn);
     connect(&remove_, &QPushButton::clicked, this, &NodesPanel::removeSelected);

@@ -12,6 +12,7 @@
 #include "ui/nodes/elided_label.h"
 #include "ui/nodes/listen_row.h"
 #include "ui/nodes/nodes_model.h"
+#include "ui/nodes/split_box.h"
 
 namespace pdr::ui {
 
@@ -25,6 +26,8 @@ class NodesPanel : public QWidget {
     void setNodes(const QList<NodeRow>& nodes);
     /// Which split of the work is in use and why: "Tiles: an iteration takes 0.4 s"; empty: there is no work.
     void setSplit(const QString& sentence);
+    /// That the user wants; none: as its costs say.
+    void setWantedSplit(std::optional<Split> split) { splitBox_.setSplit(split); }
     /// None: nobody may dial in.
     void setListening(std::optional<quint16> port) { listen_.setListening(port); }
     /// The folder of this machine's certificates; empty: there are none, and connections are plain.
@@ -46,6 +49,8 @@ class NodesPanel : public QWidget {
     void listenRequested(const std::optional<quint16>& port);
     /// Empty: certificates are no longer to be used.
     void bundleRequested(const QString& folder);
+    /// None: as its costs say.
+    void splitRequested(const std::optional<pdr::Split>& split);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -68,6 +73,7 @@ class NodesPanel : public QWidget {
     ListenRow listen_;
     QPushButton pause_;
     QPushButton remove_;
+    SplitBox splitBox_;
     QBoxLayout* controlGroups_;  ///< side by side where there is room
     QBoxLayout* lastLines_;      ///< the same
     QLabel problem_;
