@@ -12,8 +12,9 @@ namespace pdr::nodes {
 namespace {
 
 constexpr std::uint32_t kHeartbeatMs = 1000;
-/// Between two scenes. A node bears twice as many messages (remote::ChannelLimits).
+/// Between two scenes. A node bears twice as many messages, and as many answers are borne here.
 constexpr std::chrono::milliseconds kPace{4};
+static_assert(2 * std::chrono::seconds(1) / kPace <= remote::ChannelLimits{}.messages.perSecond);
 
 // What is given out here must be let through there.
 static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels);

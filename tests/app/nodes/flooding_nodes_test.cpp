@@ -83,6 +83,25 @@ class FloodingNodesTest : public QObject {
         QVERIFY(trial.workOfNodes() > 0);  // the honest one is still there
     }
 
+    void programPartsWithACoordinatorThatFloods() {
+        remote::Listener coordinator(OneLink::kCoordinator, {.channel = {.messages = {1'000'000, 1'000'000}}});
+        QVERIFY(bool(coordinator.listen({"127.0.0.1", 0})));
+        connect(&coordinator, &remote::Listener::connected, this, [](remote::Channel* channel) {
+            connect(channel, &remote::Channel::received, channel, [channel](const wire::Message& message) {
+                if (!std::holds_alternative<wire::Hello>(message))
+                    return;
+                channel->setAdmitted();
+                channel->send(wire::Welcome{});
+                for (std::uint64_t number = 0; number < 100'000; ++number)
+                    channel->send(wire::Ping{number});
+                channel->send(wire::Bye{});
+            });
+        });
+        NodeProcess program({"--coordinator", QString("localhost:%1").arg(coordinator.address().port)});
+        QTRY_VERIFY_WITH_TIMEOUT(program.log().contains("the connection has ended"), kPatience);
+        QVERIFY2(program.log().contains("more messages"), program.log().constData());
+    }
+
     void leaseIsAnsweredOnce() {
         Waiting trial;
         ActedNode node(trial.port);
