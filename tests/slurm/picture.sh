@@ -6,16 +6,14 @@ preparePictures() {
     "$programs/pdrender-node" --make-certificates "$folder/certificates" >/dev/null
     "$programs/pdrender-cli" example "$folder/ct" >/dev/null 2>&1
     export PDR_BUNDLE=$folder/certificates/node PDR_NODE_PROGRAM=$programs/pdrender-node
-    render -o "$folder/alone.exr" >/dev/null 2>&1
-}
-render() {
-    "$programs/pdrender-cli" render "$folder/ct" --size "$SIZE" --samples "$SAMPLES" "$@"
+    render=("$programs/pdrender-cli" render "$folder/ct" --size "$SIZE" --samples "$SAMPLES")
+    "${render[@]}" -o "$folder/alone.exr" >/dev/null 2>&1
 }
 # startPicture PORT NODES: begins when so many nodes are there; 0: any port. Exports PDR_COORDINATOR.
 startPicture() {
     rm -f "$folder/nodes.exr"
-    render -o "$folder/nodes.exr" --listen "127.0.0.1:$1" --bundle "$folder/certificates/coordinator" --await "$2" --nodes-only \
-        >"$folder/said" 2>&1 &
+    "${render[@]}" -o "$folder/nodes.exr" --listen "127.0.0.1:$1" --bundle "$folder/certificates/coordinator" --await "$2" \
+        --nodes-only >"$folder/said" 2>&1 &
     coordinator=$!
     within 120 "the coordinator listens" "$(now)" heard 1 'waiting for nodes at'
     PDR_COORDINATOR=$(sed -n 's/^waiting for nodes at //p' "$folder/said")
