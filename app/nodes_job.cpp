@@ -150,6 +150,8 @@ void NodesJob::setBundle(const QString& folder) {
 }
 
 void NodesJob::setSplit(const std::optional<Split>& split) {
+    if (split == split_)
+        return;
     split_ = split;
     if (pool_)
         pool_->setSplit(split_);

@@ -90,8 +90,10 @@ Result<Identity> identityFor(const Address& address, const QString& folder, Role
         return readIdentity(folder, role);
     if (address.isLoopback())
         return Identity{role, std::nullopt};
-    return refused("other machines are only talked to with certificates", address.text(),
-                   "Make some with --make-certificates FOLDER, and give them to both sides with --bundle.");
+    return refused(
+        "other machines are only talked to with certificates", address.text(),
+        "Make some with \"pdrender-node --make-certificates FOLDER\", and give them to both sides: --bundle, or the "
+        "window's Certificates.");
 }
 
 bool isOf(const QSslCertificate& certificate, Role role) {

@@ -17,7 +17,10 @@ class CpuDevice final : public Device {
 
     using Device::film;
 
-    DeviceInfo info() const override { return {"cpu", std::to_string(tracer_.threads()) + " threads", true}; }
+    DeviceInfo info() const override {
+        const int threads = tracer_.threads();
+        return {"cpu", std::to_string(threads) + (threads == 1 ? " thread" : " threads"), true};
+    }
 
     Result<void> upload(const Scene& scene) override {
         scene_ = flattener_.prepare(scene);

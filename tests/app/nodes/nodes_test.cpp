@@ -154,7 +154,7 @@ class NodesTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(!known.empty() && known[0].latencyMs.has_value(), kPatience);
         const nodes::NodeStatus status = trial.nodes.nodes().at(0);
         QCOMPARE(status.name, QString("alpha"));
-        QCOMPARE(status.device, QString("cpu, 1 threads"));
+        QCOMPARE(status.device, QString("cpu, 1 thread"));
         QVERIFY(status.bytesIn > 0 && status.bytesOut > 0);
         process->signal(SIGKILL);
         QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, kPatience);
