@@ -4,24 +4,17 @@
 
 namespace pdr {
 
-namespace {
-
-int cellsAlong(int pixels) {
-    return (pixels + kFilmCell - 1) / kFilmCell;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TileProgress::TileProgress(const Tile& area, std::uint64_t first)
     : area_(area),
       first_(first),
-      columns_(cellsAlong(area.width)),
-      next_(std::size_t(columns_) * std::size_t(cellsAlong(area.height)), first) {}
+      columns_(cellsIn(area.width)),
+      next_(std::size_t(columns_) * std::size_t(cellsIn(area.height)), first) {}
 
 Tile TileProgress::cellsOf(const Tile& pixels) const {
     const int x = (pixels.x - area_.x) / kFilmCell, y = (pixels.y - area_.y) / kFilmCell;
-    return {x, y, cellsAlong(pixels.x - area_.x + pixels.width) - x,
-            cellsAlong(pixels.y - area_.y + pixels.height) - y};
+    return {x, y, cellsIn(pixels.x - area_.x + pixels.width) - x, cellsIn(pixels.y - area_.y + pixels.height) - y};
 }
 
 Tile TileProgress::pixelsOf(const Tile& cells) const {

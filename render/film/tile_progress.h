@@ -13,6 +13,11 @@ namespace pdr {
 /// its right and lower edges cut some.
 inline constexpr int kFilmCell = 16;
 
+/// Cells along that many pixels; the last one may be cut.
+constexpr int cellsIn(int pixels) {
+    return (pixels + kFilmCell - 1) / kFilmCell;
+}
+
 /// Samples per pixel.
 struct SampleCounts {
     std::uint64_t least = 0, most = 0;

@@ -14,10 +14,6 @@ constexpr double kBelieved = 0.7;
 /// No cell costs so much more, or less, than the mean: what was empty may have tissue in the next picture.
 constexpr double kMostContrast = 16;
 
-int cellsIn(int pixels) {
-    return (pixels + kFilmCell - 1) / kFilmCell;
-}
-
 }  // namespace
 
 CellCosts::CellCosts(const Tile& area)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/film/tile_progress.h"
+
 namespace pdr {
 
 void WorkerSpeed::add(double cost, double seconds) {
@@ -11,7 +13,6 @@ void WorkerSpeed::add(double cost, double seconds) {
 
 /// The tile is cut into parts, at most kOneIn, and one number in kOneIn is drawn: the part of that number, if there is.
 std::optional<Tile> Trust::partToAudit(const Tile& tile) {
-    const auto cellsIn = [](int pixels) { return (pixels + kFilmCell - 1) / kFilmCell; };
     const int rows = cellsIn(tile.height), columns = cellsIn(tile.width);
     const int down = std::min(rows, kOneIn), across = std::min(columns, kOneIn / down);
     const int drawn = int(random_() % kOneIn);
