@@ -2,74 +2,19 @@
 
 #include <QRegularExpression>
 
+#include "app/cli/node_options.h"
 #include "app/cli/option_reader.h"
-#include "app/look_files.h"
-#include "app/looks.h"
+#include "app/cli/scene_options.h"
 
 namespace pdr::app {
 namespace {
-
-/// Each view by its name, and as the window calls it.
-struct ViewName {
-    const char *name, *letter, *plain;
-    StandardView view;
-};
-constexpr ViewName kViews[] = {
-    {"anterior", "A", "front", StandardView::anterior}, {"posterior", "P", "back", StandardView::posterior},
-    {"left", "L", "left", StandardView::left},          {"right", "R", "right", StandardView::right},
-    {"superior", "H", "head", StandardView::superior},  {"inferior", "F", "feet", StandardView::inferior}};
-
-/// The options of all commands that render.
-void describeScene(QCommandLineParser& parser) {
-    parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsOptions);
-    parser.addPositionalArgument("input", "A folder of DICOM files, or a scene file.", "FOLDER|SCENE.json");
-    parser.addOptions({
-        {{"h", "help"}, "Show this text."},
-        {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
-        {{"look", "preset"},
-         "How it looks: a name that `pdrender-cli looks` lists, or a file of a look: .json, or "
-         "Slicer's .vp.json and .vp. Default: of a folder the "
-         "first look that makes sense of it.",
-         "NAME"},
-        {"view",
-         "Look from anterior (default, but of few slices the side that they face), posterior, left, right, superior or "
-         "inferior; A, P, L, R, H, F for short.",
-         "SIDE"},
-        {"table",
-         "hidden or shown: the scanner's table, head holder, clothes. Default: hidden, or what the scene file says.",
-         "WORD"},
-        {"show",
-         "The part of the patient: everything, lungs, bones or withoutBones. Default: what the look or the scene file "
-         "says.",
-         "PART"},
-        {"peel", "Take so much off all around the body, such as skin; up to 50.", "MM"},
-        {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
-        {"exposure",
-         "Radiance that PNG shows as 63 % of white, or auto: so that the tissue is neither dark nor blown out; "
-         "default: "
-         "the look's, or 1.",
-         "L"},
-        {"model",
-         "Optical model: absorption, emission, emissionAbsorption, singleScattering, multipleScattering or "
-         "maximumIntensity.",
-         "NAME"},
-        {"estimator",
-         "How scattering is computed: unbiased (default), or kroesMarch, as Exposure Render does: BIASED, for "
-         "comparison.",
-         "NAME"},
-        {"aperture", "Diameter of the lens in mm; 0: everything is sharp.", "MM"},
-        {"focus", "Make sharp what this pixel shows.", "X,Y"},
-        {"threads", "Threads; default: one per core.", "N", "0"},
-        {"seed", "Seed of the random numbers; default 1, or what the scene file says.", "N"},
-    });
-}
 
 const QCommandLineOption kDeviceOption(
     "device", "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ...", "NAME",
     "auto");
 
 void describeRender(QCommandLineParser& parser) {
-    describeScene(parser);
+    describeSceneOptions(parser);
     parser.addOptions({
         {{"o", "output"}, "Write the picture here; may be given several times.", "FILE.png|FILE.exr"},
         {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
@@ -84,28 +29,17 @@ void describeRender(QCommandLineParser& parser) {
         {"smoothed",
          "Take the noise out of PNG files, and fine detail that it hides; their error is written into them."},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
-        {"node", "Let the render node at this address help; may be given several times.", "HOST[:PORT]"},
-        {"listen", "Let render nodes help that dial this machine.", "[HOST:]PORT"},
-        {"bundle",
-         "The folder of certificates for connections to other machines (pdrender-node --make-certificates); without it "
-         "nodes must be on this one.",
-         "DIR"},
-        {"await", "Begin when N nodes are ready; default: at once, and nodes join as they come.", "N"},
-        {"nodes-only", "This machine only checks what nodes send, as long as there is one."},
-        {"split",
-         "How the picture is shared out: tiles (each a part of it) or samples (each all of it, in blocks of 64 "
-         "samples). Default: what a model of their costs finds faster.",
-         "WORD"},
     });
+    describeNodeOptions(parser);
 }
 
 void describeEffects(QCommandLineParser& parser) {
-    describeScene(parser);
+    describeSceneOptions(parser);
     parser.addOption({"json", "Print the same as JSON."});
 }
 
 void describeAccuracy(QCommandLineParser& parser) {
-    describeScene(parser);
+    describeSceneOptions(parser);
     parser.addOptions({
         {{"o", "output"}, "Write accuracy.html, .svg, .csv, .json and the pictures into this folder.", "DIR"},
         {"time-limit", "Render for T seconds in all; default 120.", "T", "120"},
@@ -114,114 +48,11 @@ void describeAccuracy(QCommandLineParser& parser) {
 }
 
 void describeReplay(QCommandLineParser& parser) {
-    describeScene(parser);
+    describeSceneOptions(parser);
     parser.addOptions({
         {"pixel", "The pixel, from the upper left corner.", "X,Y"},
         {"sample", "Which of its samples, from 0.", "N", "0"},
     });
-}
-
-std::optional<ivec2> readSize(const Reader& reader) {
-    const auto text = reader.text("size");
-    if (!text)
-        return std::nullopt;
-    const auto match = QRegularExpression("^(\\d{1,5})x(\\d{1,5})$").match(*text);
-    const ivec2 size(match.captured(1).toInt(), match.captured(2).toInt());
-    const Range range{1, 16384};
-    if (!match.hasMatch() || !range.holds(size.x) || !range.holds(size.y))
-        usageError("--size", "must look like 800x600, each number " + range.text());
-    return size;
-}
-
-std::optional<ivec2> readPixel(const Reader& reader, const QString& name) {
-    const auto text = reader.text(name);
-    if (!text)
-        return std::nullopt;
-    const auto match = QRegularExpression("^(\\d{1,5}),(\\d{1,5})$").match(*text);
-    if (!match.hasMatch())
-        usageError("--" + name, "must look like 400,300");
-    return ivec2(match.captured(1).toInt(), match.captured(2).toInt());
-}
-
-std::optional<Model> readModel(const Reader& reader) {
-    const auto text = reader.text("model");
-    if (!text)
-        return std::nullopt;
-    std::string known;
-    for (const Model model : kModels) {
-        if (text->compare(QLatin1String(modelName(model)), Qt::CaseInsensitive) == 0)
-            return model;
-        known += (known.empty() ? "" : ", ") + std::string(modelName(model));
-    }
-    usageError("--model", "must be one of: " + known);
-}
-
-std::optional<Estimator> readEstimator(const Reader& reader) {
-    const auto text = reader.text("estimator");
-    if (!text)
-        return std::nullopt;
-    for (const Estimator estimator : kEstimators)
-        if (text->compare(QLatin1String(estimatorName(estimator)), Qt::CaseInsensitive) == 0)
-            return estimator;
-    usageError("--estimator", "must be unbiased or kroesMarch");
-}
-
-std::optional<Table> readTable(const Reader& reader) {
-    const auto text = reader.text("table");
-    if (!text)
-        return std::nullopt;
-    if (*text != "hidden" && *text != "shown")
-        usageError("--table", "must be hidden or shown");
-    return *text == "hidden" ? Table::hidden : Table::shown;
-}
-
-std::optional<BodyPart> readPart(const Reader& reader) {
-    const auto text = reader.text("show");
-    if (!text)
-        return std::nullopt;
-    for (const BodyPart part : kBodyParts)
-        if (text->compare(QLatin1String(bodyPartName(part)), Qt::CaseInsensitive) == 0)
-            return part;
-    usageError("--show", "must be everything, lungs, bones or withoutBones");
-}
-
-std::optional<StandardView> readView(const Reader& reader) {
-    const auto text = reader.text("view");
-    if (!text)
-        return std::nullopt;
-    std::string known;
-    for (const ViewName& one : kViews) {
-        for (const char* name : {one.name, one.letter, one.plain})
-            if (text->compare(QLatin1String(name), Qt::CaseInsensitive) == 0)
-                return one.view;
-        known += (known.empty() ? "" : ", ") + std::string(one.name) + " (" + one.letter + ")";
-    }
-    usageError("--view", "must be one of: " + known);
-}
-
-std::optional<NamedLook> readLook(const Reader& reader) {
-    const auto text = reader.text("look");
-    if (!text)
-        return std::nullopt;
-    if (text->endsWith(".json") || text->endsWith(".vp")) {
-        const auto bundled = bundledLooks();
-        if (!bundled)
-            throw bundled.error();
-        const auto look = readLookFile(*text, bundled->front());
-        if (!look)
-            throw look.error();
-        return *look;
-    }
-    const auto looks = bundledLooks();
-    if (!looks)
-        throw looks.error();
-    std::string known;
-    for (const NamedLook& look : *looks) {
-        if (QString::fromStdString(look.name).compare(*text, Qt::CaseInsensitive) == 0)
-            return look;
-        known += (known.empty() ? "" : ", ") + look.name;
-    }
-    usageError("--look", "there is no look \"" + text->toStdString() + "\"", "There are: " + known + ".");
 }
 
 std::vector<std::filesystem::path> readOutputs(const QCommandLineParser& parser) {
@@ -248,30 +79,6 @@ Stops readStops(const Reader& reader) {
     return stops;
 }
 
-SceneInput readScene(const QCommandLineParser& parser, const QString& command) {
-    if (parser.positionalArguments().size() != 1)
-        usageError(command, "needs one folder of DICOM files or one scene file");
-    const Reader reader(parser);
-    SceneInput scene;
-    scene.path = parser.positionalArguments().front().toStdString();
-    scene.seriesUid = reader.text("series").value_or("").toStdString();
-    scene.size = readSize(reader);
-    scene.view = readView(reader);
-    scene.table = readTable(reader);
-    scene.part = readPart(reader);
-    scene.peelMm = reader.number("peel", {0, 50});
-    scene.autoExposure = reader.text("exposure") == "auto";
-    if (!scene.autoExposure)
-        scene.exposure = reader.number("exposure", {0, 1e30, false});
-    scene.seed = reader.whole("seed", 0, UINT64_MAX);
-    scene.look = readLook(reader);
-    scene.model = readModel(reader);
-    scene.estimator = readEstimator(reader);
-    scene.apertureMm = reader.number("aperture", {0, 200});
-    scene.focusAt = readPixel(reader, "focus");
-    return scene;
-}
-
 int readThreads(const QCommandLineParser& parser) {
     return int(Reader(parser).whole("threads", 1, 1024).value_or(0));
 }
@@ -284,28 +91,9 @@ std::string readDevice(const QCommandLineParser& parser) {
     return name.toStdString();
 }
 
-NodesWanted readNodes(const QCommandLineParser& parser) {
-    const Reader reader(parser);
-    NodesWanted nodes;
-    nodes.nodes = parser.values("node");
-    nodes.listen = reader.text("listen");
-    nodes.bundle = reader.text("bundle").value_or("");
-    nodes.await = int(reader.whole("await", 0, 100000).value_or(0));
-    nodes.nodesOnly = parser.isSet("nodes-only");
-    if (const auto split = reader.text("split")) {
-        if (*split != "tiles" && *split != "samples")
-            usageError("--split", "must be tiles or samples");
-        nodes.split = *split == "tiles" ? Split::tiles : Split::samples;
-    }
-    for (const char* option : {"bundle", "await", "nodes-only", "split"})
-        if (parser.isSet(option) && !nodes.any())
-            usageError(QString("--") + option, "is for render nodes, and none are named", "Add --node or --listen.");
-    return nodes;
-}
-
 void readRender(const QCommandLineParser& parser, RenderOptions& options) {
-    options.nodes = readNodes(parser);
-    options.scene = readScene(parser, "render");
+    options.nodes = readNodeOptions(parser);
+    options.scene = readSceneOptions(parser, "render");
     options.outputs = readOutputs(parser);
     options.stops = readStops(Reader(parser));
     options.threads = readThreads(parser);
@@ -315,13 +103,13 @@ void readRender(const QCommandLineParser& parser, RenderOptions& options) {
 }
 
 void readEffects(const QCommandLineParser& parser, EffectsOptions& options) {
-    options.scene = readScene(parser, "effects");
+    options.scene = readSceneOptions(parser, "effects");
     options.threads = readThreads(parser);
     options.json = parser.isSet("json");
 }
 
 void readAccuracy(const QCommandLineParser& parser, AccuracyOptions& options) {
-    options.scene = readScene(parser, "accuracy");
+    options.scene = readSceneOptions(parser, "accuracy");
     if (!parser.isSet("output"))
         usageError("-o", "says where the report goes, and is missing", "Add -o report.");
     options.folder = parser.value("output").toStdString();
@@ -333,8 +121,8 @@ void readAccuracy(const QCommandLineParser& parser, AccuracyOptions& options) {
 }
 
 void readReplay(const QCommandLineParser& parser, ReplayOptions& options) {
-    options.scene = readScene(parser, "replay");
-    const auto pixel = readPixel(Reader(parser), "pixel");
+    options.scene = readSceneOptions(parser, "replay");
+    const auto pixel = readPixel(parser, "pixel");
     if (!pixel)
         usageError("--pixel", "says which pixel, and is missing", "Add --pixel 400,300.");
     options.pixel = *pixel;
