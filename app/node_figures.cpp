@@ -33,7 +33,7 @@ ui::NodeState stateOf(nodes::NodeState state, bool rendering) {
 }  // namespace
 
 void NodeFigures::follow(const std::vector<nodes::NodeStatus>& nodes, const PictureInHand& picture, double now) {
-    const bool another = picture.revision != picture_.revision;
+    const bool another = picture.revision != picture_.revision || picture.purpose != picture_.purpose;
     const bool windowEnds = now - windowBegan_ >= kWindow;
     if (another)
         ownWorkAtPicture_ = picture.ownWork;

@@ -8,15 +8,17 @@
 #include <vector>
 
 #include "app/nodes/node_status.h"
+#include "render/tiles/worker_pool.h"
 #include "ui/nodes/node_row.h"
 
 namespace pdr::app {
 
 /// What the nodes are at.
 struct PictureInHand {
-    std::uint64_t revision = 0;
-    double pixels = 0;   ///< 0: there is none
-    double ownWork = 0;  ///< that this machine has done, of all pictures
+    std::uint64_t revision = 0;  ///< among those of its purpose
+    double pixels = 0;           ///< 0: there is none
+    double ownWork = 0;          ///< that this machine has done, of all pictures
+    Purpose purpose = Purpose::viewport;
 };
 
 class NodeFigures {

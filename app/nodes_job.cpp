@@ -58,7 +58,9 @@ QString NodesJob::splitText() const {
     const QString reason = QString::fromStdString(choice.reason);
     if (reason.isEmpty())  // no work has been split yet
         return {};
-    return choice.split == Split::tiles ? tr("Tiles: %1").arg(reason) : tr("Samples: %1").arg(reason);
+    const QString how = choice.split == Split::tiles ? tr("Tiles: %1").arg(reason) : tr("Samples: %1").arg(reason);
+    return pool_->scene().purpose == Purpose::finalRender ? tr("For the picture that is being saved. %1").arg(how)
+                                                          : how;
 }
 
 void NodesJob::add(const QString& address) {
@@ -201,15 +203,21 @@ const nodes::NodeStatus* NodesJob::statusOf(const Wanted& wanted) const {
     return found == nodes_->nodes().end() ? nullptr : &*found;
 }
 
+/// The picture that nodes are at: one that is being saved comes first.
+PictureInHand NodesJob::pictureInHand(const Frame& frame) const {
+    const PublishedScene wanted = pool_ ? pool_->scene() : PublishedScene();
+    const double ownWork = pool_ ? pool_->ownWork() : 0;
+    if (wanted.purpose == Purpose::finalRender)
+        return {wanted.number, double(wanted.scene->film.x) * wanted.scene->film.y, ownWork, wanted.purpose};
+    return {frame.revision, frame.coarse ? 0 : double(frame.size.x) * frame.size.y, ownWork};
+}
+
 void NodesJob::follow() {
     const std::shared_ptr<const Frame>& frame = bridge_.lastFrame();
     static const std::vector<nodes::NodeStatus> kNone;
     const std::vector<nodes::NodeStatus>& all = nodes_ ? nodes_->nodes() : kNone;
     if (frame)
-        figures_.follow(
-            all,
-            {frame->revision, frame->coarse ? 0 : double(frame->size.x) * frame->size.y, pool_ ? pool_->ownWork() : 0},
-            double(clock_.elapsed()) / 1000);
+        figures_.follow(all, pictureInHand(*frame), double(clock_.elapsed()) / 1000);
     rows_.clear();
     for (const Wanted& one : wanted_) {
         const nodes::NodeStatus* status = statusOf(one);

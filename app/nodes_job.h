@@ -71,6 +71,7 @@ class NodesJob : public QObject {
     void openPort();
     void beginOrEnd();
     void follow();
+    PictureInHand pictureInHand(const Frame& frame) const;
     const nodes::NodeStatus* statusOf(const Wanted& wanted) const;
 
     RenderBridge& bridge_;

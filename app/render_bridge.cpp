@@ -115,6 +115,10 @@ Result<std::unique_ptr<Device>> RenderBridge::shared(std::unique_ptr<Device> dev
     Result<std::vector<std::byte>> bits = referenceTiles(*device);
     if (!bits)
         return bits.error();
+    {
+        const std::lock_guard lock(mutex_);
+        bits_ = *bits;
+    }
     QMetaObject::invokeMethod(this, [this, bits = *std::move(bits)] { emit sharedWith(bits); });
     return shareDevice(std::move(device), std::move(pool));
 }
@@ -195,11 +199,19 @@ void RenderBridge::save(const QString& file) {
         });
 }
 
-DeviceOpener RenderBridge::anotherDevice() const {
-    return [name = device_.toStdString(), threads = threads_]() -> Result<std::unique_ptr<Device>> {
-        if (auto same = openDevice(name, threads))
-            return same;
-        return makeCpuDevice(threads);
+DeviceOpener RenderBridge::finalRenderDevice() const {
+    const std::lock_guard lock(mutex_);
+    return [name = device_.toStdString(), threads = threads_, pool = pool_,
+            bits = bits_]() -> Result<std::unique_ptr<Device>> {
+        Result<std::unique_ptr<Device>> device = openDevice(name, threads);
+        if (!device)
+            device = makeCpuDevice(threads);
+        if (!pool)
+            return device;
+        const Result<std::vector<std::byte>> own = referenceTiles(**device);
+        if (!own || *own != bits)
+            return device;
+        return shareDevice(*std::move(device), pool, Purpose::finalRender);
     };
 }
 

@@ -34,8 +34,9 @@ class RenderBridge : public QObject {
     bool captioned() const { return captioned_; }
     /// The picture on the screen; null when there is none.
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
-    /// Opens another device of the kind in use, alone, or where that cannot be the CPU. Any thread's.
-    DeviceOpener anotherDevice() const;
+    /// Opens another device of the kind in use, or where that cannot be the CPU, for a picture that goes into a file:
+    /// workers who make its bits take samples of that picture first. Any thread's.
+    DeviceOpener finalRenderDevice() const;
     /// What effects cost, as far as it is known; null while nobody looks.
     const std::shared_ptr<const EffectLedger>& lastLedger() const { return lastLedger_; }
 
@@ -96,8 +97,9 @@ class RenderBridge : public QObject {
     void openAndGoOn(const QString& device);
     Result<std::unique_ptr<Device>> shared(std::unique_ptr<Device> device);
 
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::shared_ptr<WorkerPool> pool_;      ///< guarded by mutex_: who renders along; null: nobody
+    std::vector<std::byte> bits_;           ///< guarded by mutex_: those that they make
     std::shared_ptr<const Frame> waiting_;  ///< guarded by mutex_: the newest frame that the window has not seen
     std::shared_ptr<const Frame> lastFrame_;
     std::shared_ptr<const EffectLedger> lastLedger_;

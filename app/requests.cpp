@@ -33,7 +33,7 @@ void makePicture(const DesktopParts& parts, const ui::PictureOrder& order) {
     Scene scene = parts.document.scene();
     scene.film = {order.size->width(), order.size->height()};
     parts.picture.make({scene, parts.document.display(), parts.bridge.captioned(), order.stop, order.file,
-                        parts.bridge.anotherDevice()});
+                        parts.bridge.finalRenderDevice()});
 }
 
 void cancelWhatRuns(const DesktopParts& parts) {

@@ -10,13 +10,10 @@ namespace {
 
 class SharedDevice final : public Device {
   public:
-    SharedDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool)
-        : own_(std::move(own)), pool_(std::move(pool)) {}
+    SharedDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool, Purpose purpose)
+        : own_(std::move(own)), pool_(std::move(pool)), purpose_(purpose) {}
     /// What another one has published since stays: a film moves from device to device while both are there.
-    ~SharedDevice() override {
-        if (pool_->scene().number == scene_)
-            pool_->forgetScene();
-    }
+    ~SharedDevice() override { pool_->withdraw(scene_); }
 
     using Device::film;
 
@@ -26,11 +23,11 @@ class SharedDevice final : public Device {
         if (Result<void> uploaded = own_->upload(scene); !uploaded)
             return uploaded;
         isShared_ = scene.filtering == Filtering::exact;  // texture units differ from each other
-        scene_ = pool_->publish(isShared_ ? std::make_shared<const Scene>(scene) : nullptr);
+        scene_ = pool_->publish(purpose_, isShared_ ? std::make_shared<const Scene>(scene) : nullptr);
         return {};
     }
     Result<void> unload() override {
-        pool_->forgetScene();
+        pool_->withdraw(scene_);
         return own_->unload();
     }
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
@@ -49,7 +46,8 @@ class SharedDevice final : public Device {
   private:
     std::unique_ptr<Device> own_;
     std::shared_ptr<WorkerPool> pool_;
-    std::uint64_t scene_ = 0;
+    Purpose purpose_;
+    std::uint64_t scene_ = 0;  ///< number that it was published under; 0: none was
     bool isShared_ = false;
 };
 
@@ -63,8 +61,8 @@ std::vector<TileGoal> allOf(const TileProgress& progress) {
 
 }  // namespace
 
-std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool) {
-    return std::make_unique<SharedDevice>(std::move(own), std::move(pool));
+std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool, Purpose purpose) {
+    return std::make_unique<SharedDevice>(std::move(own), std::move(pool), purpose);
 }
 
 OrderSize SharedAccumulator::orderSize() const {
@@ -106,7 +104,8 @@ Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const 
 }
 
 Result<void> SharedAccumulator::together(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
-    pool_.begin(film_, scene_, goals);
+    if (!pool_.begin(film_, scene_, goals, stop))
+        return alone(goals, stop);
     Result<void> done = takePart(stop);
     believed_.merge(pool_.end());
     return done;

@@ -13,8 +13,9 @@
 
 namespace pdr {
 
-/// `pool` is asked for help with all that `own` renders; it may be used by one such device at a time.
-std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool);
+/// `pool` is asked for help with all that `own` renders; by one such device of each purpose at a time.
+std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool,
+                                    Purpose purpose = Purpose::viewport);
 
 class SharedAccumulator final : public HostAccumulator {
   public:

@@ -68,7 +68,7 @@ Worker* WorkerPool::find(WorkerId id) {
 
 PublishedScene WorkerPool::scene() const {
     const std::lock_guard lock(mutex_);
-    return scene_;
+    return wanted();
 }
 
 void WorkerPool::hasScene(WorkerId id, std::uint64_t scene) {
@@ -127,7 +127,7 @@ void WorkerPool::setDraining(WorkerId id) {
 Ability WorkerPool::abilityOf(const WorkerSpeed& speed, bool isOnProbation) const {
     double all = ownHelps_ || !anyTakesWork() ? ownSpeed_.perSecond() : 0;
     for (const auto& [other, worker] : workers_)
-        if (worker.takesWork(scene_.number))
+        if (worker.takesWork(wanted().number))
             all += worker.speed.perSecond();
     const double mine = speed.perSecond();
     if (mine <= 0)  // let it be as fast as the own device, for what it is expected to take
@@ -138,13 +138,14 @@ Ability WorkerPool::abilityOf(const WorkerSpeed& speed, bool isOnProbation) cons
 }
 
 bool WorkerPool::anyTakesWork() const {
-    return std::ranges::any_of(workers_, [&](const auto& one) { return one.second.takesWork(scene_.number); });
+    return isOrderWanted() &&
+           std::ranges::any_of(workers_, [&](const auto& one) { return one.second.takesWork(order_->scene()); });
 }
 
 std::optional<Lease> WorkerPool::take(WorkerId id) {
     const std::lock_guard lock(mutex_);
     Worker* worker = find(id);
-    if (!order_ || !worker || !worker->takesWork(order_->scene()))
+    if (!isOrderWanted() || !worker || !worker->takesWork(order_->scene()))
         return std::nullopt;
     const bool probation = worker->trust.isOnProbation();
     if (worker->inFlight >= (probation ? 1 : kInFlight))

@@ -26,10 +26,18 @@ namespace pdr {
 using PoolClock = std::function<double()>;
 double poolSeconds();
 
+/// What a picture is for. Two may be wanted at a time, one of each kind: workers take samples of the final render as
+/// long as there is one, and the device of the viewport has its own to itself.
+enum class Purpose {
+    viewport,    ///< the picture that is looked at
+    finalRender  ///< one that goes into a file
+};
+
 /// The scene that leases are of.
 struct PublishedScene {
-    std::uint64_t number = 0;            ///< grows; 0: none
+    std::uint64_t number = 0;            ///< tells it from all others; 0: nothing was published yet
     std::shared_ptr<const Scene> scene;  ///< null: what was published is to be forgotten
+    Purpose purpose = Purpose::viewport;
 };
 
 class WorkerPool {
@@ -63,9 +71,10 @@ class WorkerPool {
 
     // ---- for who wants a picture
 
-    /// The scene of the next orders. Returns its number.
-    std::uint64_t publish(std::shared_ptr<const Scene> scene);
-    void forgetScene();
+    /// The scene of the next orders for that purpose; null: there are none. Returns its number.
+    std::uint64_t publish(Purpose purpose, std::shared_ptr<const Scene> scene);
+    /// The scene of that number is no longer wanted, if another one has not taken its place already.
+    void withdraw(std::uint64_t scene);
     /// How orders are cut; none: as a model of their costs says (timing/split_choice.h).
     void setSplit(std::optional<Split> split);
     /// Of the last order, and why.
@@ -75,8 +84,9 @@ class WorkerPool {
     /// The own device takes samples only where nobody else can, and audits.
     void setOwnHelps(bool helps);
 
-    /// Begins an order for `film`, of the scene of that number. One at a time.
-    void begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals);
+    /// Begins an order for `film`, of the scene of that number; waits until the last order of another scene has ended.
+    /// False: workers are wanted for another scene, or `stop` is requested; the own device does it alone.
+    bool begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, const std::stop_token& stop);
     /// What the own device is to do next: an audit, or a lease. Waits for it, and returns none when the order is done
     /// or `stop` is requested.
     struct OwnWork {
@@ -115,6 +125,10 @@ class WorkerPool {
     };
 
     Worker* find(WorkerId worker);
+    const PublishedScene& wanted() const { return finalRender_.scene ? finalRender_ : viewport_; }
+    /// Workers may take samples of the order: nobody has published a scene that comes before it.
+    bool isOrderWanted() const { return order_ && order_->scene() == wanted().number; }
+    void setPublished(PublishedScene& published, std::shared_ptr<const Scene> scene);
     Ability abilityOf(const WorkerSpeed& speed, bool isOnProbation) const;
     /// The worker has done that portion in so many seconds, of which it says that it spent `busySeconds` on samples.
     void timed(WorkerId worker, WorkerSpeed& speed, const Portion& portion, double seconds, double busySeconds);
@@ -135,7 +149,8 @@ class WorkerPool {
     std::map<std::string, Past> past_;  ///< by key, of those who have left
     std::set<std::string> liars_;       ///< keys
     WorkerId nextWorker_ = 1;
-    PublishedScene scene_;
+    PublishedScene viewport_{}, finalRender_{0, nullptr, Purpose::finalRender};
+    std::uint64_t published_ = 0;  ///< number of the last one
     std::unique_ptr<SharedOrder> order_;
     std::set<std::string> believed_;  ///< in the order
     std::uint64_t nextLease_ = 1;

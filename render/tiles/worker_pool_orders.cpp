@@ -14,19 +14,34 @@ constexpr auto kLookAgain = std::chrono::milliseconds(5);
 
 }  // namespace
 
-std::uint64_t WorkerPool::publish(std::shared_ptr<const Scene> scene) {
+std::uint64_t WorkerPool::publish(Purpose purpose, std::shared_ptr<const Scene> scene) {
     std::uint64_t number;
     {
         const std::lock_guard lock(mutex_);
-        number = scene_.number + 1;
-        scene_ = {number, std::move(scene)};
+        setPublished(purpose == Purpose::viewport ? viewport_ : finalRender_, std::move(scene));
+        number = published_;
     }
     tell();
     return number;
 }
 
-void WorkerPool::forgetScene() {
-    publish(nullptr);
+void WorkerPool::withdraw(std::uint64_t scene) {
+    {
+        const std::lock_guard lock(mutex_);
+        for (PublishedScene* published : {&viewport_, &finalRender_})
+            if (published->number == scene && published->scene)
+                setPublished(*published, nullptr);
+    }
+    tell();
+}
+
+void WorkerPool::setPublished(PublishedScene& published, std::shared_ptr<const Scene> scene) {
+    published.number = ++published_;
+    published.scene = std::move(scene);
+    if (order_ && !isOrderWanted())
+        for (const auto& [id, worker] : workers_)
+            order_->scheduler().giveBackAll(id);
+    changed_.notify_all();
 }
 
 void WorkerPool::setSplit(std::optional<Split> split) {
@@ -49,7 +64,7 @@ SplitChoice WorkerPool::choose(const std::vector<TileGoal>& goals) const {
     }
     facts.nodes = ownHelps_ ? 1 : 0;
     for (const auto& [id, worker] : workers_)
-        facts.nodes += worker.takesWork(scene_.number) ? 1 : 0;
+        facts.nodes += worker.takesWork(wanted().number) ? 1 : 0;
     facts.nodes = std::max(facts.nodes, 1);
     facts.sampleSeconds = times_.secondsPerWork();
     facts.launchSeconds = times_.secondsBefore();
@@ -66,9 +81,13 @@ void WorkerPool::setOwnHelps(bool helps) {
     ownHelps_ = helps;
 }
 
-void WorkerPool::begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals) {
+bool WorkerPool::begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals,
+                       const std::stop_token& stop) {
     {
-        const std::lock_guard lock(mutex_);
+        std::unique_lock lock(mutex_);
+        const bool hasComeUp = changed_.wait(lock, stop, [&] { return !order_ || wanted().number != scene; });
+        if (!hasComeUp || wanted().number != scene)
+            return false;
         split_ = choose(goals);
         if (costs_.area() != film.area())
             costs_ = costs_.stretchedOver(film.area());
@@ -80,6 +99,7 @@ void WorkerPool::begin(Film& film, std::uint64_t scene, const std::vector<TileGo
         }
     }
     tell();
+    return true;
 }
 
 std::optional<WorkerPool::OwnWork> WorkerPool::nextOwn(const std::stop_token& stop) {
@@ -148,6 +168,7 @@ std::set<std::string> WorkerPool::end() {
     nextLease_ = order_->scheduler().nextNumber();
     costs_.learn(std::exchange(timed_, {}));
     order_.reset();
+    changed_.notify_all();
     return std::exchange(believed_, {});
 }
 

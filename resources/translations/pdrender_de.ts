@@ -1138,6 +1138,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Für Bildschirmfotos: Nirgends im Fenster wird ein Patient genannt.</translation>
     </message>
     <message>
+        <source>For the picture that is being saved. %1</source>
+        <translation>Für das Bild, das gerade gespeichert wird. %1</translation>
+    </message>
+    <message>
         <source>Frame rate</source>
         <translation>Bildrate</translation>
     </message>

@@ -1138,6 +1138,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Para capturas de pantalla: no se nombra a ningún paciente en la ventana.</translation>
     </message>
     <message>
+        <source>For the picture that is being saved. %1</source>
+        <translation>Para la imagen que se está guardando. %1</translation>
+    </message>
+    <message>
         <source>Frame rate</source>
         <translation>Imágenes por segundo</translation>
     </message>

@@ -43,6 +43,8 @@ void TestNodeFigures::sharesAreOfThePictureInHand() {
     now = {node(1, 150, 0), node(2, 300, 0)};
     figures.follow(now, {8, 100, 650}, 3);
     QVERIFY(near(figures.rowOf(now[0]).share, 0.5) && figures.rowOf(now[1]).share == 0);
+    figures.follow(now, {8, 400, 650, Purpose::finalRender}, 4);  // the number is another picture's by chance
+    QCOMPARE(figures.rowOf(now[0]).share, 0.0);
 }
 
 void TestNodeFigures::aNodeWithWorkRenders() {

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <algorithm>
 
+#include "app/requests.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/nearby_worker.h"
 #include "tests/support/phantom_series.h"
@@ -20,6 +21,7 @@ class TestSharedPicture : public QObject {
     void itGoesOnWhenOthersComeAndGo();
     void itIsTheSameWhoeverRendersIt();
     void anotherDeviceIsSharedToo();
+    void aPictureThatIsSavedHasTheOthersUntilItIsDone();
     void nothingIsLeftWhenItIsClosed();
 
   private:
@@ -111,6 +113,26 @@ void TestSharedPicture::anotherDeviceIsSharedToo() {
     QVERIFY(pool->scene().scene);  // that of the new device
     const std::uint64_t results = worker.status().results;
     QTRY_VERIFY_WITH_TIMEOUT(worker.status().results > results, test::kPatience);
+}
+
+void TestSharedPicture::aPictureThatIsSavedHasTheOthersUntilItIsDone() {
+    Trial trial;
+    trial.openAndWait(series_);
+    DesktopParts parts = trial.desktop.parts();
+    const auto pool = newPool();
+    parts.bridge.setPool(pool);
+    const test::NearbyWorker worker(pool, "one");
+    QTRY_VERIFY_WITH_TIMEOUT(worker.status().results > 0, test::kPatience);
+    QSignalSpy saved(&parts.picture, &PictureJob::saved);
+    makePicture(parts, {folder_.filePath("saved.png"), QSize(300, 200), {.levels = kFinestTarget, .samples = 200}});
+    QTRY_COMPARE_WITH_TIMEOUT(pool->scene().purpose, Purpose::finalRender, test::kPatience);
+    const double before = worker.status().work;
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
+    QVERIFY(worker.status().work > before);
+    QCOMPARE(pool->scene().purpose, Purpose::viewport);
+    const std::uint64_t results = worker.status().results;
+    QTRY_VERIFY_WITH_TIMEOUT(worker.status().results > results, test::kPatience);
+    QVERIFY(neverFallsBack(trial));
 }
 
 void TestSharedPicture::nothingIsLeftWhenItIsClosed() {

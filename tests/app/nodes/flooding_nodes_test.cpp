@@ -142,7 +142,7 @@ class FloodingNodesTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(node.isWelcome() && coordinator.hasJoined, kPatience);
         std::uint64_t last = 0;
         for (std::uint64_t revision = 0; revision < 100; ++revision) {
-            last = coordinator.coordinator.pool->publish(std::make_shared<Scene>(scene(revision)));
+            last = coordinator.coordinator.pool->publish(Purpose::viewport, std::make_shared<Scene>(scene(revision)));
             coordinator.link->pump();
         }
         const auto orders = [&node] { return node.heard<wire::SceneOrder>(); };
