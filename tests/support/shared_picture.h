@@ -9,6 +9,16 @@
 
 namespace pdr::test {
 
+/// Small, its cells at the right and lower edges cut, and the orders that fill it: a block in two of them, and a whole
+/// one.
+inline Scene sharedScene(std::uint64_t revision = 0) {
+    Scene scene = tissueScene();
+    scene.film = {122, 90};
+    scene.revision = revision;
+    return scene;
+}
+inline const std::vector<std::uint32_t> kSharedOrders{2, 62, 64};
+
 /// What a program does that renders with nodes.
 struct NodeTrial {
     std::shared_ptr<WorkerPool> pool = std::make_shared<WorkerPool>(1);

@@ -1,22 +1,23 @@
-/// The panel of remote nodes: what it shows, what it asks for, and what an update of many costs.
+/// The panel of remote nodes: what it shows, and what it asks for.
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLocale>
-#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
 
-#include "tests/support/contrast.h"
 #include "tests/support/named_widget.h"
-#include "tests/support/processor_time.h"
-#include "ui/main_window.h"
+#include "tests/support/node_rows.h"
 #include "ui/nodes/node_address.h"
 #include "ui/nodes/node_text.h"
+#include "ui/nodes/nodes_panel.h"
+#include "ui/theme.h"
 
 namespace pdr::ui {
+
+using test::node, test::nodes;
 
 class TestNodesPanel : public QObject {
     Q_OBJECT
@@ -38,38 +39,7 @@ class TestNodesPanel : public QObject {
     void certificatesAreSaidAndTakenBack();
     void settersAreSilent();
     void theLastLineSaysHowWorkIsSplit();
-    void everyControlIsNamedAndReached();
-    void itsTextStandsOut_data();
-    void itsTextStandsOut();
-    void itFitsIntoSmallWindows_data();
-    void itFitsIntoSmallWindows();
-    void itLeavesThePictureItsPart();
-    void sixtyFourNodesTenTimesASecondCostNext();
 };
-
-static NodeRow node(quint64 id, NodeState state = NodeState::rendering) {
-    NodeRow row;
-    row.id = id;
-    row.address = QString("10.0.0.%1:4743").arg(id);
-    row.name = QString("gpu-%1").arg(id);
-    row.device = "cpu, 16 threads";
-    row.state = state;
-    row.iterationsPerSecond = 2.5;
-    row.efficiency = 0.971;
-    row.share = 0.125;
-    row.latencyMs = 3.25;
-    row.bytesSent = 256'000'000;
-    row.bytesReceived = 1'500'000;
-    row.faults = {.lost = 1, .overdue = 2};
-    return row;
-}
-
-static QList<NodeRow> nodes(int count) {
-    QList<NodeRow> rows;
-    for (int i = 1; i <= count; ++i)
-        rows << node(quint64(i));
-    return rows;
-}
 
 static QString cell(NodesPanel& panel, int row, int column, int role = Qt::DisplayRole) {
     return panel.table().model()->index(row, column).data(role).toString();
@@ -340,137 +310,6 @@ void TestNodesPanel::theLastLineSaysHowWorkIsSplit() {
     panel.setNodes(mixed);
     QVERIFY(
         said(panel, "How the work is split").endsWith("1 node makes other bits than this machine, and takes no part"));
-}
-
-void TestNodesPanel::everyControlIsNamedAndReached() {
-    NodesPanel panel;
-    panel.resize(900, 200);
-    panel.setNodes(nodes(2));
-    panel.setBundle("/somewhere");
-    panel.table().selectRow(0);
-    panel.show();
-    panel.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&panel));
-    QSet<QWidget*> wanted, reached;
-    for (QWidget* control : panel.findChildren<QWidget*>())
-        if (control->focusPolicy() & Qt::TabFocus && control->isVisible() && !control->focusProxy() &&
-            !control->objectName().startsWith("qt_") && !qobject_cast<QScrollBar*>(control)) {
-            const auto* push = qobject_cast<QAbstractButton*>(control);
-            QVERIFY2(!control->accessibleName().isEmpty() || (push && !push->text().isEmpty()),
-                     control->metaObject()->className());
-            wanted << control;
-        }
-    for (int i = 0; i < 20; ++i) {
-        QTest::keyClick(qApp->focusWidget() ? qApp->focusWidget() : &panel, Qt::Key_Tab);
-        reached << qApp->focusWidget();
-    }
-    QVERIFY2(reached.contains(wanted), qPrintable(QString("%1 of %2").arg(reached.size()).arg(wanted.size())));
-}
-
-void TestNodesPanel::itsTextStandsOut_data() {
-    QTest::addColumn<ThemeChoice>("choice");
-    QTest::newRow("dark") << ThemeChoice::dark;
-    QTest::newRow("light") << ThemeChoice::light;
-}
-
-/// Whatever stands in the table: as the palette has it, with no colour of its own.
-void TestNodesPanel::itsTextStandsOut() {
-    QFETCH(ThemeChoice, choice);
-    applyTheme(*qApp, choice);
-    NodesPanel panel;
-    panel.resize(900, 200);
-    panel.setNodes({node(1), node(2, NodeState::lost), node(3, NodeState::refused)});
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    for (const int row : {0, 1, 2})
-        QVERIFY(!panel.table().model()->index(row, 1).data(Qt::ForegroundRole).isValid());
-    const QImage image = panel.grab().toImage();
-    const QColor ground = image.pixelColor(panel.table().mapTo(&panel, QPoint(4, panel.table().height() - 4)));
-    QVERIFY(test::contrast(panel.table().palette().color(QPalette::Text), ground) >= 4.5);
-    QVERIFY(test::contrast(panel.palette().color(QPalette::PlaceholderText), image.pixelColor(1, 1)) >= 4.5);
-    applyTheme(*qApp, ThemeChoice::dark);
-}
-
-void TestNodesPanel::itFitsIntoSmallWindows_data() {
-    QTest::addColumn<QSize>("size");
-    for (const QSize size : {QSize(640, 480), QSize(800, 600), QSize(1024, 768), QSize(3840, 2160)})
-        QTest::addRow("%d x %d", size.width(), size.height()) << size;
-}
-
-/// Controls are whole, and what is cut of a text can be read in its tool tip.
-void TestNodesPanel::itFitsIntoSmallWindows() {
-    QFETCH(QSize, size);
-    NodesPanel panel;
-    panel.resize(size.width(), int(0.22 * size.height()));
-    panel.setNodes(nodes(12));
-    panel.setBundle("/a/folder/with/a/very/long/name/that/nobody/could/read/in/a/small/window/at/all");
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    QCOMPARE(panel.width(), size.width());
-    for (const QAbstractButton* control : panel.findChildren<QAbstractButton*>())
-        if (control->isVisible() && !control->objectName().startsWith("qt_") && !control->text().isEmpty())
-            QVERIFY2(control->width() >= control->minimumSizeHint().width(), qPrintable(control->text()));
-    QVERIFY(!panel.table().horizontalScrollBar()->isVisible() || size.width() < 800);
-    for (const char* name : {"How nodes are spoken to", "How the work is split"}) {
-        const auto& line = test::named<QLabel>(panel, name);
-        QVERIFY(line.width() <= panel.width() && line.toolTip() == line.text());
-    }
-}
-
-void TestNodesPanel::itLeavesThePictureItsPart() {
-    MainWindow window;
-    window.resize(1024, 768);
-    window.show();
-    window.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&window));
-    window.foot().setRemarks({"a remark"});
-    window.viewport().setFocus();
-    QVERIFY(!window.nodes().isVisible());
-    QTest::keyClick(&window, Qt::Key_F12);
-    window.nodes().setNodes(nodes(8));
-    QVERIFY(window.nodes().isVisible());
-    QTRY_VERIFY2(window.viewport().height() >= 0.55 * window.height(),
-                 qPrintable(QString::number(window.viewport().height())));
-    QVERIFY(window.nodes().table().viewport()->height() >= 2 * window.nodes().table().rowHeight(0));
-    window.resize(800, 600);
-    QCoreApplication::processEvents();
-    QCOMPARE(window.size(), QSize(800, 600));
-    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
-    QVERIFY(window.accuracy().isVisible() && !window.nodes().isVisible());
-    QTest::keyClick(&window, Qt::Key_F12);
-    QVERIFY(!window.accuracy().isVisible() && window.nodes().isVisible());
-    QTest::keyClick(&window, Qt::Key_F12);
-    QVERIFY(!window.nodes().isVisible());
-}
-
-/// Of the window's processor: with what is painted anew. All change each time.
-void TestNodesPanel::sixtyFourNodesTenTimesASecondCostNext() {
-    NodesPanel panel;
-    panel.resize(1000, 200);
-    QList<NodeRow> rows = nodes(64);
-    panel.setNodes(rows);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    panel.table().selectRow(3);
-    std::vector<double> update, painted;
-    for (int i = 0; i < 300; ++i) {
-        for (NodeRow& row : rows) {
-            row.iterationsPerSecond = 2 + 0.01 * (i % 100);
-            row.bytesReceived += 100'000;
-            row.latencyMs = 1 + i % 7;
-        }
-        const test::ProcessorTime time;
-        panel.setNodes(rows);
-        update.push_back(1000 * time.seconds());
-        QCoreApplication::processEvents();
-        painted.push_back(1000 * time.seconds());
-    }
-    for (std::vector<double>* times : {&update, &painted})
-        std::ranges::sort(*times);
-    const auto p99 = [](const std::vector<double>& times) { return times[times.size() * 99 / 100]; };
-    qInfo("an update of 64 nodes: p99 %.2f ms, with what is painted %.2f ms (median %.2f)", p99(update), p99(painted),
-          painted[painted.size() / 2]);
-    QVERIFY2(p99(painted) < 2, qPrintable(QString::number(p99(painted))));
 }
 
 }  // namespace pdr::ui

@@ -8,18 +8,6 @@
 using namespace pdr;
 using namespace pdr::test;
 
-namespace {
-
-const std::vector<std::uint32_t> kOrders{2, 62, 64};
-
-Scene scene() {
-    Scene scene = tissueScene();
-    scene.film = {122, 90};
-    return scene;
-}
-
-}  // namespace
-
 /// A node on another machine, as far as the system's own network can tell, and a cable that comes loose.
 class CutCableTest : public QObject {
     Q_OBJECT
@@ -47,7 +35,7 @@ class CutCableTest : public QObject {
         if (!networks_.limitRate("50mbit"))
             qInfo("the cable is as fast as it can be: there is no tc here, or it cannot limit rates");
         QVERIFY(bool(remote::makeCertificates(folder_.filePath("bundle"))));
-        alone_ = pictureAlone(scene(), kOrders);
+        alone_ = pictureAlone(sharedScene(), kSharedOrders);
     }
 
     void looseCableCostsNoPixel_data() {
@@ -69,7 +57,7 @@ class CutCableTest : public QObject {
         const NodeProcess node(optionsOf(nodeDials, nodeDials ? listens->port : 4743), networks_.enterThere());
         if (!nodeDials)
             QVERIFY(bool(trial.nodes.add(TwoNetworks::kThere)));
-        const auto film = *startFilm(*trial.device, scene());
+        const auto film = *startFilm(*trial.device, sharedScene());
         trial.awaitReady(1);
         QVERIFY(film->accumulate(2, {}));
         QVERIFY(trial.workOfNodes() > 0);

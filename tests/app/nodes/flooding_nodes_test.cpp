@@ -10,15 +10,6 @@ using namespace pdr::test;
 
 namespace {
 
-const std::vector<std::uint32_t> kOrders{2, 62, 64};
-
-Scene scene(std::uint64_t revision = 0) {
-    Scene scene = tissueScene();
-    scene.film = {122, 90};
-    scene.revision = revision;
-    return scene;
-}
-
 wire::Result resultOfNoLease() {
     wire::Result result;
     result.number = std::uint64_t(1) << 40;
@@ -64,14 +55,14 @@ class FloodingNodesTest : public QObject {
         QFETCH(const wire::Message, drop);
         QFETCH(int, drops);
         QFETCH(const QString, reason);
-        const FilmContent alone = pictureAlone(scene(), kOrders);
+        const FilmContent alone = pictureAlone(sharedScene(), kSharedOrders);
         Waiting trial;
         NodeProcess honest;
         trial.add(honest);
         ActedNode flooder(trial.port);
         QTRY_VERIFY_WITH_TIMEOUT(flooder.isWelcome(), kPatience);
         FilmContent picture;
-        std::jthread renderer([&] { picture = trial.picture(scene(), kOrders, 1); });
+        std::jthread renderer([&] { picture = trial.picture(sharedScene(), kSharedOrders, 1); });
         for (; drops > 0 && flooder.say(drop); --drops)
             QTRY_VERIFY_WITH_TIMEOUT(flooder.waits() < (1 << 20) || flooder.isOver(), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(flooder.waits() == 0 || flooder.isOver(), kPatience);
@@ -123,7 +114,7 @@ class FloodingNodesTest : public QObject {
         renderer.join();
         const auto order = [&node] { return node.heard<wire::SceneOrder>().size(); };
         const auto sceneBefore = order();
-        renderer = std::jthread([&] { (void)trial.picture(scene(2), kOrders); });
+        renderer = std::jthread([&] { (void)trial.picture(sharedScene(2), kSharedOrders); });
         QTRY_VERIFY_WITH_TIMEOUT(order() > sceneBefore, kPatience);
         node.say(givenBack(before));
         renderer.join();
@@ -142,7 +133,8 @@ class FloodingNodesTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(node.isWelcome() && coordinator.hasJoined, kPatience);
         std::uint64_t last = 0;
         for (std::uint64_t revision = 0; revision < 100; ++revision) {
-            last = coordinator.coordinator.pool->publish(Purpose::viewport, std::make_shared<Scene>(scene(revision)));
+            last = coordinator.coordinator.pool->publish(Purpose::viewport,
+                                                         std::make_shared<Scene>(sharedScene(revision)));
             coordinator.link->pump();
         }
         const auto orders = [&node] { return node.heard<wire::SceneOrder>(); };
@@ -154,7 +146,7 @@ class FloodingNodesTest : public QObject {
     /// Has a picture of that revision made until the node, which says that it can take part, has a lease of it.
     static wire::Lease leaseOf(const Waiting& trial, ActedNode& node, std::jthread& renderer, std::uint64_t revision) {
         const auto leases = node.heard<wire::Lease>().size(), scenes = node.heard<wire::SceneOrder>().size();
-        renderer = std::jthread([&trial, revision] { (void)trial.picture(scene(revision), kOrders, 1); });
+        renderer = std::jthread([&trial, revision] { (void)trial.picture(sharedScene(revision), kSharedOrders, 1); });
         const auto comes = [&node](const auto& all, std::size_t before) {
             if (!QTest::qWaitFor([&] { return all().size() > before || node.isOver(); }, kPatience) || node.isOver())
                 qFatal("the node gets nothing any more");

@@ -9,18 +9,6 @@
 using namespace pdr;
 using namespace pdr::test;
 
-namespace {
-
-const std::vector<std::uint32_t> kOrders{2, 62, 64};
-
-Scene scene() {
-    Scene scene = tissueScene();
-    scene.film = {122, 90};
-    return scene;
-}
-
-}  // namespace
-
 /// What becomes of pictures when nodes and networks fail.
 class NodeFaultsTest : public QObject {
     Q_OBJECT
@@ -28,7 +16,7 @@ class NodeFaultsTest : public QObject {
     FilmContent alone_;
 
   private slots:
-    void initTestCase() { alone_ = pictureAlone(scene(), kOrders); }
+    void initTestCase() { alone_ = pictureAlone(sharedScene(), kSharedOrders); }
 
     /// Of eight nodes one after the other is killed, and another one started, while pictures are made.
     void killedNodesCostNoPixel() {
@@ -36,13 +24,13 @@ class NodeFaultsTest : public QObject {
         NodeProcesses processes = startNodes(8);
         for (const auto& one : processes)
             trial.add(*one);
-        (void)trial.picture(scene(), {1}, 8);
+        (void)trial.picture(sharedScene(), {1}, 8);
         std::mt19937 random(1);
         int pictures = 0;
         std::atomic<bool> over = false;
         std::jthread renderer([&] {
             while (!over || pictures < 3) {
-                if (!sameBits(trial.picture(scene(), kOrders), alone_))
+                if (!sameBits(trial.picture(sharedScene(), kSharedOrders), alone_))
                     qFatal("a picture is another one");
                 ++pictures;
             }
@@ -65,7 +53,7 @@ class NodeFaultsTest : public QObject {
         NodeProcesses processes = startNodes(2);
         for (const auto& one : processes)
             trial.add(*one);
-        const auto film = *startFilm(*trial.device, scene());
+        const auto film = *startFilm(*trial.device, sharedScene());
         trial.awaitReady(2);
         QVERIFY(film->accumulate(2, {}));
         processes[0]->signal(SIGSTOP);
@@ -83,7 +71,7 @@ class NodeFaultsTest : public QObject {
         trial.pool->setOwnHelps(false);
         NodeProcesses processes = startNodes(1);
         trial.add(*processes[0]);
-        const auto film = *startFilm(*trial.device, scene());
+        const auto film = *startFilm(*trial.device, sharedScene());
         trial.awaitReady(1);
         QVERIFY(film->accumulate(2, {}));
         processes[0]->signal(SIGKILL);
@@ -104,7 +92,7 @@ class NodeFaultsTest : public QObject {
         FaultProxy proxy(quint16(processes[0]->address().section(':', -1).toInt()));
         QVERIFY(bool(trial.nodes.add(QString("localhost:%1").arg(proxy.port()))));
         trial.add(*processes[1]);
-        const auto film = *startFilm(*trial.device, scene());
+        const auto film = *startFilm(*trial.device, sharedScene());
         trial.awaitReady(2);
         QVERIFY(film->accumulate(2, {}));
         apply(proxy, fault);
