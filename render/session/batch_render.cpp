@@ -88,7 +88,14 @@ std::uint32_t BatchRender::wantedSamples(double elapsed) const {
         wanted = std::min(wanted, double(*stops_.samples - done_));
     if (stopsByError())
         wanted = std::min(wanted, double(kErrorEvery - done_ % kErrorEvery));
-    return std::uint32_t(std::clamp(wanted, 1.0, double(order.samples)));
+    return toBlockEnd(std::uint32_t(std::clamp(wanted, 1.0, double(order.samples))));
+}
+
+/// Fewer, so that the last block is whole, where one ends on the way: what is left of a block is a piece of work, and a
+/// message, of its own.
+std::uint32_t BatchRender::toBlockEnd(std::uint32_t wanted) const {
+    const std::uint64_t end = done_ + wanted, blockEnd = end - end % kSamplesPerBlock;
+    return end == stops_.samples || blockEnd <= done_ ? wanted : std::uint32_t(blockEnd - done_);
 }
 
 std::optional<StopReason> BatchRender::reached(double elapsed) const {

@@ -56,6 +56,7 @@ class BatchRender {
 
   private:
     std::uint32_t wantedSamples(double elapsed) const;
+    std::uint32_t toBlockEnd(std::uint32_t wanted) const;
     std::optional<StopReason> reached(double elapsed) const;
     BatchState state(double elapsed) const;
     Result<void> takeSamples(double elapsed, std::stop_token stop);

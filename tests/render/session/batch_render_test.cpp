@@ -1,7 +1,9 @@
-/// A picture without a window: what a stop request leaves of it.
+/// A picture without a window: what a stop request leaves of it, and how it is cut into orders.
 
 #include <QTest>
+#include <vector>
 
+#include "render/device/host_accumulator.h"
 #include "render/session/batch_render.h"
 #include "tests/support/failing_device.h"
 #include "tests/support/pictures.h"
@@ -15,6 +17,29 @@ class TestBatchRender : public QObject {
     void aStopRequestKeepsTheSampleOnItsWayOrDiscardsIt_data();
     void aStopRequestKeepsTheSampleOnItsWayOrDiscardsIt();
     void whatIsToBeDiscardedEndsAsWellWhereNothingStopsIt();
+    void ordersThatReachTheNextBlockEndWithOne();
+};
+
+/// Takes samples without light, and writes down where each order ends.
+class WrittenOrders final : public HostAccumulator {
+  public:
+    using HostAccumulator::accumulate;
+    using HostAccumulator::HostAccumulator;
+
+    Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token) override {
+        for (const std::uint64_t end = next_ + n; next_ < end;) {
+            const SampleRange samples = samplesInBlock(next_, std::uint32_t(end - next_));
+            film_.commit(region, samples);
+            next_ = samples.end();
+        }
+        ends.push_back(next_);
+        return {};
+    }
+
+    std::vector<std::uint64_t> ends;
+
+  private:
+    std::uint64_t next_ = 0;
 };
 
 static Scene smallSlab() {
@@ -58,6 +83,19 @@ void TestBatchRender::whatIsToBeDiscardedEndsAsWellWhereNothingStopsIt() {
     const auto ended = BatchRender(*film, {.samples = 40}, {}, WhenStopped::discard).run({}, [](const BatchState&) {});
     QVERIFY(ended && ended->reason == StopReason::samples);
     QCOMPARE(ended->film.samplesPerPixel, std::uint64_t(40));
+}
+
+void TestBatchRender::ordersThatReachTheNextBlockEndWithOne() {
+    constexpr std::uint64_t kSamples = 5 * kSamplesPerBlock + 7;
+    WrittenOrders film({0, 0, 32, 32}, 0);
+    const auto ended = BatchRender(film, {.samples = kSamples}, {}).run({}, [](const BatchState&) {});
+    QVERIFY(ended && ended->reason == StopReason::samples);
+    QCOMPARE(film.ends.back(), kSamples);
+    for (std::uint64_t first = 0; const std::uint64_t end : film.ends) {
+        const bool isWithinABlock = first / kSamplesPerBlock == (end - 1) / kSamplesPerBlock;
+        QVERIFY(isWithinABlock || end % kSamplesPerBlock == 0 || end == kSamples);
+        first = end;
+    }
 }
 
 }  // namespace pdr
