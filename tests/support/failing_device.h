@@ -13,8 +13,7 @@
 #include <thread>
 #include <utility>
 
-#include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu_device.h"
+#include "render/device/emulated/emulated_gpu.h"
 #include "tests/support/fake_clock.h"
 
 namespace pdr::test {
@@ -150,17 +149,17 @@ class FailingDevice final : public Device {
                          ErrorKind::memory};
         if (Result<void> well = mishaps_->call(mishaps_->uploads); !well)
             return well;
-        return inner_.upload(scene);
+        return inner_->upload(scene);
     }
     Result<void> unload() override {
         mishaps_->before("upload");
-        return inner_.unload();
+        return inner_->unload();
     }
 
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                               const Schedule& schedule) override {
         mishaps_->before("film");
-        Result<std::unique_ptr<Accumulator>> film = inner_.film(area, revision, schedule);
+        Result<std::unique_ptr<Accumulator>> film = inner_->film(area, revision, schedule);
         if (!film)
             return film;
         return std::unique_ptr<Accumulator>(std::make_unique<FailingAccumulator>(*std::move(film), mishaps_));
@@ -168,12 +167,12 @@ class FailingDevice final : public Device {
 
     std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
         mishaps_->before("guide");
-        return inner_.guide(finer, stop);
+        return inner_->guide(finer, stop);
     }
 
   private:
     std::shared_ptr<Mishaps> mishaps_;
-    GpuDevice<HostGpu> inner_{DeviceInfo{}, 0, 1};  ///< it makes the bounds of scenes itself, as a GPU does
+    std::unique_ptr<Device> inner_ = makeEmulatedGpu(1);  ///< it makes the bounds of scenes itself, as a GPU does
 };
 
 inline std::unique_ptr<Device> failing(const std::shared_ptr<Mishaps>& mishaps) {

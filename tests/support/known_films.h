@@ -4,8 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu_device.h"
+#include "render/device/emulated/emulated_gpu.h"
 #include "render/film/tone_map.h"
 #include "render/kernel/pixel.h"
 
@@ -52,8 +51,8 @@ inline Film knownFilm(const std::vector<Known>& pixels, std::uint32_t n) {
 /// The status that a screen is told, by the CPU and by a GPU's programs; they must agree.
 inline FilmStatus shownStatus(const Film& film, float exposure) {
     const FilmStatus cpu = pictureOf(film, {exposure}).status;
-    GpuDevice<HostGpu> device(DeviceInfo{"host", "", false}, std::size_t(0));
-    const auto live = *device.film(film.size(), 1, {});
+    const auto device = makeEmulatedGpu();
+    const auto live = *device->film(film.size(), 1, {});
     if (!live->resume(film) || !live->resolve({exposure}))
         return {};
     const Result<Picture> picture = live->readback();

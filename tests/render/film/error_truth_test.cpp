@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "render/accuracy/forecast.h"
+#include "render/device/emulated/host_gpu.h"
+#include "render/device/gpu/trace_kernels.h"
 #include "render/kernel/random.h"
 #include "tests/support/known_films.h"
 #include "tests/support/tissue_scene.h"

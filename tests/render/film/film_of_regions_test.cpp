@@ -2,8 +2,7 @@
 
 #include <random>
 
-#include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu_device.h"
+#include "render/device/emulated/emulated_gpu.h"
 #include "render/film/tone_map.h"
 #include "render/kernel/pixel.h"
 #include "tests/support/scenes.h"
@@ -13,25 +12,6 @@
 using namespace pdr;
 
 namespace {
-
-/// Counts what is taken of its memory and of the host's.
-struct CountingGpu : HostGpu {
-    using HostGpu::HostGpu;
-    int allocations = 0;
-
-    void* allocate(std::size_t bytes) {
-        ++allocations;
-        return HostGpu::allocate(bytes);
-    }
-    void* allocatePinned(std::size_t bytes) {
-        ++allocations;
-        return HostGpu::allocatePinned(bytes);
-    }
-};
-
-std::unique_ptr<Device> hostGpu() {
-    return std::make_unique<GpuDevice<HostGpu>>(DeviceInfo{"host", "", false});
-}
 
 Scene someScene() {
     Scene scene = test::tissueScene();
@@ -137,7 +117,7 @@ class FilmOfRegionsTest : public QObject {
     void regionsThatRunAheadChangeNoBit() {
         const Scene scene = someScene();
         for (const bool gpu : {false, true}) {
-            const auto device = gpu ? hostGpu() : makeCpuDevice();
+            const auto device = gpu ? makeEmulatedGpu() : makeCpuDevice();
             QVERIFY(device->upload(scene));
             const auto film = *device->film(scene.film, scene.revision, {});
             const Tile region{20, 10, 30, 20}, cells{16, 0, 48, 32};
@@ -289,39 +269,10 @@ class FilmOfRegionsTest : public QObject {
         QVERIFY(refusal(beside).ends_with("not the next ones"));
     }
 
-    /// The next scene's film is made in the memory of the last one.
-    void anEditAllocatesNothing() {
-        Scene scene = someScene();
-        scene.film = {1920, 1080};
-        const dvec3 centre = scene.volume->geometry().centreMm();
-        scene.camera.eyeMm = centre + 20.0 * (scene.camera.eyeMm - centre);  // the film counts here, not the paths
-        GpuDevice<CountingGpu> device(DeviceInfo{"counting", "", false});
-        const auto picture = [&](Accumulator& film) {
-            return film.accumulate(1, {}) && film.resolve({}) && bool(film.readback());
-        };
-        QVERIFY(device.upload(scene));
-        const auto film = *static_cast<Device&>(device).film(scene.film, scene.revision, {});
-        QVERIFY(picture(*film));
-        const auto allocations = [&](const auto& edit) {
-            const int before = device.gpu().allocations;
-            edit(scene);
-            ++scene.revision;
-            const bool shown = device.upload(scene) && film->restart(wholeOf(scene), scene.revision) && picture(*film);
-            return shown ? device.gpu().allocations - before : -1;
-        };
-        QVERIFY(allocations([](Scene&) {}) >= 0);  // both slots of its pictures have been used by now
-        QCOMPARE(allocations([](Scene& s) { s.camera.eyeMm.x += 5; }), 0);
-        QCOMPARE(allocations([](Scene& s) { s.transferFunction.nodes[1].albedo = vec3(0.3f); }), 0);
-        QCOMPARE(allocations([](Scene& s) { s.transferFunction.nodes[1].opacity = 0.4f; }), 0);
-        QCOMPARE(allocations([](Scene& s) { s.film = {240, 135}; }), 0);  // while something moves
-        QCOMPARE(allocations([](Scene& s) { s.film = {1920, 1080}; }), 0);
-        QVERIFY(sameBits((*film->film())->content(), test::render(scene, 1).content()));
-    }
-
     void aFilmThatIsRestartedIsAFreshOne() {
         Scene scene = someScene();
         for (const bool gpu : {false, true}) {
-            const auto device = gpu ? hostGpu() : makeCpuDevice();
+            const auto device = gpu ? makeEmulatedGpu() : makeCpuDevice();
             QVERIFY(device->upload(scene));
             const auto film = *device->film(scene.film, scene.revision, {});
             QVERIFY(film->accumulate(70, {}) && film->resolve({}));

@@ -1,8 +1,7 @@
 #include <tbb/global_control.h>
 #include <QTest>
 
-#include "render/device/emulated/host_gpu.h"
-#include "render/device/gpu_device.h"
+#include "render/device/emulated/emulated_gpu.h"
 #include "render/film/smoothed_view.h"
 #include "render/film/tone_map.h"
 #include "tests/support/noisy_films.h"
@@ -272,9 +271,7 @@ class SmoothingJudgementTest : public QObject {
         const Scene scene = litTissue();
         std::vector<Picture> pictures;
         for (const bool gpu : {false, true}) {
-            const std::unique_ptr<Device> device =
-                gpu ? std::make_unique<GpuDevice<HostGpu>>(DeviceInfo{"host", "", false}, std::size_t(0))
-                    : makeCpuDevice(gpu ? 1 : 3);
+            const std::unique_ptr<Device> device = gpu ? makeEmulatedGpu() : makeCpuDevice(3);
             const auto film = *startFilm(*device, scene);
             QVERIFY(film->accumulate(9, {}));
             const FilmContent before = (*film->film())->content();

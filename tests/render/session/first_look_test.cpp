@@ -215,18 +215,6 @@ class FirstLookTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(reel.full(2), test::kPatience);
     }
 
-    void aGpuGivesTheMemoryOfAClosedSceneBack() {
-        GpuDevice<HostGpu> gpu{DeviceInfo{}, 0, 1};
-        const Scene scene = largeScene(1);
-        QVERIFY(gpu.upload(scene));
-        const std::size_t loaded = gpu.gpu().allocated();
-        QVERIFY(gpu.unload());
-        QVERIFY(loaded - gpu.gpu().allocated() >= GpuScene<HostGpu>::bytesFor(scene.volume->size()));
-        QVERIFY(gpu.unload());  // nothing to forget
-        QVERIFY(gpu.upload(scene));
-        QCOMPARE(gpu.gpu().allocated(), loaded);
-    }
-
     void clearingAtAnyMomentIsSound() {
         for (int i = 0; i < 40; ++i) {
             Reel reel;

@@ -183,6 +183,50 @@ class SharedDeviceTest : public QObject {
         }
         QVERIFY(sameBits((*film->film())->content(), (*mine->film())->content()));
     }
+
+    void finalRenderHasTheWorkersUntilItIsDone() {
+        const auto pool = newPool();
+        NearbyWorker worker(pool, "one");
+        const auto viewport = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*viewport, sceneToShare());
+        std::atomic<bool> done = false;
+        std::vector<std::uint32_t> orders;
+        std::jthread viewer([&] {
+            while (!done)
+                if (film->accumulate(10, {}))
+                    orders.push_back(10);
+        });
+        Scene scene = sceneToShare();
+        scene.film = {60, 50};
+        {
+            const auto device = shareDevice(makeCpuDevice(1), pool, Purpose::finalRender);
+            const auto saved = *startFilm(*device, scene);
+            QCOMPARE(pool->scene().purpose, Purpose::finalRender);
+            std::vector<std::uint32_t> taken;
+            for (const double before = worker.status().work; worker.status().work == before; taken.push_back(70))
+                QVERIFY(saved->accumulate(70, {}));
+            QVERIFY(sameBits((*saved->film())->content(), alone(scene, taken)));
+        }
+        QCOMPARE(pool->scene().purpose, Purpose::viewport);
+        for (const double before = worker.status().work; worker.status().work == before;)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        done = true;
+        viewer.join();
+        QVERIFY(sameBits((*film->film())->content(), alone(sceneToShare(), orders)));
+    }
+
+    void viewportIsGivenUpWhereAFinalRenderWaits() {
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        NearbyWorker silent(pool, "silent", NearbyWorker::Nature::silent);
+        const auto viewport = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*viewport, sceneToShare());
+        std::jthread viewer([&] { (void)film->accumulate(64, {}); });  // all of it is with somebody who is silent
+        const auto device = shareDevice(makeCpuDevice(1), pool, Purpose::finalRender);
+        const auto saved = *startFilm(*device, sceneToShare());
+        viewer.join();  // the own device has done it
+        QVERIFY(sameBits((*film->film())->content(), alone(sceneToShare(), {64})));
+    }
 };
 
 QTEST_APPLESS_MAIN(SharedDeviceTest)
