@@ -1,9 +1,11 @@
 #include "app/wire/packed_sums.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <memory>
 
 #include "app/wire/byte_planes.h"
@@ -44,11 +46,10 @@ bool differ(const PixelSums& a, const PixelSums& b) {
     return bits != 0;
 }
 
+/// Only a background that is alike everywhere, lit or not, makes neighbours the same to the last bit.
 PixelSums groundOf(std::span<const PixelSums> sums) {
-    constexpr std::array<std::byte, offsetof(PixelSums, evenCount)> kDark{};
-    const auto dark = std::ranges::find_if(
-        sums, [&](const PixelSums& pixel) { return std::memcmp(&pixel, kDark.data(), kDark.size()) == 0; });
-    return dark == sums.end() ? PixelSums{} : *dark;
+    const auto same = std::ranges::adjacent_find(sums, std::not_fn(differ));
+    return same == sums.end() ? PixelSums{} : *same;
 }
 
 constexpr std::size_t kRawBytes = Layout{kSlicePixels, kSlicePixels}.bytes();
