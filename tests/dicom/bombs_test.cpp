@@ -29,7 +29,7 @@ Bytes tag(int group, int element) {
 
 /// Preamble, and a meta header for implicit VR little endian.
 Bytes head() {
-    return Bytes(128, '\0') + "DICM" + tag(2, 0x10) + "UI" + little(18, 2) + "1.2.840.10008.1.2" + '\0';
+    return Bytes(128, '\0').append("DICM") + tag(2, 0x10) + "UI" + little(18, 2) + "1.2.840.10008.1.2" + '\0';
 }
 
 Bytes repeated(const Bytes& part, int count) {
