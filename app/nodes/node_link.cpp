@@ -183,8 +183,7 @@ void NodeLink::sendLeases() {
 std::optional<wire::Nonce> NodeLink::answered(std::uint64_t lease) {
     if (const auto open = nonces_.extract(lease))
         return open.mapped();
-    unasked_ = stale_ == 0;
-    if (unasked_)
+    if (stale_ == 0)
         channel_->close(tr("it sends results that nobody asked it for"));
     else
         --stale_;

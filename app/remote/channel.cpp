@@ -147,8 +147,7 @@ void Channel::take(std::span<const std::byte> bytes) {
         auto next = reader_->next(bytes);
         if (!next)
             return finish(QString::fromStdString(next.error().text()));
-        flooded_ = isFlood(*next);
-        if (flooded_)
+        if (isFlood(*next))
             return finish("the other side sends more messages than it has reason to");
         if (!*next)
             return;

@@ -171,7 +171,6 @@ void WorkerPool::deliver(WorkerId id, LeaseResult result) {
             order_ ? order_->scheduler().heldBy(id, result.number) : std::optional<Portion>();
         if (!portion) {
             ++worker->status.late;
-            worker->lastResult = clock_();
         } else if (result.tile != portion->tile || result.samples != portion->samples) {
             caught(*worker, "it sent a tile that it was not asked for");
         } else {

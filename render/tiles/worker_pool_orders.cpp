@@ -93,8 +93,10 @@ bool WorkerPool::begin(Film& film, std::uint64_t scene, const std::vector<TileGo
             costs_ = costs_.stretchedOver(film.area());
         order_ = std::make_unique<SharedOrder>(film, scene, goals, split_.split, nextLease_, costs_);
         believed_.clear();
-        for (const auto& [id, worker] : workers_)
+        for (auto& [id, worker] : workers_) {
+            worker.inFlight = 0;
             order_->scheduler().setSuspect(id, worker.isSuspect);
+        }
     }
     tell();
     return true;
