@@ -4,8 +4,6 @@
 
 namespace pdr {
 
-namespace {}  // namespace
-
 TileProgress::TileProgress(const Tile& area, std::uint64_t first)
     : area_(area),
       first_(first),
