@@ -3,7 +3,17 @@
 #include <utility>
 #include <variant>
 
+#include "render/tiles/worker_pool.h"
+
 namespace pdr::node {
+namespace {
+
+/// That it has at a time. A coordinator gives out WorkerPool::kInFlight and waits; beyond many times that it wants this
+/// program's memory.
+constexpr std::size_t kMostLeases = 64;
+static_assert(kMostLeases >= 16 * std::size_t(WorkerPool::kInFlight));
+
+}  // namespace
 
 NodeSession::NodeSession(remote::Channel* channel, const wire::Hello& hello, NodeContents& contents,
                          LeaseRenderer& renderer, QObject* parent)
@@ -72,10 +82,12 @@ void NodeSession::take(const wire::Chunk& chunk) {
 }
 
 void NodeSession::take(wire::Lease& lease) {
-    if (draining_ || lease.revision != revision_) {
+    if (draining_ || revision_ == 0 || lease.revision != revision_) {
         channel_->send(wire::Abandoned{lease.number, lease.nonce, ""});
         return;
     }
+    if (leases_.size() >= kMostLeases || leases_.contains(lease.number))
+        return channel_->close(tr("the coordinator gives out leases twice, or more than a node can have"));
     leases_[lease.number] = {lease.nonce, lease.revision};
     renderer_.add({lease.number, lease.revision, lease.tile, lease.samples, std::move(lease.before)});
     emit worked();

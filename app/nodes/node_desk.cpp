@@ -110,7 +110,6 @@ void NodeDesk::connected(Node& node, remote::Channel* channel) {
         std::exchange(node.dial, nullptr)->deleteLater();
     connect(node.link, &NodeLink::joined, this, [this, id] {
         if (Node* found = find(id)) {
-            found->backoff.succeeded();
             found->status.reason.clear();
             emit joined(statusOf(*found));
         }
@@ -142,6 +141,8 @@ void NodeDesk::ended(NodeId id, const QString& reason) {
     node->status.state = link->isRefused() ? NodeState::refused : NodeState::lost;
     link->deleteLater();
     if (wasKnown) {
+        if (!link->wasFlooded())  // else it is dialled ever more seldom
+            node->backoff.succeeded();
         ++node->status.losses;
         emit lost(node->status);
     }

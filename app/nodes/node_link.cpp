@@ -183,7 +183,8 @@ void NodeLink::sendLeases() {
 std::optional<wire::Nonce> NodeLink::answered(std::uint64_t lease) {
     if (const auto open = nonces_.extract(lease))
         return open.mapped();
-    if (stale_ == 0)
+    unasked_ = stale_ == 0;
+    if (unasked_)
         channel_->close(tr("it sends results that nobody asked it for"));
     else
         --stale_;

@@ -43,6 +43,8 @@ class NodeLink : public QObject {
     NodeStatus status() const;
     /// It was turned away for what it is: to dial it again would not help.
     bool isRefused() const { return !refusal_.isEmpty(); }
+    /// It said more than it was asked, and was parted with for that.
+    bool wasFlooded() const { return unasked_ || channel_->wasFlooded(); }
 
   signals:
     /// It has introduced itself and is welcome.
@@ -90,6 +92,7 @@ class NodeLink : public QObject {
     std::optional<WorkerId> worker_;
     QString name_, device_, refusal_, sceneTrouble_;
     bool otherBits_ = false;
+    bool unasked_ = false;  ///< an answer came that nobody asked for
     bool paused_ = false;
     std::uint64_t sent_ = 0;                      ///< number of the scene that it was sent
     std::shared_ptr<const OutgoingScene> scene_;  ///< that; null: none

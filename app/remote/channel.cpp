@@ -147,7 +147,8 @@ void Channel::take(std::span<const std::byte> bytes) {
         auto next = reader_->next(bytes);
         if (!next)
             return finish(QString::fromStdString(next.error().text()));
-        if (isFlood(*next))
+        flooded_ = isFlood(*next);
+        if (flooded_)
             return finish("the other side sends more messages than it has reason to");
         if (!*next)
             return;

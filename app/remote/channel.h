@@ -65,6 +65,8 @@ class Channel : public QObject {
     /// Sends what waits but for chunks, then ends the connection. Receives nothing more.
     void close(const QString& reason);
     bool isOpen() const { return state_ == State::open; }
+    /// It was closed since more messages came than it bears.
+    bool wasFlooded() const { return flooded_; }
 
     /// "192.0.2.7:50123"
     QString peerName() const { return peerName_; }
@@ -106,6 +108,7 @@ class Channel : public QObject {
     qint64 bytesSent_ = 0, bytesReceived_ = 0;
     qint64 counted_ = 0;  ///< messages that came, in bucket_
     bool admitted_ = false;
+    bool flooded_ = false;
     bool wasFull_ = false;
     State state_ = State::open;
     QString reason_;

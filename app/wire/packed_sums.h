@@ -5,7 +5,7 @@
 ///   pixels   u32, little endian
 ///   own      u32: pixels that differ from the ground
 ///   rest     one zstd frame, of exactly:
-///     ground   a PixelSums, little endian: what most pixels are, where some are alike
+///     ground   a PixelSums, little endian: that of a plain background, where there is one
 ///     places   a bit for each pixel, the lowest bit of a byte first: 1 = it differs from the ground
 ///     planes   of the pixels that do (byte_planes.h)
 /// No pixels are no bytes.

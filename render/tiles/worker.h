@@ -86,7 +86,7 @@ struct Worker {
     std::uint64_t scene = 0;  ///< that it has; 0: none
     bool isSuspect = false, isPaused = false, isDraining = false;
     double lastResult = 0;  ///< seconds
-    int inFlight = 0;       ///< leases
+    int inFlight = 0;       ///< leases that it has not answered, also of orders that have ended without it
 
     bool takesWork(std::uint64_t wantedScene) const {
         return scene == wantedScene && wantedScene != 0 && !isSuspect && !isPaused && !isDraining && !isQuarantined();

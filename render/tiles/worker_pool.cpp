@@ -171,6 +171,7 @@ void WorkerPool::deliver(WorkerId id, LeaseResult result) {
             order_ ? order_->scheduler().heldBy(id, result.number) : std::optional<Portion>();
         if (!portion) {
             ++worker->status.late;
+            worker->lastResult = clock_();
         } else if (result.tile != portion->tile || result.samples != portion->samples) {
             caught(*worker, "it sent a tile that it was not asked for");
         } else {
@@ -238,12 +239,9 @@ void WorkerPool::tick() {
         const std::lock_guard lock(mutex_);
         if (!order_)
             return;
-        const std::vector<WorkerId> late = order_->scheduler().expire(clock_());
-        for (const WorkerId id : late)
-            if (Worker* worker = find(id)) {
+        for (const WorkerId id : order_->scheduler().expire(clock_()))
+            if (Worker* worker = find(id))
                 ++worker->status.overdue;
-                worker->inFlight = std::max(worker->inFlight - 1, 0);
-            }
         changed_.notify_all();
     }
     tell();

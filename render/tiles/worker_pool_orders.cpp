@@ -28,9 +28,10 @@ std::uint64_t WorkerPool::publish(Purpose purpose, std::shared_ptr<const Scene> 
 void WorkerPool::withdraw(std::uint64_t scene) {
     {
         const std::lock_guard lock(mutex_);
-        for (PublishedScene* published : {&viewport_, &finalRender_})
-            if (published->number == scene && published->scene)
-                setPublished(*published, nullptr);
+        PublishedScene& published = viewport_.number == scene ? viewport_ : finalRender_;
+        if (published.number != scene || !published.scene)
+            return;
+        setPublished(published, nullptr);
     }
     tell();
 }
@@ -93,10 +94,8 @@ bool WorkerPool::begin(Film& film, std::uint64_t scene, const std::vector<TileGo
             costs_ = costs_.stretchedOver(film.area());
         order_ = std::make_unique<SharedOrder>(film, scene, goals, split_.split, nextLease_, costs_);
         believed_.clear();
-        for (auto& [id, worker] : workers_) {
-            worker.inFlight = 0;
+        for (const auto& [id, worker] : workers_)
             order_->scheduler().setSuspect(id, worker.isSuspect);
-        }
     }
     tell();
     return true;

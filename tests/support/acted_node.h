@@ -41,6 +41,7 @@ class ActedNode {
     void leave() { channel_->close("it goes"); }
     bool isWelcome() const { return channel_ && channel_->isAdmitted(); }
     bool isOver() const { return isOver_; }
+    int connections() const { return connections_; }  ///< so far
     /// What has been said and is not sent.
     qint64 waits() const { return channel_->queuedBytes(); }
     /// All of a kind that came.
@@ -58,6 +59,8 @@ class ActedNode {
 
     void meet(remote::Channel* channel) {
         channel_ = channel;
+        isOver_ = false;
+        ++connections_;
         QObject::connect(channel, &remote::Channel::received, &listener_,
                          [this](wire::Message& message) { take(message); });
         QObject::connect(channel, &remote::Channel::closed, &listener_, [this] { isOver_ = true; });
@@ -74,6 +77,7 @@ class ActedNode {
     wire::Hello hello_;
     std::vector<wire::Message> received_;
     bool isOver_ = false;
+    int connections_ = 0;
     remote::Channel* channel_ = nullptr;
     remote::Listener listener_;
     std::unique_ptr<remote::Dial> dial_;

@@ -24,7 +24,8 @@ struct OneLink {
         QObject::connect(dial.get(), &remote::Dial::connected, &listener,
                          [this](remote::Channel* channel) { meet(channel); });
     }
-    void meet(remote::Channel* channel) {
+    void meet(remote::Channel* other) {
+        channel = other;
         link = std::make_unique<nodes::NodeLink>(channel, coordinator);
         QObject::connect(link.get(), &nodes::NodeLink::joined, &listener, [this] { hasJoined = true; });
         QObject::connect(link.get(), &nodes::NodeLink::over, &listener, [this](const QString& why) { reason = why; });
@@ -34,6 +35,7 @@ struct OneLink {
     nodes::Coordinator coordinator;
     remote::Listener listener{kCoordinator};
     std::unique_ptr<remote::Dial> dial;
+    remote::Channel* channel = nullptr;  ///< of the link
     std::unique_ptr<nodes::NodeLink> link;
     bool hasJoined = false;
     std::optional<QString> reason;  ///< why it is over

@@ -1,3 +1,4 @@
+#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -74,6 +75,21 @@ class FloodingNodesTest : public QObject {
         QVERIFY(trial.workOfNodes() > 0);  // the honest one is still there
     }
 
+    /// Half of 0.2, 0.4, 0.8 and 1.6 s at least, but for what timers are early; 0.8 s where the wait stays the same.
+    void floodingNodeIsDialledEverMoreSeldom() {
+        Waiting trial;
+        ActedNode flooder;
+        QVERIFY(bool(trial.nodes.add(QString("127.0.0.1:%1").arg(flooder.port()))));
+        QElapsedTimer clock;
+        for (int connection = 1; connection <= 5; ++connection) {
+            QTRY_VERIFY_WITH_TIMEOUT(flooder.connections() == connection && flooder.isWelcome(), kPatience);
+            if (connection == 1)
+                clock.start();
+            flooder.say(wire::Abandoned{~0u, {}, ""});
+        }
+        QVERIFY2(clock.elapsed() >= 1200, qPrintable(QString::number(clock.elapsed())));
+    }
+
     void programPartsWithACoordinatorThatFloods() {
         remote::Listener coordinator(OneLink::kCoordinator, {.channel = {.messages = {1'000'000, 1'000'000}}});
         QVERIFY(bool(coordinator.listen({"127.0.0.1", 0})));
@@ -91,6 +107,24 @@ class FloodingNodesTest : public QObject {
         NodeProcess program({"--coordinator", QString("localhost:%1").arg(coordinator.address().port)});
         QTRY_VERIFY_WITH_TIMEOUT(program.log().contains("the connection has ended"), kPatience);
         QVERIFY2(program.log().contains("more messages"), program.log().constData());
+    }
+
+    /// More than it renders while they come.
+    void programPartsWithACoordinatorThatGivesOutAllLeasesAtOnce() {
+        OneLink coordinator;
+        NodeProcess program({"--coordinator", QString("localhost:%1").arg(coordinator.port())});
+        const auto scene = std::make_shared<const Scene>(sharedScene());
+        const std::uint64_t revision = coordinator.coordinator.pool->publish(Purpose::viewport, scene);
+        const auto isReady = [&] {
+            const std::vector<WorkerStatus> workers = coordinator.coordinator.pool->workers();
+            return !workers.empty() && workers[0].state == WorkerState::ready;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isReady(), kPatience);
+        coordinator.channel->disconnect(coordinator.link.get());
+        for (std::uint64_t number = 1; number <= 1000; ++number)
+            coordinator.channel->send(wire::Lease{number, {}, revision, {0, 0, 122, 90}, {0, 64}, {}});
+        QTRY_VERIFY_WITH_TIMEOUT(program.log().contains("the connection has ended"), kPatience);
+        QVERIFY2(program.log().contains("more than a node can have"), program.log().constData());
     }
 
     void leaseIsAnsweredOnce() {

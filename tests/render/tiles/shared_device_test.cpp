@@ -184,6 +184,27 @@ class SharedDeviceTest : public QObject {
         QVERIFY(sameBits((*film->film())->content(), (*mine->film())->content()));
     }
 
+    /// What is wanted of a slow worker does not pile up with it.
+    void orderEndsAndItsLeasesStayOut() {
+        WorkerPool pool(1);
+        pool.setSplit(Split::samples);
+        const WorkerId worker = pool.join("key", "slow");
+        const std::uint64_t scene = pool.publish(Purpose::viewport, std::make_shared<const Scene>(sceneToShare()));
+        pool.hasScene(worker, scene);
+        const auto ordered = [&] {
+            Film film(Tile{0, 0, 32, 32}, 7);
+            if (!pool.begin(film, scene, {{film.area(), 0, 1000}}, {}))
+                qFatal("nobody else wants the workers");
+            const std::optional<Lease> lease = pool.take(worker);
+            (void)pool.end();
+            return lease;
+        };
+        const std::optional<Lease> first = ordered();
+        QVERIFY(first && !ordered());
+        pool.abandon(worker, first->number);
+        QVERIFY(ordered());
+    }
+
     void finalRenderHasTheWorkersUntilItIsDone() {
         const auto pool = newPool();
         NearbyWorker worker(pool, "one");
