@@ -175,10 +175,10 @@ void TestWindowSize::aHiddenWindowIsNotRenderedFor() {
 void TestWindowSize::aFinishedPictureHoldsAndGoesOnWithOneKey() {
     Trial trial;
     RenderBridge& bridge = trial.desktop.parts().bridge;
-    bridge.setPace({.iterations = 100});
     trial.openAndWait(series_);
     trial.desktop.parts().document.setViewSize({12, 8});  // small and dark: finished soon
     trial.desktop.parts().document.setBrightness(-4);
+    bridge.setPace({.iterations = 100});
     QTRY_VERIFY_WITH_TIMEOUT(bridge.reached(), test::kPatience);
     QVERIFY2(trial.said().contains("as wanted; Space goes on"), qPrintable(trial.said()));
     QVERIFY(!bridge.paused());
@@ -197,9 +197,9 @@ void TestWindowSize::theKnobStopsRenderingAndGoesOn() {
     Trial trial;
     RenderBridge& bridge = trial.desktop.parts().bridge;
     ui::AccuracyStrip& strip = trial.desktop.window().foot().strip();
-    bridge.setPace({.iterations = 8});
     trial.openAndWait(series_);
     trial.desktop.parts().document.setViewSize({12, 8});
+    bridge.setPace({.iterations = 8});
     const auto reached = [&](double levels) {
         const Frame& frame = *trial.frames.back();
         return bridge.reached() && frame.stop.levels == levels && frame.status.displayError <= levels;
