@@ -1,6 +1,5 @@
 #pragma once
-/// Contents of scenes in a node's memory, and only there. Those that come are put together here, so that a transfer
-/// that was cut off goes on where it was.
+/// Contents of scenes, in a node's memory only. Assembles the ones that arrive; an interrupted transfer is resumed.
 
 #include <list>
 #include <optional>
@@ -13,20 +12,20 @@ namespace pdr::node {
 
 class NodeContents {
   public:
-    /// The coordinator whose contents come from now on. Those of another one are forgotten.
+    /// Sets the coordinator whose contents come from now on; erases those of another one.
     void setKey(const nodes::ContentKey& key);
 
-    /// Begins with what is missing for `order`. Errors: there is not enough memory.
+    /// Begins to fetch what `order` lacks. Errors: not enough memory.
     Result<void> order(const wire::SceneOrder& order);
-    /// What is to be asked for next; none: all is there.
+    /// The next request to send; none: all contents are here.
     std::optional<wire::Need> need() const;
-    /// True: it was the last one of a content. Errors: it is damaged; the content is to be asked for again.
+    /// True: it completed a content. Errors: it is damaged; the content has to be requested again.
     Result<bool> add(const wire::Chunk& chunk);
-    /// The scene that was ordered last, when need() is none. Errors: it cannot be made of the contents.
+    /// The scene of the last order, once need() is none. Errors: it cannot be made of the contents.
     Result<Scene> scene() const;
 
     void forget();
-    /// Scans are here, whole or in part.
+    /// No content is here, whole or in part.
     bool empty() const { return kept_.empty() && !coming_; }
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-/// What pdrender-node was asked for: on its command line, or in its environment, which counts less.
+/// Options of pdrender-node, from its command line and its environment; the command line has precedence.
 
 #include <QStringList>
 #include <chrono>

@@ -1,5 +1,5 @@
 #pragma once
-/// A render node at work: keeps a connection to a coordinator, or waits for one, and renders what it asks for.
+/// A running render node: dials a coordinator or waits for one, and renders its leases.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -29,12 +29,12 @@ class NodeService : public QObject {
 
     /// Errors: certificates, or an address that cannot be listened at.
     Result<void> start();
-    /// Finishes what it has, in the time that was allowed for it, says goodbye and ends.
+    /// Finishes its leases within the drain time, says goodbye and ends.
     void drain();
 
   signals:
     void finished(pdr::node::ExitCode code);
-    /// For the log: one line, nothing of any scene.
+    /// A line for the log; says nothing about scenes.
     void said(const QString& line);
 
   private:
@@ -54,10 +54,10 @@ class NodeService : public QObject {
     remote::Dial* dial_ = nullptr;
     std::unique_ptr<remote::Listener> listener_;
     NodeSession* session_ = nullptr;
-    QTimer again_;     ///< to dial
-    QTimer memory_;    ///< until contents of a connection that was lost are forgotten
-    QTimer idle_;      ///< without work
-    QTimer patience_;  ///< for draining
+    QTimer again_;     ///< dials again
+    QTimer memory_;    ///< erases the contents after a connection was lost
+    QTimer idle_;      ///< ends an idle node
+    QTimer patience_;  ///< ends the draining
     bool draining_ = false;
     std::mt19937_64 random_{std::random_device()()};
     std::unique_ptr<LeaseRenderer> renderer_;  ///< last, so that it ends first: its thread calls back

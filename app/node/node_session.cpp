@@ -8,8 +8,8 @@
 namespace pdr::node {
 namespace {
 
-/// That it has at a time. A coordinator gives out WorkerPool::kInFlight and waits; beyond many times that it wants this
-/// program's memory.
+/// Limit on open leases. A coordinator gives out WorkerPool::kInFlight at a time; many times that is an attack on
+/// memory.
 constexpr std::size_t kMostLeases = 64;
 static_assert(kMostLeases >= 16 * std::size_t(WorkerPool::kInFlight));
 
@@ -105,7 +105,7 @@ void NodeSession::take(const wire::Bye& bye) {
     channel_->close(QString::fromStdString(bye.reason));
 }
 
-/// Nobody waits for them: their scene is no longer the newest, or there is no connection.
+/// Their scene is outdated, or the connection is lost.
 void NodeSession::dropLeases() {
     leases_.clear();
     renderer_.drop();

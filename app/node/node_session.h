@@ -1,6 +1,5 @@
 #pragma once
-/// The node's end of one connection: introduces itself, takes scenes and leases, answers. Lives in the thread of its
-/// channel.
+/// The node's end of one connection: handshake, scenes, leases, results. Lives in the thread of its channel.
 
 #include <QObject>
 #include <map>
@@ -16,29 +15,29 @@ class NodeSession : public QObject {
     Q_OBJECT
 
   public:
-    /// Takes `channel` over; the rest must outlive it.
+    /// Takes ownership of `channel`; the rest must outlive it.
     NodeSession(remote::Channel* channel, const wire::Hello& hello, NodeContents& contents, LeaseRenderer& renderer,
                 QObject* parent = nullptr);
     ~NodeSession() override;
 
-    /// What the renderer has answered.
+    /// Sends an answer of the renderer.
     void answer(LeaseAnswer answer);
-    /// Takes nothing new; finished() when all that was taken is answered.
+    /// Accepts no new leases; emits drained() when all are answered.
     void drain();
-    /// Says goodbye, giving back what is not done.
+    /// Gives back open leases, says goodbye and closes the connection.
     void leave();
     bool isWelcome() const { return channel_->isAdmitted(); }
-    /// The coordinator has said goodbye or turned this node away: nothing of it is to be kept.
+    /// The coordinator has said goodbye or refused this node: erase its contents.
     bool wasDismissed() const { return dismissed_; }
     const std::optional<wire::Refused>& refusal() const { return refusal_; }
-    /// Leases that have no answer yet.
+    /// Leases are open.
     bool isBusy() const { return !leases_.empty(); }
 
   signals:
     void welcome();
-    /// A lease has come.
+    /// A lease has arrived.
     void worked();
-    /// After drain(): nothing is left to do.
+    /// After drain(): no lease is open any more.
     void drained();
     /// The connection is over; the last signal.
     void over(const QString& reason);
@@ -58,7 +57,7 @@ class NodeSession : public QObject {
     void take(wire::Lease& lease);
     void take(const wire::Forget&);
     void take(const wire::Bye& bye);
-    /// What a coordinator never sends: the codec has refused it.
+    /// Messages that a coordinator never sends: the codec refuses them.
     template <class Other>
     void take(const Other&) {}
 

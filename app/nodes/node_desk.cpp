@@ -141,9 +141,10 @@ void NodeDesk::ended(NodeId id, const QString& reason) {
     node->status.state = link->isRefused() ? NodeState::refused : NodeState::lost;
     link->deleteLater();
     if (wasKnown) {
-        if (!link->wasFlooded())  // else it is dialled ever more seldom
+        if (!link->wasFlooded())  // else the pauses go on growing
             node->backoff.succeeded();
-        ++node->status.losses;
+        if (!link->hasSaidGoodbye())
+            ++node->status.losses;
         emit lost(node->status);
     }
     if (!node->address || closing_)
@@ -167,7 +168,7 @@ void NodeDesk::remove(NodeId id) {
     Node* node = find(id);
     if (!node)
         return;
-    if (node->link) {  // it ends later, by itself
+    if (node->link) {  // ended() removes it
         node->address.reset();
         node->link->leave(tr("it is not needed any more"));
         return;

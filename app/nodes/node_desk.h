@@ -1,5 +1,5 @@
 #pragma once
-/// The network thread of RenderNodes: connections that are dialled, those that come, and the time between.
+/// Lives in the network thread of RenderNodes: dials nodes, accepts those that dial, and redials lost ones.
 
 #include <QObject>
 #include <QTimer>
@@ -27,7 +27,7 @@ class NodeDesk : public QObject {
     void setPaused(NodeId node, bool paused);
     Result<remote::Address> listen(const QString& address);
     void stopListening();
-    /// Says goodbye to all; emits empty() when the last one has gone.
+    /// Disconnects all nodes; emits empty() after the last one.
     void close();
 
   signals:
@@ -38,10 +38,10 @@ class NodeDesk : public QObject {
 
   private:
     struct Node {
-        NodeStatus status;                       ///< what is known without a link
-        std::optional<remote::Address> address;  ///< to be dialled; none: it dialled
+        NodeStatus status;                       ///< used while there is no link
+        std::optional<remote::Address> address;  ///< to dial; none: it dialled this program
         remote::Identity identity;
-        remote::Backoff backoff{{.giveUp = std::chrono::hours(24 * 365)}};  ///< a person decides when it is enough
+        remote::Backoff backoff{{.giveUp = std::chrono::hours(24 * 365)}};  ///< never: the user decides
         bool paused = false;
         NodeLink* link = nullptr;
         remote::Dial* dial = nullptr;
@@ -63,8 +63,8 @@ class NodeDesk : public QObject {
     std::unique_ptr<remote::Listener> listener_;
     std::vector<std::unique_ptr<Node>> nodes_;
     NodeId next_ = 1;
-    QTimer tick_;     ///< of the pool
-    QTimer telling_;  ///< of changed()
+    QTimer tick_;     ///< calls the pool's tick()
+    QTimer telling_;  ///< emits changed()
     bool closing_ = false;
     std::atomic<bool> pumpIsDue_ = false;
     std::mt19937_64 random_{std::random_device()()};

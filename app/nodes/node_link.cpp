@@ -12,11 +12,11 @@ namespace pdr::nodes {
 namespace {
 
 constexpr std::uint32_t kHeartbeatMs = 1000;
-/// Between two scenes. A node bears twice as many messages, and as many answers are borne here.
+/// Minimum time between two scenes: half the rate of messages that a node, and this program, takes for a flood.
 constexpr std::chrono::milliseconds kPace{4};
 static_assert(2 * std::chrono::seconds(1) / kPace <= remote::ChannelLimits{}.messages.perSecond);
 
-// What is given out here must be let through there.
+// Whatever the pool gives out must fit into a message.
 static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels);
 
 std::string keyOf(const wire::Nonce& boot) {
@@ -156,7 +156,7 @@ void NodeLink::take(const wire::SceneReady& ready) {
     if (ready.revision != sent_ || !scene_)
         return;
     transfer_.reset();
-    stale_ = 0;  // it drops leases before it takes a scene, and what it says arrives in order
+    stale_ = 0;  // it drops its leases before it loads a scene, and messages arrive in order
     coordinator_.pool->hasScene(*worker_, sent_);
     pump();
 }
@@ -178,8 +178,8 @@ void NodeLink::sendLeases() {
     }
 }
 
-/// The nonce of a lease that is answered now, and by nothing else from here on. Nothing: it is of a scene that nobody
-/// wants any more; or nobody asked, and the connection ends: to unpack a result costs more than to send it.
+/// Closes a lease and returns its nonce. Nothing: the lease is of an earlier scene; or there was none, and the
+/// connection is closed: to unpack a result costs more than to send it.
 std::optional<wire::Nonce> NodeLink::answered(std::uint64_t lease) {
     if (const auto open = nonces_.extract(lease))
         return open.mapped();
@@ -208,7 +208,7 @@ void NodeLink::take(const wire::Abandoned& abandoned) {
     const std::optional<wire::Nonce> nonce = answered(abandoned.number);
     if (!nonce || *nonce != abandoned.nonce)
         return;
-    if (!abandoned.reason.empty())  // its device fails: it gets nothing more of this scene
+    if (!abandoned.reason.empty())  // its device has failed: no more leases of this scene
         cannotHave(abandoned.reason);
     coordinator_.pool->abandon(*worker_, abandoned.number);
 }
@@ -218,6 +218,7 @@ void NodeLink::take(const wire::Draining&) {
 }
 
 void NodeLink::take(const wire::Bye& bye) {
+    goodbye_ = true;
     channel_->close(bye.reason.empty() ? tr("it said goodbye") : QString::fromStdString(bye.reason));
 }
 

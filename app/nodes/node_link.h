@@ -1,6 +1,6 @@
 #pragma once
-/// The coordinator's end of a connection to a node: greets it, sends it scenes, hands it leases of a WorkerPool and
-/// takes its results. Lives in the thread of its channel.
+/// The coordinator's end of a connection to a node: handshake, scenes, leases of a WorkerPool, results, heartbeat.
+/// Lives in the thread of its channel.
 
 #include <QObject>
 #include <map>
@@ -16,44 +16,46 @@
 
 namespace pdr::nodes {
 
-/// What all links of a coordinator have in common.
+/// What all links of a coordinator share.
 struct Coordinator {
     std::shared_ptr<WorkerPool> pool;
     ContentKey key{};
-    wire::Hash bits{};  ///< what the reference tiles come to on the own device
+    wire::Hash bits{};  ///< hash of the own device's reference tiles
     OutgoingScenes scenes{key};
-    wire::Versions versions;  ///< of the protocol, that it speaks
+    wire::Versions versions;  ///< of the protocol
 };
 
 class NodeLink : public QObject {
     Q_OBJECT
 
   public:
-    /// Takes `channel` over. `coordinator` must outlive it.
+    /// Takes ownership of `channel`. `coordinator` must outlive it.
     NodeLink(remote::Channel* channel, Coordinator& coordinator, QObject* parent = nullptr);
     ~NodeLink() override;
 
-    /// There may be a scene to send or work to take. Of scenes that change faster than any screen shows them only some
-    /// are sent, the last one in any case: no more than the other side takes for a flood.
+    /// Sends what there is to send: a new scene, leases, chunks. Scenes that change fast are throttled, but the last
+    /// one is always sent.
     void pump();
     void setPaused(bool paused);
-    /// Says goodbye: the node forgets all that it has.
+    /// Says goodbye: the node erases all that it has.
     void leave(const QString& reason);
     /// All but id, address, dialled and losses.
     NodeStatus status() const;
-    /// It was turned away for what it is: to dial it again would not help.
+    /// It was refused (version, bits): dialling again would not help.
     bool isRefused() const { return !refusal_.isEmpty(); }
-    /// It said more than it was asked, and was parted with for that.
+    /// It has closed the connection with a Bye.
+    bool hasSaidGoodbye() const { return goodbye_; }
+    /// The connection was closed because it sent too much, or results of no lease.
     bool wasFlooded() const { return unasked_ || channel_->wasFlooded(); }
 
   signals:
-    /// It has introduced itself and is welcome.
+    /// The handshake has succeeded.
     void joined();
     /// The connection is over; the last signal.
     void over(const QString& reason);
 
   private:
-    /// A content on its way.
+    /// A content that is being sent.
     struct Transfer {
         wire::Hash hash;
         std::uint32_t next = 0;
@@ -69,7 +71,7 @@ class NodeLink : public QObject {
     void take(const wire::Abandoned& abandoned);
     void take(const wire::Draining&);
     void take(const wire::Bye& bye);
-    /// What a node never sends: the codec has refused it.
+    /// Messages that a node never sends: the codec refuses them.
     template <class Other>
     void take(const Other&) {}
 
@@ -88,21 +90,22 @@ class NodeLink : public QObject {
     Coordinator& coordinator_;
     remote::Heartbeat heart_;
     QTimer beatTimer_;
-    QTimer pace_;  ///< runs until another scene may be sent
+    QTimer pace_;  ///< runs while no other scene may be sent
     std::optional<WorkerId> worker_;
     QString name_, device_, refusal_, sceneTrouble_;
     bool otherBits_ = false;
-    bool unasked_ = false;  ///< an answer came that nobody asked for
+    bool unasked_ = false;  ///< a result of no lease came
+    bool goodbye_ = false;
     bool paused_ = false;
-    std::uint64_t sent_ = 0;                      ///< number of the scene that it was sent
-    std::shared_ptr<const OutgoingScene> scene_;  ///< that; null: none
+    std::uint64_t sent_ = 0;                      ///< number of the scene sent last
+    std::shared_ptr<const OutgoingScene> scene_;  ///< the scene sent last; null: none
     std::optional<Transfer> transfer_;
-    std::map<std::uint64_t, wire::Nonce> nonces_;  ///< of leases that it has
-    std::size_t stale_ = 0;                        ///< leases of earlier scenes whose answers may be on their way
+    std::map<std::uint64_t, wire::Nonce> nonces_;  ///< of open leases, by number
+    std::size_t stale_ = 0;                        ///< open leases of earlier scenes; answers may still arrive
     std::random_device random_;
 };
 
-/// Random bytes that nobody else can guess.
+/// Cryptographically random bytes.
 wire::Nonce newNonce(std::random_device& random);
 
 }  // namespace pdr::nodes

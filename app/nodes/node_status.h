@@ -1,5 +1,5 @@
 #pragma once
-/// What the user is told of a render node.
+/// What is shown of a render node.
 
 #include <QString>
 #include <cstdint>
@@ -10,34 +10,34 @@
 
 namespace pdr::nodes {
 
-/// What a user refers to a node by, as long as the program runs.
+/// Identifies a node for as long as the program runs.
 using NodeId = std::uint32_t;
 
 enum class NodeState {
-    dialling,  ///< it cannot be reached yet; tried again
-    greeting,  ///< connected; who it is is not known yet
-    sending,   ///< it gets the scene
+    dialling,  ///< not reached yet; tried again and again
+    greeting,  ///< connected, in the handshake
+    sending,   ///< the scene is being sent
     ready,
-    suspect,  ///< not heard of for some seconds
+    suspect,  ///< silent for some seconds
     paused,
     draining,
-    quarantined,  ///< it has sent what is not true
-    refused,      ///< it cannot work for this program
-    lost          ///< it has gone; a dialled one is tried again
+    quarantined,  ///< it has sent a wrong result
+    refused,      ///< it was refused (version, bits, certificate)
+    lost          ///< disconnected; redialled if it was dialled
 };
 
 struct NodeStatus {
     NodeId id = 0;
-    QString address;         ///< as it was given, or from where it dialled
-    bool dialled = false;    ///< by this program, which goes on trying
-    QString name, device;    ///< as it says itself: "gpu-07", "cpu, 16 threads"
+    QString address;         ///< as given, or of the node that dialled
+    bool dialled = false;    ///< by this program
+    QString name, device;    ///< as it reports: "gpu-07", "cpu, 16 threads"
     bool otherBits = false;  ///< its samples differ from those of the own device: it is refused
     NodeState state = NodeState::dialling;
-    QString reason;                   ///< of the state; empty: none
-    double sent = 0;                  ///< of the scene's contents; [0, 1]
-    std::optional<double> latencyMs;  ///< from a ping to its answer
+    QString reason;                   ///< for the state; empty: none
+    double sent = 0;                  ///< part of the scene's contents; [0, 1]
+    std::optional<double> latencyMs;  ///< round-trip time
     std::int64_t bytesOut = 0, bytesIn = 0;
-    std::uint32_t losses = 0;  ///< of its connection
+    std::uint32_t losses = 0;  ///< connections lost without a Bye
     WorkerStatus work;
 };
 

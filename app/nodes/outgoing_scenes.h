@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes made ready for nodes: each once for all of them, and contents that were sent before under the same hash.
+/// Scenes serialized for nodes, each once for all of them. Contents that do not change are hashed once.
 
 #include <map>
 #include <memory>

@@ -1,5 +1,5 @@
 #pragma once
-/// The class of machines that make the same bits, as coordinator and nodes tell it each other.
+/// The determinism class of a machine, as coordinator and node compare it in the handshake.
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace pdr::nodes {
 
-/// Of what referenceTiles() found.
+/// Hash of the result of referenceTiles().
 wire::Hash bitsOf(const std::vector<std::byte>& referenceTiles);
 
 }  // namespace pdr::nodes

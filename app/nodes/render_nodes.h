@@ -1,7 +1,6 @@
 #pragma once
-/// The render nodes of a program that shows or writes pictures: dials those that it is told of, waits for others to
-/// dial, and lets all of them take samples for a WorkerPool. Works in a thread of its own; what it is told, it is told
-/// at once, and what it tells comes by signals in the thread that made it.
+/// All render nodes of a coordinator: dials the ones that were added, accepts those that dial, and connects both to a
+/// WorkerPool. Runs a network thread of its own. Call it from one thread, which receives changed().
 
 #include <QObject>
 #include <QThread>
@@ -20,19 +19,19 @@ class RenderNodes : public QObject {
     Q_OBJECT
 
   public:
-    /// `bits`: what referenceTiles() of the device that the pool helps come to; nodes with others are turned away.
+    /// `bits`: referenceTiles() of the own device; nodes that differ in them are refused.
     RenderNodes(std::shared_ptr<WorkerPool> pool, const std::vector<std::byte>& bits, QObject* parent = nullptr);
-    /// Says goodbye to all nodes, which wipe what they have, and waits for that a second at most.
+    /// Says goodbye to all nodes, which erase what they have; waits for that a second at most.
     ~RenderNodes() override;
 
-    /// The certificates of the connections that come: a folder (remote/certificates.h); empty: none, and only this
-    /// machine can be talked to.
+    /// Folder of the certificates for later connections (remote/certificates.h); empty: none, connections to this
+    /// machine only.
     void setBundle(const QString& folder);
-    /// Dials it, now and whenever the connection is lost. Errors: no such address, or no certificates for it.
+    /// Dials a node, now and whenever its connection is lost. Errors: a malformed address, no certificates for it.
     Result<NodeId> add(const QString& address);
     void remove(NodeId node);
     void setPaused(NodeId node, bool paused);
-    /// Lets nodes dial: "4743", "192.0.2.7:4743". Returns where it listens. Errors: not possible.
+    /// Accepts nodes that dial: "4743", "192.0.2.7:4743". Returns the actual address. Errors: malformed, or in use.
     Result<remote::Address> listen(const QString& address);
     void stopListening();
 
@@ -40,9 +39,9 @@ class RenderNodes : public QObject {
     const std::vector<NodeStatus>& nodes() const { return nodes_; }
 
   signals:
-    /// nodes() is another one; at most ten times a second.
+    /// nodes() has changed; at most ten times a second.
     void changed();
-    // Emitted in the thread of the connections: each receiver hears of it in its own.
+    // Emitted in the network thread; receivers in other threads get them queued.
     void joined(const pdr::nodes::NodeStatus& node);
     void lost(const pdr::nodes::NodeStatus& node);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A scene on its way to a node: an order that names its contents, and the contents themselves. Nothing of a patient
-/// but voxels goes into either: no names, remarks, paths or identifiers.
+/// A scene as it travels to a node: an order that names contents by hash, and the contents. Of a patient neither holds
+/// anything but voxels: no names, remarks, paths or identifiers.
 
 #include <array>
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace pdr::nodes {
 
-/// Of content hashes, see wire::Welcome.
+/// Key of content hashes, see wire::Welcome.
 using ContentKey = std::array<std::byte, 32>;
 
 struct Content {
@@ -28,30 +28,30 @@ struct OutgoingScene {
     std::vector<Content> contents;
 };
 
-/// Finds the hash of a content, by whatever means.
+/// Returns the hash of a content.
 using HashOf = std::function<wire::Hash(const std::shared_ptr<const void>& owner, std::span<const std::byte> bytes)>;
 
 /// `scene` under that number; it must have passed its check(). Errors: the order would be read as another scene.
 Result<OutgoingScene> outgoingScene(std::uint64_t number, const Scene& scene, const HashOf& hashOf);
 
-/// Whether a volume lies as the order says.
+/// Whether a volume has the geometry of the order.
 bool liesSo(const VolumeGeometry& geometry, const wire::VolumeOrder& order);
 
-/// A content that an order names, and the bytes that it must have.
+/// A content that an order names, and its size.
 struct WantedContent {
     wire::Hash hash{};
     std::uint64_t bytes = 0;
 };
 std::vector<WantedContent> wantedContents(const wire::SceneOrder& order);
 
-/// What a node has of the contents that an order names; what it does not name stays empty.
+/// The contents of an order, on a node; empty where the order names none.
 struct SceneContents {
     std::shared_ptr<const Volume> volume;
     std::shared_ptr<const Mask> mask;
     std::shared_ptr<const EnvironmentImage> environment;
 };
 
-/// Each of the bytes that wantedContents() tells. Errors: they cannot be that.
+/// From as many bytes as wantedContents() tells. Errors: the bytes are not such a content.
 Result<std::shared_ptr<const Volume>> volumeFrom(const wire::VolumeOrder& order, std::span<const std::byte> bytes);
 Result<std::shared_ptr<const Mask>> maskFrom(const wire::MaskOrder& order, std::span<const std::byte> bytes);
 Result<std::shared_ptr<const EnvironmentImage>> environmentFrom(const wire::EnvironmentOrder& order,

@@ -1,8 +1,8 @@
 #pragma once
-/// Messages over one connection, both ways, in order; only chunks wait for what is more urgent: a message sent after
-/// some chunks may arrive before them. What is not sent yet is bounded, a connection that fails or is too slow ends,
-/// and so does one whose other side breaks the protocol. Lives in one thread. Nothing here is emitted while send() or
-/// close() runs. Delete it by deleteLater() within its signals.
+/// Messages over one connection, in both directions and in order, except that chunks have low priority: a message sent
+/// after some chunks may arrive before them. The send queue is bounded. A connection that fails, is too slow, or whose
+/// peer violates the protocol is closed. Lives in one thread. Emits nothing while send() or close() runs. Within its
+/// signals, delete it by deleteLater().
 
 #include <QElapsedTimer>
 #include <QTcpSocket>
@@ -23,14 +23,13 @@ class FrameReader;
 
 namespace pdr::remote {
 
-/// What a channel bears.
 struct ChannelLimits {
-    std::chrono::milliseconds admission{5000};  ///< to be admitted in
-    std::chrono::milliseconds farewell{2000};   ///< for the last messages to go out
-    std::chrono::milliseconds unheard{5000};    ///< by the other side's system, which takes or confirms nothing
-    DripLimits drip;                            ///< of messages that come in
-    /// That come in, but for chunks, leases and answers to leases. Twice the scenes of a coordinator (nodes::NodeLink),
-    /// of which each has one answer; at once twice what piles up in the 10 s that a heartbeat bears.
+    std::chrono::milliseconds admission{5000};  ///< until setAdmitted()
+    std::chrono::milliseconds farewell{2000};   ///< for the last messages to be sent
+    std::chrono::milliseconds unheard{5000};    ///< without an acknowledgement by the peer's TCP
+    DripLimits drip;                            ///< for incoming messages
+    /// Incoming messages but for chunks, leases and answers to leases: twice the rate of a coordinator's scenes
+    /// (nodes::NodeLink), each of which has one answer; the burst is twice what queues up in the 10 s of the heartbeat.
     RateLimit messages{.perSecond = 500, .burst = 5000};
 };
 
@@ -38,34 +37,34 @@ class Channel : public QObject {
     Q_OBJECT
 
   public:
-    /// Bytes that may wait to be sent, where chunks are among them: a chunk may be sent while there are fewer.
+    /// A chunk may be sent while fewer bytes than these are queued.
     static constexpr qint64 kRoom = 4 << 20;
-    /// Bytes that may wait whatever they are: an other side that takes so little is given up.
+    /// Limit on queued bytes; beyond it the connection is closed.
     static constexpr qint64 kMostQueued = 64 << 20;
 
-    /// Owns `socket`, which is connected, and encrypted where it is to be. `role`: this side's.
+    /// Takes ownership of `socket`, which is connected, and encrypted unless plain TCP is allowed. `role`: this side's.
     Channel(QTcpSocket* socket, Role role, const ChannelLimits& limits = {}, QObject* parent = nullptr);
     ~Channel() override;
 
-    /// Takes it and returns at once. False, and nothing is taken: the channel is closed or closing; or `message` is a
-    /// chunk and there is no room.
+    /// Queues a message. False, and it is not queued: the channel is closed or closing; or it is a chunk and there is
+    /// no room.
     bool send(wire::Message message);
-    /// For a chunk. Ask this before a lease, too: more than a few make the other side's work old.
+    /// For a chunk; ask before a lease, too: queued leases grow stale.
     bool hasRoom() const { return queuedBytes() < kRoom; }
-    /// What waits to be sent: here and in the socket, not in the system.
+    /// Bytes to be sent, here and in the socket, without the kernel's buffers.
     qint64 queuedBytes() const;
-    qint64 bytesSent() const { return bytesSent_; }          ///< frames, without what encrypts them
+    qint64 bytesSent() const { return bytesSent_; }          ///< of frames, before encryption
     qint64 bytesReceived() const { return bytesReceived_; }  ///< likewise; grows as parts of messages arrive
 
-    /// The other side has introduced itself, and is welcome: from now on it may send all messages, not only Hello,
-    /// Welcome, Refused and Bye. A channel that is not admitted in time closes itself.
+    /// The handshake has succeeded: the peer may send all messages from now on, not only Hello, Welcome, Refused and
+    /// Bye. A channel that is not admitted in time closes itself.
     void setAdmitted();
     bool isAdmitted() const { return admitted_; }
 
-    /// Sends what waits but for chunks, then ends the connection. Receives nothing more.
+    /// Sends all queued messages but chunks, then closes the connection. Receives nothing more.
     void close(const QString& reason);
     bool isOpen() const { return state_ == State::open; }
-    /// It was closed since more messages came than it bears.
+    /// It was closed because of ChannelLimits::messages.
     bool wasFlooded() const { return flooded_; }
 
     /// "192.0.2.7:50123"
@@ -73,12 +72,12 @@ class Channel : public QObject {
     QString peerHost() const { return peerHost_; }
 
   signals:
-    /// Who takes it may move out of it.
+    /// The receiver may move from it.
     void received(pdr::wire::Message& message);
-    /// After there was no room: there is again.
+    /// hasRoom() is true again.
     void roomForMore();
     void admitted();
-    /// The connection is over. Exactly once, and the last signal. `reason`: this side's, or why it failed; for a log.
+    /// The connection is over: emitted exactly once, as the last signal. `reason`: that of close(), or of the failure.
     void closed(const QString& reason);
 
   private:
@@ -102,11 +101,11 @@ class Channel : public QObject {
     ChannelLimits limits_;
     std::unique_ptr<wire::FrameReader> reader_;
     std::deque<wire::Frame> urgent_, chunks_;
-    wire::Frame frame_;           ///< on its way into the socket ...
-    std::size_t handedOver_ = 0;  ///< ... so much of it
+    wire::Frame frame_;           ///< being written to the socket ...
+    std::size_t handedOver_ = 0;  ///< ... and how much of it was
     qint64 waiting_ = 0;          ///< bytes of urgent_, chunks_ and the rest of frame_
     qint64 bytesSent_ = 0, bytesReceived_ = 0;
-    qint64 counted_ = 0;  ///< messages that came, in bucket_
+    qint64 counted_ = 0;  ///< received messages that bucket_ has counted
     bool admitted_ = false;
     bool flooded_ = false;
     bool wasFull_ = false;
@@ -117,7 +116,7 @@ class Channel : public QObject {
     TokenBucket bucket_;
     QElapsedTimer clock_;
     QTimer watchTimer_;
-    QTimer patience_;  ///< for being admitted, then for the last messages to go out
+    QTimer patience_;  ///< admission, then farewell
 };
 
 }  // namespace pdr::remote

@@ -1,7 +1,6 @@
 #pragma once
-/// Notices who sends a message so slowly that it only holds on to the connection. A message that arrives whole within
-/// the window is never too slow, nor is a connection on which no message has begun. Knows no clock: it is told the
-/// time.
+/// Detects peers that send a message so slowly that they only occupy the connection (Slowloris). A message that arrives
+/// within the window is never too slow, nor is an idle connection. Has no clock: the caller passes the time.
 
 #include <chrono>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-/// Somebody who has connected and is not known yet. Costs a socket, and nothing of TLS, until it is let in.
+/// An accepted connection before and during its TLS handshake. Costs a socket only until letIn().
 
 #include <QTcpSocket>
 #include <QTimer>
@@ -13,14 +13,14 @@ class Guest : public QObject {
     Q_OBJECT
 
   public:
-    /// `descriptor`: of the accepted connection. `handshake`: from now until it has to be known.
+    /// `descriptor`: of the accepted connection. `handshake`: time limit, from now.
     Guest(qintptr descriptor, const Identity& identity, std::chrono::milliseconds handshake, QObject* parent);
 
-    /// There is something to read. Plain TCP: always, since there the side that listens may have to speak first.
+    /// There is something to read. Plain TCP: always, since the listening side may have to speak first.
     bool hasSpoken() const;
     /// Begins the handshake; nothing is emitted before this has returned.
     void letIn();
-    /// Once known. The caller owns it.
+    /// After known(). Ownership passes to the caller.
     QTcpSocket* takeSocket();
 
     QString host() const { return host_; }
@@ -28,9 +28,9 @@ class Guest : public QObject {
 
   signals:
     void spoke();
-    /// It has shown that it is the other role's.
+    /// The handshake has succeeded: the peer has the other role.
     void known();
-    /// Not before it was known, and never after. Once.
+    /// The handshake has failed, or the peer has disconnected before its end. Once, and never after known().
     void gone(const QString& reason);
 
   private:
@@ -42,7 +42,7 @@ class Guest : public QObject {
     QTcpSocket* socket_;
     QTimer patience_;
     QString host_, name_;
-    QString refusal_;  ///< what TLS has against its certificate
+    QString refusal_;  ///< why TLS rejects its certificate
 };
 
 }  // namespace pdr::remote

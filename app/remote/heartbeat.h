@@ -1,6 +1,6 @@
 #pragma once
-/// Whether the other side still lives: TCP says nothing of a program that hangs. Knows no clock: it is told the time,
-/// as often as possible and several times between two Pings. Time in which this side itself stood still does not count.
+/// Detects a peer that hangs, of which TCP says nothing. Has no clock: the caller passes the time, several times
+/// between two Pings. Time in which this program itself was stopped does not count as silence.
 
 #include <chrono>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
-/// Waits for the other side to dial. Strangers cost little: who has said nothing yet gets no part in TLS, few of one
-/// address and not many in all may be on their way to be admitted, and who takes too long is sent away.
+/// Accepts connections. Unknown peers are kept cheap: no TLS before the peer has sent something, few handshakes at a
+/// time for one address and in all, and a time limit.
 
 #include <QHash>
 #include <QTcpServer>

@@ -1,14 +1,13 @@
 #pragma once
-/// What all connections between coordinator and nodes ask of the system.
+/// Socket options of all connections between coordinator and nodes.
 
 #include <QTcpSocket>
 #include <chrono>
 
 namespace pdr::remote {
 
-/// Small messages go out at once; a connection whose other side is out of reach fails, after `unheard` where something
-/// is on its way and after 5 s where it is idle, and so does one whose other side takes nothing for so long; a fast
-/// sender is slowed down before it fills the memory.
+/// No delay (Nagle) for small messages; a user timeout of `unheard` for unacknowledged data and keep-alive of 5 s for
+/// an idle connection, so that an unreachable peer is noticed; bounded read buffer, so that a fast sender is throttled.
 void setOptions(QTcpSocket& socket, std::chrono::milliseconds unheard);
 
 }  // namespace pdr::remote

@@ -1,6 +1,6 @@
 #pragma once
-/// Who this program is on the network, and whom it talks to: TLS 1.3, with a certificate on both sides, both signed by
-/// the bundle's own authority and by no other.
+/// Mutual TLS 1.3: both sides have a certificate that is signed by the bundle's own authority, and no other authority
+/// is trusted.
 
 #include <QSslCertificate>
 #include <QSslConfiguration>
@@ -14,11 +14,10 @@ namespace pdr::remote {
 
 struct Identity {
     Role role = Role::node;                ///< this side's; the other side's is other(role)
-    std::optional<QSslConfiguration> tls;  ///< none: plain TCP, where anybody is believed
+    std::optional<QSslConfiguration> tls;  ///< none: plain TCP, without authentication
 };
 
-/// Of TLS connections that show `chain` and believe nobody but what `authorities` have signed. Asks the other side for
-/// its certificate, whoever dials.
+/// Presents `chain`, trusts `authorities` only, and demands a certificate of the peer, in both directions of dialling.
 QSslConfiguration tlsConfiguration(const QList<QSslCertificate>& authorities, const QList<QSslCertificate>& chain,
                                    const QSslKey& key);
 
@@ -27,11 +26,11 @@ QSslConfiguration tlsConfiguration(const QList<QSslCertificate>& authorities, co
 /// (the program's group may, where root has handed it out).
 Result<Identity> readIdentity(const QString& folder, Role role);
 
-/// Whom to be when dialling or listening at `address`. Plain TCP only where the address is this machine itself and
-/// `folder` is empty. Errors: as above; no bundle for another machine.
+/// The identity for dialling or listening at `address`. Plain TCP only for loopback addresses, where `folder` is empty.
+/// Errors: as above; another machine's address without a bundle.
 Result<Identity> identityFor(const Address& address, const QString& folder, Role role);
 
-/// Whether it is that role's. The name alone: that it is signed is seen to by TLS.
+/// Whether the certificate names that role. TLS verifies the signature.
 bool isOf(const QSslCertificate& certificate, Role role);
 
 }  // namespace pdr::remote

@@ -1,6 +1,5 @@
 #pragma once
-/// Tells a flood from a burst: lets so many things a second pass for ever, and after a rest more at once. Knows no
-/// clock: it is told the time.
+/// Rate limit with bursts (token bucket). Has no clock: the caller passes the time.
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #pragma once
-/// Sums of pixels byte by byte. A PixelSums is nine words of 8 bytes, little endian, and a plane holds one byte of one
-/// word of every pixel, in order, filled up to whole 8 bytes with zeros. First the planes of the lowest bytes of all
-/// words, then of those above: bytes alike, noise or exponents, are neighbours.
+/// Byte shuffle of pixel sums. A PixelSums is nine words of 8 bytes, little endian; a plane holds one byte of one word
+/// of every pixel, in order, padded with zeros to a multiple of 8 bytes. The planes of the lowest bytes of all words
+/// come first, then those above: similar bytes, noise or exponents, are neighbours.
 
 #include <cstdint>
 #include <span>
@@ -19,7 +19,7 @@ constexpr std::size_t planeBytes(std::size_t pixels) {
 
 /// Of the pixels with those indices; into kPlanes planes, one behind the other.
 void splitPlanes(std::span<const PixelSums> pixels, std::span<const std::uint32_t> indices, std::byte* planes);
-/// The way back.
+/// The inverse.
 void joinPlanes(const std::byte* planes, std::span<const std::uint32_t> indices, std::span<PixelSums> pixels);
 
 }  // namespace pdr::wire

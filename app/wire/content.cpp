@@ -92,14 +92,14 @@ pdr::Result<void> ContentAssembly::add(const Chunk& chunk) {
     const std::uint64_t begin = bytes_.size(), rest = totalBytes_ - begin;
     if (chunk.content != expected_ || chunk.index != nextChunk() ||
         chunk.rawBytes != std::min<std::uint64_t>(kChunkBytes, rest) || rest == 0)
-        return senseless("a piece of a scan that was not asked for", "Chunk");
+        return malformed("a piece of a scan that was not asked for", "Chunk");
     if (!isFrameOf(chunk.packed, chunk.rawBytes))
-        return senseless("a damaged piece of a scan", "Chunk");
+        return malformed("a damaged piece of a scan", "Chunk");
     if (auto room = makeRoom(); !room)
         return room;
     Scratch halves(chunk.rawBytes);
     if (!FrameUnpacker().unpack(chunk.packed, halves.all()))
-        return senseless("a damaged piece of a scan", "Chunk");
+        return malformed("a damaged piece of a scan", "Chunk");
     bytes_.resize(begin + chunk.rawBytes);
     const auto part = std::span(bytes_).subspan(begin);
     join(halves.all(), part);
@@ -109,7 +109,7 @@ pdr::Result<void> ContentAssembly::add(const Chunk& chunk) {
 
 pdr::Result<void> ContentAssembly::finish() {
     if (!isWhole() || hash_.finish() != expected_)
-        return senseless("a scan that is not what it was said to be");
+        return malformed("a scan that is not what it was said to be");
     return {};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What names a content: BLAKE2b-256, keyed (RFC 7693), so that who does not know the key can neither recognise a scan
-/// by it nor make another one of the same name.
+/// Hash of a content: keyed BLAKE2b-256 (RFC 7693). Without the key nobody can recognise a scan by its hash, or make a
+/// content with the same one.
 
 #include <memory>
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace pdr::wire {
 
-/// Of parts, one behind the other.
+/// Incremental.
 class ContentHash {
   public:
     /// `key`: 1 to 64 bytes.
     explicit ContentHash(std::span<const std::byte> key);
 
     void add(std::span<const std::byte> bytes);
-    /// Nothing may be added after it.
+    /// The last call.
     Hash finish();
 
   private:

@@ -2,8 +2,8 @@
 /// The first 32 bytes of a frame, little endian. Behind them: a CBOR map of `mapBytes`, then `payloadBytes` of payload.
 ///   magic "PDR1"   version u16   type u16   flags u32   mapBytes u32   payloadBytes u64   request u64
 /// `version` is that of this layout, not of what the maps say (Versions in messages.h). Flags are for later and 0;
-/// `request` is for later and not looked at. A type below kFirstCritical that is not known is skipped by who reads it;
-/// any other is an error.
+/// `request` is for later and ignored. The reader skips unknown types below kFirstCritical; any other unknown type is
+/// an error.
 
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace pdr::wire {
 
-/// Who somebody is; who reads as a node takes what coordinators send.
+/// The two sides of a connection.
 enum class Role { coordinator, node };
 
 inline constexpr std::size_t kHeaderBytes = 32;
@@ -49,11 +49,11 @@ inline std::uint16_t typeOf(const Message& message) {
 }
 
 std::array<std::byte, kHeaderBytes> bytesOf(const FrameHeader& header);
-/// What `reader` may read. Errors: no frame of ours, a critical type that is not known, a message that the other side
-/// does not send, more bytes than such a message has.
+/// Parses and checks a header. Errors: no frame of this protocol, an unknown critical type, a message that the peer
+/// must not send, a body over the limit of its type.
 pdr::Result<FrameHeader> headerOf(Role reader, std::span<const std::byte, kHeaderBytes> bytes);
 
-/// Of all that is wrong with what came; `where` is the message's name.
-Error senseless(std::string_view reason, std::string_view where = "");
+/// The error of malformed input; `where`: the message's name.
+Error malformed(std::string_view reason, std::string_view where = "");
 
 }  // namespace pdr::wire

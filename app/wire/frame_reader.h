@@ -1,6 +1,6 @@
 #pragma once
-/// Makes messages of the bytes that come over a connection, in whatever pieces they come. Knows no socket. Memory is
-/// taken for one message at a time, as its bytes come, and never beyond what its type may have.
+/// Decodes messages from a stream of bytes, in pieces of any size. Independent of sockets. Allocates for one message at
+/// a time, as its bytes arrive, and never beyond the limit of its type.
 
 #include <optional>
 #include <span>
@@ -13,28 +13,26 @@
 namespace pdr::wire {
 
 struct Limits {
-    std::uint64_t beforeAdmission =
-        64 << 10;  ///< bytes of a frame behind its header, as long as nobody knows who sends
+    std::uint64_t beforeAdmission = 64 << 10;  ///< of a frame's body, before the handshake has succeeded
 };
 
 class FrameReader {
   public:
     explicit FrameReader(Role reader, Limits limits = {}) : reader_(reader), limits_(limits) {}
 
-    /// Takes bytes off the front of `bytes` until a message is whole; nothing: all are taken and none is whole. To be
-    /// called until then: what is done with a message may admit the next one. Errors: the connection is to end; every
-    /// later call says the same.
+    /// Consumes bytes from the front of `bytes` until a message is complete. Nothing: all are consumed and no message
+    /// is complete; call it until then. Errors: the connection must be closed; every later call returns the same error.
     pdr::Result<std::optional<Message>> next(std::span<const std::byte>& bytes);
 
-    /// The sender is known, and its messages may be as long as their type allows.
+    /// After the handshake: lifts the limit `beforeAdmission`.
     void setAdmitted(bool admitted) { admitted_ = admitted; }
-    /// Whether a message has begun that is not whole.
+    /// Whether a message is incomplete.
     bool isInside() const { return !head_.empty(); }
-    /// Messages so far that were whole, with those of types that are not known, which next() passes over.
+    /// Complete messages so far, including those of unknown types, which next() skips.
     std::int64_t messages() const { return messages_; }
 
   private:
-    /// Fills `part` up to `size`; false: that would take more bytes than there are.
+    /// Fills `part` up to `size`; false: more bytes are needed.
     static bool fill(Bytes& part, std::size_t size, std::span<const std::byte>& bytes);
     bool skip(std::span<const std::byte>& bytes);
     pdr::Result<void> readHeader();

@@ -1,5 +1,5 @@
 #pragma once
-/// Lines of UTF-8 without control characters, which programs and terminals can show as they are.
+/// Lines of UTF-8 without control characters: safe to display.
 
 #include <string>
 #include <string_view>
@@ -7,8 +7,8 @@
 namespace pdr::wire {
 
 bool isLine(std::string_view text);
-/// `text` as a line of at most `mostBytes`: what is no UTF-8 becomes U+FFFD, what controls a blank, what is too much
-/// goes, by whole characters.
+/// `text` as a line of at most `mostBytes`: invalid UTF-8 becomes U+FFFD, control characters become blanks, and it is
+/// truncated at a character.
 std::string lineOf(std::string_view text, std::size_t mostBytes);
 
 }  // namespace pdr::wire

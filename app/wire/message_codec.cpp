@@ -63,7 +63,7 @@ pdr::Result<std::optional<Message>> decode(const FrameHeader& header, std::span<
         },
         message);
     if (wrong != nullptr)
-        return senseless(wrong, kind->name);
+        return malformed(wrong, kind->name);
     return std::optional(std::move(message));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Messages as frames and back. The map of a frame holds the fields (fields.h), the payload what is large.
+/// Encodes messages as frames and decodes them. A frame's map holds the fields (fields.h), its payload the bulk data.
 
 #include <optional>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace pdr::wire {
 
-/// To be sent one behind the other.
+/// To be sent one after the other.
 struct Frame {
     Bytes head;     ///< header and map
     Bytes payload;  ///< may be empty
@@ -18,13 +18,13 @@ struct Frame {
     std::size_t bytes() const { return head.size() + payload.size(); }
 };
 
-/// A chunk's bytes are moved, not copied. What is out of its range is not looked at: the other side refuses it.
+/// A chunk's bytes are moved, not copied. Ranges are not checked: the peer refuses what is out of range.
 Frame encode(Message message);
 /// The frame as one sequence of bytes.
 Bytes inOnePiece(const Frame& frame);
 
-/// What came behind `header`, which headerOf() has let pass. Nothing: a type that is not known, to be skipped. Errors:
-/// it is no such message.
+/// Decodes the body after a header that headerOf() has accepted. Nothing: an unknown type, to be skipped. Errors:
+/// malformed.
 pdr::Result<std::optional<Message>> decode(const FrameHeader& header, std::span<const std::byte> map, Bytes payload);
 
 }  // namespace pdr::wire

@@ -1,10 +1,11 @@
 #pragma once
-/// What coordinator and render node tell each other. Plain values: message_codec.h turns them into bytes and back. A
-/// coordinator holds the patient's scan and the picture; a node takes samples for it. Nothing here has a place for a
-/// name, a date or an identifier of a patient.
+/// The messages between coordinator and render node, as plain values; message_codec.h encodes and decodes them. The
+/// coordinator holds the scan and the picture, the node renders samples for it. No message has a field for a name, a
+/// date or an identifier of a patient.
 ///   node -> coordinator   Hello, Pong, Need, SceneReady, SceneRefused, Result, Abandoned, Draining, Bye
 ///   coordinator -> node   Welcome, Refused, Ping, SceneOrder, Chunk, Lease, Forget, Bye
-/// Texts are lines of UTF-8 of at most kMostWordBytes, without control characters; what does not fit is cut on the way.
+/// Texts are lines of UTF-8 of at most kMostWordBytes, without control characters; longer ones are truncated when
+/// encoded.
 
 #include <array>
 #include <cstddef>
@@ -21,31 +22,31 @@
 namespace pdr::wire {
 
 using Bytes = std::vector<std::byte>;
-/// Names a content: BLAKE2b-256 of it, keyed with the coordinator's key (content.h).
+/// Address of a content: BLAKE2b-256 of it, keyed with the coordinator's key (content.h).
 using Hash = std::array<std::byte, 32>;
-/// Numbers that nobody else can guess.
+/// Unpredictable number.
 using Nonce = std::array<std::byte, 16>;
 
 inline constexpr std::size_t kMostNameBytes = 64, kMostWordBytes = 1024;
 
-/// The versions of the protocol that this program speaks.
+/// The range of supported versions of the protocol.
 struct Versions {
     std::uint16_t lowest = 1, highest = 1;
     bool operator==(const Versions&) const = default;
 };
-/// The highest version that both speak; nothing: there is none.
+/// The highest version that both sides support; nothing: there is none.
 inline std::optional<std::uint16_t> commonVersion(const Versions& ours, const Versions& theirs) {
     const std::uint16_t highest = ours.highest < theirs.highest ? ours.highest : theirs.highest;
     return highest >= ours.lowest && highest >= theirs.lowest ? std::optional(highest) : std::nullopt;
 }
 
-/// First, by the node.
+/// The node's first message.
 struct Hello {
     Versions versions;
     std::string program;            ///< "pdrender-node 0.1.0"; at most kMostNameBytes
     std::string name;               ///< of the node, for the user: "gpu-07"; at most kMostNameBytes
-    Nonce boot{};                   ///< of this run of the node's program
-    Hash bits{};                    ///< what a known picture comes to here (render/tiles/reference_tiles.h)
+    Nonce boot{};                   ///< unique for each start of the node
+    Hash bits{};                    ///< determinism class: hash of the reference tiles (render/tiles/reference_tiles.h)
     std::string device;             ///< "cpu"; at most kMostNameBytes
     std::string details;            ///< "16 threads"
     std::uint64_t memoryBytes = 0;  ///< for scenes
@@ -53,13 +54,13 @@ struct Hello {
 };
 
 struct Welcome {
-    std::uint16_t version = 1;         ///< both speak this one
+    std::uint16_t version = 1;         ///< of the protocol, from here on
     std::uint32_t heartbeatMs = 1000;  ///< between two Pings; [100, 60000]
-    std::array<std::byte, 32> key{};   ///< of content hashes, of this run of the coordinator's program
+    std::array<std::byte, 32> key{};   ///< of content hashes; new for each start of the coordinator
     bool operator==(const Welcome&) const = default;
 };
 
-/// Instead of a Welcome; the connection ends.
+/// Instead of a Welcome; the connection is closed.
 struct Refused {
     enum class Why : std::uint8_t { version = 1, bits = 2, unwanted = 3 };
     Why why = Why::unwanted;
@@ -71,7 +72,7 @@ struct Ping {
     std::uint64_t number = 0;
     bool operator==(const Ping&) const = default;
 };
-/// To the Ping of that number, at once.
+/// The immediate answer to the Ping of that number.
 struct Pong {
     std::uint64_t number = 0;
     bool operator==(const Pong&) const = default;
@@ -90,7 +91,7 @@ struct MaskOrder {
     ivec3 voxels{0}, shift{0};
     bool operator==(const MaskOrder&) const = default;
 };
-/// Of a picture of the surroundings: float RGB texels (render/scene/environment_image.h).
+/// Of an environment map: float RGB texels (render/scene/environment_image.h).
 struct EnvironmentOrder {
     Hash content{};
     ivec2 size{0};  ///< texels
@@ -99,17 +100,17 @@ struct EnvironmentOrder {
 
 inline constexpr std::uint64_t kMostTextBytes = 16 << 20;
 
-/// The scene that leases are of from now on.
+/// The scene of all later leases.
 struct SceneOrder {
     std::uint64_t revision = 0;
     VolumeOrder volume;
     std::optional<MaskOrder> mask;
     std::optional<EnvironmentOrder> environment;
-    std::string text;  ///< as in scene files; at most kMostTextBytes; travels as payload
+    std::string text;  ///< as in scene files; at most kMostTextBytes; as payload
     bool operator==(const SceneOrder&) const = default;
 };
 
-/// The chunks of that content are wanted, from number `from` on: those before are here.
+/// Requests the chunks of a content, from number `from` on.
 struct Need {
     Hash content{};
     std::uint32_t from = 0;
@@ -120,7 +121,7 @@ struct Chunk {
     Hash content{};
     std::uint32_t index = 0;
     std::uint32_t rawBytes = 0;  ///< of the content; at most kChunkBytes
-    Bytes packed;                ///< see content.h; travels as payload
+    Bytes packed;                ///< see content.h; as payload
     bool operator==(const Chunk&) const = default;
 };
 inline constexpr std::uint32_t kChunkBytes = 4 << 20;
@@ -138,15 +139,15 @@ struct SceneRefused {
 /// Of a lease's tile.
 inline constexpr std::size_t kMostLeasePixels = 1 << 18;
 
-/// Samples are wanted. Answered by a Result or Abandoned of the same number and nonce.
+/// Requests samples. Answered by a Result or an Abandoned with the same number and nonce.
 struct Lease {
     std::uint64_t number = 0;
     Nonce nonce{};
     std::uint64_t revision = 0;  ///< of the scene
     Tile tile;
     SampleRange samples;
-    std::vector<PixelSums> before;  ///< of the block's samples before those, row by row; empty where there are none;
-                                    ///< travels packed, as payload
+    std::vector<PixelSums> before;  ///< sums of the block's earlier samples, row by row; empty where there are none;
+                                    ///< compressed, as payload
 };
 
 struct Result {
@@ -155,7 +156,7 @@ struct Result {
     std::uint64_t revision = 0;
     Tile tile;
     SampleRange samples;          ///< the lease's
-    std::vector<PixelSums> sums;  ///< of the block up to samples.end(), row by row; travels packed, as payload
+    std::vector<PixelSums> sums;  ///< of the block up to samples.end(), row by row; compressed, as payload
     Health health;                ///< of the lease's samples
     double seconds = 0;           ///< spent on them
 };
@@ -167,11 +168,11 @@ struct Abandoned {
     bool operator==(const Abandoned&) const = default;
 };
 
-/// The node finishes what it has and takes nothing new.
+/// The node finishes its leases and accepts no new ones.
 struct Draining {
     bool operator==(const Draining&) const = default;
 };
-/// All scenes and contents are to be wiped.
+/// The node is to erase all scenes and contents.
 struct Forget {
     bool operator==(const Forget&) const = default;
 };
@@ -181,7 +182,7 @@ struct Bye {
     bool operator==(const Bye&) const = default;
 };
 
-/// The number of a type in frames is its place here, from 1: new ones go to the end.
+/// The type number in frames is the position here, from 1: append new ones.
 using Message = std::variant<Hello, Welcome, Refused, Ping, Pong, SceneOrder, Need, Chunk, SceneReady, SceneRefused,
                              Lease, Result, Abandoned, Draining, Forget, Bye>;
 

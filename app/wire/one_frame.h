@@ -1,6 +1,5 @@
 #pragma once
-/// Bytes of a known number as exactly one zstd frame, which says their number. The memory that packing takes is kept
-/// from frame to frame.
+/// Compresses bytes to exactly one zstd frame that states their number. Memory is reused from frame to frame.
 
 #include <memory>
 #include <span>
@@ -16,7 +15,7 @@ class FramePacker {
   public:
     /// `level`: of zstd; the lower the faster.
     explicit FramePacker(int level);
-    /// The frame, until the next one.
+    /// The frame; valid until the next call.
     std::span<const std::byte> pack(std::span<const std::byte> raw);
 
   private:
@@ -32,7 +31,7 @@ class FramePacker {
 class FrameUnpacker {
   public:
     FrameUnpacker();
-    /// Into all of `raw`. False: it is no frame of so many bytes.
+    /// Fills `raw`. False: not a frame of that many bytes.
     bool unpack(std::span<const std::byte> frame, std::span<std::byte> raw);
 
   private:
@@ -42,11 +41,11 @@ class FrameUnpacker {
     std::unique_ptr<ZSTD_DCtx_s, Free> context_;
 };
 
-/// Behind `head`, the bytes that go before the frame.
+/// `head` followed by the frame.
 Bytes packedFrame(std::span<const std::byte> head, std::span<const std::byte> raw, int level);
-/// Of the frame that `bytes` begin with, packed. 0: they begin with none.
+/// Compressed size of the frame at the start of `bytes`; 0: there is none.
 std::size_t firstFrameBytes(std::span<const std::byte> bytes);
-/// Whether it is one frame, all of it, that says it holds so many bytes. To be asked before memory is taken for them.
+/// Whether `frame` is exactly one frame that states that size. Check this before allocating.
 bool isFrameOf(std::span<const std::byte> frame, std::size_t rawBytes);
 
 }  // namespace pdr::wire

@@ -1,7 +1,6 @@
 #pragma once
-/// Sums of pixels, packed for the way between programs without losing a bit, whatever they hold: whether they are sums
-/// at all is for Film::merge to say. Pixels go in slices of kSlicePixels, the last one shorter, one behind the other:
-/// what is at work stays in the processor's cache. A slice:
+/// Lossless compression of pixel sums, whatever they hold: Film::merge validates them. Pixels are split into
+/// consecutive slices of kSlicePixels, the last one shorter, so that the working set stays in the cache. A slice:
 ///   pixels   u32, little endian
 ///   own      u32: pixels that differ from the ground
 ///   rest     one zstd frame, of exactly:
@@ -21,14 +20,14 @@ namespace pdr::wire {
 
 inline constexpr std::size_t kSlicePixels = 2048;
 
-/// No pack of that many pixels is longer [bytes].
+/// Upper bound on the size for that many pixels [bytes].
 constexpr std::size_t packedSumsBound(std::size_t pixels) {
     const std::size_t raw = sizeof(PixelSums) * (pixels + 8) + pixels / 8 + 1;
     return raw + (raw >> 8) + 128 * (pixels / kSlicePixels + 1);
 }
 
 Bytes packSums(std::span<const PixelSums> sums);
-/// Exactly `pixels` sums. No more memory is taken than those need. Errors: it is no pack of so many pixels.
+/// Exactly `pixels` sums, without allocating more than those need. Errors: not the compressed sums of that many pixels.
 pdr::Result<std::vector<PixelSums>> unpackSums(std::span<const std::byte> packed, std::size_t pixels);
 
 }  // namespace pdr::wire

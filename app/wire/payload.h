@@ -1,11 +1,11 @@
 #pragma once
-/// The payloads of messages: what is too large for their maps.
+/// Payloads of messages: the parts that are too large for their maps.
 
 #include "app/wire/messages.h"
 
 namespace pdr::wire {
 
-/// Out of the message.
+/// Moves the payload out of a message.
 template <class OfType>
 Bytes takePayload(OfType&) {
     return {};
@@ -15,7 +15,7 @@ Bytes takePayload(Chunk& chunk);
 Bytes takePayload(Lease& lease);
 Bytes takePayload(Result& result);
 
-/// Into a message whose fields are known and right. What is wrong; null: nothing.
+/// Stores the payload in a message with valid fields. Returns what is wrong; null: nothing.
 template <class OfType>
 const char* givePayload(OfType&, const Bytes& payload) {
     return payload.empty() ? nullptr : "it has more bytes than such a message";

@@ -9,9 +9,9 @@
 namespace pdr {
 namespace {
 
-/// Of what is found, so much is believed: a busy machine makes cells look dear.
+/// Learning rate: a busy machine makes cells look expensive.
 constexpr double kBelieved = 0.7;
-/// No cell costs so much more, or less, than the mean: what was empty may have tissue in the next picture.
+/// Limit on the ratio to the mean: an empty cell may have tissue in the next picture.
 constexpr double kMostContrast = 16;
 
 }  // namespace
@@ -87,7 +87,7 @@ void CellCosts::learn(const std::vector<TimedLease>& leases) {
     sum();
 }
 
-/// Makes the mean 1, and the table.
+/// Normalises the mean to 1 and builds the summed-area table.
 void CellCosts::sum() {
     double all = 0;
     for (int y = 0; y < rows_; ++y)

@@ -1,7 +1,7 @@
 #pragma once
-/// What the parts of a picture cost, cell by cell, as it was found by rendering them: background costs a sixth of what
-/// tissue does.
-///   cost   pixels times samples, each worth what it costs against the mean of the area
+/// Relative rendering cost of each cell of a picture, learned from the times of leases: background costs a sixth of
+/// tissue.
+///   cost   pixels times samples, weighted by the cost of the cell relative to the mean of the area
 
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace pdr {
 
-/// A lease that somebody has done.
+/// A finished lease.
 struct TimedLease {
     WorkerId worker = kOwnDevice;
     Tile tile;  ///< whole cells of the area
@@ -21,21 +21,21 @@ struct TimedLease {
 
 class CellCosts {
   public:
-    /// Of no area: all pixels cost the same.
+    /// Of an empty area: all pixels cost the same.
     CellCosts() = default;
     explicit CellCosts(const Tile& area);
-    /// Of another area, where a picture of another size lies: what was found is stretched over it.
+    /// The same costs, stretched over another area: the picture has changed its size.
     CellCosts stretchedOver(const Tile& area) const;
 
     const Tile& area() const { return area_; }
-    /// Something was learned of it.
+    /// Costs were learned.
     bool isKnown() const { return isKnown_; }
-    /// Of one sample of each pixel. `tile`: whole cells of the area.
+    /// Cost of one sample of each pixel. `tile`: whole cells of the area.
     double ofSample(const Tile& tile) const;
 
-    /// Learns from leases of one order. How fast each worker was is seen in all of its leases together; what one of
-    /// them took longer than that is put down to its cells (multiplicative algebraic reconstruction, Gordon, Bender &
-    /// Herman 1970: tiles of later orders lie otherwise, and so cells are told apart).
+    /// Learns from the leases of one order. All leases of a worker together give its speed; the excess time of one
+    /// lease is attributed to its cells (multiplicative algebraic reconstruction, Gordon, Bender & Herman 1970: later
+    /// orders are tiled differently, which separates the cells).
     void learn(const std::vector<TimedLease>& leases);
 
   private:

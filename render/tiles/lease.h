@@ -1,5 +1,5 @@
 #pragma once
-/// What a worker is asked for and what it answers: samples of a tile, the unit of work that can be anybody's.
+/// The unit of work: samples of a tile, for whoever renders them, and the result.
 
 #include <cstdint>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace pdr {
 
-/// Who takes samples: this program's own device, or a worker that has joined it.
+/// Whoever renders: this program's own device, or a worker.
 using WorkerId = std::uint32_t;
 inline constexpr WorkerId kOwnDevice = 0;
 
-/// Of an order, what one takes at a time.
+/// A part of an order that is rendered at a time.
 struct Portion {
     std::uint64_t number = 0;
     Tile tile;
@@ -20,32 +20,32 @@ struct Portion {
 };
 
 struct Lease {
-    std::uint64_t number = 0;  ///< of this lease alone
-    std::uint64_t scene = 0;   ///< the number that it was published under
+    std::uint64_t number = 0;  ///< unique
+    std::uint64_t scene = 0;   ///< number of the published scene
     Tile tile;
     SampleRange samples;            ///< in one block
-    std::vector<PixelSums> before;  ///< of the block's samples before those, row by row; empty: there are none
+    std::vector<PixelSums> before;  ///< sums of the block's earlier samples, row by row; empty: there are none
 };
 
 struct LeaseResult {
     std::uint64_t number = 0;
     Tile tile;
     SampleRange samples;
-    std::vector<PixelSums> sums;  ///< of the block up to samples.end(), row by row
+    std::vector<PixelSums> sums;  ///< of the block, from its start to samples.end(), row by row
     Health health;                ///< of the lease's samples
     double seconds = 0;           ///< spent on them
 };
 
-/// The samples of the block up to the end of `samples`: those that a film's merge() is told of.
+/// From the start of the block to the end of `samples`: what a film's merge() takes.
 inline SampleRange fromBlockStart(SampleRange samples) {
     const std::uint64_t start = samples.first - samples.first % kSamplesPerBlock;
     return {start, std::uint32_t(samples.end() - start)};
 }
 
-/// Pixels of a lease, at most: what a worker has to hold and to send at a time.
+/// Limit on the pixels of a lease, and so on the memory and the message of its result.
 inline constexpr int kMostLeasePixels = 512 * 512;
 
-/// Samples times pixels: what work is measured in.
+/// Work: samples times pixels.
 inline double workOf(const Tile& tile, SampleRange samples) {
     return double(tile.width) * tile.height * samples.count;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The render thread of a node: scenes and leases in, results out.
+/// The render thread of a node: scenes and leases in, results out. Thread-safe.
 
 #include <condition_variable>
 #include <deque>
@@ -17,12 +17,12 @@
 
 namespace pdr {
 
-/// The scene of that number can be rendered from now on, or cannot, and why.
+/// That scene is loaded, or could not be.
 struct SceneTaken {
     std::uint64_t scene = 0;
     std::optional<Error> error;
 };
-/// A lease that will have no result, and why.
+/// A lease that failed, and why.
 struct LeaseLost {
     std::uint64_t lease = 0;
     Error error;
@@ -36,19 +36,19 @@ class LeaseRenderer {
 
     LeaseRenderer(std::unique_ptr<Device> device, Answered answered);
 
-    /// The leases that come next are of this scene, which must have passed its check(). Those of others are dropped.
+    /// Loads a scene, which must have passed its check(); leases of earlier scenes are dropped.
     void setScene(std::uint64_t number, std::shared_ptr<const Scene> scene);
     void add(Lease lease);
-    /// Leases that have no answer yet will have none.
+    /// Drops all leases: they get no answer.
     void drop();
-    /// All leases are dropped, and the scene is forgotten, on the device as well; waits for that.
+    /// Drops all leases and unloads the scene, from the device as well; waits until that is done.
     void forget();
 
   private:
     void run(const std::stop_token& ended);
     void takeScene(std::uint64_t number, const std::shared_ptr<const Scene>& scene);
     void take(Lease lease, const std::stop_token& stop);
-    /// To be called with the lock.
+    /// Needs the lock.
     void dropLeases();
 
     std::unique_ptr<Device> device_;
@@ -56,11 +56,11 @@ class LeaseRenderer {
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::deque<Lease> leases_;
-    std::shared_ptr<const Scene> next_;  ///< to be uploaded
+    std::shared_ptr<const Scene> next_;  ///< to be loaded
     std::uint64_t number_ = 0;           ///< of the newest scene
-    bool isNew_ = false;                 ///< it is not uploaded yet, or not forgotten
+    bool isNew_ = false;                 ///< next_ is not loaded yet
     bool isBusy_ = false;
-    std::stop_source current_;  ///< stops the lease that is on its way
+    std::stop_source current_;  ///< stops the lease that is being rendered
     std::jthread thread_;       ///< last: it uses all of these
 };
 

@@ -12,7 +12,7 @@ void LeaseTimes::add(double work, double seconds) {
     workSeconds_ = kKept * workSeconds_ + work * seconds;
 }
 
-/// Where all leases were alike no line can be told: then all of the time counts for samples.
+/// Leases of equal size determine no line: then all of the time is attributed to samples.
 double LeaseTimes::secondsPerWork() const {
     if (work_ <= 0)
         return 0;

@@ -1,21 +1,21 @@
 #pragma once
-/// What leases take: something before the first sample, and so much for each; a straight line through the last ones.
+/// Time of leases as overhead plus a time for each sample: a straight line fitted to the latest ones.
 ///   work   pixels times samples
 
 namespace pdr {
 
 class LeaseTimes {
   public:
-    /// A result came so many seconds after the lease was given out, or after the result before it.
+    /// A result arrived `seconds` after its lease was given out or after the previous result, whichever is later.
     void add(double work, double seconds);
 
-    double secondsPerWork() const;  ///< 0: nothing is known
-    double secondsBefore() const;   ///< likewise; >= 0
+    double secondsPerWork() const;  ///< 0: unknown
+    double secondsBefore() const;   ///< the overhead; 0: unknown or none
 
   private:
-    static constexpr double kKept = 0.98;  ///< of what was known, with each result
+    static constexpr double kKept = 0.98;  ///< weight of the past, per result
 
-    // Decayed sums for the line of least squares.
+    // Decayed sums for the least-squares line.
     double count_ = 0, work_ = 0, seconds_ = 0, workSquared_ = 0, workSeconds_ = 0;
 };
 

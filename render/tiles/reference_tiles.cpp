@@ -12,7 +12,7 @@ namespace {
 
 constexpr SampleRange kSamples{56, 8};  // the end of a block
 
-/// Tissue in whole numbers: no library's arithmetic is in it.
+/// Tissue from integer arithmetic: independent of any library.
 std::shared_ptr<const Volume> referenceVolume() {
     constexpr ivec3 kSize{28, 26, 24};
     Voxels voxels;
@@ -63,7 +63,7 @@ void append(std::vector<std::byte>& bytes, const Number& number) {
     bytes.insert(bytes.end(), begin, begin + sizeof number);
 }
 
-/// Number by number: what lies between them in memory is nobody's value.
+/// Member by member: padding is undefined.
 void append(std::vector<std::byte>& bytes, const PixelSums& sums) {
     append(bytes, sums.sum);
     append(bytes, sums.sumOfSquares);

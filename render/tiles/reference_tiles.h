@@ -1,6 +1,6 @@
 #pragma once
-/// Known pictures, small ones of all models: devices that make the same bits of them make the same bits of all that is
-/// filtered exactly, and may fill one film together.
+/// Small reference pictures of all models. Devices that agree on all of their bits agree on those of every exactly
+/// filtered picture, and may fill one film together.
 
 #include <cstddef>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace pdr {
 
-/// All numbers of the pictures' sums. What `device` held before is forgotten. Errors: the device's.
+/// The pictures' sums, as bytes. Unloads the scene that `device` held. Errors: the device's.
 Result<std::vector<std::byte>> referenceTiles(Device& device);
 
 }  // namespace pdr

@@ -12,7 +12,7 @@ class SharedDevice final : public Device {
   public:
     SharedDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool, Purpose purpose)
         : own_(std::move(own)), pool_(std::move(pool)), purpose_(purpose) {}
-    /// What another one has published since stays: a film moves from device to device while both are there.
+    /// Does not withdraw what another device has published since: both exist while a film moves to another device.
     ~SharedDevice() override { pool_->withdraw(scene_); }
 
     using Device::film;
@@ -22,7 +22,7 @@ class SharedDevice final : public Device {
     Result<void> upload(const Scene& scene) override {
         if (Result<void> uploaded = own_->upload(scene); !uploaded)
             return uploaded;
-        isShared_ = scene.filtering == Filtering::exact;  // texture units differ from each other
+        isShared_ = scene.filtering == Filtering::exact;  // texture units differ in their bits
         scene_ = pool_->publish(purpose_, isShared_ ? std::make_shared<const Scene>(scene) : nullptr);
         return {};
     }
@@ -47,11 +47,11 @@ class SharedDevice final : public Device {
     std::unique_ptr<Device> own_;
     std::shared_ptr<WorkerPool> pool_;
     Purpose purpose_;
-    std::uint64_t scene_ = 0;  ///< number that it was published under; 0: none was
+    std::uint64_t scene_ = 0;  ///< number of the published scene; 0: none
     bool isShared_ = false;
 };
 
-/// What is to be done again of a film that nobody can believe any more.
+/// All samples of a film that can no longer be trusted.
 std::vector<TileGoal> allOf(const TileProgress& progress) {
     std::vector<TileGoal> goals;
     for (const EvenTile& even : progress.evenTiles(progress.area()))

@@ -1,6 +1,6 @@
 #pragma once
-/// A device whose films are filled by its own device and by the workers of a pool together. Whoever takes the samples,
-/// the film is the same to the last bit.
+/// A device whose films are filled by a device of its own and by the workers of a pool. The film is the same to the
+/// last bit, whoever renders which samples.
 
 #include <memory>
 #include <set>
@@ -13,13 +13,13 @@
 
 namespace pdr {
 
-/// `pool` is asked for help with all that `own` renders; by one such device of each purpose at a time.
+/// `pool` may serve one such device of each purpose at a time.
 std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool,
                                     Purpose purpose = Purpose::viewport);
 
 class SharedAccumulator final : public HostAccumulator {
   public:
-    /// `own` and `scene`, the number that the uploaded scene was published under, must outlive it.
+    /// `own` and `scene`, the number of the published scene, must outlive it.
     SharedAccumulator(Device& own, WorkerPool& pool, const std::uint64_t& scene, const Tile& area,
                       std::uint64_t revision)
         : HostAccumulator(area, revision), own_(own), pool_(pool), scene_(scene) {}
@@ -37,7 +37,7 @@ class SharedAccumulator final : public HostAccumulator {
     Device& own_;
     WorkerPool& pool_;
     const std::uint64_t& scene_;
-    std::set<std::string> believed_;  ///< keys of those who have added results that nobody did again
+    std::set<std::string> believed_;  ///< keys of workers with merged results that were not audited as a whole
 };
 
 }  // namespace pdr

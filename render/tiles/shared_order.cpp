@@ -49,7 +49,7 @@ bool SharedOrder::isNext(const LeaseResult& result) const {
 }
 
 Result<void> SharedOrder::merge(LeaseResult result) {
-    // A film that began within a block knows nothing of what comes before.
+    // A film that began within a block has none of the block's earlier samples.
     const SampleRange block = fromBlockStart(result.samples);
     const std::uint64_t first = std::max(block.first, film_.progress().first());
     const SampleRange samples{first, std::uint32_t(block.end() - first)};

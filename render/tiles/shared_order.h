@@ -1,6 +1,7 @@
 #pragma once
-/// One order of samples for a film, filled by several workers. Results are merged in the order in which one device
-/// alone would have taken the samples, so that the film is the same to the last bit. No locks: see worker_pool.h.
+/// One order of samples for a film, rendered by several workers. Results are merged in the sequence in which a single
+/// device would have taken the samples, so that the film is the same to the last bit. Not thread-safe: see
+/// worker_pool.h.
 
 #include <deque>
 #include <optional>
@@ -14,13 +15,13 @@
 
 namespace pdr {
 
-/// A result, or a part of one, that is to be done again by the own device.
+/// A result, or a part of one, that the own device is to render again.
 struct Audit {
     WorkerId worker = kOwnDevice;
     std::string key;  ///< the worker's
     LeaseResult claimed;
     Lease lease;
-    bool isWithheld = false;  ///< the result is not in the film before that
+    bool isWithheld = false;  ///< the result is merged after the audit only
 };
 
 class SharedOrder {
@@ -33,18 +34,19 @@ class SharedOrder {
     TileScheduler& scheduler() { return scheduler_; }
     const TileScheduler& scheduler() const { return scheduler_; }
     std::uint64_t scene() const { return scene_; }
-    /// All samples are taken, and no audit is left.
+    /// All samples are merged, and no audit is left.
     bool isDone() const { return scheduler_.isDone() && audits_.empty(); }
 
-    /// The portion with the sums that it goes on from.
+    /// The portion with the sums that it continues.
     Lease leaseOf(const Portion& portion) const;
-    /// Takes the result of a portion that a worker holds. Error: its sums are none.
+    /// Merges the result of a portion, or keeps it until the blocks before it are merged. Error: the film refuses the
+    /// sums.
     Result<void> take(LeaseResult result);
 
     /// Keeps the result until it has been audited.
     void withhold(const WorkerStatus& worker, const Portion& portion, LeaseResult result);
-    /// Remembers a part of a result, which is about to be taken, for an audit. Where kMostAudits wait already there is
-    /// none: the own device could not keep up with them.
+    /// Queues an audit of a part of a result that is about to be merged. With kMostAudits in the queue it does nothing:
+    /// the own device could not keep up.
     void auditPart(const WorkerStatus& worker, const Portion& portion, const LeaseResult& result, const Tile& part);
     std::optional<Audit> nextAudit();
 
@@ -57,7 +59,7 @@ class SharedOrder {
     Film& film_;
     std::uint64_t scene_;
     TileScheduler scheduler_;
-    std::vector<LeaseResult> early_;  ///< of blocks whose predecessors are still missing
+    std::vector<LeaseResult> early_;  ///< results whose preceding blocks are not merged yet
     std::deque<Audit> audits_;
 };
 

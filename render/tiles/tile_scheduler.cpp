@@ -8,7 +8,7 @@
 namespace pdr {
 namespace {
 
-/// One tile where both lie side by side; false: they do not.
+/// Merges two adjacent tiles into `a`; false: their union is no rectangle.
 bool join(Tile& a, const Tile& b) {
     if (a.x == b.x && a.width == b.width && (a.y + a.height == b.y || b.y + b.height == a.y)) {
         a = {a.x, std::min(a.y, b.y), a.width, a.height + b.height};
@@ -21,7 +21,7 @@ bool join(Tile& a, const Tile& b) {
     return false;
 }
 
-/// Makes a side of a tile longer, by whole cells and to `most` at most, as long as it is not too much.
+/// Grows a side of a tile by whole cells, up to `most`, while it is not too much.
 void grow(int& side, int most, const std::function<bool()>& isTooMuch) {
     while (side < most) {
         const int before = side;
@@ -66,7 +66,7 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
     if (right > 0)
         open_.push_front({{tile.x + tile.width, tile.y, right, tile.height}, from.next, from.goal});
     const Portion portion{number_++, tile, samples};
-    // Blocks need nothing of each other: the next one need not wait for this.
+    // Blocks are independent: the next one need not wait for this one.
     const bool follows = split_ == Split::samples && samples.end() < from.goal;
     if (follows)
         free({tile, samples.end(), from.goal}, false);
@@ -74,8 +74,8 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
     return portion;
 }
 
-/// Rows of cells from the top, or where one is too much, a part of it: of that cost, and no more pixels than a lease
-/// may have, but at least a cell.
+/// The top rows of cells, or where one row is too much, a part of it: up to that cost and the pixel limit of a lease,
+/// and at least one cell.
 Tile TileScheduler::part(const Tile& tile, double cost) const {
     const auto isTooMuch = [&](const Tile& some) {
         return some.width * some.height > kMostLeasePixels || costs_.ofSample(some) > cost;
@@ -169,7 +169,7 @@ void TileScheduler::drop(Held& held, WorkerId worker) {
         std::erase_if(held.copies, [&](const Copy& copy) { return copy.worker == worker; });
 }
 
-/// What nobody has any more. Where its next block is free already, it is for this block alone.
+/// Reopens portions without a holder; only their own block where the next one is available already.
 void TileScheduler::removeFreed() {
     for (const Held& held : held_)
         if (held.copies.empty())

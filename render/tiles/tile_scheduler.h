@@ -1,9 +1,9 @@
 #pragma once
-/// Who renders what of one order of samples: a state machine without threads, clocks or sockets. Portions are cut as
-/// workers ask for them, by what their cells cost as far as that is known. What is not delivered in time goes to others
-/// as well, and the first result counts.
-///   seconds   since some moment, the same for all calls
-///   cost      pixels times samples, each worth what its cell costs (cell_costs.h)
+/// Divides one order of samples among workers: a pure state machine without threads, clocks or sockets. Portions are
+/// cut when workers ask for them, sized by cost. What is late is given to a second worker as well (hedging), and the
+/// first result counts.
+///   now    monotonic seconds, from the same clock in all calls
+///   cost   pixels times samples, weighted by the cost of the cells (cell_costs.h)
 
 #include <cstdint>
 #include <deque>
@@ -17,52 +17,52 @@
 
 namespace pdr {
 
-/// Whole cells that are equally far, and how far they are to come.
+/// Whole cells with equally many samples, and how many they are to get.
 struct TileGoal {
     Tile tile;
-    std::uint64_t next = 0, goal = 0;  ///< numbers of samples: the next one, and the first that is not wanted
+    std::uint64_t next = 0, goal = 0;  ///< half-open range of sample indices
 };
 
-/// What a worker asks for.
+/// How much a worker asks for, and its speed.
 struct Ability {
-    double cost = 0;       ///< it wants about so much
-    double perSecond = 0;  ///< it is believed to do so much; > 0
+    double cost = 0;       ///< about so much
+    double perSecond = 0;  ///< expected speed; > 0
 };
 
 class TileScheduler {
   public:
-    /// `firstNumber`: of the first portion; numbers go on from there.
+    /// `firstNumber`: that of the first portion; they are consecutive.
     TileScheduler(const std::vector<TileGoal>& goals, Split split, std::uint64_t firstNumber,
                   CellCosts costs = CellCosts());
 
-    /// Work for that worker; none: there is nothing left for it now.
+    /// Its next portion; none: nothing is left for it now.
     std::optional<Portion> take(WorkerId worker, const Ability& ability, double now);
-    /// The portion of that number, if `worker` still has it.
+    /// The portion of that number, if `worker` holds it.
     std::optional<Portion> heldBy(WorkerId worker, std::uint64_t number) const;
-    /// Its result is here and looked at: nobody else gets it meanwhile.
+    /// Its result has arrived and is being audited: it is not hedged meanwhile.
     void arrived(std::uint64_t number);
-    /// It is done; what follows on it becomes free.
+    /// Its result is accepted; the samples after it become available.
     void finish(std::uint64_t number);
     /// `worker` will not deliver it.
     void giveBack(WorkerId worker, std::uint64_t number);
     /// `worker` will not deliver anything.
     void giveBackAll(WorkerId worker);
-    /// Others get what these have.
+    /// What a suspect worker holds is hedged at once.
     void setSuspect(WorkerId worker, bool suspect);
-    /// Takes what is long overdue from those who have it, and tells who.
+    /// Takes overdue portions back; returns the workers that held them.
     std::vector<WorkerId> expire(double now);
 
     bool isDone() const { return open_.empty() && held_.empty(); }
     double costOf(const Portion& portion) const { return costs_.ofSample(portion.tile) * portion.samples.count; }
-    /// Of what nobody has yet.
+    /// Cost of all that no worker holds yet.
     double openCost() const;
     std::uint64_t nextNumber() const { return number_; }
 
-    /// Beyond three times the time that it should take, and this, a portion is given to others as well.
+    /// A portion is hedged after three times its expected time plus this.
     static constexpr double kHedgeSeconds = 0.05;
-    /// To the own device, which has nothing else to do then and costs no way, beyond that time once, and this.
+    /// By the own device, which is idle then and has no latency, after its expected time plus this.
     static constexpr double kOwnHedgeSeconds = 0.005;
-    /// Beyond four times that time, and this, it is taken away.
+    /// A portion is taken back after four times its expected time plus this.
     static constexpr double kExpirySeconds = 3;
 
   private:
@@ -74,7 +74,7 @@ class TileScheduler {
         Portion portion;
         std::uint64_t goal;
         std::vector<Copy> copies;
-        bool followed = false;  ///< what comes after it is free already
+        bool followed = false;  ///< the samples after it are available already
         bool arrived = false;
     };
 
@@ -86,7 +86,7 @@ class TileScheduler {
     double costHeldBy(WorkerId worker) const;
     Copy copyFor(WorkerId worker, const Portion& portion, const Ability& ability, double now) const;
     std::vector<Held>::iterator find(std::uint64_t number);
-    /// Without `worker`'s copy; where that was the last, it becomes free.
+    /// Removes `worker`'s copy.
     void drop(Held& held, WorkerId worker);
     void removeFreed();
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A device takes the samples of a lease.
+/// Renders a lease on a device.
 
 #include <stop_token>
 
@@ -8,7 +8,7 @@
 
 namespace pdr {
 
-/// Of the scene that `device` holds. After a stop request the result is worthless. Errors: the device's.
+/// With the scene that `device` holds. After a stop request the result is invalid. Errors: the device's.
 Result<LeaseResult> traceLease(Device& device, Lease lease, const std::stop_token& stop);
 
 }  // namespace pdr

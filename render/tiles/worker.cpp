@@ -11,7 +11,7 @@ void WorkerSpeed::add(double cost, double seconds) {
     seconds_ = kKept * seconds_ + std::max(seconds, kShortestSeconds);
 }
 
-/// The tile is cut into parts, at most kOneIn, and one number in kOneIn is drawn: the part of that number, if there is.
+/// Cuts the tile into at most kOneIn parts, draws a number below kOneIn, and returns the part of that number, if any.
 std::optional<Tile> Trust::partToAudit(const Tile& tile) {
     const int rows = cellsIn(tile.height), columns = cellsIn(tile.width);
     const int down = std::min(rows, kOneIn), across = std::min(columns, kOneIn / down);

@@ -7,10 +7,10 @@
 namespace pdr {
 namespace {
 
-/// Of what is left to do, a worker gets so much of its fair share at a time: the last portions are small then, and all
-/// end together (guided self-scheduling, Polychronopoulos & Kuck 1987).
+/// Part of its fair share of the remaining work that a worker gets at a time: portions shrink towards the end, and all
+/// workers finish together (guided self-scheduling, Polychronopoulos & Kuck 1987).
 constexpr double kShare = 0.4;
-/// What somebody gets of whom nothing is known: some cells.
+/// Cost of the first portion of a worker of unknown speed: some cells.
 constexpr double kFirstCost = 16 * kFilmCell * kFilmCell;
 
 }  // namespace
@@ -130,7 +130,7 @@ Ability WorkerPool::abilityOf(const WorkerSpeed& speed, bool isOnProbation) cons
         if (worker.takesWork(wanted().number))
             all += worker.speed.perSecond();
     const double mine = speed.perSecond();
-    if (mine <= 0)  // let it be as fast as the own device, for what it is expected to take
+    if (mine <= 0)  // the own device's speed, for the expected time
         return {kFirstCost, std::max(ownSpeed_.perSecond(), kFirstCost)};
     const double fair = order_->scheduler().openCost() * mine / std::max(all, mine) * kShare;
     const double longest = isOnProbation ? kProbationSeconds : costs_.isKnown() ? kLongestSeconds : kUnknownSeconds;

@@ -1,7 +1,8 @@
 #pragma once
-/// Those who take samples for the pictures of this program beside its own device, and what they are at. Two sides call
-/// it, each from its own threads: who speaks with the workers, and who wants a picture. Nobody is ever waited for: what
-/// a worker does not bring is done by another, or by the own device.
+/// The workers (threads, or render nodes behind a network) that sample pictures beside this program's own device, their
+/// trust, speed and leases. Thread-safe. Two sides call it, each from its own threads: the transport, which talks to
+/// the workers, and the device that wants a picture. No call blocks on a worker: what one does not deliver in time is
+/// done by another one or by the own device.
 
 #include <condition_variable>
 #include <functional>
@@ -22,119 +23,119 @@
 
 namespace pdr {
 
-/// Seconds since some moment, never going back.
+/// Monotonic seconds since an arbitrary epoch.
 using PoolClock = std::function<double()>;
 double poolSeconds();
 
-/// What a picture is for. Two may be wanted at a time, one of each kind: workers take samples of the final render as
-/// long as there is one, and the device of the viewport has its own to itself.
+/// What a picture is for. There may be one of each at a time: workers then sample the final render, and the viewport
+/// goes on with its own device alone.
 enum class Purpose {
-    viewport,    ///< the picture that is looked at
-    finalRender  ///< one that goes into a file
+    viewport,    ///< the interactive picture
+    finalRender  ///< a picture for a file
 };
 
-/// The scene that leases are of.
+/// The scene that leases refer to.
 struct PublishedScene {
-    std::uint64_t number = 0;            ///< tells it from all others; 0: nothing was published yet
-    std::shared_ptr<const Scene> scene;  ///< null: what was published is to be forgotten
+    std::uint64_t number = 0;            ///< unique; 0: nothing was published yet
+    std::shared_ptr<const Scene> scene;  ///< null: withdrawn, workers are to erase what they have
     Purpose purpose = Purpose::viewport;
 };
 
 class WorkerPool {
   public:
-    /// `seed`: of the choice of audits, which workers must not foresee.
+    /// `seed`: for choosing audits, which workers must not be able to predict.
     explicit WorkerPool(std::uint64_t seed, PoolClock clock = poolSeconds);
 
-    // ---- for who speaks with the workers
+    // ---- for the transport
 
-    /// Called when there is a scene to send, or work to take, or neither any more; on any thread. It must return at
-    /// once and not call back. Not called any more when this has returned with another one.
+    /// `notice` is called on any thread when there may be a scene to send or work to take. It must return at once and
+    /// not call the pool. The previous one is not called any more once this has returned.
     void setNotice(std::function<void()> notice);
-    /// `key`: what tells it from all others and is the same when it comes back, with the trust that it has earned.
+    /// `key`: identifies the worker, also when it reconnects; its trust or quarantine is kept by it.
     WorkerId join(const std::string& key, const std::string& name);
     void leave(WorkerId worker);
     PublishedScene scene() const;
-    /// It can take samples of that scene from now on.
+    /// The worker has loaded that scene, and owes no lease of an earlier one.
     void hasScene(WorkerId worker, std::uint64_t scene);
     void cannotTakeScene(WorkerId worker, const std::string& reason);
     void setSuspect(WorkerId worker, bool suspect);
     void setPaused(WorkerId worker, bool paused);
     void setDraining(WorkerId worker);
-    /// Work for it; none: nothing now, ask again when there is notice.
+    /// Its next lease; none: nothing now, ask again after the next notice.
     std::optional<Lease> take(WorkerId worker);
     void deliver(WorkerId worker, LeaseResult result);
     void abandon(WorkerId worker, std::uint64_t lease);
-    /// What it has sent cannot be true: it gets nothing any more.
+    /// It has sent an impossible result: it gets no leases any more.
     void quarantine(WorkerId worker, const std::string& reason);
-    /// Takes back what is overdue; to be called some times a second.
+    /// Takes overdue leases back; call it several times a second.
     void tick();
 
-    // ---- for who wants a picture
+    // ---- for the device that wants a picture
 
-    /// The scene of the next orders for that purpose; null: there are none. Returns its number.
+    /// Sets the scene of the next orders for that purpose (null: there will be none). Returns its number.
     std::uint64_t publish(Purpose purpose, std::shared_ptr<const Scene> scene);
-    /// The scene of that number is no longer wanted, if another one has not taken its place already.
+    /// Withdraws that scene, unless another one has replaced it already.
     void withdraw(std::uint64_t scene);
-    /// How orders are cut; none: as a model of their costs says (timing/split_choice.h).
+    /// Pins how orders are split; none: by the cost model (timing/split_choice.h).
     void setSplit(std::optional<Split> split);
-    /// Of the last order, and why.
+    /// That of the last order, with the reason.
     SplitChoice split() const;
-    /// Whether anybody but the own device could take samples.
+    /// Whether there is a worker that is not quarantined.
     bool hasWorkers() const;
-    /// The own device takes samples only where nobody else can, and audits.
+    /// False: the own device only audits, unless there is no worker.
     void setOwnHelps(bool helps);
 
-    /// Begins an order for `film`, of the scene of that number; waits until the last order of another scene has ended.
-    /// False: workers are wanted for another scene, or `stop` is requested; the own device does it alone.
+    /// Begins an order for `film` with that scene; waits until an order of another scene has ended. False: the workers
+    /// are needed for another scene, or `stop` was requested; the own device then renders it alone.
     bool begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, const std::stop_token& stop);
-    /// What the own device is to do next: an audit, or a lease. Waits for it, and returns none when the order is done
-    /// or `stop` is requested.
+    /// Waits for the next work of the own device: an audit or a lease. None: the order is done, or `stop` was
+    /// requested.
     struct OwnWork {
         std::optional<Audit> audit;
         Lease lease;
     };
     std::optional<OwnWork> nextOwn(const std::stop_token& stop);
-    /// Error: the sums of the own device are none.
+    /// Error: the film refuses the sums.
     Result<void> deliverOwn(LeaseResult result);
-    /// `truth`: what the own device has found of it.
+    /// `truth`: the own device's result for the same samples.
     Result<void> audited(const Audit& audit, LeaseResult truth);
-    /// Ends the order, done or not. Returns the keys of those whose results were believed without an audit.
+    /// Ends the order, done or not. Returns the keys of the workers whose results were accepted without a full audit.
     std::set<std::string> end();
-    /// Whether one of these has been caught lying since.
+    /// Whether one of these workers has been quarantined for a wrong result since.
     bool areLiarsAmong(const std::set<std::string>& keys) const;
 
-    // ---- for who looks on
+    // ---- for display
 
     std::vector<WorkerStatus> workers() const;
-    /// None: it has left.
+    /// None: the worker has left.
     std::optional<WorkerStatus> worker(WorkerId worker) const;
-    /// Work that the own device has done of orders.
+    /// Work that the own device has done for orders.
     double ownWork() const;
 
-    /// A portion takes about so long at least and at most [s]; at most this where nobody knows yet what its cells cost;
-    /// and this on probation.
+    /// Target duration of a portion: minimum, maximum, maximum while the cost of cells is unknown, maximum on probation
+    /// [s].
     static constexpr double kShortestSeconds = 0.004, kLongestSeconds = 0.3, kUnknownSeconds = 0.1,
                             kProbationSeconds = 0.01;
-    /// So many leases wait at a worker, so that it need not wait for the next.
+    /// Leases that a worker may owe at a time: the second one hides the round trip.
     static constexpr int kInFlight = 2;
 
   private:
-    struct Past {  ///< of a worker, whether it is here or not
+    struct Past {  ///< of a worker that has left
         Trust trust;
         std::string quarantine;
     };
 
     Worker* find(WorkerId worker);
     const PublishedScene& wanted() const { return finalRender_.scene ? finalRender_ : viewport_; }
-    /// Workers may take samples of the order: nobody has published a scene that comes before it.
+    /// Workers may sample the order: no published scene has priority over it.
     bool isOrderWanted() const { return order_ && order_->scene() == wanted().number; }
     void setPublished(PublishedScene& published, std::shared_ptr<const Scene> scene);
     Ability abilityOf(const WorkerSpeed& speed, bool isOnProbation) const;
-    /// The worker has done that portion in so many seconds, of which it says that it spent `busySeconds` on samples.
+    /// Records the time of a portion; `busySeconds`: the part of it that the worker reports as spent on samples.
     void timed(WorkerId worker, WorkerSpeed& speed, const Portion& portion, double seconds, double busySeconds);
     bool anyTakesWork() const;
     SplitChoice choose(const std::vector<TileGoal>& goals) const;
-    /// Takes the result of a trusted worker.
+    /// Merges the result of a trusted worker.
     void believe(Worker& worker, const Portion& portion, LeaseResult result);
     void caught(Worker& worker, const std::string& reason);
     void tell() const;
@@ -146,7 +147,7 @@ class WorkerPool {
     PoolClock clock_;
     std::uint64_t seed_;
     std::map<WorkerId, Worker> workers_;
-    std::map<std::string, Past> past_;  ///< by key, of those who have left
+    std::map<std::string, Past> past_;  ///< by key
     std::set<std::string> liars_;       ///< keys
     WorkerId nextWorker_ = 1;
     PublishedScene viewport_{}, finalRender_{0, nullptr, Purpose::finalRender};

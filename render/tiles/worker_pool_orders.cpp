@@ -1,4 +1,4 @@
-/// The pool's side towards who wants a picture.
+/// WorkerPool: the side of the device that wants a picture.
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +9,7 @@
 namespace pdr {
 namespace {
 
-/// The own device looks so often whether there is something new for it.
+/// Polling interval of the own device.
 constexpr auto kLookAgain = std::chrono::milliseconds(5);
 
 }  // namespace

@@ -144,7 +144,15 @@ class NodesTest : public QObject {
         QVERIFY(sameBits(trial.picture(scene(), kOrders, 1), alone_));
     }
 
+    void whatHappensToNodesIsTold_data() {
+        QTest::addColumn<int>("end");
+        QTest::addColumn<quint32>("losses");
+        QTest::newRow("killed") << SIGKILL << 1u;
+        QTest::newRow("ends as it should, which is no fault") << SIGTERM << 0u;
+    }
     void whatHappensToNodesIsTold() {
+        QFETCH(const int, end);
+        QFETCH(const quint32, losses);
         NodeTrial trial;
         QSignalSpy joined(&trial.nodes, &nodes::RenderNodes::joined), lost(&trial.nodes, &nodes::RenderNodes::lost);
         auto process = std::make_unique<NodeProcess>(QStringList{"--listen", "127.0.0.1:0", "--name", "alpha"});
@@ -156,9 +164,9 @@ class NodesTest : public QObject {
         QCOMPARE(status.name, QString("alpha"));
         QCOMPARE(status.device, QString("cpu, 1 thread"));
         QVERIFY(status.bytesIn > 0 && status.bytesOut > 0);
-        process->signal(SIGKILL);
+        process->signal(end);
         QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, kPatience);
-        QTRY_COMPARE_WITH_TIMEOUT(trial.nodes.nodes().at(0).losses, 1u, kPatience);
+        QCOMPARE(lost.at(0).at(0).value<nodes::NodeStatus>().losses, losses);
     }
 
     void exitCodesSayWhatToDo() {

@@ -80,7 +80,7 @@ std::vector<Message> extremes() {
     };
 }
 
-/// A message that a change has made senseless.
+/// A message that a change has made malformed.
 template <class OfType, class Change>
 Message changed(OfType message, Change&& change) {
     change(message);
