@@ -29,6 +29,15 @@ struct Waiting : NodeTrial {
     QSignalSpy lost{&nodes, &nodes::RenderNodes::lost};
     quint16 port = nodes.listen("127.0.0.1:0")->port;
 
+    /// Once a node has joined: takes samples of the scene of that revision for as long as nobody stops it.
+    std::jthread render(std::uint64_t revision) const {
+        return std::jthread([this, revision](const std::stop_token& stop) {
+            const auto film = *startFilm(*device, sharedScene(revision));
+            while (!pool->hasWorkers() && !stop.stop_requested())
+                QThread::msleep(2);
+            (void)film->accumulate(1'000'000, stop);
+        });
+    }
     QString reason() const { return lost.at(0).at(0).value<nodes::NodeStatus>().reason; }
 };
 
@@ -130,8 +139,8 @@ class FloodingNodesTest : public QObject {
     void leaseIsAnsweredOnce() {
         Waiting trial;
         ActedNode node(trial.port);
-        std::jthread renderer;
-        const wire::Lease lease = leaseOf(trial, node, renderer, 1);
+        const std::jthread renderer = trial.render(1);
+        const wire::Lease lease = leaseFor(node);
         node.say(givenBack(lease));
         node.say(givenBack(lease));
         node.leave();
@@ -143,16 +152,14 @@ class FloodingNodesTest : public QObject {
     void lateAnswerIsNoFlood() {
         Waiting trial;
         ActedNode node(trial.port);
-        std::jthread renderer;
-        const wire::Lease before = leaseOf(trial, node, renderer, 1);
-        renderer.join();
-        const auto order = [&node] { return node.heard<wire::SceneOrder>().size(); };
-        const auto sceneBefore = order();
-        renderer = std::jthread([&] { (void)trial.picture(sharedScene(2), kSharedOrders); });
-        QTRY_VERIFY_WITH_TIMEOUT(order() > sceneBefore, kPatience);
+        std::jthread renderer = trial.render(1);
+        const wire::Lease before = leaseFor(node);
+        renderer = {};
+        renderer = trial.render(2);
+        const auto isOrdered = [&node] { return node.heard<wire::SceneOrder>().size() == 2; };
+        QTRY_VERIFY_WITH_TIMEOUT(isOrdered(), kPatience);
         node.say(givenBack(before));
-        renderer.join();
-        const wire::Lease after = leaseOf(trial, node, renderer, 3);
+        const wire::Lease after = leaseFor(node);
         QVERIFY(after.revision > before.revision && !node.isOver());
         node.say(givenBack(before));  // now it has taken another scene
         node.leave();
@@ -177,18 +184,19 @@ class FloodingNodesTest : public QObject {
     }
 
   private:
-    /// Has a picture of that revision made until the node, which says that it can take part, has a lease of it.
-    static wire::Lease leaseOf(const Waiting& trial, ActedNode& node, std::jthread& renderer, std::uint64_t revision) {
-        const auto leases = node.heard<wire::Lease>().size(), scenes = node.heard<wire::SceneOrder>().size();
-        renderer = std::jthread([&trial, revision] { (void)trial.picture(sharedScene(revision), kSharedOrders, 1); });
-        const auto comes = [&node](const auto& all, std::size_t before) {
-            if (!QTest::qWaitFor([&] { return all().size() > before || node.isOver(); }, kPatience) || node.isOver())
+    /// What it gets when it has said that it has the newest scene.
+    static wire::Lease leaseFor(ActedNode& node) {
+        const auto scenes = [&node] { return node.heard<wire::SceneOrder>(); };
+        const auto leases = [&node] { return node.heard<wire::Lease>(); };
+        const std::size_t before = leases().size();
+        const auto comes = [&node](const auto& condition) {
+            if (!QTest::qWaitFor([&] { return condition() || node.isOver(); }, kPatience) || node.isOver())
                 qFatal("the node gets nothing any more");
         };
-        comes([&node] { return node.heard<wire::SceneOrder>(); }, scenes);
-        node.say(wire::SceneReady{node.heard<wire::SceneOrder>().back().revision});
-        comes([&node] { return node.heard<wire::Lease>(); }, leases);
-        return node.heard<wire::Lease>().back();
+        comes([&] { return !scenes().empty(); });
+        node.say(wire::SceneReady{scenes().back().revision});
+        comes([&] { return leases().size() > before; });
+        return leases().back();
     }
 };
 
