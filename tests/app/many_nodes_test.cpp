@@ -60,6 +60,8 @@ class Crowd : public QObject {
             channel->setParent(this);
             connect(channel, &remote::Channel::received, this,
                     [channel](const wire::Message& message) { answer(*channel, message); });
+            connect(channel, &remote::Channel::closed, this,
+                    [this, number] { this->dial(number); });  // it was too slow
             channel->send(greeting(number, bits_));
         });
         connect(dial, &remote::Dial::failed, this, [this, number] { this->dial(number); });
@@ -121,7 +123,7 @@ void TestManyNodes::sixtyFourLeaveTheWindowFree() {
     qInfo("%zu events, processor time p99 %.2f ms, most %.2f ms; by the clock p99 %.2f ms", app.times.size(), p99,
           app.at(1, &test::EventTime::processorMs), app.at(0.99, &test::EventTime::wallMs));
     QVERIFY2(p99 <= kMostMs, app.longest(8).c_str());
-    QCOMPARE(panel.table().model()->rowCount(), kNodes);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.table().model()->rowCount(), kNodes, test::kPatience);
 }
 
 void TestManyNodes::whoMakesOtherBitsIsRefusedAndSaid() {
