@@ -1,3 +1,6 @@
+// First: it includes TBB, of whose names Qt takes some for keywords.
+#include "tests/support/tissue_scene.h"
+
 #include <QTest>
 
 #include <atomic>
@@ -6,7 +9,6 @@
 
 #include "render/tiles/shared_device.h"
 #include "tests/support/nearby_worker.h"
-#include "tests/support/tissue_scene.h"
 
 using namespace pdr;
 using namespace pdr::test;
