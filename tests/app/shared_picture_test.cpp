@@ -84,8 +84,6 @@ static QByteArray pictureOf(const QString& series, std::uint64_t samples, const 
     parts.bridge.setStop({.levels = kFinestTarget, .samples = samples});
     parts.bridge.setPool(pool);
     trial.openAndWait(series);
-    parts.document.setViewSize({120, 80});
-    trial.waitForNewest();
     [&] { QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->reached, test::kPatience); }();
     const Frame& last = *trial.frames.back();
     return {reinterpret_cast<const char*>(last.rgba.data()), qsizetype(last.rgba.size())};
