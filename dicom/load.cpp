@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
-#include <fstream>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -11,27 +9,16 @@
 #include "dicom/parallel.h"
 #include "dicom/pixels.h"
 #include "render/base/errors.h"
+#include "render/base/free_memory.h"
 
 namespace pdr::dicom {
 
 namespace {
 
-/// Bytes that a program may still ask for, as the kernel estimates it; nothing where it does not say.
-std::optional<std::uint64_t> availableMemory() {
-    std::ifstream info("/proc/meminfo");
-    for (std::string line; std::getline(info, line);) {
-        char key[64];
-        unsigned long long value = 0;
-        if (std::sscanf(line.c_str(), "%63[^:]: %llu", key, &value) == 2 && std::string(key) == "MemAvailable")
-            return std::uint64_t(value) << 10;
-    }
-    return {};
-}
-
 Error outOfMemory(const Series& series, std::uint64_t needed) {
-    const std::optional<std::uint64_t> free = availableMemory();
+    const std::uint64_t free = freeBytes();
     return {"the volume needs " + bytesText(needed) + " of memory" +
-                (free ? ", and " + bytesText(*free) + " are free" : ", which could not be had"),
+                (free != kNoMemoryLimit ? ", and " + bytesText(free) + " are free" : ", which could not be had"),
             series.series.description, "Close other programs, or import fewer slices.", ErrorKind::memory};
 }
 
@@ -141,7 +128,7 @@ Result<Volume> loadSeries(const Series& series, Padding padding, const Progress&
         return Error{"the slices differ in size: " + series.verdict.reason, series.series.description, ""};
     // Two bytes a voxel, one for its padding flag until the end, one bit after.
     const std::uint64_t needed = std::uint64_t(series.geometry.voxelCount()) * 3;
-    if (const auto free = availableMemory(); free && needed > *free)
+    if (needed > freeBytes())
         return outOfMemory(series, needed);
     try {
         return fill(series, padding, progress, notes);

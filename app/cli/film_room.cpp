@@ -4,6 +4,7 @@
 
 #include "app/film_memory.h"
 #include "render/base/errors.h"
+#include "render/base/free_memory.h"
 
 namespace pdr::app {
 

@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <random>
 
-#include "app/film_memory.h"
 #include "app/node/node_service.h"
 #include "app/nodes/node_link.h"
 #include "app/nodes/reference_bits.h"
 #include "app/program/interrupt.h"
 #include "app/program/program.h"
 #include "app/remote/certificates.h"
+#include "render/base/free_memory.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
 #include "render/tiles/reference_tiles.h"
@@ -50,7 +50,7 @@ Result<wire::Hello> introduction(const NodeOptions& options, Device& device) {
     const DeviceInfo info = device.info();
     hello.device = info.name;
     hello.details = info.details;
-    hello.memoryBytes = app::freeBytes();
+    hello.memoryBytes = freeBytes();
     return hello;
 }
 

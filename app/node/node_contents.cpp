@@ -4,8 +4,8 @@
 #include <new>
 #include <utility>
 
-#include "app/film_memory.h"
 #include "render/base/errors.h"
+#include "render/base/free_memory.h"
 
 namespace pdr::node {
 namespace {
@@ -54,7 +54,7 @@ Result<void> NodeContents::order(const wire::SceneOrder& order) {
     for (const nodes::WantedContent& wanted : nodes::wantedContents(order))
         if (!isHere(wanted.hash))
             missing += double(wanted.bytes);
-    if (missing * kSceneOverhead <= double(app::freeBytes()))
+    if (missing * kSceneOverhead <= double(freeBytes()))
         return {};
     coming_.reset();
     return notEnoughMemory(" for the scene: " + bytesText(std::size_t(missing)), "", "");
