@@ -38,6 +38,30 @@ Element::Kind kindOf(DcmEVR vr, std::uint32_t tag) {
     return unknown ? Element::Kind::unknown : Element::Kind::plain;
 }
 
+/// Numbers in decimal are none of it: contours may have thousands of them, which nobody asks for.
+Element::Text textOf(DcmEVR vr) {
+    switch (vr) {
+        case EVR_AE:
+        case EVR_AS:
+        case EVR_CS:
+        case EVR_DA:
+        case EVR_DT:
+        case EVR_LO:
+        case EVR_PN:
+        case EVR_SH:
+        case EVR_TM:
+        case EVR_UC:
+        case EVR_UI:
+            return Element::Text::list;
+        case EVR_LT:
+        case EVR_ST:
+        case EVR_UT:
+            return Element::Text::plain;
+        default:
+            return Element::Text::none;
+    }
+}
+
 }  // namespace
 
 std::string hexTag(std::uint32_t tag) {
@@ -56,11 +80,13 @@ std::optional<Element> readElement(ByteSource& source, std::uint64_t at, Encodin
     if (!encoding.explicitVr || element.tag >> 16 == 0xFFFE) {
         element.length = number(&head[4], 4, encoding.bigEndian);
         element.kind = kindOf(dictionaryVr(element.tag), element.tag);
+        element.text = textOf(dictionaryVr(element.tag));
         return element;
     }
     const char letters[3] = {char(head[4]), char(head[5]), 0};
     const DcmVR vr(letters);
     element.kind = kindOf(vr.getEVR(), element.tag);
+    element.text = textOf(vr.getEVR());
     element.length = number(&head[6], 2, encoding.bigEndian);
     if (vr.usesExtendedLengthEncoding()) {
         if (!source.read(at + 8, std::span(head).subspan(8, 4)))

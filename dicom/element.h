@@ -28,6 +28,12 @@ struct Element {
         unknownSequence,  ///< written as "unknown", but the dictionary knows it for a sequence
     };
     Kind kind = Kind::plain;
+    enum class Text {
+        none,
+        plain,  ///< one value, however long
+        list,   ///< values with a backslash between, of letters
+    };
+    Text text = Text::none;
     std::uint32_t length = 0;
     std::uint64_t value = 0;  ///< where its value starts
 };

@@ -30,17 +30,47 @@ class Allowance {
         // Most elements are small: asking after each thousandth is asking within a millisecond.
         if (++elements_ % 1000 == 0 && !goOn_())
             found_.damage = "cancelled";
-        bytes_ += element.length <= kReadAtOnce ? element.length : 0;
+        const bool isRead = element.length <= kReadAtOnce || element.text != Element::Text::none;
+        bytes_ += isRead && element.length != kUndefined ? element.length : 0;
         if (elements_ > kMaxElements)
-            found_.damage = "it holds more than " + std::to_string(kMaxElements) + " elements, items and fragments";
+            found_.damage = tooManyElements();
         else if (bytes_ > kMaxHeaderBytes)
             found_.damage = "its header takes more than " + std::to_string(kMaxHeaderBytes >> 20) + " MB";
         return found_.damage.empty();
     }
 
+    /// Counts the values of `element`, which lies within `source`; false with the damage said.
+    bool takeText(ByteSource& source, const Element& element) {
+        if (element.text != Element::Text::list || element.length < kShortText)
+            return true;
+        if (element.length > kMaxListBytes) {
+            found_.damage =
+                "the text " + hexTag(element.tag) + " is longer than " + std::to_string(kMaxListBytes >> 10) + " kB";
+            return false;
+        }
+        text_.resize(element.length);
+        source.read(element.value, text_);
+        const auto values = int(std::ranges::count(text_, '\\')) + 1;
+        elements_ += values;
+        if (values > kMaxListValues)
+            found_.damage =
+                "the text " + hexTag(element.tag) + " has more than " + std::to_string(kMaxListValues) + " values";
+        else if (elements_ > kMaxElements)
+            found_.damage = tooManyElements();
+        return found_.damage.empty();
+    }
+
   private:
+    /// What is shorter has too few values to count.
+    static constexpr std::uint32_t kShortText = 64;
+
+    static std::string tooManyElements() {
+        return "it holds more than " + std::to_string(kMaxElements) + " elements, items, fragments and values";
+    }
+
     const GoOn& goOn_;
     FileStructure& found_;
+    std::vector<std::uint8_t> text_;
     int elements_ = 0;
     std::size_t bytes_ = 0;
 };
@@ -116,6 +146,8 @@ class Walk {
             return damaged("element " + hexTag(element.tag) + " has no length");
         if (!fits(element))
             return false;
+        if (!allowance_.takeText(source_, element))
+            return false;
         at_ += element.length;
         if (element.tag == kPixelData && levels_.size() == 1)
             found_.pixelBytes = element.length;
@@ -143,7 +175,7 @@ class Walk {
                 break;
             if (fragment->tag != kItem || fragment->length == kUndefined)
                 return damaged("its compressed picture is not made of fragments");
-            if (!fits(*fragment) || !allowance_.take({fragment->tag, fragment->kind, kUndefined, fragment->value}))
+            if (!fits(*fragment) || !allowance_.take({.tag = fragment->tag, .length = kUndefined}))
                 return false;
             at_ += fragment->length;
         }
@@ -193,6 +225,8 @@ std::uint64_t readMeta(ByteSource& source, std::uint64_t at, Allowance& allowanc
             found.damage = "element " + hexTag(element->tag) + " is longer than the file";
             return at;
         }
+        if (!allowance.takeText(source, *element))
+            return at;
         if (element->tag == kTransferSyntax && element->length <= 64) {
             std::array<std::uint8_t, 64> uid{};
             source.read(element->value, std::span(uid).first(element->length));

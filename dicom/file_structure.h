@@ -24,10 +24,16 @@ struct FileStructure {
 inline constexpr int kMaxNesting = 64;
 /// A deflated data set may not grow beyond this many bytes: the largest slice taken, and its header.
 inline constexpr std::size_t kMaxInflatedBytes = std::size_t(160) << 20;
-/// Elements, items and fragments in one file. A CT slice has some hundred; the toolkit spends 250 bytes on each.
+/// Elements, items, fragments and values of long texts in one file. A CT slice has some hundred; the toolkit spends 250
+/// bytes on each.
 inline constexpr int kMaxElements = 50'000;
-/// Bytes of the values that the toolkit reads into memory with the header.
+/// Bytes of the values that the toolkit reads into memory with the header, and of the texts that it converts.
 inline constexpr std::size_t kMaxHeaderBytes = std::size_t(64) << 20;
+
+/// Bytes of a text that is a list of values, and its values. A description has a hundred; of a long list the toolkit
+/// counts all values anew for each, which takes minutes and cannot be ended.
+inline constexpr std::size_t kMaxListBytes = std::size_t(64) << 10;
+inline constexpr int kMaxListValues = 1000;
 
 /// Reads `file`; never throws for what is in it. `damage` also tells when it cannot be opened. Asks `goOn` at least
 /// once in a thousand elements and in a megabyte inflated, and ends with the damage "cancelled" when told to.

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "dicom/damaged_files.h"
 #include "dicom/pixels.h"
 #include "dicom/refusal.h"
 #include "dicom/stack_geometry.h"
@@ -17,14 +18,10 @@ namespace {
 
 using Headers = std::vector<const SliceHeader*>;
 
-std::string shortName(const SliceHeader& header, const std::filesystem::path& root) {
-    return header.file.lexically_relative(root).string();
-}
-
 std::vector<SlicePlane> planesOf(const Headers& headers, const std::filesystem::path& root) {
     std::vector<SlicePlane> planes;
     for (const SliceHeader* header : headers)
-        planes.push_back({shortName(*header, root),
+        planes.push_back({shortName(header->file, root),
                           {header->columns, header->rows},
                           header->position,
                           header->rowDirection,
@@ -56,17 +53,6 @@ bool samePicture(const SliceHeader& a, const SliceHeader& b) {
     return left && right && left->hu == right->hu;
 }
 
-/// The first three names, and a sign that there are more.
-std::string listed(const std::vector<std::string>& names) {
-    std::string list;
-    for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 3); ++i) {
-        if (i > 0)
-            list += ", ";
-        list += names[i];
-    }
-    return names.size() > 3 ? list + " ..." : list;
-}
-
 /// The slices that repeat another one; empty as soon as there is one conflict (or the user has lost patience).
 std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis, const Progress& progress) {
     std::set<int> copies;
@@ -89,7 +75,7 @@ StackAnalysis analyseWithoutCopies(Headers& headers, const std::filesystem::path
     Headers kept;
     for (int i = 0; i < int(headers.size()); ++i) {
         if (copies.contains(i))
-            names.push_back(shortName(*headers[i], root));
+            names.push_back(shortName(headers[i]->file, root));
         else
             kept.push_back(headers[i]);
     }
@@ -104,7 +90,7 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
     const SliceHeader& first = *headers.front();
     Series series{first.patient, first.study, first.series, analysis.verdict, {}, analysis.geometry};
     for (const int index : analysis.order)
-        series.slices.push_back({headers[index]->file, 0});
+        series.slices.push_back({headers[index]->file, 0, identityOf(*headers[index])});
     return series;
 }
 
@@ -112,9 +98,9 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
 Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::filesystem::path& root) {
     StackAnalysis analysis = analyseStack(planesOf(headers, root));
     analysis.geometry = {analysis.geometry.size, dmat4(1.0)};
-    const std::string subject =
-        headers.size() == 1 ? shortName(*headers.front(), root)
-                            : std::to_string(headers.size()) + " files (" + shortName(*headers.front(), root) + " ...)";
+    const std::string subject = headers.size() == 1 ? shortName(headers.front()->file, root)
+                                                    : std::to_string(headers.size()) + " files (" +
+                                                          shortName(headers.front()->file, root) + " ...)";
     analysis.verdict = {refusal.stack, subject + ": " + refusal.reason, {}};
     return seriesOf(headers, analysis);
 }
@@ -192,21 +178,6 @@ void numberParts(std::vector<Series>& all) {
 
 std::string seriesKey(const SliceHeader& header) {
     return header.study.uid + '\n' + header.series.uid + '\n' + header.series.modality;
-}
-
-void noteDamaged(const std::vector<SliceHeader>& damaged, const std::filesystem::path& root, std::vector<Series>& all) {
-    std::map<std::string, std::vector<std::string>> namesOf;
-    for (const SliceHeader& header : damaged) {
-        if (!header.series.uid.empty())
-            namesOf[header.series.uid].push_back(shortName(header, root));
-    }
-    for (Series& series : all) {
-        const auto found = namesOf.find(series.series.uid);
-        if (found == namesOf.end() || series.verdict.stack == Stack::notCt)
-            continue;
-        series.verdict.notes.push_back({"damaged", counted(found->second.size(), "damaged file", "damaged files") +
-                                                       " of this series left out (" + listed(found->second) + ")"});
-    }
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ enum class Padding {
 /// order given, on all cores.
 /// Needs verdict.loadable(); `Padding::keep` also takes any stack whose slices agree in size.
 /// `notes` receives what only the pixels tell, behind what it holds; the volume's remarks are the codes of the
-/// verdict's notes and of these. Errors: the verdict's reason, a file that went away or is damaged (named), not enough
-/// memory (figures), cancelled.
+/// verdict's notes and of these. Errors: the verdict's reason, a file that went away, is damaged or no longer the one
+/// that was scanned (named), not enough memory (figures), cancelled.
 Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress,
                           std::vector<Note>* notes = nullptr);
 

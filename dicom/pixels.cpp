@@ -158,7 +158,10 @@ Result<DecodedSlice> decodeChecked(const SliceRef& slice, Padding padding) {
         return Error{refusal->reason, slice.file.string(), ""};
     if (read.header.meaning.rescaleIsBroken)
         return damaged(slice, "its rescale slope or intercept is no usable number");
-    return decodePixels(slice, read.header, padding);
+    Result<DecodedSlice> decoded = decodePixels(slice, read.header, padding);
+    if (decoded)
+        decoded->identity = identityOf(read.header);
+    return decoded;
 }
 
 }  // namespace

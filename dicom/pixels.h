@@ -12,6 +12,7 @@ struct DecodedSlice {
     ivec2 size{0};                      ///< columns, rows
     std::vector<std::int16_t> hu;       ///< x fastest; rounded, and held within int16
     std::size_t clipped = 0;            ///< pixels whose HU lie beyond int16
+    SliceIdentity identity;             ///< what the file said when its pixels were read
     std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty where there is no such pixel
 };
 

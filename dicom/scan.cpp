@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dicom/codecs.h"
+#include "dicom/damaged_files.h"
 #include "dicom/grouping.h"
 #include "dicom/import.h"
 #include "dicom/parallel.h"
@@ -123,12 +124,16 @@ HeaderRead readWithinMemory(const fs::path& file, const GoOn& goOn) {
     }
 }
 
+/// `damaged` also receives what has no header: it may have been a slice.
 void sortOut(std::vector<HeaderRead>& reads, std::vector<SliceHeader>& headers, std::vector<SliceHeader>& damaged,
              ScanResult& result) {
+    std::vector<fs::path> foreign;
+    for (const Problem& problem : result.problems)
+        damaged.push_back({.file = problem.file});
     for (HeaderRead& read : reads) {
         switch (read.kind) {
             case HeaderRead::Kind::notDicom:
-                ++result.notDicom;
+                foreign.push_back(read.header.file);
                 break;
             case HeaderRead::Kind::directory:
                 break;
@@ -140,6 +145,12 @@ void sortOut(std::vector<HeaderRead>& reads, std::vector<SliceHeader>& headers, 
                 headers.push_back(std::move(read.header));
                 break;
         }
+    }
+    const std::vector<Problem> spoilt = spoiltFiles(foreign, headers);
+    result.notDicom = int(foreign.size() - spoilt.size());
+    for (const Problem& problem : spoilt) {
+        result.problems.push_back(problem);
+        damaged.push_back({.file = problem.file});
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace pdr::dicom {
 /// Who was scanned. For the screen only: nothing here may reach a file, a log or the network. UTF-8.
 struct PatientFacts {
     std::string name, id, birthDate, sex;
+
+    bool operator==(const PatientFacts&) const = default;
 };
 
 struct StudyFacts {
@@ -59,10 +62,23 @@ struct GeometryVerdict {
     bool loadable() const { return stack == Stack::even; }
 };
 
-/// One image of a series: a file, and the frame in it (0 for single-frame files).
+/// What a file says of whom it shows and where. Files are overwritten between a scan and the reading of their pixels:
+/// one that says anything else then is another one, however alike its name.
+struct SliceIdentity {
+    PatientFacts patient;
+    std::string studyUid, seriesUid, sopInstanceUid;
+    std::optional<dvec3> position, rowDirection, columnDirection;  ///< as SliceHeader
+    std::optional<dvec2> spacingMm;
+
+    bool operator==(const SliceIdentity&) const = default;
+};
+
+/// One image of a series: a file, the frame in it (0 for single-frame files), and what the file said when it was
+/// scanned.
 struct SliceRef {
     std::filesystem::path file;
     int frame = 0;
+    SliceIdentity identity;
 };
 
 struct Series {

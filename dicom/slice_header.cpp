@@ -155,6 +155,7 @@ bool parseHeader(SliceHeader& header, bool& isDirectory) {
     DcmItem& item = *content.getDataset();
     isDirectory = text(*content.getMetaInfo(), DCM_MediaStorageSOPClassUID) == UID_MediaStorageDirectoryStorage;
     header.imageType = text(item, DCM_ImageType);
+    header.sopInstanceUid = text(item, DCM_SOPInstanceUID);
     header.frameOfReferenceUid = text(item, DCM_FrameOfReferenceUID);
     if (const auto instance = numbers<1>(item, DCM_InstanceNumber))
         header.instanceNumber = int(std::clamp((*instance)[0], -1e9, 1e9));
@@ -169,6 +170,11 @@ bool parseHeader(SliceHeader& header, bool& isDirectory) {
 }
 
 }  // namespace
+
+SliceIdentity identityOf(const SliceHeader& header) {
+    return {header.patient,  header.study.uid,    header.series.uid,      header.sopInstanceUid,
+            header.position, header.rowDirection, header.columnDirection, header.spacingMm};
+}
 
 HeaderRead readSliceHeader(const std::filesystem::path& file, const GoOn& goOn) {
     prepareToolkit();

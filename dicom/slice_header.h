@@ -33,6 +33,7 @@ struct SliceHeader {
     StudyFacts study;
     SeriesFacts series;
 
+    std::string sopInstanceUid;
     std::string frameOfReferenceUid;
     std::string imageType;  ///< values joined by a backslash: "ORIGINAL\PRIMARY\AXIAL"
     std::optional<int> instanceNumber;
@@ -51,6 +52,8 @@ struct SliceHeader {
     std::optional<dvec3> columnDirection;  ///< the way a column runs (3..5)
     std::optional<dvec2> spacingMm;        ///< x: between columns, y: between rows
 };
+
+SliceIdentity identityOf(const SliceHeader& header);
 
 struct HeaderRead {
     enum class Kind {

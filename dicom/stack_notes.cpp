@@ -85,6 +85,17 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 3); ++i)
+        list += (i > 0 ? ", " : "") + names[i];
+    return names.size() > 3 ? list + " ..." : list;
+}
+
+std::string shortName(const std::filesystem::path& file, const std::filesystem::path& root) {
+    return file.lexically_relative(root).string();
+}
+
 std::vector<Note> notesOn(const Slices& slices, const std::set<int>& numbers) {
     std::vector<Note> notes;
     noteMeaning(slices, notes);

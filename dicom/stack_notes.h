@@ -1,6 +1,7 @@
 #pragma once
 /// What a user should know about slices that load all the same.
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,5 +16,11 @@ std::vector<Note> notesOn(const std::vector<const SliceHeader*>& slices, const s
 
 /// "1 slice", "3 slices"
 std::string counted(std::size_t count, const char* one, const char* many);
+
+/// "a.dcm, b.dcm, c.dcm ...": the first three, and a sign that there are more.
+std::string listed(const std::vector<std::string>& names);
+
+/// The name of `file` as seen from `root`.
+std::string shortName(const std::filesystem::path& file, const std::filesystem::path& root);
 
 }  // namespace pdr::dicom

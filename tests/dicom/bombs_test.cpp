@@ -91,8 +91,54 @@ class BombsTest : public QObject {
         QVERIFY(structureOf(head() + repeated(value, 1000)).damage.empty());
         const Bytes damage = structureOf(head() + repeated(value, 17000)).damage;
         QVERIFY2(damage.find("more than 64 MB") != Bytes::npos, damage.c_str());
-        // One long value stays in the file.
-        QVERIFY(structureOf(head() + tag(8, 0x104) + little(70 << 20, 4) + Bytes(70 << 20, 'x')).damage.empty());
+        // One long value that is no text stays in the file.
+        QVERIFY(structureOf(head() + tag(9, 0x1004) + little(70 << 20, 4) + Bytes(70 << 20, 'x')).damage.empty());
+    }
+
+    /// Character set, image type, modality, name, series and description: what is read of a header.
+    void listsOfManyValuesAreRefused_data() {
+        QTest::addColumn<int>("group");
+        QTest::addColumn<int>("element");
+        QTest::newRow("character set") << 0x08 << 0x05;
+        QTest::newRow("image type") << 0x08 << 0x08;
+        QTest::newRow("modality") << 0x08 << 0x60;
+        QTest::newRow("description") << 0x08 << 0x103E;
+        QTest::newRow("name") << 0x10 << 0x10;
+        QTest::newRow("series UID") << 0x20 << 0x0E;
+    }
+    void listsOfManyValuesAreRefused() {
+        QFETCH(int, group);
+        QFETCH(int, element);
+        const auto text = [&](const Bytes& value) {
+            return structureOf(head() + tag(group, element) + little(std::uint32_t(value.size()), 4) + value).damage;
+        };
+        QCOMPARE(text(repeated("1\\", kMaxListValues - 1)), Bytes());
+        QVERIFY(text(repeated("1\\", kMaxListValues)).find("more than 1000 values") != Bytes::npos);
+        QVERIFY(text(Bytes(300'000, '\\')).find("longer than 64 kB") != Bytes::npos);
+        QCOMPARE(text(Bytes(kMaxListBytes, '1')), Bytes());
+        QVERIFY(text(Bytes(kMaxListBytes + 2, '1')).find("longer than 64 kB") != Bytes::npos);
+        // Nothing of it reaches the toolkit.
+        const auto scan = scanFolder(folder_.path().toStdString(), noProgress);
+        QVERIFY(bool(scan) && scan->problems.size() == 1 && scan->series.empty());
+    }
+
+    void listsInItemsAreCountedTogether() {
+        const Bytes list = tag(8, 0x104) + little(2000, 4) + repeated("1\\", 1000).substr(0, 1998) + "11";
+        const auto items = [&](int count) {
+            return structureOf(head() + sequenceOf(repeated(tag(0xFFFE, 0xE000) + little(2008, 4) + list, count)))
+                .damage;
+        };
+        QCOMPARE(items(40), Bytes());
+        QVERIFY(items(60).find("more than 50000") != Bytes::npos);
+    }
+
+    /// Contours of radiotherapy are lists of thousands of numbers, and long reports one long text.
+    void listsOfNumbersAndLongTextsAreNoDamage() {
+        const Bytes numbers = repeated("1.5\\", 50'000), report(200'000, 'x');
+        QCOMPARE(structureOf(head() + tag(0x3006, 0x50) + little(std::uint32_t(numbers.size()), 4) + numbers).damage,
+                 Bytes());
+        QCOMPARE(structureOf(head() + tag(0x40, 0xA160) + little(std::uint32_t(report.size()), 4) + report).damage,
+                 Bytes());
     }
 
     void structureCheckAsksOftenWhetherToGoOn() {

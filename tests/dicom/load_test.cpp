@@ -15,7 +15,70 @@ using namespace pdr::dicom;
 class LoadTest : public QObject {
     Q_OBJECT
 
+    /// What loading says of a stack whose slice s01 is written anew, as `changed`, after the scan.
+    static Error afterTheScan(const std::function<void(test::SliceFile&)>& change) {
+        const test::SliceFolder folder;
+        const auto named = [](DcmDataset& data) {
+            data.putAndInsertString(DCM_SOPInstanceUID, "1.2.3.4");
+            data.putAndInsertString(DCM_PatientName, "First^Patient");
+        };
+        test::SliceFile slice{.change = named};
+        folder.addStack(3, slice);
+        const ScanResult scan = folder.scan();
+        slice.position = {0, 0, 2};
+        change(slice);
+        test::writeSliceFile(folder.path() / "s01", slice);
+        const auto volume = loadSeries(scan.series.at(0), Padding::maskAsAir, noProgress);
+        return volume ? Error{} : volume.error();
+    }
+    static test::SliceFile& with(test::SliceFile& slice, const DcmTagKey& tag, const char* value) {
+        slice.change = [before = slice.change, tag, value](DcmDataset& data) {
+            before(data);
+            data.putAndInsertString(tag, value);
+        };
+        return slice;
+    }
+
   private slots:
+    void fileThatStaysTheSameLoads() {
+        QCOMPARE(afterTheScan([](test::SliceFile&) {}).what, std::string());
+    }
+
+    /// Minutes may pass between a scan and the choice of a series, and folders of exports are overwritten.
+    void anotherImageUnderTheSameNameIsRefused_data() {
+        QTest::addColumn<std::function<void(test::SliceFile&)>>("change");
+        const auto row = [](const char* name, const std::function<void(test::SliceFile&)>& change) {
+            QTest::newRow(name) << change;
+        };
+        row("image", [](auto& slice) { with(slice, DCM_SOPInstanceUID, "1.2.3.5"); });
+        row("series", [](auto& slice) { slice.seriesUid = "1.2.3.2"; });
+        row("study", [](auto& slice) { with(slice, DCM_StudyInstanceUID, "1.2.4"); });
+        row("patient's name", [](auto& slice) { with(slice, DCM_PatientName, "Second^Patient"); });
+        row("patient's id", [](auto& slice) { with(slice, DCM_PatientID, "2"); });
+        row("position", [](auto& slice) { slice.position = {0, 0, 4}; });
+        row("orientation", [](auto& slice) { with(slice, DCM_ImageOrientationPatient, "1\\0\\0\\0\\-1\\0"); });
+        row("spacing", [](auto& slice) { with(slice, DCM_PixelSpacing, "2\\2"); });
+        row("size", [](auto& slice) { slice.size = {3, 4}; });
+    }
+    void anotherImageUnderTheSameNameIsRefused() {
+        QFETCH(std::function<void(test::SliceFile&)>, change);
+        const Error error = afterTheScan(change);
+        QCOMPARE(error.what, std::string("the file has changed since the folder was scanned"));
+        QVERIFY2(error.where.ends_with("/s01"), error.where.c_str());
+        QVERIFY(error.hint.starts_with("Open the folder again"));
+        QCOMPARE(error.kind, ErrorKind::refused);
+    }
+
+    void exchangedSlicesAreRefused() {
+        const test::SliceFolder folder;
+        folder.addStack(3);
+        const ScanResult scan = folder.scan();
+        std::filesystem::rename(folder.path() / "s01", folder.path() / "other");
+        std::filesystem::rename(folder.path() / "s02", folder.path() / "s01");
+        std::filesystem::rename(folder.path() / "other", folder.path() / "s02");
+        QVERIFY(!loadSeries(scan.series.at(0), Padding::maskAsAir, noProgress));
+    }
+
     /// What the system lends to nobody in particular is not what this program may take.
     void limitOfTheProgramCountsForAVolume() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

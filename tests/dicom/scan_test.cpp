@@ -40,6 +40,14 @@ class Nobody {
 class ScanTest : public QObject {
     Q_OBJECT
 
+    /// What is said of files that may be slices of `series`.
+    static std::string unreadOf(const Series& series) {
+        for (const Note& note : series.verdict.notes)
+            if (note.code == "unread")
+                return note.text;
+        return {};
+    }
+
   private slots:
     void anyNameAtAnyDepthIsFound() {
         test::SliceFolder folder;
@@ -56,11 +64,12 @@ class ScanTest : public QObject {
         test::SliceFolder folder;
         folder.addStack(3);
         folder.addText("notes.txt", "The patient was well.");
-        folder.addText("empty", "");
+        folder.addText("README", "The patient was well.");
         folder.addText("long.bin", std::string(100000, 'x'));
+        folder.addText(".hidden", "");
         const ScanResult scan = folder.scan();
-        QCOMPARE(scan.filesSeen, 6);
-        QCOMPARE(scan.notDicom, 3);
+        QCOMPARE(scan.filesSeen, 7);
+        QCOMPARE(scan.notDicom, 4);
         QVERIFY(scan.problems.empty());
         QCOMPARE(scan.series.size(), std::size_t(1));
     }
@@ -225,6 +234,61 @@ class ScanTest : public QObject {
         QCOMPARE(scan.problems.size(), std::size_t(1));
         QCOMPARE(scan.problems[0].file.filename().string(), std::string("s02"));
         QCOMPARE(scan.series[0].slices.size(), std::size_t(2));
+        QVERIFY2(unreadOf(scan.series[0]).find("s02") != std::string::npos, unreadOf(scan.series[0]).c_str());
+    }
+
+    /// A stack is even without its last slice: only a word tells that it was there.
+    void endSliceThatCannotBeReadIsNamed_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("left");
+        QTest::newRow("empty") << "s04" << QByteArray();
+        QTest::newRow("empty, of any name") << "anything" << QByteArray();
+        QTest::newRow("100 bytes") << "s04" << QByteArray(100, '\0');
+        QTest::newRow("garbage") << "s04" << QByteArray(20000, 'x');
+        QTest::newRow("cut in its header") << "s04" << QByteArray(128, '\0') + "DICM" + QByteArray(8, '\2');
+    }
+    void endSliceThatCannotBeReadIsNamed() {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, left);
+        test::SliceFolder folder;
+        folder.addStack(4);
+        folder.addText(name.toStdString(), left.toStdString());
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(1));
+        QVERIFY(scan.series[0].verdict.loadable());
+        QCOMPARE(scan.problems.size(), std::size_t(1));
+        QCOMPARE(scan.notDicom, 0);
+        const std::string note = unreadOf(scan.series[0]);
+        QVERIFY2(note.starts_with("1 file could not be read, and slices of this series may be missing (" +
+                                  name.toStdString() + ")"),
+                 note.c_str());
+    }
+
+    void garbageThatEndsAsTheSlicesDoIsNamed() {
+        test::SliceFolder folder;
+        for (int k = 0; k < 3; ++k)
+            test::writeSliceFile(folder.path() / ("a" + std::to_string(k) + ".dcm"), {.position = {0, 0, 2.0 * k}});
+        folder.addText("f3c.DCM", "garbage");
+        QVERIFY(!unreadOf(folder.scan().series[0]).empty());
+    }
+
+    /// What is damaged elsewhere is no concern of a series, unless it may be of any.
+    void damageIsNamedWhereItMayBelong() {
+        test::SliceFolder folder;
+        for (const char* name : {"one", "two", "three"})
+            fs::create_directory(folder.path() / name);
+        folder.addStack(3, {.seriesUid = "1.2.3.1"}, "one/s");
+        folder.addStack(2, {.seriesUid = "1.2.3.2"}, "two/s");
+        folder.addText("two/s02", "");
+        const auto notes = [](const ScanResult& scan) {
+            return std::pair(unreadOf(scan.series.at(0)), unreadOf(scan.series.at(1)));
+        };
+        QCOMPARE(notes(folder.scan()).first, std::string());
+        QVERIFY(notes(folder.scan()).second.find("two/s02") != std::string::npos);
+        fs::remove(folder.path() / "two" / "s02");
+        folder.addText("three/s02", std::string(128, '\0').append("DICM"));
+        QVERIFY(notes(folder.scan()).first.find("three/s02") != std::string::npos);
+        QVERIFY(notes(folder.scan()).second.find("three/s02") != std::string::npos);
     }
 
     void cancelEndsEachStepSoon() {
