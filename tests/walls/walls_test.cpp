@@ -6,7 +6,7 @@
 
 #include "tests/support/places.h"
 
-/// Reads every #include of the tree and fails where one crosses a wall of the house (design in README.md).
+/// Reads every #include of the tree and fails where one crosses a wall of the house (design in resources/manual/developer.md).
 class WallsTest : public QObject {
     Q_OBJECT
 
