@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QScreen>
+#include <QStyle>
 #include <algorithm>
 #include <utility>
 
@@ -46,6 +47,20 @@ QString exampleFolder() {
     return {};
 }
 
+/// Settings may be damaged, or from a larger screen: no window is larger than its screen, or lies beside it.
+void holdOnScreen(QWidget& window) {
+    const QRect room = window.screen()->availableGeometry();
+    const bool isLarge = window.isMaximized() || window.isFullScreen();
+    const QRect kept = isLarge ? window.normalGeometry() : window.geometry();
+    const QSize size = kept.size().boundedTo(room.size());
+    if (size == kept.size() && room.intersects(kept))
+        return;
+    const Qt::WindowStates states = window.windowState();
+    window.setWindowState(Qt::WindowNoState);
+    window.setGeometry(QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, size, room));
+    window.setWindowState(states);
+}
+
 }  // namespace
 
 Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
@@ -64,6 +79,7 @@ Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, c
     window_.resize(QSize(1480, 920).boundedTo(window_.screen()->availableSize() * 0.95));
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());
+    holdOnScreen(window_);
     wire(parts());
     offerOwnLooks(parts());
     bridge_.setTarget(settings_.target());

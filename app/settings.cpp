@@ -1,5 +1,8 @@
 #include "app/settings.h"
 
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,9 +40,30 @@ QString ownFile() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "pd-render", "pdrender").fileName();
 }
 
+/// QSettings gives a new file to all readers, and leaves an old one as it is.
+QString madeTheOwnersAlone(const QString& file) {
+    constexpr QFile::Permissions kOwners = QFile::ReadOwner | QFile::WriteOwner;
+    QFile kept(file);
+    if (QDir().mkpath(QFileInfo(file).path()) && kept.open(QFile::ReadWrite, kOwners))
+        kept.setPermissions(kOwners);
+    return file;
+}
+
+/// The same, in a folder that is this program's own.
+QString ownFileAlone() {
+    QString file = madeTheOwnersAlone(ownFile());
+    QFile::setPermissions(QFileInfo(file).path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    return file;
+}
+
+QString absolute(const QString& folder) {
+    return QDir::cleanPath(QFileInfo(folder).absoluteFilePath());
+}
+
 }  // namespace
 
-Settings::Settings(const QString& file) : store_(file.isEmpty() ? ownFile() : file, QSettings::IniFormat) {}
+Settings::Settings(const QString& file)
+    : store_(file.isEmpty() ? ownFileAlone() : madeTheOwnersAlone(file), QSettings::IniFormat) {}
 
 QByteArray Settings::windowGeometry() const {
     return store_.value(kGeometry).toByteArray();
@@ -79,7 +103,9 @@ bool Settings::remembersFolders() const {
 }
 
 QStringList Settings::recentFolders() const {
-    return store_.value(kFolders).toStringList().mid(0, kMostFolders);
+    QStringList folders = store_.value(kFolders).toStringList();
+    folders.removeIf([](const QString& folder) { return QDir::isRelativePath(folder); });
+    return folders.mid(0, kMostFolders);
 }
 
 std::optional<double> Settings::planningSeconds(const QString& kind) const {
@@ -116,8 +142,8 @@ void Settings::keepFolder(const QString& folder) {
     if (!remembersFolders())
         return;
     QStringList folders = recentFolders();
-    folders.removeAll(folder);
-    folders.prepend(folder);
+    folders.removeAll(absolute(folder));
+    folders.prepend(absolute(folder));
     store_.setValue(kFolders, folders.mid(0, kMostFolders));
 }
 

@@ -19,7 +19,7 @@ namespace pdr::app {
 
 class Settings {
   public:
-    /// In the user's own configuration, or in `file` if given.
+    /// In the user's own configuration, or in `file` if given; either way the owner alone may read it.
     explicit Settings(const QString& file = {});
 
     QByteArray windowGeometry() const;
@@ -30,7 +30,7 @@ class Settings {
     bool captioned() const;  ///< unfinished pictures say so
     ui::ThemeChoice theme() const;
     bool remembersFolders() const;      ///< not unless that was chosen: folders are called after patients
-    QStringList recentFolders() const;  ///< the newest first, 8 at most
+    QStringList recentFolders() const;  ///< absolute, the newest first, 8 at most
     /// What the last picture of `kind` took per pixel until it was good for planning [s]; none: there was none.
     std::optional<double> planningSeconds(const QString& kind) const;
     void keepDevice(const QString& name);
@@ -39,7 +39,7 @@ class Settings {
     void keepCaptioned(bool captioned);
     /// What was remembered is forgotten with the choice not to.
     void keepRemembersFolders(bool remembers);
-    /// As the newest, where folders are remembered.
+    /// As the newest, where folders are remembered; started elsewhere, the program finds it again.
     void keepFolder(const QString& folder);
     void forgetFolders();
     QString language() const;  ///< empty: the system's

@@ -1,5 +1,7 @@
 /// What is kept between two runs, and what is not.
 
+#include <sys/stat.h>
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -14,7 +16,11 @@ class TestSettings : public QObject {
   private slots:
     void foldersAreNotRememberedUnlessChosen();
     void theNewestEightAreRememberedOnce();
+    void foldersAreRememberedWithTheWholeWay();
     void forgettingLeavesNothingInTheFile();
+    void onlyTheOwnerMayReadThem_data();
+    void onlyTheOwnerMayReadThem();
+    void theOwnFolderIsTheOwnersAlone();
     void coloursAreKept();
     void keysAreKept();
     void nodesAreKept();
@@ -49,6 +55,57 @@ void TestSettings::theNewestEightAreRememberedOnce() {
         kept.settings.keepFolder(QString("/%1").arg(i));
     kept.settings.keepFolder("/7");
     QCOMPARE(kept.settings.recentFolders(), QStringList({"/7", "/9", "/8", "/6", "/5", "/4", "/3", "/2"}));
+}
+
+/// The program may be started elsewhere the next time.
+void TestSettings::foldersAreRememberedWithTheWholeWay() {
+    Kept kept;
+    kept.settings.keepRemembersFolders(true);
+    const QString before = QDir::currentPath();
+    QVERIFY(QDir::setCurrent(kept.folder.path()));
+    kept.settings.keepFolder("../canary/in/");
+    const QString whole = QDir::cleanPath(QDir::current().absoluteFilePath("../canary/in"));
+    QDir::setCurrent(before);
+    QCOMPARE(Settings(kept.file).recentFolders(), QStringList{whole});
+    QSettings(kept.file, QSettings::IniFormat).setValue("recent/folders", QStringList{"in", "/out"});
+    QCOMPARE(Settings(kept.file).recentFolders(), QStringList{"/out"});
+}
+
+void TestSettings::onlyTheOwnerMayReadThem_data() {
+    QTest::addColumn<bool>("old");
+    QTest::newRow("new") << false;
+    QTest::newRow("of an earlier version") << true;
+}
+
+void TestSettings::onlyTheOwnerMayReadThem() {
+    QFETCH(bool, old);
+    ::umask(022);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("settings.ini");
+    if (old) {
+        QSettings(file, QSettings::IniFormat).setValue("theme", "dark");
+        QVERIFY(QFile::permissions(file).testFlag(QFile::ReadOther));
+    }
+    {
+        Settings settings(file);
+        settings.keepRemembersFolders(true);
+        settings.keepFolder("/patients/Doe");
+    }
+    struct stat facts {};
+    QCOMPARE(::stat(file.toUtf8().constData(), &facts), 0);
+    QVERIFY(facts.st_size > 0);
+    QCOMPARE(facts.st_mode & 0777, mode_t(0600));
+}
+
+void TestSettings::theOwnFolderIsTheOwnersAlone() {
+    ::umask(022);
+    const QTemporaryDir folder;
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+    Settings().keepDevice("cpu");
+    struct stat facts {};
+    QCOMPARE(::stat(folder.filePath("pd-render").toUtf8().constData(), &facts), 0);
+    QCOMPARE(facts.st_mode & 0777, mode_t(0700));
+    QCOMPARE(Settings().device(), QString("cpu"));
 }
 
 void TestSettings::forgettingLeavesNothingInTheFile() {

@@ -25,6 +25,8 @@ class TestWindowSize : public QObject {
     void aFinishedPictureHoldsAndGoesOnWithOneKey();
     void theKnobStopsRenderingAndGoesOn();
     void beforeTheFirstPictureTheViewSaysWhatHappens();
+    void aKeptWindowStaysOnTheScreen_data();
+    void aKeptWindowStaysOnTheScreen();
 
   private:
     QTemporaryDir folder_;
@@ -224,6 +226,48 @@ void TestWindowSize::beforeTheFirstPictureTheViewSaysWhatHappens() {
     trial.openAndWait(series_);
     QCOMPARE(said, "Preparing the volume of CT series 1...");
     QVERIFY(viewport.message().isEmpty());
+}
+
+/// What QWidget::saveGeometry() says of a window at `place`.
+static QByteArray geometryOf(QRect place, bool maximised) {
+    QByteArray kept;
+    QDataStream stream(&kept, QIODevice::WriteOnly);
+    stream.setVersion(QDataStream::Qt_4_0);
+    stream << quint32(0x1D9D0CB) << quint16(3) << quint16(0) << place << place << qint32(0) << quint8(maximised)
+           << quint8(0) << qint32(QGuiApplication::primaryScreen()->geometry().width()) << place;
+    return kept;
+}
+
+void TestWindowSize::aKeptWindowStaysOnTheScreen_data() {
+    QTest::addColumn<QRect>("place");
+    QTest::addColumn<bool>("maximised");
+    QTest::newRow("too high") << QRect(10, 10, 551, 32767) << false;
+    QTest::newRow("far too large") << QRect(0, 0, 1 << 24, 1 << 24) << false;
+    QTest::newRow("too large behind a maximised one") << QRect(0, 0, 32767, 32767) << true;
+    QTest::newRow("beside the screen") << QRect(100000, 100000, 600, 400) << false;
+}
+
+void TestWindowSize::aKeptWindowStaysOnTheScreen() {
+    QFETCH(QRect, place);
+    QFETCH(bool, maximised);
+    QTemporaryDir folder;
+    Settings(folder.filePath("settings.ini")).keepWindow(geometryOf(place, maximised), {});
+    const QRect room = QGuiApplication::primaryScreen()->availableGeometry();
+    {
+        Desktop desktop(*bundledLooks(), makeCpuDevice(1), folder.filePath("settings.ini"), 1);
+        const QWidget& window = desktop.window();
+        const QSize least = window.minimumSizeHint();
+        const auto fits = [&](QRect kept) {
+            return kept.width() <= std::max(room.width(), least.width()) &&
+                   kept.height() <= std::max(room.height(), least.height()) && kept.intersects(room);
+        };
+        QVERIFY2(fits(window.geometry()), qPrintable(QDebug::toString(window.geometry())));
+        QVERIFY2(fits(window.normalGeometry()), qPrintable(QDebug::toString(window.normalGeometry())));
+        QCOMPARE(window.isMaximized(), maximised);
+    }
+    Desktop again(*bundledLooks(), makeCpuDevice(1), folder.filePath("settings.ini"), 1);
+    QVERIFY(again.window().normalGeometry().height() <=
+            std::max(room.height(), again.window().minimumSizeHint().height()));
 }
 
 }  // namespace pdr::app
