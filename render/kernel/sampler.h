@@ -3,7 +3,8 @@
 /// the first event and its light - are coordinates of low-discrepancy points (sobol.h); all others are hashed
 /// (random.h).
 ///   sequences   a pixel has two, scrambled apart: one for its even and one for its odd samples, so that the means of
-///               both halves are independent estimates, however even each is
+///               both halves are independent estimates, however even each is. No other seed has them, neighbouring ones
+///               included: the seed alone is mixed before pixel and half are counted from it
 ///   addressed   as all random numbers: by seed, pixel, sample, bounce and dimension
 
 #include "render/kernel/attenuation.h"
@@ -26,7 +27,7 @@ class Sampler {
     PDR_HD Sampler(const SobolTable& points, std::uint64_t seed, std::uint32_t pixel, std::uint64_t sample)
         : random_(seed, pixel, sample),
           points_(&points),
-          scramble_(mixBits(mixBits(~seed + sample % 2) + pixel)),
+          scramble_(mixBits(mixBits(~seed) + 2 * std::uint64_t(pixel) + sample % 2)),
           point_(std::uint32_t(sample / 2)) {}
 
     PDR_HD vec2 pair(Dimension dimension) const {

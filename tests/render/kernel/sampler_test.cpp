@@ -2,8 +2,11 @@
 /// and together they are even.
 
 #include <QTest>
+#include <algorithm>
 #include <array>
+#include <numeric>
 #include <set>
+#include <vector>
 
 #include "render/kernel/sampler.h"
 #include "tests/support/statistics.h"
@@ -33,6 +36,45 @@ bool oneInEachInterval(std::uint32_t points, Fraction&& fraction) {
     for (std::uint32_t i = 0; i < points; ++i)
         intervals.insert(std::uint64_t(fraction(i)) * points >> 32);
     return intervals.size() == points;
+}
+
+constexpr std::uint64_t kSeeds = 64;
+constexpr std::uint32_t kPixels = 4096;
+
+/// One half of a pixel's samples.
+struct Sequence {
+    std::uint64_t seed, half;
+    std::uint32_t pixel;
+
+    Sampler operator[](std::uint64_t i) const { return {kSobolTable, seed, pixel, 2 * i + half}; }
+};
+
+/// Of all pixels of an image, by its seed and half.
+template <class Number>
+auto imageOf(std::uint64_t seed, std::uint64_t half, Number&& number) {
+    std::vector<decltype(number(Sequence()))> image;
+    for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel)
+        image.push_back(number(Sequence{seed, half, pixel}));
+    return image;
+}
+
+/// How far the mean of five samples is off for the half of the unit cube below its diagonal plane.
+float errorOf(const Sequence& samples) {
+    float below = 0;
+    for (std::uint64_t i = 0; i < 5; ++i) {
+        const vec2 place = samples[i].pair(Dimension::filter);
+        below += place.x + place.y + samples[i].number(0, BounceDimension::choice) < 1.5f;
+    }
+    return below / 5 - 0.5f;
+}
+
+/// Of the errors of each pixel in one image and of the pixel `lag` behind it in another, in units of its own standard
+/// error.
+double correlation(const std::vector<float>& a, const std::vector<float>& b, std::ptrdiff_t lag) {
+    const double product = std::inner_product(a.begin(), a.end() - lag, b.begin() + lag, 0.0);
+    const double squares =
+        std::inner_product(a.begin(), a.end(), a.begin(), 0.0) * std::inner_product(b.begin(), b.end(), b.begin(), 0.0);
+    return product / std::sqrt(squares) * std::sqrt(double(kPixels));
 }
 
 }  // namespace
@@ -107,6 +149,41 @@ class SamplerTest : public QObject {
             QVERIFY(board(first, place) > kAlarm);
             QVERIFY(board(choice, place) > kAlarm);
         }
+    }
+
+    /// Seeds that follow each other, pixels and halves have no points in common: 69 bits tell 524,288 sequences apart,
+    /// so that one in 10^9 such tests would see two of them meet.
+    void noTwoSeedsShareASequence() {
+        std::vector<std::array<float, 3>> first;
+        for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
+            for (const std::uint64_t half : {0, 1})
+                for (const auto& point : imageOf(seed, half, [](const Sequence& samples) {
+                         const vec2 place = samples[0].pair(Dimension::filter);
+                         return std::array{place.x, place.y, samples[0].number(0, BounceDimension::choice)};
+                     }))
+                    first.push_back(point);
+        const std::size_t all = first.size();
+        std::ranges::sort(first);
+        const auto again = std::ranges::unique(first);
+        QVERIFY2(again.empty(), qPrintable(QString("%1 of %2").arg(again.size()).arg(all)));
+    }
+
+    /// All pairs of 64 seeds that follow each other, half by half, pixel by pixel and with the pixel behind: the errors
+    /// of two images are uncorrelated, so that their mean has half of their variance.
+    void errorsOfNeighbouringSeedsAreIndependent() {
+        std::vector<std::vector<float>> errors;
+        for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
+            for (const std::uint64_t half : {0, 1})
+                errors.push_back(imageOf(seed, half, errorOf));
+        const std::size_t images = errors.size();
+        double worst = 0;
+        for (std::size_t a = 0; a < images; ++a)
+            for (std::size_t b = 0; b < images; ++b)
+                for (const std::ptrdiff_t lag : {0, 1})
+                    if (lag == 1 || a < b)
+                        worst = std::max(worst, std::fabs(correlation(errors[a], errors[b], lag)));
+        const double allowed = test::allowedZ(int(images * images + images * (images - 1) / 2), kAlarm);
+        QVERIFY2(worst < allowed, qPrintable(QString("%1 standard errors, %2 allowed").arg(worst).arg(allowed)));
     }
 
     /// Light paths from one event are neighbours in a denser sequence, and their hashed numbers differ.
