@@ -143,7 +143,10 @@ class RegionTest : public QObject {
             const auto frame =
                 watched.screen.await([&](const Frame& f) { return f.region && f.region->region == part && f.reached; });
             QVERIFY(frame && frame->region->reached);
-            QVERIFY(frame->region->status.tissuePixels == 0 || frame->region->status.displayError <= 16);
+            // What has seen no light for long is dark, and keeps nobody waiting.
+            const FilmStatus& status = frame->region->status;
+            const bool isDark = status.unlitTissue && std::isinf(status.displayError) && status.samplesPerPixel >= 256;
+            QVERIFY(status.tissuePixels == 0 || isDark || status.displayError <= 16);
         }
         watched.session.setRegion(std::nullopt);
         QVERIFY(watched.screen.await([](const Frame& f) { return !f.region && f.reached; }));
