@@ -1,6 +1,7 @@
 #include "app/look_pictures.h"
 
 #include <QElapsedTimer>
+#include <algorithm>
 
 #include "app/looks.h"
 #include "render/device/device.h"
@@ -23,6 +24,12 @@ constexpr qint64 kRestsPerWork = 2;     ///< while they are
 bool waitFor(qint64 ms, const std::stop_token& stop) {
     for (; ms > 0 && !stop.stop_requested(); ms -= 10)
         QThread::msleep(10);
+    return !stop.stop_requested();
+}
+
+/// Returns false if it was stopped.
+bool waitUntil(const std::atomic<bool>& stands, const std::stop_token& stop) {
+    while (!stands && waitFor(10, stop)) {}
     return !stop.stop_requested();
 }
 
@@ -82,7 +89,7 @@ void LookPictures::make(const std::shared_ptr<const Volume>& volume,
                         const std::shared_ptr<const segment::BodyParts>& parts, const VolumeGeometry& body,
                         const std::vector<LookTask>& tasks) {
     const bool first = volume_.lock() != volume;
-    if (!first && tasks == tasks_)
+    if (!first && std::ranges::is_permutation(tasks, tasks_))
         return;
     if (first)
         coarse_ = {};
@@ -109,7 +116,7 @@ void LookPictures::make(const std::shared_ptr<const Volume>& volume,
                     coarse_ = coarse;
                     emit made(look, picture.image, picture.stops);
                 });
-            if (!first && !waitFor(kRestsPerWork * clock.elapsed(), stop))
+            if (!(first ? waitUntil(imageStands_, stop) : waitFor(kRestsPerWork * clock.elapsed(), stop)))
                 return [] {};
         }
         return [] {};

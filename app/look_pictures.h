@@ -3,6 +3,7 @@
 /// copy of the volume: some 30 ms each.
 
 #include <QImage>
+#include <atomic>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -26,15 +27,19 @@ class LookPictures : public BackgroundJob {
     static constexpr int kSize = 96;  ///< pixels along an edge
 
   public slots:
-    /// Ends with a made() for each of the tasks, in their order, unless others come first. The same again do nothing.
-    /// The first ones of a volume come as fast as they can; later ones begin when nothing has come for a while, and
-    /// take a third of the time. `parts`: of the same scan. `body`: the part of its grid that the pictures are filled
+    /// Ends with a made() for each of the tasks, in their order, unless others come first. The same again, in any order, do nothing.
+    /// The first ones of a volume come as fast as they can, but after the first only when the large image stands; later
+    /// ones begin when nothing has come for a while, and take a third of the time. `parts`: of the same scan. `body`: the part of its grid that the pictures are filled
     /// with.
     void make(const std::shared_ptr<const pdr::Volume>& volume,
               const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::VolumeGeometry& body,
               const std::vector<pdr::app::LookTask>& tasks);
     /// No volume: what runs ends, and nothing of one is kept.
     void forget();
+
+    /// Whether there is a large image of the volume: until then the processors are left to it. True before the first
+    /// call.
+    void setImageStands(bool stands) { imageStands_ = stands; }
 
   signals:
     /// `stops`: the brightness that the picture is shown at, which suits it.
@@ -52,7 +57,8 @@ class LookPictures : public BackgroundJob {
 
     std::weak_ptr<const Volume> volume_;  ///< of the newest tasks
     std::vector<LookTask> tasks_;
-    Coarse coarse_;  ///< of that volume, as far as it is there
+    Coarse coarse_;                       ///< of that volume, as far as it is there
+    std::atomic<bool> imageStands_ = true;
 };
 
 }  // namespace pdr::app

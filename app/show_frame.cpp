@@ -129,6 +129,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
          errorMapOf(frame), frame->smoothed});
     parts.window.cut().setPicture(frame->camera, {frame->size.x, frame->size.y});
     parts.window.setPictureAvailable(true);
+    parts.looks.setImageStands(true);
     keepWhatItTook(parts.settings, *frame);
     showStatus(parts);
 }

@@ -1,5 +1,7 @@
 #include "app/show_looks.h"
 
+#include <algorithm>
+
 #include "app/look_text.h"
 
 namespace pdr::app {
@@ -44,15 +46,17 @@ QList<ui::LookCard> cardsOf(const Document& document) {
     return cards;
 }
 
-/// Those first that make sense of the scan.
+/// The look that is shown first, since its brightness is waited for; then those that make sense of the scan.
 std::vector<LookTask> tasksOf(const Document& document) {
     std::vector<LookTask> tasks;
-    for (const bool suited : {true, false})
-        for (int i = 0; document.looks().holds(i); ++i)
-            if (document.looks().whyUnsuited(i).empty() == suited) {
-                tasks.push_back({i, document.setupWith(i)});
-                tasks.back().setup.stops = 0;  // the picture finds its own
-            }
+    const auto rank = [&](int look) {
+        return look == document.look() ? 0 : document.looks().whyUnsuited(look).empty() ? 1 : 2;
+    };
+    for (int i = 0; document.looks().holds(i); ++i) {
+        tasks.push_back({i, document.setupWith(i)});
+        tasks.back().setup.stops = 0;  // the picture finds its own
+    }
+    std::ranges::stable_sort(tasks, {}, [&](const LookTask& task) { return rank(task.look); });
     return tasks;
 }
 

@@ -34,6 +34,7 @@ void showNothing(const DesktopParts& parts) {
     parts.window.setRegion(std::nullopt);
     parts.study.setVolume(nullptr);
     parts.looks.forget();
+    parts.looks.setImageStands(false);
     parts.window.tissue().setHistogram(nullptr);
     showNoPicture(parts, {});
     parts.window.setStartShown(true);

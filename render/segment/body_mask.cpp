@@ -5,6 +5,7 @@
 
 #include "render/base/errors.h"
 #include "render/segment/cell_values.h"
+#include "render/segment/checkpoint.h"
 #include "render/segment/contact.h"
 #include "render/segment/distance.h"
 #include "render/segment/pieces.h"
@@ -42,10 +43,11 @@ double shareOfBorder(const Cells& body, const CellGrid& grid) {
 }
 
 /// What the body touches; nothing where the field of view cuts through it, since lung vessels reach its border there.
-Cells foreignIn(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid) {
+Cells foreignIn(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid,
+                const Checkpoint& checkpoint) {
     if (shareOfBorder(body, grid) > kMostAtBorder)
         return Cells(body.size());
-    return touching(body, squaredDepths, grid);
+    return touching(body, squaredDepths, grid, checkpoint);
 }
 
 /// The body's outline, a cell more, and none of the other solids.
@@ -56,43 +58,44 @@ Cells shownOf(const Cells& outline, const Cells& solid, const CellGrid& grid) {
     return shown;
 }
 
-}  // namespace
-
-Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
+/// Stopped by its checkpoints.
+Result<BodyMask> findBody(const Volume& volume, const Progress& progress) {
     const dvec3 spacing = volume.geometry().spacingMm();
     if (glm::max(spacing.x, glm::max(spacing.y, spacing.z)) > kCoarsestMm)
         return undecided("voxels lie more than 5 mm apart");
-    if (!progress(0, kStep))
-        return cancelled();
     BodyMask mask;
     const CellGrid& grid = mask.grid = CellGrid::over(volume.geometry());
-    const Cells solid = cellsAbove(kSolidHu, cellSums(volume, grid), grid);
-    if (!progress(0.3, kStep))
-        return cancelled();
-    const std::vector<float> squaredDepths = squaredDistances(solid, 0, grid, kBallMm);
+    const Cells solid = cellsAbove(kSolidHu, cellSums(volume, grid, checkpointOf(progress, 0, kStep)), grid);
+    const Checkpoint atDepths = checkpointOf(progress, 0.3, kStep);
+    const std::vector<float> squaredDepths = squaredDistances(solid, 0, grid, kBallMm, atDepths);
+    atDepths();
     ThickPieces bodies = thickPieces(solid, squaredDepths, grid, kBallMm);
     if (bodies.count == 0)
         return undecided("nothing is as thick as 20 mm");
     if (double(countOf(bodies.cells)) < kLeastBody * double(countOf(solid)))
         return undecided("more than half of what is solid is thinner than 20 mm");
-    if (!progress(0.5, kStep))
-        return cancelled();
+    const Checkpoint atContact = checkpointOf(progress, 0.5, kStep), atOutline = checkpointOf(progress, 0.8, kStep);
     Cells& body = bodies.cells;
-    mask.cut = foreignIn(body, squaredDepths, grid);
+    mask.cut = foreignIn(body, squaredDepths, grid, atContact);
     for (std::size_t i = 0; i < body.size(); ++i)
         body[i] = body[i] && !mask.cut[i];
-    if (!progress(0.8, kStep))
-        return cancelled();
+    atOutline();
     mask.body = withHolesFilled(body, grid);
     const Cells& outline = mask.body;
+    atOutline();
     mask.shown = shownOf(outline, solid, grid);
     mask.box = boxOf(outline, grid);
     mask.rowEnds = rowEnds(outline, grid);
     mask.parts = bodies.count;
     mask.bodyMl = volumeMl(outline, grid);
-    if (!progress(1, kStep))
-        return cancelled();
+    checkpointOf(progress, 1, kStep)();
     return mask;
+}
+
+}  // namespace
+
+Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
+    return orCancelled([&] { return findBody(volume, progress); });
 }
 
 }  // namespace pdr::segment

@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "render/base/errors.h"
 #include "render/segment/bone_cells.h"
 #include "render/segment/distance.h"
+#include "render/segment/for_each_slice.h"
 #include "render/segment/lung_cells.h"
 
 namespace pdr::segment {
@@ -46,13 +48,38 @@ template <typename T, typename Find>
 Result<std::shared_ptr<const T>> knownOr(Found<T>& found, const Find& find) {
     const std::lock_guard lock(found.mutex);
     if (!found.value) {
-        Result<T> now = find();
+        Result<T> now = orCancelled(find);
         if (!now)
             return now.error();
         found.value = std::make_shared<const T>(*std::move(now));
     }
     return found.value;
 }
+
+/// The distances at the nodes of a mask, row by row.
+class RowOfDistances {
+  public:
+    /// Of a volume that lies at `own`, for a mask of one that lies at `on`.
+    RowOfDistances(const SmoothDistance& distance, const VolumeGeometry& own, const VolumeGeometry& on,
+                   const MaskGrid& grid)
+        : distance_(distance),
+          grid_(grid),
+          same_(on.patientFromIndex == own.patientFromIndex),
+          placeInVolume_(glm::inverse(own.patientFromIndex) * on.patientFromIndex) {}
+
+    void operator()(int j, int k, std::vector<double>& mm) const {
+        if (same_)
+            return distance_.along(ivec3(grid_.place({0, j, k})), 1 << grid_.shift.x, int(mm.size()), mm.data());
+        for (int i = 0; i < int(mm.size()); ++i)
+            mm[std::size_t(i)] = distance_.at(dvec3(placeInVolume_ * dvec4(grid_.place({i, j, k}), 1.0)));
+    }
+
+  private:
+    const SmoothDistance& distance_;
+    const MaskGrid& grid_;
+    bool same_;
+    dmat4 placeInVolume_;
+};
 
 }  // namespace
 
@@ -63,10 +90,11 @@ Result<std::shared_ptr<const BodyMask>> BodyParts::body(const Progress& progress
 BodyParts::Distance BodyParts::belowSkin(double depthMm, const Progress& progress) const {
     const bool shallow = depthMm <= kShallowMm;
     return knownOr(shallow ? belowSkin_ : deepBelowSkin_, [&]() -> Result<SmoothDistance> {
-        const auto whole = body(progress);
+        const auto whole = body(partOf(progress, 0, 0.8));
         if (!whole)
             return whole.error();
-        return SmoothDistance((*whole)->body, 0, (*whole)->grid, (shallow ? kShallowMm : kDeepMm) + kRoomMm);
+        return SmoothDistance((*whole)->body, 0, (*whole)->grid, (shallow ? kShallowMm : kDeepMm) + kRoomMm,
+                              checkpointOf(progress, 0.9, kStep));
     });
 }
 
@@ -75,30 +103,22 @@ BodyParts::Distance BodyParts::inLungs(const Progress& progress) const {
         const auto whole = body(partOf(progress, 0, 0.6));
         if (!whole)
             return without(whole.error(), "the lungs cannot be told from the rest");
-        const Cells lungs = lungCells(*volume_, **whole);
+        const Cells lungs = lungCells(*volume_, **whole, checkpointOf(progress, 0.6, kStep));
         if (none(lungs))
             return refused("the lungs cannot be shown", "there is no air of 150 ml in the body that looks like a lung");
-        if (!progress(0.8, kStep))
-            return cancelled();
         const CellGrid& grid = (*whole)->grid;
-        const Cells wide = widened(lungs, grid, kVesselMm);
-        if (!progress(0.9, kStep))
-            return cancelled();
-        return SmoothDistance(wide, 0, grid, kVesselMm + kPleuraMm + kRoomMm);
+        const Cells wide = widened(lungs, grid, kVesselMm, checkpointOf(progress, 0.8, kStep));
+        return SmoothDistance(wide, 0, grid, kVesselMm + kPleuraMm + kRoomMm, checkpointOf(progress, 0.9, kStep));
     });
 }
 
 BodyParts::Distance BodyParts::fromBones(const Progress& progress) const {
     return knownOr(fromBones_, [&]() -> Result<SmoothDistance> {
-        if (!progress(0, kStep))
-            return cancelled();
         const CellGrid grid = CellGrid::over(volume_->geometry());
-        const Cells bone = boneCells(*volume_, grid);
+        const Cells bone = boneCells(*volume_, grid, checkpointOf(progress, 0, kStep));
         if (none(bone))
             return refused("bones cannot be told from the rest", "nothing in the scan is as dense as bone");
-        if (!progress(0.8, kStep))
-            return cancelled();
-        return SmoothDistance(bone, 1, grid, kAroundBoneMm + kRoomMm);
+        return SmoothDistance(bone, 1, grid, kAroundBoneMm + kRoomMm, checkpointOf(progress, 0.8, kStep));
     });
 }
 
@@ -108,12 +128,21 @@ PartMask BodyParts::maskOn(const VolumeGeometry& on, const Distance& distance, s
                            const Progress& progress, const WeightOf& weightOf) const {
     if (!distance)
         return distance.error();
-    if (!progress(0.9, kStep))
-        return cancelled();
-    const dmat4& own = volume_->geometry().patientFromIndex;
-    const dmat4 placeInVolume = on.patientFromIndex == own ? dmat4(1.0) : glm::inverse(own) * on.patientFromIndex;
-    return maskOf(MaskGrid::over(on), std::move(hidden),
-                  [&](dvec3 place) { return weightOf((*distance)->at(dvec3(placeInVolume * dvec4(place, 1.0)))); });
+    const MaskGrid grid = MaskGrid::over(on);
+    const ivec3 size = grid.size();
+    HugePageVector<std::int16_t> weights(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    const RowOfDistances rowOf(**distance, volume_->geometry(), on, grid);
+    return orCancelled([&]() -> PartMask {
+        forEachSlice(size.z, checkpointOf(progress, 0.9, kStep), [&](int k) {
+            std::vector<double> row(std::size_t(size.x));
+            std::int16_t* weight = weights.data() + std::size_t(k) * std::size_t(size.y) * std::size_t(size.x);
+            for (int j = 0; j < size.y; ++j, weight += size.x) {
+                rowOf(j, k, row);
+                std::transform(row.begin(), row.end(), weight, weightOf);
+            }
+        });
+        return std::make_shared<const Mask>(grid, std::move(weights), std::move(hidden));
+    });
 }
 
 PartMask BodyParts::peeled(double depthMm, const VolumeGeometry& on, const Progress& progress) const {

@@ -1,11 +1,10 @@
 #include "render/segment/bone_cells.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "render/segment/cell_values.h"
 #include "render/segment/distance.h"
+#include "render/segment/for_each_slice.h"
 #include "render/segment/pieces.h"
 
 namespace pdr::segment {
@@ -40,26 +39,28 @@ bool isEven(const std::vector<std::int16_t>& mean, const CellGrid& grid, ivec3 a
     return double(squares) * kCells - double(sum) * double(sum) < most * most;
 }
 
-Cells bloodCells(const std::vector<std::int16_t>& mean, const CellGrid& grid) {
+Cells bloodCells(const std::vector<std::int16_t>& mean, const CellGrid& grid, const Checkpoint& checkpoint) {
     Cells blood(mean.size());
-    tbb::parallel_for(1, std::max(grid.size.z - 1, 1), [&](int z) {
+    forEachSlice(std::max(grid.size.z - 2, 0), checkpoint, [&](int below) {
+        const int z = below + 1;
         for (int y = 1; y < grid.size.y - 1; ++y)
             for (int x = 1; x < grid.size.x - 1; ++x) {
                 const std::size_t at = grid.index(x, y, z);
                 blood[at] = mean[at] >= kEvenFromHu && isEven(mean, grid, {x, y, z});
             }
     });
+    checkpoint();
     blood = piecesWith(blood, kPoolMl / grid.cellMl(), blood, grid);
-    blood = widened(blood, grid, kVesselRimMm);
+    blood = widened(blood, grid, kVesselRimMm, checkpoint);
     for (std::size_t i = 0; i < blood.size(); ++i)
         blood[i] = blood[i] && mean[i] > kVesselHu;
     return blood;
 }
 
 /// `cells` with all gaps that a ball of `radiusMm` does not fit into.
-Cells closed(const Cells& cells, const CellGrid& grid, double radiusMm) {
-    Cells wide = widened(cells, grid, radiusMm);
-    const std::vector<float> distances = squaredDistances(wide, 0, grid, radiusMm);
+Cells closed(const Cells& cells, const CellGrid& grid, double radiusMm, const Checkpoint& checkpoint) {
+    Cells wide = widened(cells, grid, radiusMm, checkpoint);
+    const std::vector<float> distances = squaredDistances(wide, 0, grid, radiusMm, checkpoint);
     for (std::size_t i = 0; i < cells.size(); ++i)
         wide[i] = cells[i] || (wide[i] && !atMost(distances[i], radiusMm));
     return wide;
@@ -67,18 +68,20 @@ Cells closed(const Cells& cells, const CellGrid& grid, double radiusMm) {
 
 }  // namespace
 
-Cells boneCells(const Volume& volume, const CellGrid& grid) {
-    const CellValues values = cellValues(volume, grid);
-    const Cells blood = bloodCells(values.mean, grid);
+Cells boneCells(const Volume& volume, const CellGrid& grid, const Checkpoint& checkpoint) {
+    const CellValues values = cellValues(volume, grid, checkpoint);
+    const Cells blood = bloodCells(values.mean, grid, checkpoint);
     const double least = kLeastMl / grid.cellMl();
     Cells dense(blood.size());
     for (std::size_t i = 0; i < dense.size(); ++i)
         dense[i] = values.highest[i] > kDenseHu && values.mean[i] > kMarrowHu && !blood[i];
+    checkpoint();
     dense = piecesWith(dense, least, dense, grid);
-    Cells bone = widened(dense, grid, kReachMm);
+    Cells bone = widened(dense, grid, kReachMm, checkpoint);
     for (std::size_t i = 0; i < bone.size(); ++i)
         bone[i] = bone[i] && values.mean[i] > kMarrowHu && !blood[i];
-    bone = closed(piecesWith(dense, 1, bone, grid), grid, kClosedMm);
+    checkpoint();
+    bone = closed(piecesWith(dense, 1, bone, grid), grid, kClosedMm, checkpoint);
     for (std::size_t i = 0; i < bone.size(); ++i)
         bone[i] = bone[i] && !blood[i];
     return bone;

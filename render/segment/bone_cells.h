@@ -7,10 +7,11 @@
 ///   3. and goes on as far as what is above 150 HU, and no blood, hangs together within 12 mm, gaps of 8 mm closed
 
 #include "render/segment/cell_grid.h"
+#include "render/segment/checkpoint.h"
 
 namespace pdr::segment {
 
 /// None where nothing is as dense as bone.
-Cells boneCells(const Volume& volume, const CellGrid& grid);
+Cells boneCells(const Volume& volume, const CellGrid& grid, const Checkpoint& checkpoint = goOn);
 
 }  // namespace pdr::segment

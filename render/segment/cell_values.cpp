@@ -4,19 +4,21 @@
 
 #include <algorithm>
 
+#include "render/segment/for_each_slice.h"
+
 namespace pdr::segment {
 namespace {
 
 /// Calls visit(cell, hu) for each voxel; one thread at a time for each cell.
 template <typename Visit>
-void forEachVoxel(const Volume& volume, const CellGrid& grid, Visit visit) {
+void forEachVoxel(const Volume& volume, const CellGrid& grid, const Checkpoint& checkpoint, Visit visit) {
     const ivec3 voxels = grid.voxels, block = grid.block;
     const auto visitRow = [&](const std::int16_t* row, std::size_t cell) {
         for (int begin = 0; begin < voxels.x; begin += block.x, ++cell)
             for (int x = begin; x < std::min(begin + block.x, voxels.x); ++x)
                 visit(cell, std::max(row[x], Volume::kAirHu));
     };
-    tbb::parallel_for(0, grid.size.z, [&](int k) {
+    forEachSlice(grid.size.z, checkpoint, [&](int k) {
         for (int z = k * block.z; z < std::min((k + 1) * block.z, voxels.z); ++z)
             for (int y = 0; y < voxels.y; ++y)
                 visitRow(volume.voxels().data() +
@@ -37,9 +39,9 @@ void forEachCell(const CellGrid& grid, Visit visit) {
 
 }  // namespace
 
-std::vector<std::int32_t> cellSums(const Volume& volume, const CellGrid& grid) {
+std::vector<std::int32_t> cellSums(const Volume& volume, const CellGrid& grid, const Checkpoint& checkpoint) {
     std::vector<std::int32_t> sums(grid.count());
-    forEachVoxel(volume, grid, [&](std::size_t cell, std::int16_t hu) { sums[cell] += hu; });
+    forEachVoxel(volume, grid, checkpoint, [&](std::size_t cell, std::int16_t hu) { sums[cell] += hu; });
     return sums;
 }
 
@@ -50,10 +52,10 @@ Cells cellsAbove(int thresholdHu, const std::vector<std::int32_t>& sums, const C
     return cells;
 }
 
-CellValues cellValues(const Volume& volume, const CellGrid& grid) {
+CellValues cellValues(const Volume& volume, const CellGrid& grid, const Checkpoint& checkpoint) {
     std::vector<std::int32_t> sums(grid.count());
     CellValues values{std::vector<std::int16_t>(grid.count()), std::vector<std::int16_t>(grid.count(), Volume::kAirHu)};
-    forEachVoxel(volume, grid, [&](std::size_t cell, std::int16_t hu) {
+    forEachVoxel(volume, grid, checkpoint, [&](std::size_t cell, std::int16_t hu) {
         sums[cell] += hu;
         values.highest[cell] = std::max(values.highest[cell], hu);
     });

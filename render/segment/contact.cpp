@@ -73,9 +73,11 @@ void keepEnclosed(Cells& foreign, const Pieces& pieces, const std::vector<Extent
 
 }  // namespace
 
-Cells touching(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid) {
+Cells touching(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid,
+               const Checkpoint& checkpoint) {
     const double reach = kOpeningMm + 1.01 * grid.longestMm();
-    const std::vector<float> fromCore = squaredDistances(eroded(body, squaredDepths, grid), 1, grid, reach);
+    const Cells core = eroded(body, squaredDepths, grid);
+    const std::vector<float> fromCore = squaredDistances(core, 1, grid, reach, checkpoint);
     Cells residue(body.size());
     for (std::size_t i = 0; i < body.size(); ++i)
         residue[i] = body[i] && !atMost(fromCore[i], reach);
@@ -84,7 +86,9 @@ Cells touching(const Cells& body, const std::vector<float>& squaredDepths, const
     if (all - thin < kLeastOpened * all)
         return Cells(body.size());
 
+    checkpoint();
     const Pieces pieces = piecesOf(residue, grid);
+    checkpoint();
     const std::vector<Extent> extents = extentsOf(pieces, grid);
     Cells foreign(extents.size());
     for (std::size_t piece = 1; piece < extents.size(); ++piece)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/segment/cell_grid.h"
+#include "render/segment/checkpoint.h"
 
 namespace pdr::segment {
 
@@ -11,6 +12,7 @@ namespace pdr::segment {
 /// in pieces of at least 1 ml and 60 mm. None where that opening would take more than 15 % of the body, as of a dry
 /// skull: then thin does not mean foreign.
 ///   squaredDepths   of the body's cells below its surface [mm^2], known to 10 mm
-Cells touching(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid);
+Cells touching(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid,
+               const Checkpoint& checkpoint = goOn);
 
 }  // namespace pdr::segment

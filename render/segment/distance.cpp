@@ -1,11 +1,12 @@
 #include "render/segment/distance.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+
+#include "render/segment/for_each_slice.h"
 
 namespace pdr::segment {
 namespace {
@@ -66,24 +67,25 @@ class RowsApart {
 
 /// One axis after the other, as Felzenszwalb and Huttenlocher (2012) do; but no farther than `reachMm`, for which
 /// looking at all neighbours within reach is quicker than their lower envelope: whole rows at a time.
-std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm) {
+std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
+                                    const Checkpoint& checkpoint) {
     std::vector<float> distances(grid.count());
     tbb::enumerable_thread_specific<std::vector<float>> room;
     const RowsApart alongY(grid.size.x, grid.size.y, grid.spacingMm.y, reachMm);
-    tbb::parallel_for(0, grid.size.z, [&](int z) {
+    forEachSlice(grid.size.z, checkpoint, [&](int z) {
         for (int y = 0; y < grid.size.y; ++y)
             alongRow(&cells[grid.index(0, y, z)], value, grid.size.x, float(grid.spacingMm.x),
                      &distances[grid.index(0, y, z)]);
         alongY.spread(&distances[grid.index(0, 0, z)], std::size_t(grid.size.x), room.local());
     });
     const RowsApart alongZ(grid.size.x, grid.size.z, grid.spacingMm.z, reachMm);
-    tbb::parallel_for(0, grid.size.y,
-                      [&](int y) { alongZ.spread(&distances[grid.index(0, y, 0)], grid.sliceCount(), room.local()); });
+    forEachSlice(grid.size.y, checkpoint,
+                 [&](int y) { alongZ.spread(&distances[grid.index(0, y, 0)], grid.sliceCount(), room.local()); });
     return distances;
 }
 
-Cells widened(const Cells& cells, const CellGrid& grid, double radiusMm) {
-    const std::vector<float> distances = squaredDistances(cells, 1, grid, radiusMm);
+Cells widened(const Cells& cells, const CellGrid& grid, double radiusMm, const Checkpoint& checkpoint) {
+    const std::vector<float> distances = squaredDistances(cells, 1, grid, radiusMm, checkpoint);
     Cells wide(cells.size());
     for (std::size_t i = 0; i < wide.size(); ++i)
         wide[i] = atMost(distances[i], radiusMm);

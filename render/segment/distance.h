@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/segment/cell_grid.h"
+#include "render/segment/checkpoint.h"
 
 namespace pdr::segment {
 
@@ -21,9 +22,10 @@ inline bool atMost(float squaredMm2, double mm) {
 /// For each cell the squared distance [mm^2] from its centre to that of the nearest cell whose flag is `value`. Exact
 /// up to `reachMm`; beyond, at least the square of `reachMm`, also where there is none. What lies outside the grid is
 /// no cell. The same for any number of threads, and of a mirrored mask the mirrored one, bit by bit.
-std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm);
+std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
+                                    const Checkpoint& checkpoint = goOn);
 
 /// `cells`, and all whose centre lies at most `radiusMm` from that of one of them.
-Cells widened(const Cells& cells, const CellGrid& grid, double radiusMm);
+Cells widened(const Cells& cells, const CellGrid& grid, double radiusMm, const Checkpoint& checkpoint = goOn);
 
 }  // namespace pdr::segment

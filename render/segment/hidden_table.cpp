@@ -1,7 +1,5 @@
 #include "render/segment/hidden_table.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <new>
@@ -10,6 +8,7 @@
 
 #include "render/base/errors.h"
 #include "render/segment/body_mask.h"
+#include "render/segment/for_each_slice.h"
 #include "render/segment/outside_metal.h"
 #include "render/segment/rule.h"
 
@@ -17,6 +16,7 @@ namespace pdr::segment {
 namespace {
 
 constexpr double kLeastMl = 1;
+constexpr std::string_view kStep = "hiding the table";
 
 /// "884 ml", from 10 l on "16.8 l".
 std::string volumeText(double ml) {
@@ -79,12 +79,12 @@ struct Masked {
     HiddenSlice hidden;  ///< of all slices
 };
 
-Masked masked(const Volume& volume, const BodyMask& mask) {
+Masked masked(const Volume& volume, const BodyMask& mask, const Checkpoint& checkpoint) {
     const ivec3 size = volume.size();
     const std::size_t area = std::size_t(size.x) * std::size_t(size.y);
     Masked result{Voxels(volume.voxels().begin(), volume.voxels().end()), {}};
     std::vector<HiddenSlice> slices(std::size_t(size.z));
-    tbb::parallel_for(0, size.z, [&](int z) {
+    forEachSlice(size.z, checkpoint, [&](int z) {
         slices[std::size_t(z)] = hideSlice(mask, size, z, result.voxels.data() + area * std::size_t(z));
     });
     for (const HiddenSlice& slice : slices)
@@ -92,12 +92,12 @@ Masked masked(const Volume& volume, const BodyMask& mask) {
     return result;
 }
 
-HiddenTable tableOf(const Volume& volume, BodyMask mask) {
+HiddenTable tableOf(const Volume& volume, BodyMask mask, const Checkpoint& checkpoint) {
     HiddenTable table;
-    Masked all = masked(volume, mask);
+    Masked all = masked(volume, mask, checkpoint);
     if (all.hidden.highest > kMetalHu) {
         table.metalMl = showMetal(volume, mask);
-        all = masked(volume, mask);
+        all = masked(volume, mask, checkpoint);
     }
     const dvec3 spacing = volume.geometry().spacingMm();
     table.bodyBox = boxIn(volume, mask);
@@ -118,8 +118,12 @@ Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress) {
         Result<BodyMask> mask = bodyMask(volume, partOf(progress, 0, 0.7));
         if (!mask && mask.error().kind == ErrorKind::cancelled)
             return mask.error();
-        HiddenTable table = mask ? tableOf(volume, *std::move(mask)) : undecided(volume, mask.error().what);
-        return progress(1, "hiding the table") ? Result<HiddenTable>(std::move(table)) : cancelled();
+        return orCancelled([&]() -> Result<HiddenTable> {
+            HiddenTable table = mask ? tableOf(volume, *std::move(mask), checkpointOf(progress, 0.8, kStep))
+                                     : undecided(volume, mask.error().what);
+            checkpointOf(progress, 1, kStep)();
+            return table;
+        });
     } catch (const std::bad_alloc&) {
         return undecided(volume, "there is not enough memory to look for it");
     }

@@ -12,14 +12,16 @@ constexpr double kLungMl = 150;  ///< of a lung, at least
 
 }  // namespace
 
-Cells lungCells(const Volume& volume, const BodyMask& body) {
+Cells lungCells(const Volume& volume, const BodyMask& body, const Checkpoint& checkpoint) {
     const CellGrid& grid = body.grid;
-    const std::vector<std::int32_t> sums = cellSums(volume, grid);
+    const std::vector<std::int32_t> sums = cellSums(volume, grid, checkpoint);
     Cells air = cellsAbove(kAirHu, sums, grid);
     for (std::size_t i = 0; i < air.size(); ++i)
         air[i] = body.body[i] && !air[i];
     const Cells tissue = cellsAbove(kGasHu, sums, grid);
+    checkpoint();
     const Pieces pieces = piecesOf(air, grid);
+    checkpoint();
     std::vector<std::size_t> size(std::size_t(pieces.count) + 1), notGas(size.size());
     for (std::size_t i = 0; i < air.size(); ++i) {
         ++size[std::size_t(pieces.of[i])];

@@ -1,11 +1,10 @@
 #include "render/segment/smooth_distance.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "render/segment/distance.h"
+#include "render/segment/for_each_slice.h"
 
 namespace pdr::segment {
 namespace {
@@ -41,43 +40,54 @@ void smoothAcross(float* rows, int length, int count, std::size_t stride, std::v
 
 }  // namespace
 
-SmoothDistance::SmoothDistance(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm)
-    : grid_(grid), mm_(squaredDistances(cells, value, grid, reachMm)) {
+SmoothDistance::SmoothDistance(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
+                               const Checkpoint& checkpoint)
+    : grid_(grid), mm_(squaredDistances(cells, value, grid, reachMm, checkpoint)) {
     const auto halfCell = float(0.5 * std::min({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z}));
     const auto reach = float(reachMm);
-    tbb::parallel_for(0, grid.size.z, [&](int z) {
+    forEachSlice(grid.size.z, checkpoint, [&](int z) {
         float* slice = &mm_[grid.index(0, 0, z)];
         for (std::size_t i = 0; i < grid.sliceCount(); ++i)
             slice[i] = std::min(std::sqrt(slice[i]) - halfCell, reach);
     });
-    smooth();
+    smooth(checkpoint);
 }
 
-void SmoothDistance::smooth() {
+void SmoothDistance::smooth(const Checkpoint& checkpoint) {
     const ivec3 size = grid_.size;
-    tbb::parallel_for(0, size.z, [&](int z) {
+    forEachSlice(size.z, checkpoint, [&](int z) {
         std::vector<float> before;
         for (int y = 0; y < size.y; ++y)
             smoothAlong(&mm_[grid_.index(0, y, z)], size.x, before);
         smoothAcross(&mm_[grid_.index(0, 0, z)], size.x, size.y, std::size_t(size.x), before);
     });
-    tbb::parallel_for(0, size.y, [&](int y) {
+    forEachSlice(size.y, checkpoint, [&](int y) {
         std::vector<float> before;
         smoothAcross(&mm_[grid_.index(0, y, 0)], size.x, size.z, grid_.sliceCount(), before);
     });
 }
 
 double SmoothDistance::at(dvec3 place) const {
-    const dvec3 cell = (place + 0.5) / dvec3(grid_.block) - 0.5;  // of cells' centres
-    const dvec3 inside = glm::clamp(cell, dvec3(0), dvec3(grid_.size - 1));
-    const ivec3 low = glm::min(ivec3(inside), glm::max(grid_.size - 2, ivec3(0)));
-    const ivec3 high = glm::min(low + 1, grid_.size - 1);
-    const dvec3 f = inside - dvec3(low);
-    const auto row = [&](int y, int z) {
-        return glm::mix(double(mm_[grid_.index(low.x, y, z)]), double(mm_[grid_.index(high.x, y, z)]), f.x);
+    const Between x = between(place.x, 0), y = between(place.y, 1), z = between(place.z, 2);
+    const auto row = [&](int j, int k) {
+        return glm::mix(double(mm_[grid_.index(x.low, j, k)]), double(mm_[grid_.index(x.high, j, k)]), x.f);
     };
-    return glm::mix(glm::mix(row(low.y, low.z), row(high.y, low.z), f.y),
-                    glm::mix(row(low.y, high.z), row(high.y, high.z), f.y), f.z);
+    return glm::mix(glm::mix(row(y.low, z.low), row(y.high, z.low), y.f),
+                    glm::mix(row(y.low, z.high), row(y.high, z.high), y.f), z.f);
+}
+
+/// In the order of at(), so that both give the same bits.
+void SmoothDistance::along(ivec3 first, int step, int count, double* mm) const {
+    const Between y = between(first.y, 1), z = between(first.z, 2);
+    const float* const rows[4] = {&mm_[grid_.index(0, y.low, z.low)], &mm_[grid_.index(0, y.high, z.low)],
+                                  &mm_[grid_.index(0, y.low, z.high)], &mm_[grid_.index(0, y.high, z.high)]};
+    for (int i = 0; i < count; ++i) {
+        const Between x = between(first.x + i * step, 0);
+        const auto row = [&](const float* cells) {
+            return glm::mix(double(cells[x.low]), double(cells[x.high]), x.f);
+        };
+        mm[i] = glm::mix(glm::mix(row(rows[0]), row(rows[1]), y.f), glm::mix(row(rows[2]), row(rows[3]), y.f), z.f);
+    }
 }
 
 }  // namespace pdr::segment

@@ -1,11 +1,51 @@
 #include "render/volume/volume.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cassert>
 #include <sstream>
 #include <utility>
 
 namespace pdr {
+namespace {
+
+/// The values of some voxels; of none, the lowest lies above the highest.
+struct Ranges {
+    HuRange stored{INT16_MAX, INT16_MIN}, measured{INT16_MAX, INT16_MIN};
+    std::size_t padding = 0;
+
+    void include(const Ranges& other) {
+        stored.include(other.stored);
+        measured.include(other.measured);
+        padding += other.padding;
+    }
+};
+
+Ranges joined(Ranges a, const Ranges& b) {
+    a.include(b);
+    return a;
+}
+
+/// Of the voxels [begin, end). `padding` is empty or has a flag for each voxel.
+Ranges rangesOf(const Voxels& voxels, const std::vector<bool>& padding, std::size_t begin, std::size_t end) {
+    Ranges ranges;
+    for (std::size_t i = begin; i < end; ++i)
+        ranges.stored.include({voxels[i], voxels[i]});
+    if (padding.empty())
+        ranges.measured = ranges.stored;
+    else
+        for (std::size_t i = begin; i < end; ++i) {
+            const bool none = padding[i];
+            ranges.measured.include({none ? std::int16_t(INT16_MAX) : voxels[i],  //
+                                     none ? std::int16_t(INT16_MIN) : voxels[i]});
+            ranges.padding += none;
+        }
+    return ranges;
+}
+
+}  // namespace
 
 dvec3 VolumeGeometry::spacingMm() const {
     return {glm::length(dvec3(patientFromIndex[0])), glm::length(dvec3(patientFromIndex[1])),
@@ -73,26 +113,18 @@ Volume Volume::withVoxels(Voxels voxels, std::string hidden) const {
 }
 
 void Volume::findRanges() {
-    const auto [low, high] = std::minmax_element(voxels_.begin(), voxels_.end());
-    storedRange_ = {*low, *high};
-    if (padding_.empty()) {
-        lowestHu_ = *low;
-        highestHu_ = *high;
-        return;
-    }
-    paddingCount_ = std::size_t(std::count(padding_.begin(), padding_.end(), true));
-    if (paddingCount_ == voxels_.size()) {
-        lowestHu_ = highestHu_ = kAirHu;
-        return;
-    }
-    lowestHu_ = INT16_MAX;
-    highestHu_ = INT16_MIN;
-    for (std::size_t i = 0; i < voxels_.size(); ++i) {
-        if (padding_[i])
-            continue;
-        lowestHu_ = std::min(lowestHu_, voxels_[i]);
-        highestHu_ = std::max(highestHu_, voxels_[i]);
-    }
+    constexpr std::size_t kTogether = 1 << 18;  // voxels
+    const Ranges all = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, voxels_.size(), kTogether), Ranges(),
+        [&](const tbb::blocked_range<std::size_t>& part, const Ranges& before) {
+            return joined(before, rangesOf(voxels_, padding_, part.begin(), part.end()));
+        },
+        joined);
+    storedRange_ = all.stored;
+    paddingCount_ = all.padding;
+    const bool measured = all.measured.lowest <= all.measured.highest;
+    lowestHu_ = measured ? all.measured.lowest : kAirHu;
+    highestHu_ = measured ? all.measured.highest : kAirHu;
 }
 
 }  // namespace pdr

@@ -18,6 +18,7 @@ class TestLookPictures : public QObject {
     void theSameAgainIsNothingNew();
     void anotherViewIsAnotherPicture();
     void theVolumeIsLetGoOf();
+    void theLargeImageComesFirst();
 
   private:
     static std::vector<LookTask> tasks(StandardView view, const Volume& volume) {
@@ -84,6 +85,22 @@ void TestLookPictures::theVolumeIsLetGoOf() {
     head.reset();
     pictures.forget();
     QTRY_VERIFY_WITH_TIMEOUT(kept.expired(), test::kPatience);
+}
+
+/// The brightness of the look that is shown is waited for, the other pictures are not.
+void TestLookPictures::theLargeImageComesFirst() {
+    LookPictures pictures;
+    QSignalSpy made(&pictures, &LookPictures::made);
+    pictures.setImageStands(false);
+    std::vector<LookTask> all = tasks(StandardView::anterior, *head_);
+    pictures.make(head_, parts_, head_->geometry(), all);
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, test::kPatience);
+    QVERIFY(!made.wait(100));
+    std::swap(all[0], all[1]);
+    pictures.make(head_, parts_, head_->geometry(), all);  // nothing new
+    pictures.setImageStands(true);
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, test::kPatience);
+    QCOMPARE(made[1][0].toInt(), 0);
 }
 
 }  // namespace pdr::app
