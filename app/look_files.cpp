@@ -6,13 +6,14 @@
 
 #include <string_view>
 
+#include "render/base/plain_file.h"
 #include "render/scene/slicer/vp_json.h"
 #include "render/scene/slicer/vp_text.h"
 
 namespace pdr::app {
 namespace {
 
-constexpr qint64 kMostBytes = qint64(16) << 20;
+constexpr std::uint64_t kMostBytes = 16 << 20;
 
 /// The file's name without its ending.
 std::string plainName(const QString& path) {
@@ -34,15 +35,11 @@ Result<NamedLook> fromSlicer(const Result<slicer::VolumeProperty>& property, con
 }  // namespace
 
 Result<NamedLook> readLookFile(const QString& path, const NamedLook& base) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return Error{"this look cannot be read: " + file.errorString().toStdString(), path.toStdString(),
-                     "Check the name and the permissions."};
-    if (file.size() > kMostBytes)
-        return Error{"is too large for a look", path.toStdString(), ""};
-    const QByteArray bytes = file.readAll();
-    const std::string_view text(bytes.constData(), std::size_t(bytes.size()));
     const std::string where = path.toStdString();
+    const Result<std::string> bytes = readPlainFile(QFile::encodeName(path).toStdString(), kMostBytes);
+    if (!bytes)
+        return bytes.error();
+    const std::string_view text = *bytes;
     if (path.endsWith(".vp.json", Qt::CaseInsensitive))
         return fromSlicer(slicer::propertyFromJson(text, where), path, base);
     if (path.endsWith(".vp", Qt::CaseInsensitive))

@@ -1,8 +1,8 @@
 #include "app/looks.h"
 
-#include <QString>
+#include <QFile>
 
-#include "app/look_files.h"
+#include "render/scene/named_look.h"
 
 /// Qt's macro must stand outside of any namespace; without it the linker drops the resources of a static library.
 static void keepResources() {
@@ -23,7 +23,9 @@ Result<std::vector<NamedLook>> bundledLooks() {
     keepResources();
     std::vector<NamedLook> looks;
     for (const char* name : kNames) {
-        Result<NamedLook> look = readLookFile(QStringLiteral(":/looks/%1.json").arg(QLatin1String(name)));
+        QFile file(QStringLiteral(":/looks/%1.json").arg(QLatin1String(name)));
+        const std::string text = file.open(QFile::ReadOnly) ? file.readAll().toStdString() : std::string();
+        Result<NamedLook> look = lookFromJson(text, file.fileName().toStdString());
         if (!look)
             return look.error();
         looks.push_back(*std::move(look));

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstring>
 
+#include "render/base/plain_file.h"
+
 namespace pdr::dicom {
 
 namespace {
@@ -15,16 +17,19 @@ constexpr std::size_t kAskEvery = 1 << 20;
 
 }  // namespace
 
-ByteSource::ByteSource(const std::filesystem::path& file) : file_(file, std::ios::binary) {
+ByteSource::ByteSource(const std::filesystem::path& file) : opened_(checkPlainFile(file)) {
+    if (!opened_)
+        return;
     std::error_code failure;
     size_ = std::filesystem::file_size(file, failure);
-    open_ = file_.is_open() && !failure;
-    if (!open_)
-        size_ = 0;
+    file_.open(file, std::ios::binary);
+    if (file_.is_open() && !failure)
+        return;
+    opened_ = Error{"the file cannot be read", file.string(), ""};
+    size_ = 0;
 }
 
-ByteSource::ByteSource(std::vector<std::uint8_t> bytes)
-    : window_(std::move(bytes)), size_(window_.size()), open_(true) {}
+ByteSource::ByteSource(std::vector<std::uint8_t> bytes) : window_(std::move(bytes)), size_(window_.size()) {}
 
 bool ByteSource::fillWindow(std::uint64_t offset) {
     window_.resize(std::size_t(std::min<std::uint64_t>(kWindowBytes, size_ - offset)));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dicom/go_on.h"
+#include "render/base/result.h"
 
 namespace pdr::dicom {
 
@@ -18,7 +19,8 @@ class ByteSource {
     explicit ByteSource(const std::filesystem::path& file);
     explicit ByteSource(std::vector<std::uint8_t> bytes);
 
-    bool isOpen() const { return open_; }
+    /// Errors: it is not there, may not be read, is no plain file.
+    const Result<void>& opened() const { return opened_; }
     std::uint64_t size() const { return size_; }
 
     /// Copies `out.size()` bytes from `offset` on. False if they are not all there.
@@ -31,7 +33,7 @@ class ByteSource {
     std::vector<std::uint8_t> window_;
     std::uint64_t windowStart_ = 0;
     std::uint64_t size_ = 0;
-    bool open_ = false;
+    Result<void> opened_;
 };
 
 /// The data set of a deflated file: everything from `offset` on, inflated. Empty if the stream is damaged, inflates to

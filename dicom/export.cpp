@@ -95,6 +95,10 @@ void putWho(DcmItem& item, const ExportFacts& facts, const SeriesIdentity& ident
     put(item, DCM_Modality, "CT");
     put(item, DCM_SeriesInstanceUID, identity.seriesUid);
     put(item, DCM_SeriesNumber, "1");
+    if (facts.bodyPart.empty())
+        put(item, DCM_Laterality, "");  // type 2C: it may be one of a pair, and which is not known
+    else
+        put(item, DCM_BodyPartExamined, facts.bodyPart);
     put(item, DCM_SeriesDescription, facts.seriesDescription);
     put(item, DCM_Manufacturer, "PD-Render");
     put(item, DCM_SoftwareVersions, PDR_VERSION);

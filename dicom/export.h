@@ -17,6 +17,7 @@ struct ExportFacts {
     std::string studyDescription;
     std::string seriesDescription;
     std::string derivation;  ///< where the voxels come from, in a sentence
+    std::string bodyPart{};  ///< one that is no pair, as DICOM calls it: "HEAD"; empty: not known
 };
 
 /// Creates `folder` (which must not hold files) and writes size.z files into it. Written beside and renamed into place:

@@ -266,9 +266,9 @@ FileStructure checkStructure(const std::filesystem::path& file, const GoOn& goOn
     FileStructure found;
     Allowance allowance(goOn, found);
     ByteSource source(file);
-    if (!source.isOpen()) {
+    if (!source.opened()) {
         found.isDicom = true;
-        found.damage = "it cannot be opened";
+        found.damage = source.opened().error().what;
         return found;
     }
     std::array<std::uint8_t, 4> magic{};

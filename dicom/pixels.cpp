@@ -12,6 +12,7 @@
 #include "dicom/refusal.h"
 #include "dicom/slice_header.h"
 #include "render/base/errors.h"
+#include "render/base/plain_file.h"
 
 namespace pdr::dicom {
 
@@ -169,7 +170,9 @@ Result<DecodedSlice> decodeChecked(const SliceRef& slice, Padding padding) {
 Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding) {
     std::error_code failure;
     if (!std::filesystem::exists(slice.file, failure))
-        return Error{"the file is no longer there", slice.file.string(), "Scan the folder again."};
+        return Error{"the file is no longer there", slice.file.string(), "Open the folder again."};
+    if (auto ok = checkPlainFile(slice.file); !ok)
+        return ok.error();
     try {
         return decodeChecked(slice, padding);
     } catch (const std::bad_alloc&) {

@@ -5,8 +5,8 @@
 
 #include "app/cli/cranium.h"
 #include "app/cli/failed.h"
-#include "app/program/interrupt.h"
 #include "app/cli/progress_line.h"
+#include "app/program/interrupt.h"
 #include "dicom/export.h"
 #include "render/volume/phantom.h"
 
@@ -42,10 +42,18 @@ std::optional<Request> parse(QStringList arguments) {
 
 dicom::ExportFacts factsOf(const Request& request) {
     if (request.cranium.empty())
-        return {"Phantom^Head", "PHANTOM", "PD-Render example", "Head phantom",
-                "An analytic head phantom, computed by PD-Render. No patient."};
-    return {"Example^Cranium", "CRANIUM", "PD-Render example", "Head with cranial defect",
-            "Written by PD-Render from the voxels of Cranium.inv3, an example of InVesalius."};
+        return {"Phantom^Head",
+                "PHANTOM",
+                "PD-Render example",
+                "Head phantom",
+                "An analytic head phantom, computed by PD-Render. No patient.",
+                "HEAD"};
+    return {"Example^Cranium",
+            "CRANIUM",
+            "PD-Render example",
+            "Head with cranial defect",
+            "Written by PD-Render from the voxels of Cranium.inv3, an example of InVesalius.",
+            "HEAD"};
 }
 
 Result<Volume> voxelsOf(const Request& request) {

@@ -1,5 +1,5 @@
-/// pdrender-cli: info, looks, render, accuracy, effects, replay, cluster, example. Exit codes: 0, 1 for an error, 2 for wrong
-/// usage.
+/// pdrender-cli: info, looks, render, accuracy, effects, replay, cluster, example. Exit codes: 0, 1 for an error, 2 for
+/// wrong usage.
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -82,6 +82,7 @@ int run(QStringList arguments) {
 int main(int argc, char** argv) {
     return pdr::app::runProgram("pdrender-cli", [&] {
         const QCoreApplication application(argc, argv);
+        pdr::app::keepNumbersPlain();
         return pdr::app::run(QCoreApplication::arguments().mid(1));
     });
 }

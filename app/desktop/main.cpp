@@ -90,6 +90,7 @@ bool hasDisplay(int argc, char** argv) {
 /// Answers questions, and complains about wrong usage before it complains about the display.
 int runWithoutWindow(int argc, char** argv) {
     const QCoreApplication application(argc, argv);
+    keepNumbersPlain();
     if (const auto options = desktopOptions(QCoreApplication::arguments()); options.answered)
         return *options.answered;
     std::fputs(kNoDisplay, stderr);
@@ -108,6 +109,7 @@ int runWithWindow(int argc, char** argv) {
     const QtMessageHandler usual = qInstallMessageHandler(endWhereQtGivesUp);
     qputenv("QT_NO_GLIB", "1");  // which ends the program where memory is short
     Application application(argc, argv);
+    keepNumbersPlain();
     qInstallMessageHandler(usual);
     QApplication::setApplicationName("pdrender");
     QApplication::setApplicationVersion(PDR_VERSION);

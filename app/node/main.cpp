@@ -110,6 +110,7 @@ int main(int argc, char** argv) {
     mallopt(M_PERTURB, 0x5a);  // memory that is given back is overwritten: it may have held a scan
     const int code = pdr::app::runProgram("pdrender-node", [&] {
         const QCoreApplication application(argc, argv);
+        pdr::app::keepNumbersPlain();
         return pdr::node::run();
     });
     return code == 1 ? int(pdr::node::ExitCode::internal) : code;

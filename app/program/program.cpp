@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <clocale>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -79,6 +80,10 @@ void keepMemoryPrivate() {
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
     ::prctl(PR_SET_DUMPABLE, 0);  // the limit alone does not count where a program collects core dumps
+}
+
+void keepNumbersPlain() {
+    std::setlocale(LC_NUMERIC, "C");
 }
 
 int runProgram(const char* name, const std::function<int()>& work) {

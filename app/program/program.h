@@ -8,6 +8,10 @@ namespace pdr::app {
 /// Keeps what is in memory, such as a patient's scan, out of core dumps and from other processes of the same user.
 void keepMemoryPrivate();
 
+/// Reads and writes numbers with a point, whatever the user's language: files and other programs expect it. Call behind
+/// the application object of Qt, which takes over the language's own signs.
+void keepNumbersPlain();
+
 /// Runs `work`, which returns the exit code, as the program `name`. Whatever is thrown, by any thread, becomes a
 /// sentence on standard error and exit code 1, never a signal. 1 as well where something that was printed did not
 /// arrive: whoever reads figures from a file or a pipe must not take an empty one for success.

@@ -8,11 +8,12 @@
 #include <QSslKey>
 
 #include "app/remote/signed_certificate.h"
+#include "render/base/plain_file.h"
 
 namespace pdr::remote {
 namespace {
 
-constexpr qint64 kMostBytes = 64 << 10;
+constexpr std::uint64_t kMostBytes = 64 << 10;
 constexpr const char* kNewBundle = "Make new ones with --make-certificates, for the coordinator and all nodes.";
 
 Error refused(std::string what, const QString& where, std::string hint) {
@@ -20,11 +21,10 @@ Error refused(std::string what, const QString& where, std::string hint) {
 }
 
 Result<QByteArray> readPem(const QString& path) {
-    QFile file(path);
-    if (!file.open(QFile::ReadOnly))
-        return refused("a file of the certificates cannot be read", path,
-                       "Give the folder that --make-certificates has made.");
-    return file.read(kMostBytes);
+    const Result<std::string> bytes = readPlainFile(QFile::encodeName(path).toStdString(), kMostBytes);
+    if (!bytes)
+        return refused(bytes.error().what, path, "Give the folder that --make-certificates has made.");
+    return QByteArray::fromStdString(*bytes);
 }
 
 /// Where the system hands out keys (Kubernetes, systemd), root owns them and the program's group may read them.
@@ -48,6 +48,15 @@ Result<void> checkCertificate(const QSslCertificate& certificate, Role role, con
         return refused("this certificate holds no longer", path, kNewBundle);
     if (now < certificate.effectiveDate())
         return refused("this certificate does not hold yet", path, "Check this machine's clock.");
+    return {};
+}
+
+Result<void> checkKey(const QByteArray& pem, const QString& path) {
+    if (pem.contains("ENCRYPTED"))
+        return refused("this key is encrypted, and nobody is there to ask for its password", path,
+                       "Give one without a password, which only you may read.");
+    if (QSslKey(pem, QSsl::Ec).isNull())
+        return refused("this is no key", path, kNewBundle);
     return {};
 }
 
@@ -79,6 +88,10 @@ Result<Identity> readIdentity(const QString& folder, Role role) {
     const QSslCertificate certificate(*own);
     if (auto right = checkCertificate(certificate, role, part + "/certificate.pem"); !right)
         return right.error();
+    if (auto right = checkKey(*key, part + "/key.pem"); !right)
+        return right.error();
+    if (QSslCertificate(*authority).isNull())
+        return refused("this is no certificate", part + "/ca.pem", kNewBundle);
     if (!belongTogether(*key, *own, *authority))
         return refused("these certificates do not belong together", part, kNewBundle);
     return Identity{role,

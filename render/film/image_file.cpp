@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "render/base/errors.h"
+#include "render/base/plain_file.h"
 #include "render/base/replacing_file.h"
 #include "render/film/levels_text.h"
 #include "render/film/local_error.h"
@@ -231,6 +232,8 @@ Result<void> writeExr(const Film& film, const Provenance& provenance, const std:
 
 Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress& progress) {
     constexpr int kLargestEdge = 16384;
+    if (auto ok = checkPlainFile(path); !ok)
+        return ok.error();
     try {
         Imf::InputFile file(path.c_str());
         const Imath::Box2i window = file.header().dataWindow();

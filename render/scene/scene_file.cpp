@@ -1,10 +1,10 @@
 #include "render/scene/scene_file.h"
 
-#include <fstream>
 #include <iterator>
 #include <type_traits>
 #include <utility>
 
+#include "render/base/plain_file.h"
 #include "render/scene/field_check.h"
 #include "render/scene/field_reader.h"
 #include "render/scene/field_writer.h"
@@ -17,7 +17,7 @@ namespace pdr {
 namespace {
 
 constexpr std::string_view kFormat = "pdrender-scene";
-constexpr std::uintmax_t kLargestFile = 16u << 20;  ///< a scene is text; what is larger is something else
+constexpr std::uint64_t kLargestFile = 16u << 20;  ///< a scene is text; what is larger is something else
 
 [[noreturn]] void fail(const std::string& field, const std::string& what) {
     throw FieldError{{what, field, ""}};
@@ -128,20 +128,6 @@ void readScene(JsonFields& fields, const std::filesystem::path& folder, SceneFil
     orFail(file.scene.check());
 }
 
-Result<std::string> readText(const std::filesystem::path& path) {
-    std::error_code failure;
-    const std::uintmax_t size = std::filesystem::file_size(path, failure);
-    if (failure)
-        return Error{"the scene file cannot be read (" + failure.message() + ")", path.string(), "Check the path."};
-    if (size > kLargestFile)
-        return Error{"is too large for a scene file", path.string(), "Scene files are JSON texts of a few kilobytes."};
-    std::ifstream stream(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream && !stream.eof())
-        return Error{"the scene file cannot be read", path.string(), "Check that you may read it."};
-    return text;
-}
-
 }  // namespace
 
 Result<SceneFile> sceneFromText(std::string_view text, const std::string& where, const std::filesystem::path& folder) {
@@ -153,7 +139,7 @@ Result<SceneFile> sceneFromText(std::string_view text, const std::string& where,
 }
 
 Result<SceneFile> readSceneFile(const std::filesystem::path& path) {
-    const Result<std::string> text = readText(path);
+    const Result<std::string> text = readPlainFile(path, kLargestFile);
     if (!text)
         return text.error();
     return sceneFromText(*text, path.string(), path.parent_path());

@@ -2,6 +2,7 @@
 
 #include "tests/support/tissue_scene.h"  // before Qt, whose word "emit" TBB uses
 
+#include <sys/stat.h>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -130,7 +131,14 @@ class AccuracyCurveTest : public QObject {
         other = scene;
         other.volume = test::bumpyVolume({50, 41, 37}, {0.9, 1.1, 1.3}, 4);
         QVERIFY(filmKey(other, "cpu") != key && !readFilm(scene, filmKey(other, "cpu"), file));
+        const std::filesystem::path pipe = folder.filePath("pipe.film").toStdString();
+        QVERIFY(::mkfifo(pipe.c_str(), 0600) == 0 && !readFilm(scene, key, pipe));  // and is not waited for
         QFile bytes(folder.filePath("reference.film"));
+        QVERIFY(bytes.open(QIODevice::Append) && bytes.write("more") == 4);
+        bytes.close();
+        QVERIFY(!readFilm(scene, key, file));
+        std::filesystem::resize_file(file, std::filesystem::file_size(file) - 4);
+        QVERIFY(readFilm(scene, key, file).has_value());
         QVERIFY(bytes.open(QIODevice::ReadWrite) && bytes.seek(bytes.size() / 2) && bytes.write("damage") == 6);
         bytes.close();
         QVERIFY(!readFilm(scene, key, file));

@@ -9,6 +9,7 @@
 
 #include "render/base/version.h"
 #include "tests/support/ball_scene.h"
+#include "tests/support/test_tool.h"
 
 using pdr::test::BallScene;
 using pdr::test::ProgramRun;
@@ -199,6 +200,32 @@ class CliTest : public QObject {
         QVERIFY(BallScene::contents(folder + "/accuracy.csv").startsWith("picture,way,samples,seconds"));
         const ProgramRun nowhere = BallScene::run({"accuracy", scene(), "-o", scene() + "/report"});
         QVERIFY(nowhere.code == 1 && nowhere.err.contains("report"));
+    }
+
+    /// A decimal comma would part a number of a table in two.
+    void tablesAreTheSameInAnyLanguage() {
+        PDR_NEEDS_TOOL("localedef", "libc-bin");
+        if (!QFile::exists("/usr/share/i18n/locales/de_DE"))
+            PDR_SKIP_FOR_WANT_OF_DATA("no languages are here: ./bootstrap test installs the package locales");
+        const QString locales = at("locales");
+        QVERIFY(QDir().mkpath(locales));
+        QProcess::execute("localedef", {"-i", "de_DE", "-f", "UTF-8", locales + "/de_DE.UTF-8"});
+        QVERIFY(QFile::exists(locales + "/de_DE.UTF-8/LC_NUMERIC"));
+        const QString folder = at("comma");
+        const ProgramRun run = pdr::test::runProgram(
+            "pdrender-cli", {"accuracy", scene(), "-o", folder, "--time-limit", "0.5", "--size", "16x16"},
+            [&](QProcess& process) {
+                QProcessEnvironment german = QProcessEnvironment::systemEnvironment();
+                german.insert("LOCPATH", locales);
+                german.insert("LC_ALL", "de_DE.UTF-8");
+                process.setProcessEnvironment(german);
+            });
+        QVERIFY2(run.code == 0, run.err.constData());
+        QString table = BallScene::contents(folder + "/accuracy.csv");
+        const QStringList lines = table.remove(QRegularExpression("\"[^\"]*\"")).trimmed().split('\n');
+        QVERIFY(lines.size() > 6);
+        for (const QString& line : lines)
+            QVERIFY2(line.count(',') == lines[0].count(','), qPrintable(line));
     }
 
     /// Tissue too dense for multiple scattering is told before anybody counts samples, wherever health is told.

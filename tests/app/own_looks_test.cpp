@@ -1,5 +1,6 @@
 /// Looks in files: the user's own, and shared ones.
 
+#include <sys/stat.h>
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
@@ -65,6 +66,23 @@ class OwnLooksTest : public QObject {
         QCOMPARE(own.read().looks.size(), std::size_t(1));
         QCOMPARE(own.read().problems.size(), std::size_t(1));
         QVERIFY(own.read().problems[0].text().find("bad.json") != std::string::npos);
+    }
+
+    /// The window must open all the same.
+    void whatIsNoPlainFileIsNamedAndNotReadForEver() {
+        const QTemporaryDir folder;
+        OwnLooks own(folder.path());
+        QVERIFY(own.save(bundledLooks()->front()));
+        QVERIFY(QFile::link("/dev/zero", folder.filePath("zero.json")));
+        QCOMPARE(::mkfifo(QFile::encodeName(folder.filePath("pipe.json")).constData(), 0600), 0);
+        QVERIFY(QFile::link(folder.filePath("pipe.json"), folder.filePath("linked.json")));
+        const OwnLooks::Read read = own.read();
+        QCOMPARE(read.looks.size(), std::size_t(1));
+        QVERIFY(!read.problems.empty());
+        for (const Error& problem : read.problems)
+            QVERIFY2(problem.what == "this is no plain file" && problem.where.ends_with(".json"),
+                     problem.text().c_str());
+        QVERIFY(!readLookFile(folder.filePath("pipe.json")));
     }
 
     void looksAreSharedInThreeFormats() {

@@ -1,6 +1,7 @@
 #include <QTest>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -77,6 +78,34 @@ class LoadTest : public QObject {
         std::filesystem::rename(folder.path() / "s02", folder.path() / "s01");
         std::filesystem::rename(folder.path() / "other", folder.path() / "s02");
         QVERIFY(!loadSeries(scan.series.at(0), Padding::maskAsAir, noProgress));
+    }
+
+    void whatIsNoFileAnyMoreIsNotWaitedFor() {
+        const test::SliceFolder folder;
+        folder.addStack(3);
+        const ScanResult scan = folder.scan();
+        std::filesystem::remove(folder.path() / "s01");
+        QCOMPARE(::mkfifo((folder.path() / "s01").c_str(), 0600), 0);
+        const auto refused = loadSeries(scan.series.at(0), Padding::maskAsAir, noProgress);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().what, std::string("this is no plain file"));
+    }
+
+    /// A slice that the system does not hand out is not damaged.
+    void theSystemsReasonIsGiven() {
+        const test::SliceFolder folder;
+        folder.addStack(3);
+        const ScanResult scan = folder.scan();
+        rlimit before{};
+        ::getrlimit(RLIMIT_NOFILE, &before);
+        const rlimit none{3, before.rlim_max};
+        ::setrlimit(RLIMIT_NOFILE, &none);
+        const auto refused = loadSeries(scan.series.at(0), Padding::maskAsAir, noProgress);
+        ::setrlimit(RLIMIT_NOFILE, &before);
+        QVERIFY(!refused);
+        QVERIFY2(refused.error().what == "the file cannot be read (Too many open files)",
+                 refused.error().text().c_str());
+        QVERIFY(refused.error().hint.find("ulimit") != std::string::npos);
     }
 
     /// What the system lends to nobody in particular is not what this program may take.

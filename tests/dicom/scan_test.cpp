@@ -233,6 +233,7 @@ class ScanTest : public QObject {
         const ScanResult scan = folder.scan();
         QCOMPARE(scan.problems.size(), std::size_t(1));
         QCOMPARE(scan.problems[0].file.filename().string(), std::string("s02"));
+        QCOMPARE(scan.problems[0].reason, std::string("the file cannot be read (Permission denied)"));
         QCOMPARE(scan.series[0].slices.size(), std::size_t(2));
         QVERIFY2(unreadOf(scan.series[0]).find("s02") != std::string::npos, unreadOf(scan.series[0]).c_str());
     }

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "render/base/plain_file.h"
 #include "render/base/replacing_file.h"
 #include "render/base/version.h"
 #include "render/kernel/random.h"
@@ -112,11 +113,11 @@ class FieldReader {
             checksum_ = hashed(checksum_, std::as_bytes(std::span(&field, 1)));
         });
     }
-    /// Whether all that was read is what was written.
+    /// Whether all that was read is what was written, and all that there is.
     bool checksumFits() {
         std::uint64_t written = 0;
         file_.read(reinterpret_cast<char*>(&written), sizeof written);
-        return file_ && written == checksum_;
+        return file_ && written == checksum_ && file_.peek() == std::ifstream::traits_type::eof();
     }
 
   private:
@@ -151,6 +152,8 @@ Result<void> writeFilm(const KeptFilm& kept, std::uint64_t key, const std::files
 }
 
 std::optional<KeptFilm> readFilm(const Scene& scene, std::uint64_t key, const std::filesystem::path& path) {
+    if (!checkPlainFile(path))
+        return std::nullopt;
     FieldReader fields(path);
     Head head{};
     fields.read(head);

@@ -2,6 +2,7 @@
 
 #include <openssl/pem.h>
 #include <openssl/x509v3.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <QDir>
@@ -214,6 +215,21 @@ class CertificatesTest : public QObject {
         QVERIFY(overwrite(mixed + "/coordinator/key.pem", contentOf(bundle_ + "/coordinator/key.pem")));
         for (const Role role : {Role::coordinator, Role::node})
             QVERIFY(refusalOf(mixed, role).contains("do not belong together"));
+        // Which file it is, is said: a key with a password, one of something else, and what nobody will ever write.
+        const QString sealed = another();
+        const QString key = sealed + "/node/key.pem";
+        QVERIFY(overwrite(key, "-----BEGIN ENCRYPTED PRIVATE KEY-----\nAAAA\n-----END ENCRYPTED PRIVATE KEY-----\n"));
+        QVERIFY(refusalOf(sealed, Role::node).contains("key.pem: this key is encrypted"));
+        QVERIFY(overwrite(key, "nothing"));
+        QVERIFY(refusalOf(sealed, Role::node).contains("key.pem: this is no key"));
+        const QString alone = another();
+        QVERIFY(overwrite(alone + "/node/ca.pem", "nothing"));
+        QVERIFY(refusalOf(alone, Role::node).contains("ca.pem: this is no certificate"));
+        for (const char* name : {"ca.pem", "certificate.pem", "key.pem"}) {
+            const QString piped = another(), file = piped + "/node/" + name;
+            QVERIFY(QFile::remove(file) && ::mkfifo(QFile::encodeName(file).constData(), 0600) == 0);
+            QVERIFY(refusalOf(piped, Role::node).contains(QString(name) + ": this is no plain file"));
+        }
         QVERIFY(overwrite(mixed + "/node/certificate.pem", "nothing"));
         QVERIFY(refusalOf(mixed, Role::node).contains("no certificate"));
 

@@ -8,6 +8,7 @@
 #include <ImfInputFile.h>
 #include <ImfStringAttribute.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <QImage>
 #include <QTemporaryDir>
 
@@ -184,6 +185,7 @@ class ImageFileTest : public QObject {
             for (int x = 0; x < 7; ++x)
                 QVERIFY(image->pixels[y * 7 + x] == vec3(film.pixel(x, y).mean));
         QVERIFY(!readExr(at("no such file.exr")));
+        QVERIFY(::mkfifo(at("pipe.exr").c_str(), 0600) == 0 && !readExr(at("pipe.exr")));  // and is not waited for
         QFile file(QString::fromStdString(at("b.exr")));
         QVERIFY(file.open(QIODevice::ReadWrite) && file.resize(file.size() / 2));
         QVERIFY(!readExr(at("b.exr")));
