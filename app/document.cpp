@@ -82,6 +82,8 @@ void Document::open(std::shared_ptr<const Volume> volume) {
 }
 
 void Document::close() {
+    if (hasVolume())
+        emit closing();
     setup_ = withoutCutOf(look());
     history_.forget();
     volume_.reset();

@@ -111,6 +111,9 @@ class Document : public QObject {
     void redo();
 
   signals:
+    /// Before the volume goes: who holds it, its table, parts or masks, lets go of them now, since the next series waits
+    /// for their memory.
+    void closing();
     /// There are other looks to choose from, or the same for another volume.
     void looksChanged();
     /// There is another scene to render. `moving`: more will follow at once.

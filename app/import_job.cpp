@@ -1,5 +1,6 @@
 #include "app/import_job.h"
 
+#include <QDeadlineTimer>
 #include <QThread>
 #include <utility>
 
@@ -10,14 +11,19 @@
 namespace pdr::app {
 namespace {
 
-/// Returns false if it was cancelled.
-bool waitUntilFreed(const std::weak_ptr<const Volume>& volume, const Progress& progress) {
+/// Who is told of Document::closing() lets go soon, the renderer after the launch that is under way. The wait has an end
+/// all the same: somebody who does not let go is a fault, and must not keep a surgeon from a scan without a word.
+Result<void> waitUntilFreed(const std::weak_ptr<const Volume>& volume, std::chrono::milliseconds patience,
+                            const Progress& progress) {
+    const QDeadlineTimer end(patience);
     while (!volume.expired()) {
         if (!progress(0, "closing the series before"))
-            return false;
+            return cancelled();
+        if (end.hasExpired())
+            return Error{"the series before is still held in memory", "", "Open the series again, or start the program anew."};
         QThread::msleep(5);
     }
-    return true;
+    return {};
 }
 
 }  // namespace
@@ -37,11 +43,11 @@ void ImportJob::scanFolder(const QString& folder) {
 void ImportJob::loadSeries(int index) {
     if (index < 0 || index >= int(scan_.series.size()))
         return;
-    start([this, index, series = scan_.series[std::size_t(index)], before = lastLoaded_](
+    start([this, index, series = scan_.series[std::size_t(index)], before = lastLoaded_, patience = patience_](
               const Progress& progress, const std::stop_token&) -> std::function<void()> {
         for (const auto& volume : before)
-            if (!waitUntilFreed(volume, progress))
-                return failure(pdr::cancelled());
+            if (auto freed = waitUntilFreed(volume, patience, progress); !freed)
+                return failure(freed.error());
         std::vector<dicom::Note> notes;
         auto result = dicom::loadSeries(series, dicom::Padding::maskAsAir, partOf(progress, 0, 0.9), &notes);
         if (!result)

@@ -2,6 +2,7 @@
 /// Reading a folder and a series beside the window.
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -16,6 +17,9 @@ class ImportJob : public BackgroundJob {
     Q_OBJECT
 
   public:
+    /// `patience`: how long a series waits for the one before to be let go of, before it is refused.
+    explicit ImportJob(std::chrono::milliseconds patience = std::chrono::minutes(1)) : patience_(patience) {}
+
     /// The scan that the signals' indices refer to.
     const dicom::ScanResult& scan() const { return scan_; }
     /// What only the pixels of the series that was loaded last could tell.
@@ -26,7 +30,7 @@ class ImportJob : public BackgroundJob {
     void scanFolder(const QString& folder);
     /// Reads the pixels of a loadable series of the last scan, and looks for the scanner's table in them; ends with
     /// loaded() or failed(). Begins when the volume that was loaded last has been let go of by all who held it: memory
-    /// may not have room for two.
+    /// may not have room for two. Those are told by Document::closing().
     void loadSeries(int index);
 
   signals:
@@ -36,6 +40,7 @@ class ImportJob : public BackgroundJob {
                 const pdr::segment::Findings& findings);
 
   private:
+    std::chrono::milliseconds patience_;
     dicom::ScanResult scan_;
     std::vector<dicom::Note> loadNotes_;
     std::array<std::weak_ptr<const Volume>, 2> lastLoaded_;  ///< the scan, and that without a table

@@ -24,18 +24,21 @@ QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofP
 
 }  // namespace
 
-void showNothing(const DesktopParts& parts) {
+void letGoOfVolume(const DesktopParts& parts) {
     parts.picture.cancel();
     parts.masks.cancel();
     parts.modelTrial.cancel();
-    parts.document.close();
     parts.bridge.clear();
-    parts.bridge.setRegion(std::nullopt);
-    parts.window.setRegion(std::nullopt);
     parts.study.setVolume(nullptr);
     parts.looks.forget();
-    parts.looks.setImageStands(false);
     parts.window.tissue().setHistogram(nullptr);
+}
+
+void showNothing(const DesktopParts& parts) {
+    parts.document.close();
+    parts.bridge.setRegion(std::nullopt);
+    parts.window.setRegion(std::nullopt);
+    parts.looks.setImageStands(false);
     showNoPicture(parts, {});
     parts.window.setStartShown(true);
     parts.window.setSubject({});

@@ -7,6 +7,8 @@
 
 namespace pdr::app {
 
+/// All that holds the document's volume, its parts or its masks beside it drops them: the next series waits for that.
+void letGoOfVolume(const DesktopParts& parts);
 /// An invitation to open a folder, and no picture; nothing of the one before is kept.
 void showNothing(const DesktopParts& parts);
 /// The series of `folder`; the first one that can be shown is loaded, and if there is none a message says why.

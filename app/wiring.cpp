@@ -21,6 +21,7 @@ void wireImport(const DesktopParts& parts) {
     QObject::connect(&window.series(), &ui::SeriesPanel::seriesChosen, &window,
                      [parts](int index) { showReading(parts, index); });
     QObject::connect(&window, &ui::MainWindow::cancelRequested, &import, &ImportJob::cancel);
+    QObject::connect(&parts.document, &Document::closing, &window, [parts] { letGoOfVolume(parts); });
 
     QObject::connect(&window.status(), &ui::StatusLine::cancelRequested, &window, [parts] { cancelWhatRuns(parts); });
 

@@ -255,8 +255,12 @@ void TestDocument::withoutVolumeEditsWait() {
     document.open(cube());
     QCOMPARE(scenes, 1);
     QVERIFY(document.scene().transferFunction == twoLooks()[1].look.transferFunction);
+    int closing = 0;
+    connect(&document, &Document::closing, [&] { closing += document.hasVolume() ? 1 : 100; });
     document.close();
     QVERIFY(!document.hasVolume());
+    document.close();
+    QCOMPARE(closing, 1);
 }
 
 void TestDocument::theFilmHasTheViewsPixels() {

@@ -20,6 +20,7 @@ class TestImportJob : public QObject {
     void initTestCase();
     void aSeriesIsScannedAndLoaded();
     void aSeriesIsNotReadBeforeTheOneBeforeIsFreed();
+    void aSeriesThatIsNotLetGoOfIsAnError();
     void aMissingFolderIsAnErrorWithAWayOut();
     void anEmptyFolderIsAnError();
     void progressIsTold();
@@ -45,7 +46,8 @@ void TestImportJob::initTestCase() {
 
 /// A job that has scanned the folder, and holds the volume that it loaded last.
 struct ScannedFolder {
-    explicit ScannedFolder(const QString& folder) {
+    explicit ScannedFolder(const QString& folder, std::chrono::milliseconds patience = std::chrono::milliseconds(test::kPatience))
+        : job(patience) {
         QObject::connect(&job, &ImportJob::loaded,
                          [this](std::shared_ptr<const Volume> loaded, int) { volume = std::move(loaded); });
         job.scanFolder(folder);
@@ -75,6 +77,18 @@ void TestImportJob::aSeriesIsNotReadBeforeTheOneBeforeIsFreed() {
     QCOMPARE(folder.finished.count(), 2);
     folder.volume.reset();
     QTRY_VERIFY_WITH_TIMEOUT(folder.volume, test::kPatience);
+}
+
+/// Whoever keeps a volume is a fault of the program; the user hears of it instead of waiting for ever.
+void TestImportJob::aSeriesThatIsNotLetGoOfIsAnError() {
+    ScannedFolder folder(series_, std::chrono::milliseconds(50));
+    folder.job.loadSeries(0);
+    QTRY_VERIFY_WITH_TIMEOUT(folder.volume, test::kPatience);
+    Error error;
+    QObject::connect(&folder.job, &ImportJob::failed, [&](const Error& failure) { error = failure; });
+    folder.job.loadSeries(0);
+    QTRY_VERIFY_WITH_TIMEOUT(!error.what.empty(), test::kPatience);
+    QVERIFY(error.what.find("still held") != std::string::npos && !error.hint.empty());
 }
 
 static Error errorOf(const QString& folder) {
