@@ -20,6 +20,7 @@
 #include "render/base/plain_file.h"
 #include "render/base/replacing_file.h"
 #include "render/film/levels_text.h"
+#include "render/film/likely_error.h"
 #include "render/film/local_error.h"
 #include "render/film/smoothed_view.h"
 #include "render/film/tone_map.h"
@@ -108,7 +109,7 @@ class ExrStream : public Imf::OStream {
     ReplacingFile& file_;
 };
 
-constexpr const char* kChannels[] = {"R", "G", "B", "error.R", "error.G", "error.B"};
+constexpr const char* kChannels[] = {"R", "G", "B", "error.R", "error.G", "error.B", "bound.R", "bound.G", "bound.B"};
 constexpr std::size_t kChannelCount = std::size(kChannels);
 
 Imf::Header exrHeader(ivec2 size, const Provenance& from) {
@@ -117,9 +118,11 @@ Imf::Header exrHeader(ivec2 size, const Provenance& from) {
     for (const char* channel : kChannels)
         header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
     Imf::addChromaticities(header, Imf::Chromaticities());  // its default is Rec. 709
-    Imf::addComments(header,
-                     "Radiance, linear Rec. 709; error.*: standard error of the mean, infinite where it is not known. "
-                     "Not for diagnostic use.");
+    Imf::addComments(
+        header,
+        "Radiance, linear Rec. 709; error.*: standard error of the mean, 1.96 of which to either side hold "
+        "the truth in 95 % of the tissue; bound.*: what it is at most; both infinite where light is so rare "
+        "that they are not known. Not for diagnostic use.");
     header.insert("software", Imf::StringAttribute(from.program));
     header.insert("samplesPerPixel", Imf::DoubleAttribute(double(from.status.samplesPerPixel)));
     header.insert("renderTimeSeconds", Imf::DoubleAttribute(from.seconds));
@@ -142,7 +145,7 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
         frame.insert(kChannels[channel],
                      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&row[channel]), sizeof(float) * kChannelCount, 0));
     image.setFrameBuffer(frame);
-    const denoise::Colours errors = localErrors(film);
+    const denoise::Colours errors = likelyErrors(film, wholeImage(size)), bounds = localErrors(film);
     for (int y = 0; y < size.y; ++y) {
         float* out = row.data();
         for (int x = 0; x < size.x; ++x) {
@@ -150,8 +153,9 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
             for (int channel = 0; channel < 3; ++channel, ++out) {
                 out[0] = float(pixel.mean[channel]);
                 out[3] = errors[channel].row(y)[x];
+                out[6] = bounds[channel].row(y)[x];
             }
-            out += 3;
+            out += 6;
         }
         image.writePixels(1);
     }

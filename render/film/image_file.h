@@ -43,8 +43,8 @@ struct RadianceImage {
 /// damaged, too large, without these channels; cancelled().
 Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress& progress = noProgress);
 
-/// Scene-linear OpenEXR: R, G, B and error.R, error.G, error.B (standard error of the mean), float, with the provenance
-/// as attributes.
+/// Scene-linear OpenEXR, float, with the provenance as attributes: R, G, B; error.R, error.G, error.B, standard errors
+/// of the means (likelyErrors()); bound.R, bound.G, bound.B, what they are at most (localErrors()).
 Result<void> writeExr(const Film& film, const Provenance& provenance, const std::filesystem::path& path,
                       const std::stop_token& stop = {});
 

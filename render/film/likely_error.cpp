@@ -7,21 +7,28 @@
 namespace pdr {
 namespace {
 
-constexpr int kRadius = 10;
+constexpr int kRadius = 6;
 
-/// Of the real noise to the presumed one, at most 1.
+/// Of the real noise to the presumed one, at most 1. Presumed is the geometric mean of what the pixels say of
+/// themselves and of the most that localErrors() makes of that: the one alone would state errors too large, since the
+/// greater of two is taken, the other too small, since few draws that were lucky count as calm. 1 where a pixel around
+/// has less than two samples: it tells nothing.
 denoise::Plane noiseShare(const ErrorPlanes& planes) {
-    const auto share = [](float real, float presumed) {
-        return presumed > 0 ? std::sqrt(std::min(real / presumed, 1.0f)) : 1;
+    const auto greater = [](float own, float around) { return std::max(own, around); };
+    const denoise::Plane most =
+        denoise::combined(greater, planes.lightSquares, denoise::boxed(planes.lightSquares, kLocalRadius));
+    const auto share = [](float real, float own, float most) {
+        const float presumed = std::sqrt(own) * std::sqrt(most);
+        return presumed > 0 && std::isfinite(presumed) ? std::sqrt(std::min(real / presumed, 1.0f)) : 1;
     };
     return denoise::combined(share, denoise::boxed(planes.drawSquares, kRadius),
-                             denoise::boxed(planes.lightSquares, kRadius));
+                             denoise::boxed(planes.lightSquares, kRadius), denoise::boxed(most, kRadius));
 }
 
 }  // namespace
 
 denoise::Colours likelyErrors(const Film& film, const Tile& part) {
-    const ErrorPlanes planes = errorPlanesAround(film, part, kRadius);
+    const ErrorPlanes planes = errorPlanesAround(film, part, kRadius + kLocalRadius);
     const denoise::Plane share = noiseShare(planes);
     const denoise::Colours most = localErrors(planes);
     const auto channel = [&](int c) {

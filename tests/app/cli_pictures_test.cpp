@@ -1,8 +1,5 @@
 #include <QtTest>
 
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfInputFile.h>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -15,6 +12,7 @@
 
 #include "render/base/health.h"
 #include "tests/support/ball_scene.h"
+#include "tests/support/exr_channels.h"
 
 using pdr::test::BallScene;
 using pdr::test::ProgramRun;
@@ -29,19 +27,7 @@ class CliPicturesTest : public QObject {
     QString scene() const { return ball_.scene(); }
 
     /// All pixels of an OpenEXR file, without its header: that one tells the seconds.
-    static std::vector<float> exrPixels(const QString& path) {
-        Imf::InputFile file(path.toUtf8().constData());
-        const Imath::Box2i box = file.header().dataWindow();
-        const int width = box.max.x + 1, height = box.max.y + 1;
-        std::vector<float> values(std::size_t(width) * std::size_t(height) * 6);
-        Imf::FrameBuffer frame;
-        float* next = values.data();
-        for (const char* channel : {"R", "G", "B", "error.R", "error.G", "error.B"})
-            frame.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(next++), 24, std::size_t(24 * width)));
-        file.setFrameBuffer(frame);
-        file.readPixels(0, height - 1);
-        return values;
-    }
+    static std::vector<float> exrPixels(const QString& path) { return pdr::test::exrValues(path.toStdString()); }
 
   private slots:
     void pngIsSmoothedWhereThatIsAskedForAndExrNever() {
@@ -194,17 +180,18 @@ class CliPicturesTest : public QObject {
         QCOMPARE(facts["relativeError"].toDouble(-1), 0.0);
     }
 
-    /// Empty ground beside the tissue says nothing about the tissue.
+    /// Empty ground beside the tissue says nothing about the tissue. Over seeds the errors vary by 1.4 and 2.6 %, so that
+    /// the bounds are five standard deviations of their quotients; if ground counted they were 0.5 and less.
     void theErrorIsThatOfTheTissue() {
         const auto facts = [&](const char* size) {
             const ProgramRun result =
                 BallScene::run({"render", scene(), "-o", at("w.png"), "--samples", "64", "--size", size, "--json"});
             return QJsonDocument::fromJson(result.out).object();
         };
-        const QJsonObject square = facts("40x40"), wide = facts("400x40");
-        QVERIFY(std::fabs(wide["relativeError"].toDouble() / square["relativeError"].toDouble() - 1) < 0.05);
-        QVERIFY(std::fabs(wide["displayError"].toDouble() / square["displayError"].toDouble() - 1) < 0.05);
-        QVERIFY(std::abs(wide["tissuePixels"].toInt() - square["tissuePixels"].toInt()) < 20);
+        const QJsonObject square = facts("120x120"), wide = facts("480x120");
+        QVERIFY(std::fabs(wide["relativeError"].toDouble() / square["relativeError"].toDouble() - 1) < 0.1);
+        QVERIFY(std::fabs(wide["displayError"].toDouble() / square["displayError"].toDouble() - 1) < 0.19);
+        QVERIFY(std::abs(wide["tissuePixels"].toInt() - square["tissuePixels"].toInt()) < 60);
     }
 
     void grayLevelsStop() {

@@ -16,8 +16,10 @@
 #include <fstream>
 
 #include "render/film/image_file.h"
+#include "render/film/likely_error.h"
 #include "render/film/local_error.h"
 #include "render/film/tone_map.h"
+#include "tests/support/exr_channels.h"
 #include "tests/support/noisy_films.h"
 
 using namespace pdr;
@@ -208,8 +210,9 @@ class ImageFileTest : public QObject {
         QVERIFY(!stopped && stopped.error().kind == ErrorKind::cancelled);
     }
 
-    void exrHoldsMeanErrorAndProvenance() {
-        const Film film = exampleFilm({7, 5});
+    void exrHoldsMeanErrorBoundAndProvenance() {
+        const Film film = test::noisyFilmOf(
+            {7, 5}, [](int x, int y) { return 0.1 * (1 + x) + y; }, 16);
         QVERIFY(bool(writeExr(film, kFacts, at("a.exr"))));
         Imf::InputFile file(at("a.exr").c_str());
         const Imf::Header& header = file.header();
@@ -226,22 +229,18 @@ class ImageFileTest : public QObject {
         QCOMPARE(header.typedAttribute<Imf::StringAttribute>("pdrender/program").value(), "PD-Render 0.1.0");
         QCOMPARE(header.typedAttribute<Imf::ChromaticitiesAttribute>("chromaticities").value().red.x, 0.64f);
 
-        const char* channels[] = {"R", "G", "B", "error.R", "error.G", "error.B"};
-        std::vector<float> values(7 * 5 * 6);
-        Imf::FrameBuffer frame;
-        for (int c = 0; c < 6; ++c) {
-            QVERIFY(header.channels().findChannel(channels[c]));
-            frame.insert(channels[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&values[c]), 24, 24 * 7));
-        }
-        file.setFrameBuffer(frame);
-        file.readPixels(0, 4);
-        const denoise::Colours errors = localErrors(film);
+        const std::vector<float> values = test::exrValues(at("a.exr"));
+        QCOMPARE(values.size(), std::size_t(7 * 5 * 9));
+        const denoise::Colours errors = likelyErrors(film, wholeImage(film.size())), bounds = localErrors(film);
         for (int y = 0; y < 5; ++y)
             for (int x = 0; x < 7; ++x) {
                 const PixelEstimate pixel = film.pixel(x, y);
                 for (int c = 0; c < 3; ++c) {
-                    QCOMPARE(values[(y * 7 + x) * 6 + c], float(pixel.mean[c]));
-                    QCOMPARE(values[(y * 7 + x) * 6 + 3 + c], errors[c].row(y)[x]);
+                    const float* of = &values[(y * 7 + x) * 9 + c];
+                    QCOMPARE(of[0], float(pixel.mean[c]));
+                    QCOMPARE(of[3], errors[c].row(y)[x]);
+                    QCOMPARE(of[6], bounds[c].row(y)[x]);
+                    QVERIFY(of[3] <= of[6]);
                 }
             }
     }

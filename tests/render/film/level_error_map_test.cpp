@@ -91,6 +91,16 @@ class LevelErrorMapTest : public QObject {
         QVERIFY(std::isinf(levelsWithin(dvec3(1), {0, 0, INFINITY}, kExposure)));
     }
 
+    /// A box was sampled first: beside it are pixels of one sample, which know nothing of the noise.
+    void besidePixelsOfOneSampleTheBoundStands() {
+        FilmContent content = rowOf(1, 0.03, 0.1).content();
+        for (std::size_t i = 20; i < 40; ++i)
+            content.moments[i] = {.mean = dvec3(1), .count = 1, .evenMean = vec3(1), .evenCount = 1};
+        const Film film(1, std::move(content));
+        QVERIFY(std::fabs(double(levelErrorsAt(film, {17, 0}, 1, kExposure).here) - interval(1, 0.1)) < 0.02);
+        QVERIFY(std::fabs(double(levelErrorsAt(film, {5, 0}, 1, kExposure).here) - interval(1, 0.03)) < 0.02);
+    }
+
     void whatChanceHasNoPartInIsExact() {
         std::vector<Known> pixels(40, {0.5, 0, 0, kSeenTissue});
         for (const std::uint8_t bin : levelErrorMap(knownFilm(pixels, kSamples), kExposure).bins)

@@ -1,0 +1,38 @@
+#pragma once
+/// What an OpenEXR file holds, without the library that wrote it.
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pdr::test {
+
+/// R, G, B of the means, of their standard errors and of what these are at most.
+inline const std::vector<std::string> kExrChannels{"R",       "G",       "B",       "error.R", "error.G",
+                                                   "error.B", "bound.R", "bound.G", "bound.B"};
+
+/// All of kExrChannels, pixel by pixel, row by row from the top; nothing where one is missing.
+inline std::vector<float> exrValues(const std::filesystem::path& path) {
+    Imf::InputFile file(path.c_str());
+    const Imath::Box2i box = file.header().dataWindow();
+    const std::size_t width = std::size_t(box.max.x + 1), height = std::size_t(box.max.y + 1);
+    const std::size_t bytes = kExrChannels.size() * sizeof(float);
+    std::vector<float> values(width * height * kExrChannels.size());
+    Imf::FrameBuffer frame;
+    float* next = values.data();
+    for (const std::string& channel : kExrChannels) {
+        if (file.header().channels().findChannel(channel) == nullptr)
+            return {};
+        frame.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(next++), bytes, bytes * width));
+    }
+    file.setFrameBuffer(frame);
+    file.readPixels(0, box.max.y);
+    return values;
+}
+
+}  // namespace pdr::test
