@@ -1,0 +1,158 @@
+/// Whether every figure that is stated of an image's error covers what it says, over seeds, looks, volumes and samples.
+/// The truth of an image is the mean of the images of all other seeds at the most samples, with which it shares no
+/// number.
+///   stated_coverage RESULTS.csv NAME=FOLDER... [--looks A,B,...] [--seeds N] [--size N] [--threads N]
+/// FOLDER holds a CT, or is a scene file; looks are those that are shipped, by name. RESULTS.csv gets a line for each
+/// volume, look and number of samples as soon as it is known; what it holds already is not made again. Columns in per
+/// cent, empty where nothing is stated; 95 is what each of them is to be, but for those of `bound`:
+///   sentence            of the tissue, within what is stated for 95 % of it
+///   interval            of the images, whose number for that lies in the interval that files and JSON state of it
+///   denoised, at_most   of the tissue in the denoised image, within what is stated of that, and of its upper end
+///   strip               of the images, that reach 0.6 of the error between the samples that were foretold
+///   map                 of the tissue, pixels within what the error map says of each of them
+///   error, bound        of the tissue's channels, within 1.96 times error.* and bound.* of an OpenEXR file
+/// and beside them: unknown, the tissue of which map and file say nothing; unmet, the tissue that no sample has met;
+/// ratio, the root mean square error over the stated relativeError; seconds, of all seeds.
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "app/bench/options.h"
+#include "app/cli/scene_input.h"
+#include "app/looks.h"
+#include "tests/bench/stated_figures.h"
+
+namespace pdr::test {
+namespace {
+
+constexpr std::array<std::uint64_t, 3> kSamples{16, 64, 256};
+
+struct Plan {
+    std::string results;
+    int seeds, size, threads;
+};
+
+/// Those named in a list, all by an empty one.
+std::vector<NamedLook> chosen(const std::vector<NamedLook>& looks, const std::string& names) {
+    std::vector<NamedLook> found;
+    std::istringstream list(names);
+    for (std::string name; std::getline(list, name, ',');)
+        std::ranges::copy_if(looks, std::back_inserter(found),
+                             [&](const NamedLook& look) { return look.name == name; });
+    return names.empty() ? looks : found;
+}
+
+/// One seed's images, and whether its forecast came true.
+struct Series {
+    std::vector<StatedImage> images;
+    std::optional<bool> foretold;
+};
+
+/// Until 0.6 of the error at 64 samples is reached, and all images are there.
+Series grown(Device& device, const Scene& scene, double exposure) {
+    const auto film = startFilm(device, scene);
+    Series series;
+    Forecast forecast;
+    for (std::uint64_t done = 0; done < kSamples.back();) {
+        std::uint64_t next = done + std::max<std::uint64_t>(done / 12, 8);
+        for (const std::uint64_t stop : kSamples)
+            next = done < stop ? std::min(next, stop) : next;
+        if (!film || !(*film)->accumulate(std::uint32_t(next - done), {}))
+            qFatal("cannot be rendered");
+        done = next;
+        const std::shared_ptr<const Film> known = *(*film)->film();
+        forecast.look(known->status(exposure), kSamples[1]);
+        if (std::ranges::find(kSamples, done) != kSamples.end())
+            series.images.push_back(statedImage(*known, exposure));
+    }
+    series.foretold = forecast.cameTrue();
+    return series;
+}
+
+std::vector<Series> allSeries(Scene scene, double exposure, const Plan& plan) {
+    const std::unique_ptr<Device> device = makeCpuDevice(plan.threads);
+    std::vector<Series> all;
+    for (int seed = 1; seed <= plan.seeds; ++seed) {
+        scene.seed = std::uint64_t(seed);
+        ++scene.revision;
+        all.push_back(grown(*device, scene, exposure));
+    }
+    return all;
+}
+
+Figures figuresOf(const std::vector<Series>& all, std::size_t step, double exposure) {
+    Truth truth(all.front().images.back().light.size());
+    for (const Series& one : all)
+        truth.add(one.images.back());
+    Figures figures;
+    for (const Series& one : all) {
+        figures.add(one.images[step], truth.without(one.images.back()), exposure);
+        if (kSamples[step] == kSamples[1] && one.foretold)
+            figures.strip.add(*one.foretold);
+    }
+    return figures;
+}
+
+bool isThere(const std::string& file, const std::string& key) {
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with(key))
+            return true;
+    return false;
+}
+
+void measure(const Plan& plan, const std::string& volume, const std::string& folder, const NamedLook& look) {
+    const std::string key = volume + "," + look.name + ",";
+    if (isThere(plan.results, key))
+        return;
+    const app::SceneInput input{.path = folder, .look = look, .size = ivec2(plan.size), .autoExposure = true};
+    const auto loaded = app::loadScene(input, noProgress);
+    if (!loaded) {
+        std::fprintf(stderr, "%s %s: %s\n", volume.c_str(), look.name.c_str(), loaded.error().what.c_str());
+        return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const auto exposure = double(loaded->display.exposure);
+    const std::vector<Series> all = allSeries(loaded->scene, exposure, plan);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::ofstream out(plan.results, std::ios::app);
+    for (std::size_t step = 0; step < kSamples.size(); ++step)
+        out << key << kSamples[step] << "," << plan.seeds << "," << figuresOf(all, step, exposure).text() << ","
+            << std::int64_t(seconds) << std::endl;
+}
+
+}  // namespace
+}  // namespace pdr::test
+
+int main(int count, char** words) {
+    using namespace pdr;
+    QCoreApplication application(count, words);
+    const auto options =
+        bench::Options::read({words + 1, words + count}, {"--looks", "--seeds", "--size", "--threads"});
+    const auto seeds = options ? options->number("--seeds", 30, 3) : std::nullopt;
+    const auto size = options ? options->number("--size", 96, 64) : std::nullopt;
+    const auto threads = options ? options->number("--threads", 1, 0) : std::nullopt;
+    const auto looks = app::bundledLooks();
+    if (!seeds || !size || !threads || options->files.size() < 2 || !looks) {
+        std::fprintf(stderr,
+                     "usage: stated_coverage RESULTS.csv NAME=FOLDER... [--looks A,B,...] [--seeds N] [--size N] "
+                     "[--threads N]\n");
+        return 2;
+    }
+    const test::Plan plan{options->files[0], *seeds, *size, *threads};
+    if (!test::isThere(plan.results, "volume,"))
+        std::ofstream(plan.results, std::ios::app)
+            << "volume,look,samples,seeds," << test::kFigureNames << ",seconds\n";
+    for (const NamedLook& look : test::chosen(*looks, options->word("--looks", "")))
+        for (std::size_t i = 1; i < options->files.size(); ++i) {
+            const std::string& word = options->files[i];
+            const std::size_t equal = word.find('=');
+            test::measure(plan, word.substr(0, equal), word.substr(equal + 1), look);
+        }
+    return 0;
+}

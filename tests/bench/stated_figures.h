@@ -1,0 +1,207 @@
+#pragma once
+/// What an image states of its error, and how much of the truth that covers.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "render/accuracy/forecast.h"
+#include "render/device/device.h"
+#include "render/film/level_error_map.h"
+#include "render/film/likely_error.h"
+#include "render/film/local_error.h"
+#include "render/film/noisy_film.h"
+#include "render/film/smoothing_judgement.h"
+#include "render/film/tone_curve.h"
+
+namespace pdr::test {
+
+constexpr double kSigmas = 1.96;
+
+/// An image, row by row, and all that is stated of it.
+struct StatedImage {
+    FilmStatus status;
+    std::optional<SmoothedError> denoisedError;
+    std::vector<dvec3> light, denoised;
+    std::vector<dvec3> error, bound;  ///< of an OpenEXR file
+    std::vector<float> map;           ///< levels; infinite: not known
+    std::vector<bool> tissue;
+};
+
+inline dvec3 at(const denoise::Colours& planes, int x, int y) {
+    return {planes[0].row(y)[x], planes[1].row(y)[x], planes[2].row(y)[x]};
+}
+
+inline StatedImage statedImage(const Film& film, double exposure) {
+    StatedImage image{film.status(exposure), {}, {}, {}, {}, {}, {}, {}};
+    if (const auto judgement = SmoothingJudgement::of(film))
+        image.denoisedError = judgement->overAll(exposure);
+    const NoisyFilm noisy = noisyFilm(film);
+    const denoise::Colours denoised = smoothRadiance(noisy), bounds = localErrors(film),
+                           errors = likelyErrors(film, wholeImage(film.size()));
+    for (int y = 0; y < film.size().y; ++y)
+        for (int x = 0; x < film.size().x; ++x) {
+            const PixelEstimate pixel = film.pixel(x, y);
+            image.light.push_back(pixel.mean);
+            image.denoised.push_back(noisy.unit * at(denoised, x, y));
+            image.error.push_back(at(errors, x, y));
+            image.bound.push_back(at(bounds, x, y));
+            image.map.push_back(levelsWithin(pixel.mean, image.error.back(), exposure));
+            image.tissue.push_back(pixel.tissue);
+        }
+    return image;
+}
+
+/// The mean of the images of many seeds.
+class Truth {
+  public:
+    explicit Truth(std::size_t pixels) : sum_(pixels), tissue_(pixels) {}
+
+    void add(const StatedImage& image) {
+        ++images_;
+        for (std::size_t i = 0; i < sum_.size(); ++i) {
+            sum_[i] += image.light[i];
+            tissue_[i] = tissue_[i] || image.tissue[i];
+        }
+    }
+    /// Of all other images than this, which was added.
+    struct Known {
+        std::vector<dvec3> light;
+        const std::vector<bool>& tissue;
+    };
+    Known without(const StatedImage& image) const {
+        Known known{sum_, tissue_};
+        for (std::size_t i = 0; i < sum_.size(); ++i)
+            known.light[i] = (sum_[i] - image.light[i]) / (images_ - 1);
+        return known;
+    }
+
+  private:
+    double images_ = 0;
+    std::vector<dvec3> sum_;
+    std::vector<bool> tissue_;
+};
+
+/// Of the samples at which the error is 0.6 of what it was.
+class Forecast {
+  public:
+    void look(const FilmStatus& now, std::uint64_t from) {
+        history_.add(double(now.samplesPerPixel), now);
+        if (now.samplesPerPixel == from && std::isfinite(now.displayError) && now.displayError > 0) {
+            target_ = 0.6 * now.displayError;
+            foretold_ = history_.samples(target_);
+        }
+        if (target_ > 0 && !needed_ && now.displayError <= target_)
+            needed_ = double(now.samplesPerPixel);
+        last_ = double(now.samplesPerPixel);
+    }
+    /// Nothing: none was made. What has not come by the end is true as long as it was foretold for later.
+    std::optional<bool> cameTrue() const {
+        if (target_ <= 0)
+            return std::nullopt;
+        return needed_ ? *needed_ >= foretold_.low && *needed_ <= foretold_.high : foretold_.high > last_;
+    }
+
+  private:
+    ErrorHistory history_;
+    double target_ = 0, last_ = 0;
+    Foretold foretold_;
+    std::optional<double> needed_;
+};
+
+/// How many of those that were asked.
+struct Share {
+    double held = 0, all = 0;
+
+    void add(bool one) { held += one, ++all; }
+    std::string text() const {
+        std::ostringstream out;
+        if (all > 0) {
+            out.precision(1);
+            out << std::fixed << 100 * held / all;
+        }
+        return out.str();
+    }
+};
+
+constexpr const char* kFigureNames =
+    "sentence,interval,denoised,at_most,strip,map,error,bound,unknown,unmet,ratio,images_denoised";
+
+/// Over the images of one scene and number of samples.
+struct Figures {
+    Share sentence, interval, denoised, atMost, strip, map, error, bound, unknown, unmet, judged;
+    double squares = 0, statedSquares = 0;
+
+    void add(const StatedImage& image, const Truth::Known& truth, double exposure) {
+        std::vector<float> levels;
+        double square = 0, light = 0;
+        for (std::size_t i = 0; i < image.light.size(); ++i) {
+            if (truth.tissue[i])
+                unmet.add(!image.tissue[i]);
+            if (!image.tissue[i])
+                continue;
+            levels.push_back(levelsOff(image.light[i], truth.light[i], exposure));
+            const double off = luminance(image.light[i] - truth.light[i]);
+            square += off * off, light += luminance(truth.light[i]);
+            addPixel(image, truth, i, levels.back());
+            addDenoised(image, levelsOff(image.denoised[i], truth.light[i], exposure));
+        }
+        judged.add(image.denoisedError.has_value());
+        addSentence(image.status, levels);
+        if (const double count = double(levels.size()); count > 0 && std::isfinite(image.status.relativeError)) {
+            squares += square / count / std::pow(light / count, 2);
+            statedSquares += image.status.relativeError * image.status.relativeError;
+        }
+    }
+    /// As kFigureNames says.
+    std::string text() const {
+        std::ostringstream out;
+        for (const Share* share :
+             {&sentence, &interval, &denoised, &atMost, &strip, &map, &error, &bound, &unknown, &unmet})
+            out << share->text() << ",";
+        out.precision(3);
+        if (statedSquares > 0)
+            out << std::sqrt(squares / statedSquares);
+        out << "," << judged.text();
+        return out.str();
+    }
+
+  private:
+    static float levelsOff(dvec3 light, dvec3 truth, double exposure) {
+        return pdr::levelsOff(displayCurve(), truth, light - truth, exposure);
+    }
+    void addPixel(const StatedImage& image, const Truth::Known& truth, std::size_t i, float levels) {
+        const bool known = std::isfinite(image.error[i].y);
+        unknown.add(!known);
+        if (!known)
+            return;
+        if (std::isfinite(image.status.displayError))
+            map.add(levels <= image.map[i]);
+        const dvec3 off = glm::abs(image.light[i] - truth.light[i]);
+        for (int c = 0; c < 3; ++c) {
+            error.add(off[c] <= kSigmas * image.error[i][c]);
+            bound.add(off[c] <= kSigmas * image.bound[i][c]);
+        }
+    }
+    void addDenoised(const StatedImage& image, float levels) {
+        if (!image.denoisedError)
+            return;
+        denoised.add(double(levels) <= image.denoisedError->levels);
+        atMost.add(double(levels) <= image.denoisedError->levelsAtMost);
+    }
+    void addSentence(const FilmStatus& status, std::vector<float>& levels) {
+        if (!std::isfinite(status.displayError) || levels.empty())
+            return;
+        for (const float one : levels)
+            sentence.add(double(one) <= status.displayError);
+        const auto quantile = levels.begin() + std::ptrdiff_t(0.95 * double(levels.size() - 1));
+        std::ranges::nth_element(levels, quantile);
+        interval.add(std::fabs(double(*quantile) - status.displayError) <= kSigmas * status.displayErrorSpread);
+    }
+};
+
+}  // namespace pdr::test
