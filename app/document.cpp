@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/base/image_size.h"
 #include "render/scene/camera_edits.h"
 
 namespace pdr::app {
 namespace {
 
-constexpr double kFilled = 0.92;     ///< fraction of the picture that the volume takes; the rest is for the letters
-constexpr int kLargestFilm = 16384;  ///< pixels along a side that a Scene takes
+constexpr double kFilled = 0.92;  ///< fraction of the picture that the volume takes; the rest is for the letters
 
 }  // namespace
 
@@ -228,7 +228,7 @@ void Document::setSmoothed(bool smoothed) {
 }
 
 void Document::setViewSize(ivec2 pixels) {
-    const ivec2 film = glm::clamp(pixels, ivec2(1), ivec2(kLargestFilm));
+    const ivec2 film = glm::clamp(pixels, ivec2(1), ivec2(kLongestSide));
     if (film == film_)
         return;
     film_ = film;

@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+#include "render/base/file_ending.h"
 #include "render/base/plain_file.h"
 #include "render/scene/slicer/vp_json.h"
 #include "render/scene/slicer/vp_text.h"
@@ -33,6 +34,11 @@ Result<NamedLook> fromSlicer(const Result<slicer::VolumeProperty>& property, con
 }
 
 }  // namespace
+
+bool isLookFile(const QString& name) {
+    const std::string ending = fileEnding(name.toStdString());
+    return ending == ".json" || ending == ".vp";
+}
 
 Result<NamedLook> readLookFile(const QString& path, const NamedLook& base) {
     const std::string where = path.toStdString();

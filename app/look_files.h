@@ -8,6 +8,9 @@
 
 namespace pdr::app {
 
+/// Whether the name ends as a look's file does: ".json" or ".vp", in small letters or capitals.
+bool isLookFile(const QString& name);
+
 /// A look from ".json" (ours), ".vp.json" or ".vp" (Slicer's). What Slicer's files do not say, lights and brightness,
 /// is that of `base`; their look is called as the file. Errors: the file cannot be read; what it holds cannot be used.
 Result<NamedLook> readLookFile(const QString& path, const NamedLook& base = {});

@@ -3,21 +3,15 @@
 #include "app/caption.h"
 #include "app/provenance.h"
 #include "render/film/image_file.h"
+#include "render/film/picture_format.h"
 #include "render/scene/scene.h"
 #include "ui/accuracy_text.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
-namespace {
-
-bool isExr(const QString& file) {
-    return file.endsWith(".exr", Qt::CaseInsensitive);
-}
-
-}  // namespace
 
 Result<void> checkPictureName(const QString& file) {
-    if (isExr(file) || file.endsWith(".png", Qt::CaseInsensitive))
+    if (pictureFormat(ui::fromQt(file)))
         return {};
     return Error{"the name says no format that pictures are saved in", file.toStdString(),
                  "Choose a name that ends in .png or .exr."};
@@ -30,7 +24,7 @@ Result<void> writePicture(const FilmView& view, Display display, bool captioned,
     const Rendered rendered{film.status(display.exposure), display.exposure, view.seconds, view.device, view.bias};
     const Provenance provenance = provenanceOf(view.scene, rendered);
     const std::filesystem::path path = ui::fromQt(file);
-    if (isExr(file))
+    if (pictureFormat(path) == PictureFormat::exr)
         return writeExr(film, provenance, path, stop);
     const QString text = captioned ? ui::previewText(rendered.status, view.stop.levels, display.smoothed) : QString();
     return writePng(film, display, provenance, path, captionOf(text, film.size()), stop);

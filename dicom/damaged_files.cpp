@@ -5,6 +5,7 @@
 #include <set>
 
 #include "dicom/stack_notes.h"
+#include "render/base/file_ending.h"
 
 namespace pdr::dicom {
 
@@ -25,9 +26,7 @@ std::string withoutNumbers(const std::string& name) {
 
 /// ".dcm" of "7.DCM"; empty where it is a number, as in a UID.
 std::string ending(const fs::path& file) {
-    std::string text = file.extension().string();
-    for (char& c : text)
-        c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    std::string text = fileEnding(file);
     const bool isWord = std::ranges::any_of(text, [](char c) { return c >= 'a' && c <= 'z'; });
     return isWord ? text : "";
 }

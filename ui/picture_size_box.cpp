@@ -4,10 +4,10 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "render/base/image_size.h"
+
 namespace pdr::ui {
 namespace {
-
-constexpr int kLongestSide = 16384;  ///< pixels that a film has at most
 
 QString sizeText(QSize size) {
     return QString("%1 × %2").arg(size.width()).arg(size.height());

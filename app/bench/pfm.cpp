@@ -1,4 +1,5 @@
 #include "app/bench/pfm.h"
+#include "render/base/image_size.h"
 
 #include <fstream>
 
@@ -13,7 +14,8 @@ Result<GreyImage> readPfm(const std::filesystem::path& path) {
     float scale = 0;
     file >> kind >> size.x >> size.y >> scale;
     file.get();  // the one white space before the data
-    if (!file || kind != "Pf" || scale >= 0 || size.x < 1 || size.y < 1 || size.x > 16384 || size.y > 16384)
+    if (!file || kind != "Pf" || scale >= 0 || size.x < 1 || size.y < 1 || size.x > kLongestSide ||
+        size.y > kLongestSide)
         return Error{"this is no little-endian one-channel PFM", path.string(), ""};
     GreyImage image{size, std::vector<float>(std::size_t(size.x) * size.y)};
     for (int y = size.y - 1; y >= 0; --y)  // bottom row first

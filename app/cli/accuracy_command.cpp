@@ -8,10 +8,11 @@
 #include "app/cli/accuracy/accuracy_page.h"
 #include "app/cli/accuracy/measure_accuracy.h"
 #include "app/cli/film_room.h"
-#include "app/program/interrupt.h"
+#include "app/cli/picture_files.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
 #include "app/cli/run_command.h"
+#include "app/program/interrupt.h"
 #include "render/base/errors.h"
 #include "render/base/replacing_file.h"
 #include "render/base/version.h"
@@ -114,6 +115,11 @@ Result<AccuracyReport> measured(const Scene& scene, const Work& work) {
 
 Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) {
     if (auto ok = makeFolder(options.folder); !ok)
+        return ok.error();
+    Paths outputs;
+    for (const char* name : {"reference.film", "accuracy.csv", "accuracy.json", "accuracy.html", "accuracy.svg"})
+        outputs.push_back(options.folder / name);
+    if (auto ok = checkWritable(outputs); !ok)
         return ok.error();
     const auto opened = openDevice(options.device, options.threads);
     if (!opened)

@@ -10,10 +10,12 @@
 #include "app/cli/cluster_command.h"
 #include "app/cli/effects_command.h"
 #include "app/cli/example_command.h"
+#include "app/cli/failed.h"
 #include "app/cli/info_command.h"
 #include "app/cli/looks_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/replay_command.h"
+#include "app/command_words.h"
 #include "app/program/program.h"
 #include "render/base/version.h"
 
@@ -83,6 +85,10 @@ int main(int argc, char** argv) {
     return pdr::app::runProgram("pdrender-cli", [&] {
         const QCoreApplication application(argc, argv);
         pdr::app::keepNumbersPlain();
+        if (const auto unreadable = pdr::app::unreadableWord(argc, argv)) {
+            pdr::app::failed(*unreadable);
+            return 2;
+        }
         return pdr::app::run(QCoreApplication::arguments().mid(1));
     });
 }

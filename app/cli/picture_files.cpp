@@ -3,18 +3,31 @@
 #include <optional>
 
 #include "render/base/replacing_file.h"
+#include "render/film/picture_format.h"
 
 namespace pdr::app {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// A letter of UTF-8 may be several bytes.
+std::string withoutLastLetter(std::string text) {
+    while (text.size() > 1 && (text.back() & 0xC0) == 0x80)
+        text.pop_back();
+    text.pop_back();
+    return text;
+}
+
 /// "head-2.png" in `folder`, or the first number after it that is free; nothing where none is.
 std::optional<fs::path> freeName(const fs::path& folder, const fs::path& name) {
+    constexpr std::size_t kLongestName = 255;  // bytes
     std::error_code ignored;
     for (int number = 2; number < 100; ++number) {
-        const fs::path place =
-            folder / (name.stem().string() + "-" + std::to_string(number) + name.extension().string());
+        const std::string end = '-' + std::to_string(number) + name.extension().string();
+        std::string stem = name.stem().string();
+        while (stem.size() + end.size() > kLongestName && !stem.empty())
+            stem = withoutLastLetter(stem);
+        const fs::path place = folder / (stem + end);
         if (!fs::exists(fs::symlink_status(place, ignored)))
             return place;
     }
@@ -52,7 +65,8 @@ Result<void> checkSpared(const Paths& inputs, const Paths& outputs) {
 WrittenFiles writePictures(const Film& film, const Display& display, SmoothedView& view, const Provenance& facts,
                            const Paths& outputs) {
     const auto write = [&](const fs::path& path) {
-        return path.extension() == ".png" ? writePng(film, display, view, facts, path) : writeExr(film, facts, path);
+        return pictureFormat(path) == PictureFormat::png ? writePng(film, display, view, facts, path)
+                                                         : writeExr(film, facts, path);
     };
     WrittenFiles written;
     for (const auto& output : outputs) {

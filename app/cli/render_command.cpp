@@ -14,6 +14,7 @@
 #include "app/provenance.h"
 #include "render/base/errors.h"
 #include "render/device/device_list.h"
+#include "render/film/picture_format.h"
 #include "render/film/smoothed_view.h"
 #include "render/prepare/flatten.h"
 #include "render/session/batch_render.h"
@@ -31,8 +32,9 @@ struct Finished {
 constexpr double kBiasShare = 0.1;
 
 bool wantsSmoothed(const RenderOptions& options, const Scene& scene) {
-    return options.smoothed && canBeSmoothed(scene) &&
-           std::ranges::any_of(options.outputs, [](const auto& path) { return path.extension() == ".png"; });
+    return options.smoothed && canBeSmoothed(scene) && std::ranges::any_of(options.outputs, [](const auto& path) {
+               return pictureFormat(path) == PictureFormat::png;
+           });
 }
 
 /// Of the pictures as they are written.

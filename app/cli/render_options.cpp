@@ -5,6 +5,7 @@
 #include "app/cli/node_options.h"
 #include "app/cli/option_reader.h"
 #include "app/cli/scene_options.h"
+#include "render/film/picture_format.h"
 
 namespace pdr::app {
 namespace {
@@ -59,8 +60,7 @@ std::vector<std::filesystem::path> readOutputs(const QCommandLineParser& parser)
     std::vector<std::filesystem::path> outputs;
     for (const QString& name : parser.values("output")) {
         outputs.emplace_back(name.toStdString());
-        const auto extension = outputs.back().extension();
-        if (extension != ".png" && extension != ".exr")
+        if (!pictureFormat(outputs.back()))
             usageError("-o", "must end in .png or .exr, not be " + name.toStdString());
     }
     if (outputs.empty())

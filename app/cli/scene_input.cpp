@@ -9,6 +9,7 @@
 #include "app/environment_picture.h"
 #include "app/looks.h"
 #include "app/scene_volume.h"
+#include "render/base/file_ending.h"
 #include "render/device/device.h"
 #include "render/film/exposure.h"
 #include "render/prepare/flatten.h"
@@ -32,7 +33,7 @@ bool isFile(const SceneInput& input) {
 /// What the input says, before the voxels are there.
 Result<SceneFile> readInput(const SceneInput& input) {
     SceneFile file;
-    if (isFile(input) && input.path.extension() != ".json")
+    if (isFile(input) && fileEnding(input.path) != ".json")
         return Error{"this is a file, but neither a folder nor a scene file (.json)", input.path.string(),
                      "Give the folder that holds the DICOM files."};
     if (isFile(input)) {

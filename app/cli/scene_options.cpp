@@ -5,6 +5,7 @@
 #include "app/cli/option_reader.h"
 #include "app/look_files.h"
 #include "app/looks.h"
+#include "render/base/image_size.h"
 
 namespace pdr::app {
 namespace {
@@ -25,7 +26,7 @@ std::optional<ivec2> readSize(const Reader& reader) {
         return std::nullopt;
     const auto match = QRegularExpression("^(\\d{1,5})x(\\d{1,5})$").match(*text);
     const ivec2 size(match.captured(1).toInt(), match.captured(2).toInt());
-    const Range range{1, 16384};
+    const Range range{1, kLongestSide};
     if (!match.hasMatch() || !range.holds(size.x) || !range.holds(size.y))
         usageError("--size", "must look like 800x600, each number " + range.text());
     return size;
@@ -91,7 +92,7 @@ std::optional<NamedLook> readLook(const Reader& reader) {
     const auto text = reader.text("look");
     if (!text)
         return std::nullopt;
-    if (text->endsWith(".json") || text->endsWith(".vp")) {
+    if (isLookFile(*text)) {
         const auto bundled = bundledLooks();
         if (!bundled)
             throw bundled.error();

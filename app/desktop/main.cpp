@@ -10,6 +10,7 @@
 #include <iostream>
 #include <string_view>
 
+#include "app/command_words.h"
 #include "app/desktop.h"
 #include "app/desktop/application.h"
 #include "app/desktop/options.h"
@@ -128,6 +129,10 @@ int runWithWindow(int argc, char** argv) {
 int main(int argc, char** argv) {
     using namespace pdr::app;
     return runProgram("pdrender", [&] {
+        if (const auto unreadable = unreadableWord(argc, argv)) {
+            std::cerr << "pdrender: " << unreadable->text() << '\n';
+            return 2;
+        }
         const bool asks = anyOf(argc, argv, {"-h", "--help", "--help-all", "-v", "--version"});
         return asks || !hasDisplay(argc, argv) ? runWithoutWindow(argc, argv) : runWithWindow(argc, argv);
     });

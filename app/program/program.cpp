@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -90,6 +91,7 @@ int runProgram(const char* name, const std::function<int()>& work) {
     keepMemoryPrivate();
     programName = name;
     std::set_terminate(endWithSentence);
+    std::signal(SIGXFSZ, SIG_IGN);  // the write fails with EFBIG then, and is told
     occupyClosedStreams();
     int code = 1;
     try {

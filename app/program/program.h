@@ -13,7 +13,8 @@ void keepMemoryPrivate();
 void keepNumbersPlain();
 
 /// Runs `work`, which returns the exit code, as the program `name`. Whatever is thrown, by any thread, becomes a
-/// sentence on standard error and exit code 1, never a signal. 1 as well where something that was printed did not
+/// sentence on standard error and exit code 1, never a signal; a file that grows beyond its limit is
+/// an error like any other. 1 as well where something that was printed did not
 /// arrive: whoever reads figures from a file or a pipe must not take an empty one for success.
 int runProgram(const char* name, const std::function<int()>& work);
 

@@ -3,13 +3,13 @@
 /// ascend. What is no longer needed leaves its key unused; what is new gets a higher one.
 
 #include "app/wire/messages.h"
+#include "render/base/image_size.h"
 
 namespace pdr::wire {
 
 inline constexpr std::uint64_t kMostVoxels = std::uint64_t(1) << 31;  ///< of a volume
 inline constexpr std::uint64_t kMostTexels = std::uint64_t(1) << 27;  ///< of a picture of the surroundings
 inline constexpr int kMostAlongAxis = 2048;                           ///< voxels
-inline constexpr int kMostAlongSide = 16384;                          ///< pixels of an image, texels
 inline constexpr std::uint64_t kLastSample = std::uint64_t(1) << 53;
 inline constexpr double kMostSeconds = 1e9;
 
@@ -73,7 +73,7 @@ void fields(Fields& map, SceneOrder& order) {
     if (map.optional(8, order.environment)) {
         EnvironmentOrder& environment = *order.environment;
         map.bytes(8, environment.content);
-        map.numbers(9, places(environment.size), 1, kMostAlongSide);
+        map.numbers(9, places(environment.size), 1, kLongestSide);
         map.must(std::uint64_t(environment.size.x) * environment.size.y <= kMostTexels,
                  "its picture of the surroundings is too large");
     }
@@ -109,9 +109,9 @@ void workFields(Fields& map, Work& work) {
     map.number(1, work.number);
     map.bytes(2, work.nonce);
     map.number(3, work.revision);
-    map.numbers(4, std::array{&tile.x, &tile.y}, 0, kMostAlongSide - 1);
-    map.numbers(5, std::array{&tile.width, &tile.height}, 1, kMostAlongSide);
-    map.must(isInside(tile, {0, 0, kMostAlongSide, kMostAlongSide}), "its tile lies outside of all images");
+    map.numbers(4, std::array{&tile.x, &tile.y}, 0, kLongestSide - 1);
+    map.numbers(5, std::array{&tile.width, &tile.height}, 1, kLongestSide);
+    map.must(isInside(tile, {0, 0, kLongestSide, kLongestSide}), "its tile lies outside of all images");
     map.must(std::uint64_t(tile.width) * tile.height <= kMostLeasePixels, "its tile is too large");
     map.number(6, work.samples.first, 0, kLastSample);
     map.number(7, work.samples.count, 1, kSamplesPerBlock);

@@ -18,6 +18,8 @@ Error writeError(const fs::path& path, int code) {
     const std::string what = "the file could not be written (" + std::string(std::strerror(code)) + ")";
     if (code == ENOSPC || code == EDQUOT || code == EFBIG)
         return {what, path.string(), "Make room there, or choose another place."};
+    if (code == ENAMETOOLONG)
+        return {what, path.string(), "Choose a shorter name."};
     if (code == ENOENT)
         return {what, path.string(), "Create the folder first, or choose another place."};
     return {what, path.string(), "Choose a folder that you may write to."};
@@ -46,9 +48,9 @@ Result<void> checkReplaceable(const fs::path& path, const fs::path& place) {
     struct stat file {
     }, folder{};
     if (::lstat(place.c_str(), &file) != 0)
-        return {};
+        return errno == ENAMETOOLONG ? writeError(path, errno) : Result<void>();
     if (S_ISDIR(file.st_mode))
-        return Error{"this is a folder, a file name is needed", path.string(), "Add a name such as picture.png."};
+        return Error{"this is a folder, a file name is needed", path.string(), "Choose another name, or one within it."};
     if (!S_ISREG(file.st_mode))
         return Error{"this is no plain file", path.string(), "Choose another name."};
     if (::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0)

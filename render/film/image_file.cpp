@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "render/base/errors.h"
+#include "render/base/image_size.h"
 #include "render/base/plain_file.h"
 #include "render/base/replacing_file.h"
 #include "render/film/levels_text.h"
@@ -235,7 +236,6 @@ Result<void> writeExr(const Film& film, const Provenance& provenance, const std:
 }
 
 Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress& progress) {
-    constexpr int kLargestEdge = 16384;
     if (auto ok = checkPlainFile(path); !ok)
         return ok.error();
     try {
@@ -244,10 +244,13 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
         // Before anything is made of that size; in 64 bits, since a damaged header may hold anything.
         const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
         const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
-        if (width < 1 || height < 1 || width > kLargestEdge || height > kLargestEdge)
+        const std::string most = std::to_string(kLongestSide);
+        if (width < 1 || height < 1 || width > kLongestSide || height > kLongestSide)
             return Error{"the picture is " + std::to_string(width) + " x " + std::to_string(height) +
-                             " pixels, at most 16384 x 16384 can be read",
+                             " pixels, at most " + most + " x " + most + " can be read",
                          path.string(), "Make it smaller."};
+        if (!file.isComplete())
+            return Error{"the picture is not complete", path.string(), "Copy the file again from its source."};
         const Imf::ChannelList& channels = file.header().channels();
         const bool grey = channels.findChannel("Y") != nullptr && channels.findChannel("R") == nullptr;
         RadianceImage image{ivec2(width, height), std::vector<vec3>(std::size_t(width * height))};

@@ -39,7 +39,7 @@ struct RadianceImage {
     std::vector<vec3> pixels;
 };
 
-/// The R, G, B (or Y) channels of an OpenEXR file; at most 16384 pixels an edge. Errors: no such file, no OpenEXR file,
+/// The R, G, B (or Y) channels of an OpenEXR file; at most kLongestSide pixels an edge. Errors: no such file, no OpenEXR file,
 /// damaged, too large, without these channels; cancelled().
 Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress& progress = noProgress);
 

@@ -2,12 +2,14 @@
 
 #include <string>
 
+#include "render/base/image_size.h"
 #include "render/scene/range.h"
 
 namespace pdr {
 
 Result<void> EnvironmentImage::check() const {
-    for (const auto& ok : {checkRange(size.x, {1, 16384}, "width"), checkRange(size.y, {1, 16384}, "height")})
+    constexpr Range kSide{1, kLongestSide};
+    for (const auto& ok : {checkRange(size.x, kSide, "width"), checkRange(size.y, kSide, "height")})
         if (!ok)
             return ok;
     if (texels.size() != std::size_t(size.x) * size.y)

@@ -91,7 +91,7 @@ class CliOutputsTest : public QObject {
         const int code = run(
             {"render", scene(), "--samples", "4", "--size", "200x200", "--json", "-o", "big.exr", "-o", "small.png"},
             [] {
-                std::signal(SIGXFSZ, SIG_IGN);
+                std::signal(SIGXFSZ, SIG_DFL);  // which would end the program, and leave half a file
                 const rlimit small{60000, 60000};
                 ::setrlimit(RLIMIT_FSIZE, &small);
             });
@@ -167,6 +167,48 @@ class CliOutputsTest : public QObject {
         QCOMPARE(contents(at("sky.exr")), sky);
         QCOMPARE(contents(at("block.exr")), block);
         QCOMPARE(run({"render", scene(), "--samples", "1", "-o", "other.exr"}), 0);
+    }
+
+    void endingsMayBeInCapitals() {
+        QCOMPARE(run({"render", scene(), "--samples", "1", "-o", "a.PNG", "-o", "b.Exr"}), 0);
+        QCOMPARE(contents(at("a.PNG")).left(4), QByteArray("\x89PNG"));
+        QCOMPARE(contents(at("b.Exr")).left(4), QByteArray("v/1\1", 4));
+    }
+
+    void aNameThatIsTooLongIsToldBeforeRendering() {
+        const QString tooLong = QString(252, 'a') + ".png";
+        QCOMPARE(run({"render", scene(), "--samples", "1000000000", "-o", tooLong}), 1);
+        const QByteArray said = process_.readAllStandardError();
+        QVERIFY2(said.contains("File name too long") && said.contains("Choose a shorter name"), said.constData());
+        QCOMPARE(run({"render", scene(), "--samples", "1", "-o", tooLong.mid(1)}), 0);
+        QVERIFY(isPicture(at(tooLong.mid(1))));
+    }
+
+    void aLongNameThatWasTakenIsCutForAnother() {
+        const QString longest = QString(249, 'a') + QString::fromUtf8("é") + ".png";  // 255 bytes
+        const int code = renderWhile({"-o", longest}, SIGINT, [&] { QDir(folder_->path()).mkdir(longest); });
+        QCOMPARE(code, 1);
+        QVERIFY(isPicture(at(QString(249, 'a') + "-2.png")));
+    }
+
+    void whatAccuracyCannotWriteIsToldBeforeRendering() {
+        QVERIFY(QDir(folder_->path()).mkpath("report/accuracy.svg"));
+        QCOMPARE(run({"accuracy", scene(), "-o", "report", "--time-limit", "100000"}), 1);
+        const QByteArray said = process_.readAllStandardError();
+        QVERIFY2(said.contains("accuracy.svg: this is a folder") && !said.contains("picture.png"), said.constData());
+    }
+
+    /// Qt would look for another folder, and write another file.
+    void namesThatAreNoTextAreRefused() {
+        const QString folder = "\"$(printf 'M\\374ller')\"";
+        for (const QString& words : {"info " + folder, "render scene.json --samples 1 -o " + folder + ".png"}) {
+            process_.setWorkingDirectory(folder_->path());
+            process_.setChildProcessModifier({});
+            process_.start("/bin/sh", {"-c", "exec " PDR_BINARY_DIR "/bin/pdrender-cli " + words});
+            QCOMPARE(exitCode(), 2);
+            const QByteArray said = process_.readAllStandardError();
+            QVERIFY2(said.contains("no UTF-8") && said.contains("Rename it"), said.constData());
+        }
     }
 
     void whatMayNotBeReplacedIsToldBeforeRendering() {

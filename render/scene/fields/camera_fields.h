@@ -1,6 +1,7 @@
 #pragma once
 /// What the fields of camera and film are called, which range they have, and what they mean.
 
+#include "render/base/image_size.h"
 #include "render/scene/camera.h"
 #include "render/scene/fields/ranges.h"
 
@@ -35,8 +36,8 @@ struct FilmField {
 };
 template <class Visit>
 void describe(Visit& visit, FilmField& film) {
-    visit({"width", "[pixels]", {1, 16384}, kRequired}, film.size.x);
-    visit({"height", "[pixels]", {1, 16384}, kRequired}, film.size.y);
+    visit({"width", "[pixels]", {1, kLongestSide}, kRequired}, film.size.x);
+    visit({"height", "[pixels]", {1, kLongestSide}, kRequired}, film.size.y);
 }
 
 }  // namespace pdr

@@ -194,6 +194,32 @@ class ImageFileTest : public QObject {
         QVERIFY(file.resize(0) && !readExr(at("b.exr")));
     }
 
+    /// Before there is memory for all that it claims to be.
+    void whatClaimsToBeLargerThanItIsIsRefused() {
+        QVERIFY(bool(writeExr(exampleFilm({7, 5}), kFacts, at("c.exr"))));
+        QFile file(QString::fromStdString(at("c.exr")));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QByteArray bytes = file.readAll();
+        const QByteArray corner("\xFF\x3F\0\0\xFF\x3F\0\0", 8);  // 16383, 16383
+        for (const char* window : {"dataWindow", "displayWindow"}) {
+            const qsizetype at = bytes.indexOf(QByteArray(window) + '\0' + "box2i");
+            QVERIFY(at > 0);
+            bytes.replace(at + qsizetype(qstrlen(window)) + 7 + 4 + 8, 8, corner);
+        }
+        bytes += QByteArray(20000, '\0');  // where it says that its lines are: nowhere
+        QVERIFY(file.seek(0) && file.write(bytes) == bytes.size() && file.flush());
+        rlimit before{};
+        ::getrlimit(RLIMIT_AS, &before);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+        const rlimit little{rlim_t(1) << 30, before.rlim_max};  // the image that it claims to be takes 3.2 GB
+        ::setrlimit(RLIMIT_AS, &little);
+#endif
+        const auto refused = readExr(at("c.exr"));
+        ::setrlimit(RLIMIT_AS, &before);
+        QVERIFY(!refused);
+        QVERIFY2(refused.error().what == "the picture is not complete", refused.error().text().c_str());
+    }
+
     /// Piece by piece, so that it can be given up.
     void exrIsReadPieceByPiece() {
         const Film film = exampleFilm({3, 700});
