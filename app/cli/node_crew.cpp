@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdio>
 #include <random>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -27,21 +26,43 @@ std::uint64_t seed() {
 
 NodeCrew::NodeCrew(const NodesWanted& wanted, const std::vector<std::byte>& bits)
     : wanted_(wanted), pool_(std::make_shared<WorkerPool>(seed())), nodes_(pool_, bits) {
-    using nodes::NodeStatus;
-    using nodes::RenderNodes;
-    // This thread is busy: they speak for themselves.
-    QObject::connect(
-        &nodes_, &RenderNodes::joined, &nodes_,
-        [](const NodeStatus& node) { say(QString("node %1 (%2) is there").arg(node.name, node.device)); },
-        Qt::DirectConnection);
-    QObject::connect(
-        &nodes_, &RenderNodes::lost, &nodes_,
-        [](const NodeStatus& node) { say(QString("node %1 is lost: %2").arg(node.name, node.reason)); },
-        Qt::DirectConnection);
+    listenToNews();
     pool_->setOwnHelps(!wanted.nodesOnly);
     if (wanted.split)
         pool_->setSplit(*wanted.split);
     nodes_.setBundle(wanted.bundle);
+}
+
+/// In the network's thread: this one is busy.
+void NodeCrew::listenToNews() {
+    using nodes::NodeStatus;
+    using nodes::RenderNodes;
+    const auto on = [this](auto signal, auto&& hear) {
+        QObject::connect(&nodes_, signal, &nodes_, std::forward<decltype(hear)>(hear), Qt::DirectConnection);
+    };
+    on(&RenderNodes::joined,
+       [](const NodeStatus& node) { say(QString("node %1 (%2) is there").arg(node.name, node.device)); });
+    on(&RenderNodes::lost, [this](const NodeStatus& node) {
+        const std::lock_guard lock(mutex_);
+        say(news_.gone(node));
+    });
+    on(&RenderNodes::seen, [this](const std::vector<NodeStatus>& nodes) { sayNewsOf(nodes); });
+    on(&RenderNodes::turnedAway, [this](const QString& peer, const QString& reason) {
+        const std::lock_guard lock(mutex_);
+        if (const QString line = news_.turnedAway(peer, reason); !line.isEmpty())
+            say(line);
+    });
+}
+
+void NodeCrew::sayNewsOf(const std::vector<nodes::NodeStatus>& nodes) {
+    const std::lock_guard lock(mutex_);
+    for (const QString& line : news_.follow(nodes))
+        say(line);
+}
+
+int NodeCrew::helpless() const {
+    const std::lock_guard lock(mutex_);
+    return news_.helpless();
 }
 
 Result<std::unique_ptr<NodeCrew>> NodeCrew::gather(const NodesWanted& wanted, std::unique_ptr<Device>& device) {
@@ -62,37 +83,34 @@ Result<std::unique_ptr<NodeCrew>> NodeCrew::gather(const NodesWanted& wanted, st
     return crew;
 }
 
-bool NodeCrew::await(const std::stop_token& stop) const {
-    std::set<WorkerId> told;
+Result<void> NodeCrew::await(const std::stop_token& stop) const {
+    const auto start = std::chrono::steady_clock::now();
+    const auto tooFew = [&](const std::string& count, const std::string& when) {
+        return Error{count + " of " + std::to_string(wanted_.await) + " render nodes " + when, "--await",
+                     "What keeps the others away is said above. Nothing was written."};
+    };
     for (;;) {
-        const std::vector<WorkerStatus> workers = pool_->workers();
-        for (const WorkerStatus& worker : workers)
-            if (!worker.reason.empty() && told.insert(worker.id).second)
-                say(QString("node %1 cannot help: %2").arg(worker.name.c_str(), worker.reason.c_str()));
         const auto ready = std::ranges::count_if(
-            workers, [](const WorkerStatus& worker) { return worker.state == WorkerState::ready; });
+            pool_->workers(), [](const WorkerStatus& worker) { return worker.state == WorkerState::ready; });
         if (ready >= wanted_.await)
-            return true;
+            return {};
         if (stop.stop_requested())
-            return false;
+            return Error{"ended before the nodes were there: nothing was written", "", ""};
+        const int possible = int(wanted_.nodes.size()) - helpless();
+        if (!wanted_.listen && possible < wanted_.await)
+            return tooFew("only " + std::to_string(possible), "can still come");
+        if (std::chrono::steady_clock::now() - start >= std::chrono::seconds(wanted_.awaitSeconds))
+            return tooFew(std::to_string(ready), "are ready after " + std::to_string(wanted_.awaitSeconds) + " s");
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
 }
 
-std::string NodeCrew::report() const {
+std::string NodeCrew::report() {
+    sayNewsOf(nodes_.look());
     std::string text;
-    const std::vector<WorkerStatus> workers = pool_->workers();
-    double all = pool_->ownWork();
-    for (const WorkerStatus& worker : workers)
-        all += worker.work;
-    for (const WorkerStatus& worker : workers) {
-        char line[300];
-        std::snprintf(line, sizeof line, "node %s: %.1f %% of the samples, %llu tiles, %llu checked%s%s\n",
-                      worker.name.c_str(), all > 0 ? 100 * worker.work / all : 0,
-                      static_cast<unsigned long long>(worker.results), static_cast<unsigned long long>(worker.audited),
-                      worker.reason.empty() ? "" : "; ", worker.reason.c_str());
-        text += line;
-    }
+    const std::lock_guard lock(mutex_);
+    for (const QString& line : news_.report(pool_->workers(), pool_->ownWork()))
+        text += line.toStdString() + '\n';
     const SplitChoice split = pool_->split();
     if (!split.reason.empty())
         text += std::string("shared out by ") + (split.split == Split::tiles ? "tiles: " : "samples: ") + split.reason +

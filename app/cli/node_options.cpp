@@ -13,6 +13,7 @@ void describeNodeOptions(QCommandLineParser& parser) {
          "nodes must be on this one.",
          "DIR"},
         {"await", "Begin when N nodes are ready; default: at once, and nodes join as they come.", "N"},
+        {"await-seconds", "End without a picture when these N are not ready after S seconds; default 120.", "S"},
         {"nodes-only", "This machine only checks what nodes send, as long as there is one."},
         {"split",
          "How the picture is shared out: tiles (each a part of it) or samples (each all of it, in blocks of 64 "
@@ -28,13 +29,14 @@ NodesWanted readNodeOptions(const QCommandLineParser& parser) {
     nodes.listen = reader.text("listen");
     nodes.bundle = reader.text("bundle").value_or("");
     nodes.await = int(reader.whole("await", 0, 100000).value_or(0));
+    nodes.awaitSeconds = int(reader.whole("await-seconds", 1, 1'000'000).value_or(std::uint64_t(nodes.awaitSeconds)));
     nodes.nodesOnly = parser.isSet("nodes-only");
     if (const auto split = reader.text("split")) {
         if (*split != "tiles" && *split != "samples")
             usageError("--split", "must be tiles or samples");
         nodes.split = *split == "tiles" ? Split::tiles : Split::samples;
     }
-    for (const char* option : {"bundle", "await", "nodes-only", "split"})
+    for (const char* option : {"bundle", "await", "await-seconds", "nodes-only", "split"})
         if (parser.isSet(option) && !nodes.any())
             usageError(QString("--") + option, "is for render nodes, and none are named", "Add --node or --listen.");
     return nodes;

@@ -78,8 +78,9 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
         return ok.error();
     if (auto room = roomForFilm(work->scene.film, device.info()); !room)
         return room.error();
-    if (crew && !crew->await(stop))
-        return Error{"ended before the nodes were there: nothing was written", "", ""};
+    if (crew)
+        if (auto ready = crew->await(stop); !ready)
+            return ready.error();
     const auto film = device.film(work->scene.film, work->scene.revision, work->scene.schedule);
     if (!film)
         return film.error();

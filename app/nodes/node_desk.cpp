@@ -52,6 +52,9 @@ Result<NodeId> NodeDesk::add(const QString& text) {
     Result<remote::Identity> identity = remote::identityFor(*address, bundle_, remote::Role::coordinator);
     if (!identity)
         return identity.error();
+    if (std::ranges::any_of(nodes_, [&](const auto& node) { return node->address == *address; }))
+        return Error{"this render node is named already", address->text().toStdString(), "Name each node once.",
+                     ErrorKind::refused};
     auto node = std::make_unique<Node>();
     node->status.id = next_++;
     node->status.address = address->text();
@@ -143,9 +146,13 @@ void NodeDesk::ended(NodeId id, const QString& reason) {
     if (wasKnown) {
         if (!link->wasFlooded())  // else the pauses go on growing
             node->backoff.succeeded();
-        if (!link->hasSaidGoodbye())
+        node->status.saidGoodbye = link->hasSaidGoodbye();
+        if (!node->status.saidGoodbye)
             ++node->status.losses;
-        emit lost(node->status);
+        if (!closing_)
+            emit lost(node->status);
+    } else if (link->isRefused()) {
+        tell();  // one that dialled is gone then, and its reason with it
     }
     if (!node->address || closing_)
         remove(id);
@@ -200,6 +207,7 @@ Result<remote::Address> NodeDesk::listen(const QString& text) {
     if (const Result<void> listens = listener->listen(*address); !listens)
         return listens.error();
     connect(listener.get(), &remote::Listener::connected, this, &NodeDesk::accepted);
+    connect(listener.get(), &remote::Listener::turnedAway, this, &NodeDesk::turnedAway);
     listener_ = std::move(listener);
     return listener_->address();
 }
@@ -227,10 +235,15 @@ void NodeDesk::pump() {
             node->link->pump();
 }
 
-void NodeDesk::tell() {
+std::vector<NodeStatus> NodeDesk::nodes() const {
     std::vector<NodeStatus> all;
     for (const auto& node : nodes_)
         all.push_back(statusOf(*node));
+    return all;
+}
+
+void NodeDesk::tell() {
+    const std::vector<NodeStatus> all = nodes();
     if (all.empty()) {
         telling_.stop();
         tick_.stop();

@@ -27,6 +27,7 @@ class NodeDesk : public QObject {
     void setPaused(NodeId node, bool paused);
     Result<remote::Address> listen(const QString& address);
     void stopListening();
+    std::vector<NodeStatus> nodes() const;
     /// Disconnects all nodes; emits empty() after the last one.
     void close();
 
@@ -34,6 +35,7 @@ class NodeDesk : public QObject {
     void changed(const std::vector<pdr::nodes::NodeStatus>& nodes);
     void joined(const pdr::nodes::NodeStatus& node);
     void lost(const pdr::nodes::NodeStatus& node);
+    void turnedAway(const QString& peer, const QString& reason);
     void empty();
 
   private:

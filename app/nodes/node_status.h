@@ -34,6 +34,7 @@ struct NodeStatus {
     bool otherBits = false;  ///< its samples differ from those of the own device: it is refused
     NodeState state = NodeState::dialling;
     QString reason;                   ///< for the state; empty: none
+    bool saidGoodbye = false;         ///< it ended its last connection as it should
     double sent = 0;                  ///< part of the scene's contents; [0, 1]
     std::optional<double> latencyMs;  ///< round-trip time
     std::int64_t bytesOut = 0, bytesIn = 0;

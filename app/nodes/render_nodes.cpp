@@ -34,6 +34,8 @@ RenderNodes::RenderNodes(std::shared_ptr<WorkerPool> pool, const std::vector<std
     // Passed on at once: who made this may be too busy to hear of it.
     connect(desk_, &NodeDesk::joined, this, &RenderNodes::joined, Qt::DirectConnection);
     connect(desk_, &NodeDesk::lost, this, &RenderNodes::lost, Qt::DirectConnection);
+    connect(desk_, &NodeDesk::changed, this, &RenderNodes::seen, Qt::DirectConnection);
+    connect(desk_, &NodeDesk::turnedAway, this, &RenderNodes::turnedAway, Qt::DirectConnection);
     connect(&thread_, &QThread::finished, desk_, &QObject::deleteLater);
     connect(desk_, &NodeDesk::empty, &thread_, &QThread::quit, Qt::DirectConnection);
     thread_.setObjectName("nodes");
@@ -54,6 +56,10 @@ void RenderNodes::setBundle(const QString& folder) {
 
 Result<NodeId> RenderNodes::add(const QString& address) {
     return in(desk_, [&] { return desk_->add(address); });
+}
+
+std::vector<NodeStatus> RenderNodes::look() const {
+    return in(desk_, [&] { return desk_->nodes(); });
 }
 
 void RenderNodes::remove(NodeId node) {

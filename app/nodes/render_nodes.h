@@ -37,13 +37,20 @@ class RenderNodes : public QObject {
 
     /// As of the last change.
     const std::vector<NodeStatus>& nodes() const { return nodes_; }
+    /// As of now; waits for the network thread.
+    std::vector<NodeStatus> look() const;
 
   signals:
     /// nodes() has changed; at most ten times a second.
     void changed();
     // Emitted in the network thread; receivers in other threads get them queued.
+    /// What nodes() will be.
+    void seen(const std::vector<pdr::nodes::NodeStatus>& nodes);
     void joined(const pdr::nodes::NodeStatus& node);
+    /// A node that took part is gone, other than by the goodbye of this program's end.
     void lost(const pdr::nodes::NodeStatus& node);
+    /// A program that dialled was sent away before it had said what it is.
+    void turnedAway(const QString& peer, const QString& reason);
 
   private:
     std::shared_ptr<WorkerPool> pool_;
