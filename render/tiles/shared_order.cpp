@@ -65,7 +65,7 @@ void SharedOrder::auditPart(const WorkerStatus& worker, const Portion& portion, 
                             const Tile& part) {
     if (audits_.size() >= kMostAudits)
         return;
-    LeaseResult claimed{result.number, part, result.samples, {}, {}, 0};
+    LeaseResult claimed{result.number, part, result.samples, {}, result.health, 0};
     claimed.sums.reserve(std::size_t(part.width) * std::size_t(part.height));
     const Tile& all = result.tile;
     for (int y = part.y; y < part.y + part.height; ++y) {

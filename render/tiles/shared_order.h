@@ -18,8 +18,8 @@ namespace pdr {
 /// A result, or a part of one, that the own device is to render again.
 struct Audit {
     WorkerId worker = kOwnDevice;
-    std::string key;  ///< the worker's
-    LeaseResult claimed;
+    std::string key;      ///< the worker's
+    LeaseResult claimed;  ///< of a part: with the faults of the whole
     Lease lease;
     bool isWithheld = false;  ///< the result is merged after the audit only
 };

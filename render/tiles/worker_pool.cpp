@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "render/tiles/result_check.h"
+
 namespace pdr {
 namespace {
 
@@ -172,8 +174,8 @@ void WorkerPool::deliver(WorkerId id, LeaseResult result) {
         if (!portion) {
             ++worker->status.late;
             worker->lastResult = clock_();
-        } else if (result.tile != portion->tile || result.samples != portion->samples) {
-            caught(*worker, "it sent a tile that it was not asked for");
+        } else if (const std::string why = whatIsImpossible(result, *portion, wanted().scene->film.x); !why.empty()) {
+            caught(*worker, why);
         } else {
             const double now = clock_();
             timed(id, worker->speed, *portion, now - worker->lastResult, result.seconds);

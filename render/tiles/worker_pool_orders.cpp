@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "render/tiles/result_check.h"
 #include "render/tiles/worker_pool.h"
 
 namespace pdr {
@@ -138,7 +139,7 @@ Result<void> WorkerPool::audited(const Audit& audit, LeaseResult truth) {
     {
         const std::lock_guard lock(mutex_);
         Worker* worker = find(audit.worker);
-        const bool honest = sameBits(audit.claimed.sums, truth.sums);
+        const bool honest = confirms(truth, audit);
         if (worker && honest) {
             worker->trust.passed();
             ++worker->status.audited;

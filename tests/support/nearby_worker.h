@@ -15,7 +15,18 @@ namespace pdr::test {
 /// A node without a network: it asks the pool for leases from a thread of its own.
 class NearbyWorker {
   public:
-    enum class Nature { honest, lies, liesSeldom, silent, sendsOthers };
+    enum class Nature {
+        honest,
+        lies,
+        liesSeldom,
+        silent,
+        sendsOthers,
+        tellsFaults,    ///< that there were not
+        hidesFaults,    ///< that there were
+        hidesSeldom,    ///< the same, once it is trusted
+        tellsTooMany,   ///< more faults than samples, once it is trusted
+        tellsOfOthers,  ///< a fault of a pixel that it was not asked for, once it is trusted
+    };
 
     NearbyWorker(std::shared_ptr<WorkerPool> pool, const std::string& key, Nature nature = Nature::honest)
         : pool_(std::move(pool)),
@@ -43,6 +54,7 @@ class NearbyWorker {
             const PublishedScene scene = pool_->scene();
             if (scene.scene && scene.number != have) {
                 (void)device_->upload(*scene.scene);
+                width_ = scene.scene->film.x;
                 pool_->hasScene(id_, have = scene.number);
             }
             if (const auto lease = pool_->take(id_); lease && nature_ != Nature::silent)
@@ -53,11 +65,23 @@ class NearbyWorker {
         }
     }
 
+    std::uint32_t firstPixelOf(const Lease& lease) const { return std::uint32_t(lease.tile.y * width_ + lease.tile.x); }
+
     void answer(const Lease& lease) {
         LeaseResult result = *traceLease(*device_, lease, {});
         ++answers_;
-        if (nature_ == Nature::lies || (nature_ == Nature::liesSeldom && answers_ > 80))
+        const bool isTrusted = answers_ > 80;
+        if (nature_ == Nature::lies || (nature_ == Nature::liesSeldom && isTrusted))
             result.sums.back().sum.x = std::nextafter(result.sums.back().sum.x, 1e9);
+        if (nature_ == Nature::tellsFaults)
+            result.health.add(Fault::infinite, result.samples.first, firstPixelOf(lease));
+        if (nature_ == Nature::hidesFaults || (nature_ == Nature::hidesSeldom && isTrusted))
+            result.health = {};
+        if (nature_ == Nature::tellsTooMany && isTrusted)
+            result.health.faults[1] = {std::uint64_t(workOf(result.tile, result.samples)) + 1, result.samples.first,
+                                       firstPixelOf(lease)};
+        if (nature_ == Nature::tellsOfOthers && isTrusted)
+            result.health.add(Fault::infinite, result.samples.end(), firstPixelOf(lease));
         if (nature_ == Nature::sendsOthers)
             result.tile.x += kFilmCell;
         pool_->deliver(id_, std::move(result));
@@ -68,6 +92,7 @@ class NearbyWorker {
     Nature nature_;
     std::unique_ptr<Device> device_;
     int answers_ = 0;
+    int width_ = 0;  ///< of the image
     std::jthread thread_;
 };
 

@@ -7,6 +7,7 @@
 #include <random>
 #include <thread>
 
+#include "render/tiles/result_check.h"
 #include "render/tiles/shared_device.h"
 #include "tests/support/nearby_worker.h"
 
@@ -21,6 +22,16 @@ Scene sceneToShare() {
     Scene scene = tissueScene();
     scene.film = {90, 61};
     scene.revision = 7;
+    return scene;
+}
+
+/// Whose paths end early, with light still on them.
+Scene cutScene() {
+    Scene scene = sceneToShare();
+    scene.model = Model::multipleScattering;
+    scene.maxBounces = 2;
+    for (TransferNode& node : scene.transferFunction.nodes)
+        node.albedo = vec3(1);
     return scene;
 }
 
@@ -113,6 +124,7 @@ class SharedDeviceTest : public QObject {
         QTest::addColumn<int>("nature");
         QTest::newRow("one bit") << int(NearbyWorker::Nature::lies);
         QTest::newRow("another tile") << int(NearbyWorker::Nature::sendsOthers);
+        QTest::newRow("faults that were none") << int(NearbyWorker::Nature::tellsFaults);
     }
     void liarIsFoundWithItsFirstTile() {
         QFETCH(const int, nature);
@@ -142,6 +154,43 @@ class SharedDeviceTest : public QObject {
         }
         QVERIFY(
             sameBits((*film->film())->content(), alone(sceneToShare(), std::vector<std::uint32_t>(samples / 32, 32))));
+    }
+
+    /// What is told of paths that were cut is checked as the light is.
+    void whoHidesFaultsIsFoundOnProbation() {
+        const FilmContent mine = alone(cutScene(), {64, 40});
+        QVERIFY(mine.health.of(Fault::cutPath).count > 1000);
+        const auto pool = newPool();
+        NearbyWorker liar(pool, "liar", NearbyWorker::Nature::hidesFaults);
+        FilmContent together;
+        while (liar.status().state != WorkerState::quarantined)
+            together = shared(cutScene(), {64, 40}, pool);
+        QVERIFY(sameBits(together, mine) && sameHealth(together.health, mine.health));
+        QVERIFY(liar.status().results < Trust::kFirst);  // tiles of air alone have none to hide
+    }
+
+    void liesAboutFaultsAreFoundLater_data() {
+        QTest::addColumn<int>("nature");
+        QTest::newRow("hidden") << int(NearbyWorker::Nature::hidesSeldom);
+        QTest::newRow("more than samples") << int(NearbyWorker::Nature::tellsTooMany);
+        QTest::newRow("of another sample") << int(NearbyWorker::Nature::tellsOfOthers);
+    }
+    void liesAboutFaultsAreFoundLater() {
+        QFETCH(const int, nature);
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        NearbyWorker liar(pool, "liar", NearbyWorker::Nature(nature));
+        const auto device = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*device, cutScene());
+        std::uint32_t samples = 0;
+        while (liar.status().state != WorkerState::quarantined) {
+            QVERIFY2(samples < 10000, "it is never found");
+            QVERIFY(film->accumulate(32, {}));
+            samples += 32;
+        }
+        const FilmContent mine = alone(cutScene(), std::vector<std::uint32_t>(samples / 32, 32));
+        const FilmContent together = (*film->film())->content();
+        QVERIFY(sameBits(together, mine) && sameHealth(together.health, mine.health));
     }
 
     void quarantineOutlastsALeave() {
