@@ -3,6 +3,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/remote/steady_time.h"
 #include "render/tiles/worker_pool.h"
 
 namespace pdr::node {
@@ -13,6 +14,9 @@ namespace {
 constexpr std::size_t kMostLeases = 64;
 static_assert(kMostLeases >= 16 * std::size_t(WorkerPool::kInFlight));
 
+/// Heartbeats without a byte from the coordinator, after which it counts as gone.
+constexpr int kMostSilentBeats = 10;
+
 }  // namespace
 
 NodeSession::NodeSession(remote::Channel* channel, const wire::Hello& hello, NodeContents& contents,
@@ -21,9 +25,11 @@ NodeSession::NodeSession(remote::Channel* channel, const wire::Hello& hello, Nod
     channel_->setParent(this);
     connect(channel_, &remote::Channel::received, this, [this](wire::Message& message) { take(message); });
     connect(channel_, &remote::Channel::closed, this, [this](const QString& reason) {
+        beatTimer_.stop();
         dropLeases();
         emit over(reason);
     });
+    connect(&beatTimer_, &QTimer::timeout, this, &NodeSession::beat);
     channel_->send(hello);
 }
 
@@ -41,7 +47,26 @@ void NodeSession::take(const wire::Welcome& welcome) {
                                   "the coordinator speaks a version of the protocol that it was not offered"});
     contents_.setKey(welcome.key);
     channel_->setAdmitted();
+    listenToHeart(std::chrono::milliseconds(welcome.heartbeatMs));
     emit this->welcome();
+}
+
+/// The coordinator sends a Ping each `interval`. One that stands still keeps its connection, and would keep the node.
+void NodeSession::listenToHeart(std::chrono::milliseconds interval) {
+    const auto dead = kMostSilentBeats * interval;
+    heart_.emplace(remote::steadyTime(), remote::HeartbeatLimits{interval, dead, dead});
+    beatTimer_.start(interval / 4);
+}
+
+void NodeSession::beat() {
+    if (const qint64 bytes = channel_->bytesReceived(); bytes != heardBytes_) {
+        heardBytes_ = bytes;
+        heart_->heard(remote::steadyTime());
+    }
+    if (heart_->at(remote::steadyTime()) != remote::Heartbeat::Peer::dead)
+        return;
+    beatTimer_.stop();
+    channel_->close(tr("the coordinator has not been heard of for %1 heartbeats").arg(kMostSilentBeats));
 }
 
 void NodeSession::take(const wire::Refused& refused) {

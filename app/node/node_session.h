@@ -2,11 +2,13 @@
 /// The node's end of one connection: handshake, scenes, leases, results. Lives in the thread of its channel.
 
 #include <QObject>
+#include <QTimer>
 #include <map>
 #include <optional>
 
 #include "app/node/node_contents.h"
 #include "app/remote/channel.h"
+#include "app/remote/heartbeat.h"
 #include "render/tiles/lease_renderer.h"
 
 namespace pdr::node {
@@ -68,11 +70,16 @@ class NodeSession : public QObject {
     void refuseScene(const std::string& reason);
     void dropLeases();
     void lookWhetherDrained();
+    void listenToHeart(std::chrono::milliseconds interval);
+    void beat();
 
     remote::Channel* channel_;
     NodeContents& contents_;
     LeaseRenderer& renderer_;
-    wire::Versions versions_;     ///< that it has offered
+    wire::Versions versions_;                 ///< that it has offered
+    std::optional<remote::Heartbeat> heart_;  ///< the coordinator's, once it is known
+    QTimer beatTimer_;
+    qint64 heardBytes_ = 0;       ///< as of the last look
     std::uint64_t revision_ = 0;  ///< of the newest scene that was ordered
     std::map<std::uint64_t, Taken> leases_;
     std::optional<wire::Refused> refusal_;

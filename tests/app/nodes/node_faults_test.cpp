@@ -4,6 +4,7 @@
 #include <random>
 
 #include "tests/support/fault_proxy.h"
+#include "tests/support/one_link.h"
 #include "tests/support/shared_picture.h"
 
 using namespace pdr;
@@ -99,6 +100,24 @@ class NodeFaultsTest : public QObject {
         QVERIFY(film->accumulate(62, {}));
         QVERIFY(film->accumulate(64, {}));
         QVERIFY(sameBits((*film->film())->content(), alone_));
+    }
+
+    /// It stands still, and TCP goes on acknowledging: another one may have the node.
+    void coordinatorThatIsSilentLosesItsNode() {
+        NodeProcess program;
+        const auto port = quint16(program.address().section(':', -1).toInt());
+        remote::Dial silent({"127.0.0.1", port}, OneLink::kCoordinator);
+        connect(&silent, &remote::Dial::connected, this, [](remote::Channel* channel) {
+            connect(channel, &remote::Channel::received, channel, [channel](const wire::Message& message) {
+                if (std::holds_alternative<wire::Hello>(message))
+                    channel->send(wire::Welcome{.version = 1, .heartbeatMs = 100});
+            });
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(program.log().contains("works for"), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(program.log().contains("not been heard of for 10 heartbeats"), kPatience);
+        OneLink other;
+        other.dialNode(port);
+        QTRY_VERIFY_WITH_TIMEOUT(other.hasJoined, kPatience);
     }
 
   private:
