@@ -133,8 +133,10 @@ constexpr const char* kFigureNames =
 
 /// Over the images of one scene and number of samples.
 struct Figures {
-    Share sentence, interval, denoised, atMost, strip, map, error, bound, unknown, unmet, judged;
+    Share sentence, denoised, atMost, strip, map, error, bound, unknown, unmet, judged;
     double squares = 0, statedSquares = 0;
+    std::vector<FilmStatus> stated;
+    std::vector<float> allLevels;  ///< of the tissue in these
 
     void add(const StatedImage& image, const Truth::Known& truth, double exposure) {
         std::vector<float> levels;
@@ -160,6 +162,7 @@ struct Figures {
     /// As kFigureNames says.
     std::string text() const {
         std::ostringstream out;
+        const Share interval = intervals();
         for (const Share* share :
              {&sentence, &interval, &denoised, &atMost, &strip, &map, &error, &bound, &unknown, &unmet})
             out << share->text() << ",";
@@ -193,14 +196,25 @@ struct Figures {
         denoised.add(double(levels) <= image.denoisedError->levels);
         atMost.add(double(levels) <= image.denoisedError->levelsAtMost);
     }
-    void addSentence(const FilmStatus& status, std::vector<float>& levels) {
-        if (!std::isfinite(status.displayError) || levels.empty())
+    void addSentence(const FilmStatus& status, const std::vector<float>& levels) {
+        if (!std::isfinite(status.displayError))
             return;
         for (const float one : levels)
             sentence.add(double(one) <= status.displayError);
+        stated.push_back(status);
+        allLevels.insert(allLevels.end(), levels.begin(), levels.end());
+    }
+    /// Whether they hold what 95 % of the tissue are off in the mean of all images: in one alone that is chance, too.
+    Share intervals() const {
+        Share held;
+        if (allLevels.empty())
+            return held;
+        std::vector<float> levels = allLevels;
         const auto quantile = levels.begin() + std::ptrdiff_t(0.95 * double(levels.size() - 1));
         std::ranges::nth_element(levels, quantile);
-        interval.add(std::fabs(double(*quantile) - status.displayError) <= kSigmas * status.displayErrorSpread);
+        for (const FilmStatus& one : stated)
+            held.add(std::fabs(double(*quantile) - one.displayError) <= kSigmas * one.displayErrorSpread);
+        return held;
     }
 };
 
