@@ -9,6 +9,8 @@
 #include <random>
 #include <string>
 
+#include "render/base/abandoned_parts.h"
+
 namespace pdr {
 namespace {
 
@@ -50,7 +52,8 @@ Result<void> checkReplaceable(const fs::path& path, const fs::path& place) {
     if (::lstat(place.c_str(), &file) != 0)
         return errno == ENAMETOOLONG ? writeError(path, errno) : Result<void>();
     if (S_ISDIR(file.st_mode))
-        return Error{"this is a folder, a file name is needed", path.string(), "Choose another name, or one within it."};
+        return Error{"this is a folder, a file name is needed", path.string(),
+                     "Choose another name, or one within it."};
     if (!S_ISREG(file.st_mode))
         return Error{"this is no plain file", path.string(), "Choose another name."};
     if (::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0)
@@ -68,10 +71,10 @@ Result<void> checkReplaceable(const fs::path& path, const fs::path& place) {
 fs::path temporaryBeside(const fs::path& place) {
     constexpr char kLetters[] = "0123456789abcdefghijklmnopqrstuv";
     std::random_device random;
-    std::string name = ".pdr-";
+    std::string name(kPartStart);
     for (int i = 0; i < 16; ++i)
         name += kLetters[random() % 32];
-    return place.parent_path() / (name + ".part");
+    return place.parent_path() / name.append(kPartEnd);
 }
 
 /// The mode that an older file at `place` had, for `descriptor`; where its group cannot be kept, the group gets no
@@ -92,12 +95,14 @@ Result<ReplacingFile> ReplacingFile::open(const fs::path& path, FileAccess acces
         return place.error();
     if (auto ok = checkReplaceable(path, *place); !ok)
         return ok.error();
+    removeAbandonedParts(folderOf(*place));
     fs::path temporary = temporaryBeside(*place);
     std::error_code ignored;
     const bool open = access == FileAccess::everybody && !fs::exists(*place, ignored);
     const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, open ? 0666 : 0600);
     if (descriptor < 0)
         return writeError(path, errno);
+    claimPart(descriptor);
     ReplacingFile file(path, *place, std::move(temporary), ::fdopen(descriptor, "wb"));
     if (!file.stream_)
         return writeError(path, errno);

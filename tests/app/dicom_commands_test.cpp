@@ -139,6 +139,31 @@ class DicomCommandsTest : public QObject {
         QCOMPARE(none.code, 1);
     }
 
+    /// Without its last slice a stack is as even as before: nothing but a word tells that the top of a skull is gone.
+    void endSliceThatCannotBeReadIsTold_data() {
+        QTest::addColumn<QByteArray>("left");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("100 bytes") << QByteArray(100, '\0');
+        QTest::newRow("garbage") << QByteArray(10000, 'x');
+        QTest::newRow("cut in its header") << QByteArray(128, '\0') + "DICM" + QByteArray(9, '\1');
+    }
+    void endSliceThatCannotBeReadIsTold() {
+        QFETCH(QByteArray, left);
+        const QTemporaryDir folder;
+        for (int k = 0; k < 4; ++k)
+            test::writeSliceFile(folder.filePath(QString("%1.dcm").arg(k)).toStdString(),
+                                 {.size = {16, 16}, .position = {0, 0, 2.0 * k}});
+        std::ofstream(folder.filePath("4.dcm").toStdString(), std::ios::binary)
+            .write(left.constData(), std::streamsize(left.size()));
+        const Run render = run({"render", folder.path(), "-o", at("end.png"), "--samples", "1", "--size", "8x8"});
+        QCOMPARE(render.code, 0);
+        QVERIFY2(render.err.contains("note: 1 file could not be read") && render.err.contains("4.dcm"),
+                 render.err.constData());
+        const QJsonObject info = run({"info", folder.path(), "--json"}).json();
+        QCOMPARE(info["notDicom"].toInt(), 0);
+        QCOMPARE(info["problems"].toArray().size(), 1);
+    }
+
     void effectsAndReplaySayWhatTheImportRemarked() {
         makeTwoParts();
         const Run effects = run({"effects", at("parts"), "--size", "4x4"});

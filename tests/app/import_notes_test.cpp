@@ -15,25 +15,42 @@ class TestImportNotes : public QObject {
 
   private slots:
     void theWindowSaysWhatTheImportRemarked_data() {
-        QTest::addColumn<bool>("withCopy");
+        QTest::addColumn<QString>("copy");
+        QTest::addColumn<QString>("emptied");
         QTest::addColumn<QString>("said");
-        QTest::newRow("a slice that is there twice") << true << "1 copy of a slice left out";
-        QTest::newRow("nothing to remark") << false << "";
+        QTest::addColumn<QString>("remarks");
+        QTest::newRow("a slice that is there twice") << "again.dcm"
+                                                     << ""
+                                                     << "1 copy of a slice left out"
+                                                     << "copies";
+        QTest::newRow("an end slice of which nothing is left")
+            << ""
+            << "slice00064.dcm"
+            << "1 file could not be read, and slices of this series may be missing (slice00064.dcm)"
+            << "unread";
+        QTest::newRow("nothing to remark") << ""
+                                           << ""
+                                           << ""
+                                           << "";
     }
     void theWindowSaysWhatTheImportRemarked() {
-        QFETCH(bool, withCopy);
+        QFETCH(QString, copy);
+        QFETCH(QString, emptied);
         QFETCH(QString, said);
+        QFETCH(QString, remarks);
         const QTemporaryDir folder;
         const std::filesystem::path series = folder.filePath("series").toStdString();
         QVERIFY(bool(writePhantomSeries(series)));
-        if (withCopy)
-            std::filesystem::copy_file(series / "slice00003.dcm", series / "again.dcm");
+        if (!copy.isEmpty())
+            std::filesystem::copy_file(series / "slice00003.dcm", series / copy.toStdString());
+        if (!emptied.isEmpty())
+            std::filesystem::resize_file(series / emptied.toStdString(), 0);
         Desktop desktop(*bundledLooks(), makeCpuDevice(1), folder.filePath("settings.ini"), 1);
         desktop.open(folder.filePath("series"));
         QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), test::kPatience);
         const QString text = desktop.window().message().text();
         QVERIFY2(said.isEmpty() ? text.isEmpty() : text.startsWith(said), qPrintable(text));
-        QCOMPARE(desktop.parts().document.scene().volume->remarks(), std::string(withCopy ? "copies" : ""));
+        QCOMPARE(desktop.parts().document.scene().volume->remarks(), remarks.toStdString());
     }
 };
 

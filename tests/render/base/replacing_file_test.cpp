@@ -5,8 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <QDir>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <set>
@@ -141,6 +143,25 @@ class ReplacingFileTest : public QObject {
         std::filesystem::create_symlink("none/a", at("three"));
         const auto missing = ReplacingFile::open(at("three"));
         QVERIFY(!missing && missing.error().hint.find("Create the folder") != std::string::npos);
+    }
+
+    /// It may hold a patient's image. Whoever writes there later takes it away, but nothing that is still written.
+    void whatAKilledProcessLeftIsTakenAwayAnHourLater() {
+        const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours(2);
+        put(at(".pdr-abandoned.part"), "old");
+        put(at(".pdr-fresh.part"), "new");
+        put(at("precious.part"), "mine");
+        const auto slow = ReplacingFile::open(at("slow"));
+        QVERIFY(bool(slow));
+        for (const QString& name : names())
+            if (name != ".pdr-fresh.part")
+                std::filesystem::last_write_time(at(name.toUtf8().constData()), old);
+        const QStringList parts = names();
+        QVERIFY(bool(replace(at("a"))));
+        QStringList left = names();
+        left.removeAll("a");
+        QCOMPARE(left, QStringList(parts).filter(QRegularExpression("^(?!.pdr-abandoned.part$)")));
+        QVERIFY(left.size() == 3 && left.contains(".pdr-fresh.part") && left.contains("precious.part"));
     }
 
     /// A process that was killed leaves its part; in a container the next one has the same number.
