@@ -99,6 +99,7 @@ void noteDamaged(const std::vector<SliceHeader>& damaged, const fs::path& root, 
         names.push_back(shortName(header.file, root));
     }
     std::vector<std::set<fs::path>> folders;
+    folders.reserve(all.size());
     for (const Series& series : all)
         folders.push_back(foldersOf(series, root));
     const auto holdsNone = [&](const fs::path& folder) {
