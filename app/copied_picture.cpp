@@ -3,8 +3,10 @@
 #include <QClipboard>
 #include <QGuiApplication>
 
-#include "app/caption.h"
+#include "app/annotating.h"
+#include "app/picture_writing.h"
 #include "app/show_message.h"
+#include "ui/accuracy_text.h"
 
 namespace pdr::app {
 namespace {
@@ -23,10 +25,12 @@ std::vector<std::uint8_t> stretched(const Frame& frame, ivec2 size) {
 
 }  // namespace
 
-QImage copyOf(const Frame& frame, ivec2 fullSize, const QString& caption) {
+QImage copyOf(const Frame& frame, ivec2 fullSize, const std::optional<ui::Annotations>& annotations) {
     const ivec2 size = frame.coarse ? fullSize : frame.size;
     std::vector<std::uint8_t> rgba = frame.coarse ? stretched(frame, size) : frame.rgba;
-    paint(captionOf(caption, size), size, rgba);
+    const QString state = ui::previewText(frame.status, frame.stop.levels, frame.smoothed);
+    if (const PaintOver paintOver = painterOf(annotations, state))
+        paintOver(size, rgba);
     return ownImage(rgba, size);
 }
 
@@ -34,8 +38,8 @@ void copyPicture(const DesktopParts& parts) {
     const auto& frame = parts.bridge.lastFrame();
     if (!frame)
         return;
-    const QString caption = captionOn(*frame, parts.bridge.captioned());
-    QGuiApplication::clipboard()->setImage(copyOf(*frame, parts.document.scene().film, caption));
+    const auto annotations = leaving(annotationsOf(parts, *frame), usualAnnotate(parts));
+    QGuiApplication::clipboard()->setImage(copyOf(*frame, parts.document.scene().film, annotations));
     parts.window.status().showForAWhile(ui::MainWindow::tr("copied"));
     showWhoCanBeKnown(parts);
 }

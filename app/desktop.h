@@ -20,11 +20,11 @@ class Desktop {
     ~Desktop();
 
     DesktopParts parts() {
-        return {import_, document_,   bridge_,  window_, settings_, study_, tissue_,   cut_,
-                light_,  modelTrial_, picture_, masks_,  sky_,      looks_, ownLooks_, nodes_};
+        return {import_,     document_, bridge_, window_, settings_, study_,    tissue_, cut_,  light_,
+                modelTrial_, picture_,  masks_,  sky_,    looks_,    ownLooks_, nodes_,  said_, seriesPictures_};
     }
     ui::MainWindow& window() { return window_; }
-    /// Reads a folder, lists its series and shows the first that can be shown.
+    /// Reads a folder and lists its series; where there is only one to show, it is shown.
     void open(const QString& folder) { import_.scanFolder(folder); }
 
   private:
@@ -44,6 +44,8 @@ class Desktop {
     LookPictures looks_;
     OwnLooks ownLooks_;
     NodesJob nodes_{bridge_};
+    SaidOnce said_;
+    SeriesPictures seriesPictures_;
 };
 
 }  // namespace pdr::app

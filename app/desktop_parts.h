@@ -12,6 +12,7 @@
 #include "app/own_looks.h"
 #include "app/picture_job.h"
 #include "app/render_bridge.h"
+#include "app/series_pictures.h"
 #include "app/settings.h"
 #include "app/sky_job.h"
 #include "app/tissue_edits.h"
@@ -19,6 +20,11 @@
 #include "ui/main_window.h"
 
 namespace pdr::app {
+
+/// What has been said of the scan that is open, and is not said again.
+struct SaidOnce {
+    bool skin = false;
+};
 
 /// The desktop's parts; whoever owns them keeps them together.
 struct DesktopParts {
@@ -38,6 +44,8 @@ struct DesktopParts {
     LookPictures& looks;
     OwnLooks& ownLooks;
     NodesJob& nodes;
+    SaidOnce& said;
+    SeriesPictures& seriesPictures;
 };
 
 }  // namespace pdr::app

@@ -305,6 +305,7 @@ Scene Document::made() {
         shown_ = *known;
     Scene scene = sceneOf(setup_, seen(), film_);
     scene.mask = shown_.mask;
+    scene.maskAwaited = shown_.visible != visible;
     return scene;
 }
 

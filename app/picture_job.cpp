@@ -77,7 +77,7 @@ Result<void> renderAndWrite(const PictureTask& task, Device& device, const Progr
     if (!bias)
         return bias.error();
     const std::string name = device.info().name;
-    return writePicture({**picture, scene, made->seconds, name, *bias, task.stop}, task.display, task.captioned,
+    return writePicture({**picture, scene, made->seconds, name, *bias, task.stop}, task.display, task.annotations,
                         task.file, stop);
 }
 

@@ -7,6 +7,7 @@
 #include "render/film/display.h"
 #include "render/scene/scene.h"
 #include "render/session/session.h"
+#include "ui/annotation/annotations.h"
 
 namespace pdr::app {
 
@@ -15,10 +16,10 @@ namespace pdr::app {
 struct PictureTask {
     Scene scene;  ///< its film has the size
     Display display;
-    bool captioned = true;  ///< unfinished it says so
-    StopRule stop;          ///< when it is good enough
-    QString file;           ///< ".png" or ".exr"
-    DeviceOpener device;    ///< called on the job's thread
+    std::optional<ui::Annotations> annotations;  ///< of the scene; none: its pixels alone
+    StopRule stop;                               ///< when it is good enough
+    QString file;                                ///< ".png" or ".exr"
+    DeviceOpener device;                         ///< called on the job's thread
 };
 
 class PictureJob : public BackgroundJob {

@@ -1,8 +1,6 @@
 #include "app/picture_writing.h"
 
-#include "app/caption.h"
 #include "app/provenance.h"
-#include "render/film/image_file.h"
 #include "render/film/picture_format.h"
 #include "render/scene/scene.h"
 #include "ui/accuracy_text.h"
@@ -17,8 +15,17 @@ Result<void> checkPictureName(const QString& file) {
                  "Choose a name that ends in .png or .exr."};
 }
 
-Result<void> writePicture(const FilmView& view, Display display, bool captioned, const QString& file,
-                          const std::stop_token& stop) {
+PaintOver painterOf(const std::optional<ui::Annotations>& annotations, const QString& state) {
+    if (!annotations)
+        return {};
+    return [all = *annotations, state](ivec2 size, std::vector<std::uint8_t>& rgba) mutable {
+        all.texts << state;
+        ui::annotate(all, size, rgba);
+    };
+}
+
+Result<void> writePicture(const FilmView& view, Display display, const std::optional<ui::Annotations>& annotations,
+                          const QString& file, const std::stop_token& stop) {
     display.smoothed = display.smoothed && canBeSmoothed(view.scene);
     const Film& film = view.film;
     const Rendered rendered{film.status(display.exposure), display.exposure, view.seconds, view.device, view.bias};
@@ -26,8 +33,8 @@ Result<void> writePicture(const FilmView& view, Display display, bool captioned,
     const std::filesystem::path path = ui::fromQt(file);
     if (pictureFormat(path) == PictureFormat::exr)
         return writeExr(film, provenance, path, stop);
-    const QString text = captioned ? ui::previewText(rendered.status, view.stop.levels, display.smoothed) : QString();
-    return writePng(film, display, provenance, path, captionOf(text, film.size()), stop);
+    const QString state = ui::previewText(rendered.status, view.stop.levels, display.smoothed);
+    return writePng(film, display, provenance, path, painterOf(annotations, state), stop);
 }
 
 Error notSaved(const QString& file, const Error& reason) {

@@ -177,7 +177,7 @@ void RenderBridge::takeLedger(std::shared_ptr<const EffectLedger> ledger) {
         emit ledgerChanged();
 }
 
-void RenderBridge::save(const QString& file) {
+void RenderBridge::save(const QString& file, const std::optional<ui::Annotations>& annotations) {
     if (auto named = checkPictureName(file); !named) {
         emit saveFailed(named.error());
         return;
@@ -187,9 +187,9 @@ void RenderBridge::save(const QString& file) {
         return;
     }
     session_.requestSnapshot(
-        lastFrame_->revision, [this, file, captioned = captioned_, display = display_](const Result<FilmView>& view) {
+        lastFrame_->revision, [this, file, annotations, display = display_](const Result<FilmView>& view) {
             const Result<void> written =
-                view ? writePicture(*view, display, captioned, file) : notSaved(file, view.error());
+                view ? writePicture(*view, display, annotations, file) : notSaved(file, view.error());
             QMetaObject::invokeMethod(this, [this, file, written] {
                 if (written)
                     emit saved(file);

@@ -14,6 +14,7 @@
 #include "render/session/effect_ledger.h"
 #include "render/session/session.h"
 #include "render/tiles/shared_device.h"
+#include "ui/annotation/annotations.h"
 
 namespace pdr::app {
 
@@ -30,7 +31,7 @@ class RenderBridge : public QObject {
     /// The device that it began with.
     const DeviceInfo& firstDevice() const { return firstDevice_; }
     const StopRule& stop() const { return stop_; }
-    /// Unfinished pictures say so where they are saved.
+    /// Pictures that leave the window are annotated, unless it is said otherwise.
     bool captioned() const { return captioned_; }
     /// The picture on the screen; null when there is none.
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
@@ -68,9 +69,10 @@ class RenderBridge : public QObject {
     void clear();
     /// What effects cost is measured, on the CPU, or not any more.
     void watchEffects(bool watch);
-    /// Writes the picture that is on the screen, with the samples that it has by then; the name's end says the format:
+    /// Writes the picture that is on the screen, with the samples that it has by then, and `annotations` of it over it,
+    /// if there are any; the name's end says the format:
     /// ".exr" or ".png". Ends with saved() or saveFailed(), the latter also when another picture has taken its place.
-    void save(const QString& file);
+    void save(const QString& file, const std::optional<ui::Annotations>& annotations = {});
 
   signals:
     /// The device in use takes samples together with others, which have to make the same bits as it does:

@@ -1,5 +1,6 @@
 #include "app/requests.h"
 
+#include "app/annotating.h"
 #include "app/background_colour.h"
 #include "app/ledger_content.h"
 
@@ -32,8 +33,13 @@ void makePicture(const DesktopParts& parts, const ui::PictureOrder& order) {
         return;
     Scene scene = parts.document.scene();
     scene.film = {order.size->width(), order.size->height()};
-    parts.picture.make({scene, parts.document.display(), parts.bridge.captioned(), order.stop, order.file,
-                        parts.bridge.finalRenderDevice()});
+    parts.picture.make({scene, parts.document.display(), leaving(annotationsOf(parts, scene), order.annotate),
+                        order.stop, order.file, parts.bridge.finalRenderDevice()});
+}
+
+void savePicture(const DesktopParts& parts, const QString& file, ui::Annotate annotate) {
+    const auto& frame = parts.bridge.lastFrame();
+    parts.bridge.save(file, frame ? leaving(annotationsOf(parts, *frame), annotate) : std::nullopt);
 }
 
 void cancelWhatRuns(const DesktopParts& parts) {

@@ -17,6 +17,8 @@ void setBackground(const DesktopParts& parts, const std::optional<QColor>& colou
 void chooseModel(const DesktopParts& parts, Model model);
 /// Makes the picture that was ordered beside the session.
 void makePicture(const DesktopParts& parts, const ui::PictureOrder& order);
+/// Writes the picture that is on the screen.
+void savePicture(const DesktopParts& parts, const QString& file, ui::Annotate annotate);
 /// Gives up what the progress is shown of: reading, looking for a part of the body, a picture of surroundings, or else
 /// a picture that is being made.
 void cancelWhatRuns(const DesktopParts& parts);

@@ -11,7 +11,7 @@ Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& pr
         auto raw = fetchRawVolume(source, progress);
         if (!raw)
             return raw.error();
-        return FetchedVolume{*std::move(raw), {}};
+        return FetchedVolume{*std::move(raw), {}, {}};
     }
     // Scanning takes about a tenth of the time, decoding most of the rest.
     const auto scan = dicom::scanFolder(source.dicomFolder, partOf(progress, 0, 0.1));
@@ -27,7 +27,7 @@ Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& pr
     auto wanted = asWanted(*std::move(volume), source, partOf(progress, 0.9, 1));
     if (!wanted)
         return wanted.error();
-    return FetchedVolume{*std::move(wanted), std::move(notes)};
+    return FetchedVolume{*std::move(wanted), std::move(notes), std::make_shared<const dicom::Series>(*series)};
 }
 
 }  // namespace pdr::app

@@ -14,7 +14,8 @@ namespace pdr::app {
 
 struct FetchedVolume {
     WantedVolume wanted;
-    std::vector<dicom::Note> notes;  ///< what a user should know about how they were read
+    std::vector<dicom::Note> notes;               ///< what a user should know about how they were read
+    std::shared_ptr<const dicom::Series> series;  ///< whose they are; null: a raw file's
 };
 
 /// Errors: those of the DICOM import and of raw files.

@@ -10,6 +10,16 @@ int firstLoadable(const dicom::ScanResult& scan) {
     return first == scan.series.end() ? -1 : int(first - scan.series.begin());
 }
 
+int onlyLoadable(const dicom::ScanResult& scan) {
+    const auto loadable = [](const dicom::Series& series) { return series.verdict.loadable(); };
+    const auto another = [&](const dicom::Series& series) {
+        return !dicom::samePatient(series.patient, scan.series.front().patient);
+    };
+    if (std::ranges::count_if(scan.series, loadable) != 1 || std::ranges::any_of(scan.series, another))
+        return -1;
+    return firstLoadable(scan);
+}
+
 Error nothingLoadable(const dicom::ScanResult& scan) {
     std::set<std::string> told;
     std::string reasons;

@@ -11,6 +11,10 @@ namespace pdr::app {
 /// The place in scan.series of the first one that can be loaded; -1: none can.
 int firstLoadable(const dicom::ScanResult& scan);
 
+/// The place in scan.series of the only one that can be loaded, of the only patient there is; -1: somebody has to
+/// choose, or there is none.
+int onlyLoadable(const dicom::ScanResult& scan);
+
 /// Why none can, in one sentence per reason; `where` and `hint` are left to who asks.
 Error nothingLoadable(const dicom::ScanResult& scan);
 

@@ -15,6 +15,13 @@ std::optional<QColor> backgroundOf(const Document& document) {
     return shownColour(setup.background.value_or(vec3(0)), document.display());
 }
 
+/// Until the part that was chosen is told from the rest, that is not there yet.
+QString notShownText(const Scene& scene) {
+    if (scene.maskAwaited)
+        return ui::MainWindow::tr("Still being told from the rest, which is shown until then.");
+    return scene.mask ? QString::fromStdString(scene.mask->hidden()) : QString();
+}
+
 }  // namespace
 
 void showDocument(const DesktopParts& parts) {
@@ -28,8 +35,7 @@ void showDocument(const DesktopParts& parts) {
     parts.window.look().setDoesNotShow(doesNotShowText(document.looks(), document.setup()));
     parts.window.look().setBrightness(document.setup().stops);
     parts.window.visible().setChoice(document.setup().look.visible);
-    const auto& mask = document.scene().mask;
-    parts.window.visible().setNotShown(mask ? QString::fromStdString(mask->hidden()) : QString());
+    parts.window.visible().setNotShown(notShownText(document.scene()));
     parts.window.tissue().setTransferFunction(document.setup().look.transferFunction);
     parts.window.cut().setCuts(document.setup().clip, document.uncut());
     parts.window.light().setLighting(parts.light.lighting(), document.setup().camera);

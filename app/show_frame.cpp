@@ -1,9 +1,15 @@
 #include "app/show_frame.h"
 
-#include "app/caption.h"
+#include <QDate>
+#include <QRegularExpression>
+#include <cmath>
+
+#include "app/annotating.h"
 #include "app/look_text.h"
 #include "app/show_message.h"
 #include "render/accuracy/quality.h"
+#include "ui/accuracy_text.h"
+#include "ui/annotation/orientation_letters.h"
 #include "ui/error_colours.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
@@ -72,6 +78,26 @@ std::optional<double> lastTime(const DesktopParts& parts, const Frame& frame) {
     return perPixel ? std::optional(*perPixel * view.width() * view.height()) : std::nullopt;
 }
 
+/// By what this one took, or the last of its kind.
+std::optional<ui::PictureCost> costOf(const DesktopParts& parts, const Frame& frame) {
+    const double error = frame.status.displayError;
+    if (!frame.coarse && std::isfinite(error) && error > 0 && frame.seconds > 0)
+        return ui::PictureCost{frame.seconds * error * error / pixelsOf(frame)};
+    if (const std::optional<double> last = parts.settings.planningSeconds(kindOf(frame)))
+        return ui::PictureCost{*last * kPlanningLevels * kPlanningLevels};
+    return std::nullopt;
+}
+
+/// "Bones-alone_A_2026-11-25": look, the side that is seen, today. Nothing of the patient.
+QString fileNameOf(const DesktopParts& parts, const Frame& frame) {
+    static const QRegularExpression noLetters("[^\\w]+", QRegularExpression::UseUnicodePropertiesOption);
+    QString look = nameText(parts.document.looks(), frame.lookName).replace(noLetters, "-");
+    while (look.endsWith('-'))
+        look.chop(1);
+    const QString side = QString::fromStdString(ui::orientationLetters(-frame.camera.forward()));
+    return QStringList{look, side, QDate::currentDate().toString(Qt::ISODate)}.join('_');
+}
+
 /// What makes the picture another one than it seems; or that nothing does.
 QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
@@ -123,11 +149,12 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
         showNoPicture(parts, ui::MainWindow::tr("No picture"));
         return showFailure(parts, {frame->error, "", ""});
     }
-    parts.window.viewport().setPicture(
-        {pictureOf(frame), frame->camera, nameText(parts.document.looks(), frame->lookName),
-         smoothedTexts(*frame).join('\n'), lostLinesOf(*frame), captionOn(*frame, parts.bridge.captioned()),
-         errorMapOf(frame), frame->smoothed});
+    parts.window.viewport().setPicture({pictureOf(frame), frame->camera, annotationsOf(parts, *frame).texts.join('\n'),
+                                        smoothedTexts(*frame).join('\n'), lostLinesOf(*frame),
+                                        ui::previewText(frame->status, frame->stop.levels, frame->smoothed),
+                                        errorMapOf(frame), frame->smoothed});
     parts.window.cut().setPicture(frame->camera, {frame->size.x, frame->size.y});
+    parts.window.setPictureOffer(fileNameOf(parts, *frame), costOf(parts, *frame));
     parts.window.setPictureAvailable(true);
     parts.looks.setImageStands(true);
     keepWhatItTook(parts.settings, *frame);

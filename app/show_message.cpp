@@ -27,9 +27,10 @@ void showSaved(const DesktopParts& parts, const QString& file) {
 }
 
 void showWhoCanBeKnown(const DesktopParts& parts) {
-    if (showsSkin(parts.document.setup().look.transferFunction))
-        showNotice(parts, ui::MainWindow::tr("This picture shows skin. A face identifies a person as a name does: "
-                                             "share it like a photograph of the patient."));
+    if (parts.said.skin || !showsSkin(parts.document.setup().look.transferFunction))
+        return;
+    parts.said.skin = true;
+    showNotice(parts, ui::MainWindow::tr("This image shows skin: share it like a photograph of the patient."));
 }
 
 void showNotice(const DesktopParts& parts, const QString& sentences) {

@@ -9,7 +9,7 @@ namespace pdr::app {
 void showFailure(const DesktopParts& parts, const Error& error);
 /// That the picture is in that file.
 void showSaved(const DesktopParts& parts, const QString& file);
-/// After a picture has left the window: that a face may be known by it, where it shows skin.
+/// After a picture has left the window: that the patient may be known by it, where it shows skin. Once for each scan.
 void showWhoCanBeKnown(const DesktopParts& parts);
 /// Sentences about something that did not go as it was asked; the rendering goes on.
 void showNotice(const DesktopParts& parts, const QString& sentences);

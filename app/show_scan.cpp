@@ -25,6 +25,7 @@ QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofP
 }  // namespace
 
 void letGoOfVolume(const DesktopParts& parts) {
+    parts.said = {};
     parts.picture.cancel();
     parts.masks.cancel();
     parts.modelTrial.cancel();
@@ -41,7 +42,10 @@ void showNothing(const DesktopParts& parts) {
     parts.looks.setImageStands(false);
     showNoPicture(parts, {});
     parts.window.setStartShown(true);
+    parts.window.setChoosing(false);
+    parts.seriesPictures.cancel();
     parts.window.setSubject({});
+    parts.window.setPatient({});
     parts.window.series().setNothingShown();
     showDocument(parts);
 }
@@ -53,12 +57,18 @@ void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QS
     parts.window.series().setScan(scan);
     parts.settings.keepFolder(folder);
     showRecentFolders(parts);
-    if (const int first = firstLoadable(scan); first >= 0)
-        return parts.import.loadSeries(first);
+    if (const int only = onlyLoadable(scan); only >= 0)
+        return parts.import.loadSeries(only);
+    parts.window.setChoosing(true);
+    parts.window.setStartShown(false);
+    parts.seriesPictures.make(scan);
+    if (firstLoadable(scan) >= 0)
+        return parts.window.viewport().setMessage(ui::MainWindow::tr("Choose a series from the list on the left."));
     parts.window.series().setCurrent(scan.series.empty() ? -1 : 0);
     Error error = nothingLoadable(scan).in(folder.toStdString());
     error.hint = "Open a folder with a CT series.";
     parts.window.message().showError(error);
+    parts.window.viewport().setMessage(ui::MainWindow::tr("No series here can be shown. The list says why."));
 }
 
 void showRecentFolders(const DesktopParts& parts) {
@@ -78,10 +88,11 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
         showNotice(parts, notes);
     if (table.body)
         parts.window.message().offer(ui::MainWindow::tr("Show"));
-    parts.window.setSubject(ui::windowSubject(series));
+    parts.window.setSubject(ui::windowSubject(series), ui::seriesNumber(series));
     parts.window.series().setCurrent(index);
+    parts.window.setPatient(ui::patientLines(series));
     parts.window.setStartShown(false);
-    showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::windowSubject(series)));
+    showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::seriesNumber(series)));
     parts.study.setVolume(table.body ? table.body : volume);
     parts.document.open(std::move(volume), table, findings);
 }

@@ -11,7 +11,8 @@ namespace pdr::app {
 void letGoOfVolume(const DesktopParts& parts);
 /// An invitation to open a folder, and no picture; nothing of the one before is kept.
 void showNothing(const DesktopParts& parts);
-/// The series of `folder`; the first one that can be shown is loaded, and if there is none a message says why.
+/// The series of `folder`. The only one that can be shown is loaded; else the list is there to choose from, and if
+/// there is none a message says why.
 void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder);
 /// The folders opened last, as far as they are remembered.
 void showRecentFolders(const DesktopParts& parts);

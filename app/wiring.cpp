@@ -25,6 +25,7 @@ void wireImport(const DesktopParts& parts) {
 
     QObject::connect(&window.status(), &ui::StatusLine::cancelRequested, &window, [parts] { cancelWhatRuns(parts); });
 
+    QObject::connect(&parts.seriesPictures, &SeriesPictures::made, &window.series(), &ui::SeriesPanel::setPicture);
     QObject::connect(&import, &ImportJob::progressed, &window,
                      [parts](double fraction, const QString& step) { showProgress(parts, fraction, step); });
     QObject::connect(&import, &ImportJob::finished, &window.status(), &ui::StatusLine::endProgress);
@@ -152,7 +153,8 @@ void wireRendering(const DesktopParts& parts) {
     QObject::connect(&window, &ui::MainWindow::captionChosen, &bridge, &RenderBridge::setCaptioned);
     QObject::connect(&window, &ui::MainWindow::unseenChanged, &bridge, &RenderBridge::setUnseen);
     QObject::connect(&window, &ui::MainWindow::effectsShown, &bridge, &RenderBridge::watchEffects);
-    QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge, &RenderBridge::save);
+    QObject::connect(&window, &ui::MainWindow::saveRequested, &bridge,
+                     [parts](const QString& file, ui::Annotate annotate) { savePicture(parts, file, annotate); });
     QObject::connect(&window, &ui::MainWindow::copyRequested, &window, [parts] { copyPicture(parts); });
 }
 

@@ -18,6 +18,11 @@ struct PatientFacts {
     bool operator==(const PatientFacts&) const = default;
 };
 
+/// Whether both are one person, as far as they say: a slip of a pen makes them two.
+inline bool samePatient(const PatientFacts& a, const PatientFacts& b) {
+    return a.name == b.name && a.id == b.id && a.birthDate == b.birthDate;
+}
+
 struct StudyFacts {
     std::string uid, date, description;
 };

@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QUrl>
 #include <QVariant>
 #include <array>
@@ -66,6 +67,12 @@ QString askForFile(QWidget* parent, const QString& title, const QString& filter)
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
+/// Where people look for what they have saved.
+QString documents() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QDir(folder).exists() ? folder : QDir::homePath();
+}
+
 /// Below the files: the layout of Qt's own dialog is a grid.
 void addBelow(QFileDialog& dialog, QWidget* widget) {
     if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout()))
@@ -106,26 +113,29 @@ QString askWhereToShare(QWidget* parent, const QString& name) {
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
-std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, QSize view, const StopRule& stop) {
+std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, const PictureOffer& offer) {
     const QString png = translated("PNG picture (*.png)");
     const QString exr = translated("OpenEXR with the error of every pixel (*.exr)");
     ForgetfulDialog dialog(parent, translated("Save the picture"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters({png, exr});
+    dialog.setDirectory(offer.folder.isEmpty() ? documents() : offer.folder);
     // With a suffix from the dialog itself it also asks before it overwrites.
     dialog.setDefaultSuffix("png");
-    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
-                     [&](const QString& filter) { dialog.setDefaultSuffix(filter == exr ? "exr" : "png"); });
+    auto* box = new PictureSizeBox(offer);
+    addBelow(dialog, box);
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& filter) {
+        dialog.setDefaultSuffix(filter == exr ? "exr" : "png");
+        box->setAnnotatable(filter != exr);
+    });
     QObject::connect(&save, &QAction::enabledChanged, &dialog, [&](bool enabled) {
         if (!enabled)
             dialog.reject();
     });
-    dialog.selectFile("picture");
-    auto* size = new PictureSizeBox(view, stop);
-    addBelow(dialog, size);
+    dialog.selectFile(offer.name);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
-    return PictureOrder{dialog.selectedFiles().value(0), size->chosenSize(), size->stop()};
+    return PictureOrder{dialog.selectedFiles().value(0), box->chosenSize(), box->stop(), box->annotate()};
 }
 
 }  // namespace pdr::ui

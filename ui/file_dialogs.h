@@ -17,10 +17,10 @@ QString askForFolder(QWidget* parent, const QString& start);
 /// Asks for a folder with certificates, beginning in `start`; empty: the user cancelled.
 QString askForCertificates(QWidget* parent, const QString& start);
 
-/// Asks for a file to save the picture in, for its size and for how good it is to be, beginning with the `view`'s size
-/// on the screen [pixels] and what is wanted there. None: the user cancelled, or `save` was disabled meanwhile: a name
-/// that was thought of for one patient must not go to the next.
-std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, QSize view, const StopRule& stop);
+/// Asks for a file to save the picture in, for its size, for how good it is to be and what is written over it,
+/// beginning with `offer`. None: the user cancelled, or `save` was disabled meanwhile: a name that was thought of for
+/// one patient must not go to the next.
+std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, const PictureOffer& offer);
 
 /// Asks for a file with a look: ours (.json) or 3D Slicer's (.vp.json, .vp); empty: the user cancelled.
 QString askForLook(QWidget* parent);

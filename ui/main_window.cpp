@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -147,9 +148,21 @@ void MainWindow::connectViewActions() {
         connect(actions_.themes[i], &QAction::triggered, this, [this, i] { emit themeChosen(ThemeChoice(i)); });
 }
 
-void MainWindow::setSubject(const QString& subject) {
+void MainWindow::setSubject(const QString& subject, const QString& whileHidden) {
+    subject_ = subject;
+    subjectWhileHidden_ = whileHidden;
     const QString program = tr("PD-Render - Not for diagnostic use");
-    setWindowTitle(subject.isEmpty() ? program : subject + " - " + program);
+    const QString shown = actions_.hideName->isChecked() ? whileHidden : subject;
+    setWindowTitle(shown.isEmpty() ? program : shown + " - " + program);
+}
+
+void MainWindow::setPatient(const QStringList& lines) {
+    patient_ = lines;
+    viewport_->update();
+}
+
+QStringList MainWindow::patient() const {
+    return actions_.hideName->isChecked() && !patient_.isEmpty() ? QStringList(series_->patient()) : patient_;
 }
 
 void MainWindow::setLastFolder(const QString& folder) {
@@ -239,6 +252,11 @@ void MainWindow::setPictureAvailable(bool available) {
     actions_.copy->setEnabled(available);
 }
 
+void MainWindow::setPictureOffer(const QString& name, const std::optional<PictureCost>& cost) {
+    pictureName_ = name;
+    pictureCost_ = cost;
+}
+
 /// What the next click on the picture picks.
 void MainWindow::setPicking(Viewport::Picking picking) {
     viewport_->setPicking(picking);
@@ -253,13 +271,18 @@ void MainWindow::chooseFolder() {
 }
 
 void MainWindow::chooseFile() {
-    const auto order = askForPicture(this, *actions_.save, viewport_->sizeInPixels(), accuracy_->stop().rule());
+    const Annotate usual = actions_.captioned->isChecked() ? Annotate::sides : Annotate::none;
+    const bool patientKnown = !patient_.isEmpty() && !actions_.hideName->isChecked();
+    const auto order =
+        askForPicture(this, *actions_.save,
+                      {viewport_->sizeInPixels(), pictureName_, folderOfPictures_, pictureCost_, usual, patientKnown});
     if (!order)
         return;
+    folderOfPictures_ = QFileInfo(order->file).absolutePath();
     if (order->size)
         emit pictureOrdered(*order);
     else
-        emit saveRequested(order->file);
+        emit saveRequested(order->file, order->annotate);
 }
 
 void MainWindow::showPictureAlone(bool alone) {
@@ -289,16 +312,18 @@ void MainWindow::drawOrForgetRegion(bool draw) {
 
 void MainWindow::hideName(bool hidden) {
     series_->setNamesHidden(hidden);
+    setSubject(subject_, subjectWhileHidden_);
     actions_.recent->menuAction()->setVisible(!hidden);
     start_->setVisible(start_->isVisible() && !hidden);
     viewport_->update();
 }
 
-/// Whom the picture shows and how good it is, where nothing beside it says so.
+/// Whom the picture shows, and how good it is where nothing beside it says so.
 QStringList MainWindow::whatIsSeen() const {
-    if (!actions_.alone->isChecked())
-        return {};
-    return {series_->patient(), foot_->status().text()};
+    QStringList lines = patient();
+    if (actions_.alone->isChecked())
+        lines << foot_->status().text();
+    return lines;
 }
 
 void MainWindow::escape() {

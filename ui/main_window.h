@@ -53,8 +53,15 @@ class MainWindow : public QMainWindow {
     MessageBar& message() { return *message_; }
     CutTools& cut() { return *cut_; }
 
-    /// What is shown, for the title bar; empty for nothing. Never the patient's name.
-    void setSubject(const QString& subject);
+    /// What is shown, for the title bar, and what stands there while names are hidden; empty for nothing. Never the
+    /// patient's name.
+    void setSubject(const QString& subject, const QString& whileHidden = {});
+    /// A series is to be chosen: their list stays open, whatever it takes.
+    void setChoosing(bool choosing) { docks_->setChoosing(choosing); }
+    /// Whose series is shown, a line each, for the picture's upper left corner; empty: nobody's.
+    void setPatient(const QStringList& lines);
+    /// What that corner says: a number in the place of all that while names are hidden.
+    QStringList patient() const;
     /// Where the dialogs for opening and saving begin.
     void setLastFolder(const QString& folder);
     void setUndoAvailable(bool undo, bool redo);
@@ -79,12 +86,14 @@ class MainWindow : public QMainWindow {
     void setRegion(const std::optional<QRectF>& box);
     /// `there`: there is a table, or what else is hidden with it, to show or hide.
     void setTable(bool shown, bool there);
-    /// Whether pictures that leave the window unfinished say so.
+    /// Whether pictures that leave the window are annotated, unless it is said otherwise.
     void setCaptioned(bool captioned);
     /// What is asked before the window closes, since something would be lost; empty: nothing would.
     void setQuestionOnClosing(const QString& question);
     /// For another time: panels that fold because the window is small are there.
     QByteArray wantedState() { return docks_->wantedState(); }
+    /// What the picture on the screen may be called in a file, and what one like it costs; none: not known yet.
+    void setPictureOffer(const QString& name, const std::optional<PictureCost>& cost);
     /// Whether there is a picture to save or copy.
     void setPictureAvailable(bool available);
 
@@ -93,7 +102,7 @@ class MainWindow : public QMainWindow {
     /// A picture of surroundings that is to light the volume.
     void skyDropped(const QString& file);
     /// What is on the screen, as it is.
-    void saveRequested(const QString& file);
+    void saveRequested(const QString& file, pdr::ui::Annotate annotate = pdr::ui::Annotate::sides);
     /// A picture of a size of its own.
     void pictureOrdered(const pdr::ui::PictureOrder& order);
     /// The picture is wanted on the clipboard.
@@ -168,7 +177,12 @@ class MainWindow : public QMainWindow {
     WindowActions actions_;
     KeyBindings bindings_;
     QString lastFolder_;
+    QStringList patient_;
+    QString subject_, subjectWhileHidden_;
     QString questionOnClosing_;
+    QString pictureName_ = "picture";
+    QString folderOfPictures_;  ///< of the last one saved, as long as the program runs
+    std::optional<PictureCost> pictureCost_;
 };
 
 }  // namespace pdr::ui

@@ -4,10 +4,15 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "render/base/image_size.h"
+#include "render/accuracy/quality.h"
+#include "render/film/levels_text.h"
+#include "ui/accuracy_text.h"
+#include "ui/language.h"
 
 namespace pdr::ui {
 namespace {
+
+constexpr int kLongestOffered = 8192;  ///< pixels that are offered: a poster, and what a machine has memory for
 
 QString sizeText(QSize size) {
     return QString("%1 × %2").arg(size.width()).arg(size.height());
@@ -15,7 +20,7 @@ QString sizeText(QSize size) {
 
 QSpinBox* sideField(const QString& name, int pixels) {
     auto* field = new QSpinBox;
-    field->setRange(1, kLongestSide);
+    field->setRange(1, kLongestOffered);
     field->setGroupSeparatorShown(false);
     field->setValue(pixels);
     field->setAccessibleName(name);
@@ -23,20 +28,39 @@ QSpinBox* sideField(const QString& name, int pixels) {
     return field;
 }
 
+/// Who it is stands there only where somebody chooses it for this picture.
+QComboBox* annotateField(const PictureOffer& offer) {
+    auto* field = new QComboBox;
+    field->addItem(PictureSizeBox::tr("None"), int(Annotate::none));
+    field->addItem(PictureSizeBox::tr("Sides"), int(Annotate::sides));
+    if (offer.patientKnown)
+        field->addItem(PictureSizeBox::tr("Sides and patient"), int(Annotate::patient));
+    field->setCurrentIndex(field->findData(int(offer.annotate)));
+    field->setAccessibleName(PictureSizeBox::tr("What is written over the image"));
+    field->setToolTip(
+        PictureSizeBox::tr("Sides, look, part, cut, scale and how far the image is; or who the patient is as well. "
+                           "OpenEXR carries none."));
+    return field;
+}
+
 }  // namespace
 
-PictureSizeBox::PictureSizeBox(QSize view, const StopRule& stop, QWidget* parent)
+PictureSizeBox::PictureSizeBox(const PictureOffer& offer, QWidget* parent)
     : QWidget(parent),
+      cost_(offer.cost),
       sizes_(new QComboBox),
-      width_(sideField(tr("Width of the picture [pixels]"), view.width())),
-      height_(sideField(tr("Height of the picture [pixels]"), view.height())),
-      stop_(new StopRow) {
+      width_(sideField(tr("Width of the picture [pixels]"), offer.view.width())),
+      height_(sideField(tr("Height of the picture [pixels]"), offer.view.height())),
+      stop_(new StopRow),
+      takes_(new QLabel),
+      annotate_(annotateField(offer)) {
     sizes_->setAccessibleName(tr("Size of the picture"));
-    sizes_->addItem(tr("As it is on the screen, %1").arg(sizeText(view)), view);
-    for (const QSize size : {view, QSize(2000, 2000), QSize(3840, 2160)})
+    sizes_->addItem(tr("As it is on the screen, %1").arg(sizeText(offer.view)), offer.view);
+    for (const QSize size : {offer.view, QSize(2000, 2000), QSize(3840, 2160)})
         sizes_->addItem(tr("Made anew, %1").arg(sizeText(size)), size);
     sizes_->addItem(tr("Made anew, another size"));
-    stop_->setRule(stop);
+    stop_->setRule({.levels = kPlanningLevels});
+    takes_->setAccessibleName(tr("How long it takes"));
 
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -46,13 +70,37 @@ PictureSizeBox::PictureSizeBox(QSize view, const StopRule& stop, QWidget* parent
     grid->addWidget(new QLabel(QString(QChar(0x00D7))), 0, 3);
     grid->addWidget(height_, 0, 4);
     grid->addWidget(new QLabel(tr("Until:")), 1, 0);
-    grid->addWidget(stop_, 1, 1, 1, 4);
+    grid->addWidget(stop_, 1, 1);
+    grid->addWidget(takes_, 1, 2, 1, 3);
+    grid->addWidget(new QLabel(tr("Annotations:")), 2, 0);
+    grid->addWidget(annotate_, 2, 1);
     grid->setColumnStretch(1, 1);
 
     connect(sizes_, &QComboBox::currentIndexChanged, this, &PictureSizeBox::takeSize);
     connect(width_, &QSpinBox::valueChanged, this, &PictureSizeBox::takeNumbers);
     connect(height_, &QSpinBox::valueChanged, this, &PictureSizeBox::takeNumbers);
+    connect(stop_, &StopRow::ruleChosen, this, &PictureSizeBox::showCost);
     takeSize();
+}
+
+Annotate PictureSizeBox::annotate() const {
+    return Annotate(annotate_->currentData().toInt());
+}
+
+void PictureSizeBox::setAnnotatable(bool annotatable) {
+    annotate_->setEnabled(annotatable);
+}
+
+/// "about 40 min to ±4"; nothing where it is as it is.
+void PictureSizeBox::showCost() {
+    const StopRule rule = stop_->rule();
+    const QString target = localNumber(levelsText(rule.levels));
+    if (sizes_->currentIndex() == 0)
+        return takes_->clear();
+    if (!cost_)
+        return takes_->setText(tr("how long it takes is not known yet"));
+    const double seconds = cost_->secondsUntil(rule.levels, {width_->value(), height_->value()});
+    takes_->setText(tr("about %1 to ±%2").arg(durationText(seconds), target));
 }
 
 std::optional<QSize> PictureSizeBox::chosenSize() const {
@@ -64,17 +112,18 @@ void PictureSizeBox::takeSize() {
     const bool anew = sizes_->currentIndex() > 0;
     for (QWidget* field : std::initializer_list<QWidget*>{width_, height_, stop_})
         field->setEnabled(anew);
-    const QSize size = sizes_->currentData().toSize();
-    if (!size.isValid())
-        return;
-    const QSignalBlocker width(width_), height(height_);
-    width_->setValue(size.width());
-    height_->setValue(size.height());
+    if (const QSize size = sizes_->currentData().toSize(); size.isValid()) {
+        const QSignalBlocker width(width_), height(height_);
+        width_->setValue(size.width());
+        height_->setValue(size.height());
+    }
+    showCost();
 }
 
 void PictureSizeBox::takeNumbers() {
     const QSignalBlocker sizes(sizes_);
     sizes_->setCurrentIndex(sizes_->count() - 1);
+    showCost();
 }
 
 }  // namespace pdr::ui

@@ -2,11 +2,14 @@
 
 #include <QApplication>
 #include <QPainter>
+#include <QPixmap>
+#include <algorithm>
 
 namespace pdr::ui {
 namespace {
 
 constexpr int kPadding = 8;
+constexpr int kPicture = 48;  ///< side [px]
 
 }  // namespace
 
@@ -14,6 +17,7 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     QStyleOptionViewItem ground = option;
     initStyleOption(&ground, index);
     ground.text.clear();
+    ground.icon = {};
     const QStyle& style = ground.widget ? *ground.widget->style() : *QApplication::style();
     style.drawControl(QStyle::CE_ItemViewItem, &ground, painter, ground.widget);
 
@@ -24,10 +28,18 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
         colour = option.palette.color(QPalette::PlaceholderText);
 
     painter->save();
-    const QRect area = option.rect.adjusted(kPadding, kPadding, -kPadding, -kPadding);
+    QRect area = option.rect.adjusted(kPadding, kPadding, -kPadding, -kPadding);
+    if (const auto picture = index.data(Qt::DecorationRole).value<QPixmap>(); !picture.isNull()) {
+        QRect place(area.topLeft(), picture.size().scaled(kPicture, kPicture, Qt::KeepAspectRatio));
+        painter->setRenderHint(QPainter::SmoothPixmapTransform);
+        painter->drawPixmap(place, picture);
+        area.setLeft(area.left() + kPicture + kPadding);
+    }
     const int lineHeight = option.fontMetrics.height() + 2;
     QRect line(area.left(), area.top(), area.width(), lineHeight);
     const auto write = [&](int role, const QFont& font, double opacity) {
+        if (index.data(role).toString().isEmpty())
+            return;
         QColor ink = colour;
         ink.setAlphaF(float(opacity));
         painter->setPen(ink);
@@ -39,6 +51,7 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     QFont title = option.font;
     title.setBold(loadable);
     write(kTitleRole, title, 1);
+    write(kWhoRole, option.font, 1);
     write(kFactsRole, option.font, 0.75);
     write(kVerdictRole, option.font, loadable ? 0.75 : 1);
     painter->restore();
@@ -49,8 +62,9 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     }
 }
 
-QSize SeriesDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-    return {100, 3 * (option.fontMetrics.height() + 2) + 2 * kPadding};
+QSize SeriesDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    const int lines = index.data(kWhoRole).toString().isEmpty() ? 3 : 4;
+    return {100, std::max(lines * (option.fontMetrics.height() + 2), kPicture) + 2 * kPadding};
 }
 
 }  // namespace pdr::ui

@@ -1,12 +1,14 @@
 #pragma once
-/// Paints one series as three lines: its name, its facts, its verdict.
+/// Paints one series as three or four lines beside a small picture of it, if there is one: its name, whose it is where
+/// that must be told, its facts, its verdict.
 
 #include <QStyledItemDelegate>
 
 namespace pdr::ui {
 
 /// What an item of the series list holds.
-/// kNumberRole: of the patient in the list, from 1.
+/// kNumberRole: of the patient in the list, from 1. kWhoRole: birth date and ID where patients must be told apart;
+/// empty: no line. The picture is in Qt::DecorationRole.
 enum SeriesRole {
     kPatientRole = Qt::UserRole,
     kTitleRole,
@@ -14,7 +16,9 @@ enum SeriesRole {
     kVerdictRole,
     kLoadableRole,
     kDetailRole,
-    kNumberRole
+    kNumberRole,
+    kWhoRole,
+    kDetailsOfPatientRole
 };
 
 class SeriesDelegate : public QStyledItemDelegate {

@@ -22,7 +22,7 @@ QString detailOf(const dicom::GeometryVerdict& verdict) {
 }
 
 bool samePatient(const dicom::Series& a, const dicom::Series& b) {
-    return a.patient.name == b.patient.name && a.patient.id == b.patient.id;
+    return dicom::samePatient(a.patient, b.patient);
 }
 
 /// From 1, in the order of the list.
@@ -43,6 +43,7 @@ QStandardItem* itemOf(const dicom::Series& series, int patientNumber) {
     auto* item = new QStandardItem(title);
     item->setEditable(false);
     item->setData(patientName(series.patient), kPatientRole);
+    item->setData(patientDetails(series.patient), kDetailsOfPatientRole);
     item->setData(patientNumber, kNumberRole);
     item->setData(facts, kFactsRole);
     item->setData(verdict, kVerdictRole);
@@ -78,7 +79,10 @@ SeriesPanel::SeriesPanel(QWidget* parent) : QWidget(parent) {
     list_.setFrameShape(QFrame::NoFrame);
     list_.setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    connect(list_.selectionModel(), &QItemSelectionModel::currentChanged, this, &SeriesPanel::choose);
+    connect(list_.selectionModel(), &QItemSelectionModel::selectionChanged, this, &SeriesPanel::choose);
+    connect(&list_, &QListView::activated, list_.selectionModel(), [this](const QModelIndex& item) {
+        list_.selectionModel()->select(item, QItemSelectionModel::ClearAndSelect);
+    });
 
     for (QLabel* label : {&detail_, &leftOut_}) {
         label->setWordWrap(true);
@@ -124,6 +128,11 @@ void SeriesPanel::setCurrent(int index) {
     showDetail(index);
 }
 
+void SeriesPanel::setPicture(int series, const QImage& picture) {
+    if (QStandardItem* item = model_.item(series))
+        item->setData(QPixmap::fromImage(picture), Qt::DecorationRole);
+}
+
 void SeriesPanel::setNothingShown() {
     shown_ = -1;
     patient_.clear();
@@ -147,9 +156,11 @@ void SeriesPanel::name(QStandardItem& item) const {
     const QString series = item.text();
     const QString title = several_ ? tr("%1: %2", "patient, series").arg(patientOf(item.index()), series) : series;
     item.setData(title, kTitleRole);
+    item.setData(several_ && !namesHidden_ ? item.data(kDetailsOfPatientRole) : QVariant(), kWhoRole);
     QStringList all{title};
-    for (const int role : {kFactsRole, kVerdictRole, kDetailRole})
+    for (const int role : {kWhoRole, kFactsRole, kVerdictRole, kDetailRole})
         all << item.data(role).toString();
+    all.removeAll({});
     item.setData(all.join(", "), Qt::AccessibleTextRole);
 }
 
@@ -159,7 +170,11 @@ void SeriesPanel::showDetail(int index) {
     detail_.setVisible(!text.isEmpty());
 }
 
-void SeriesPanel::choose(const QModelIndex& item) {
+void SeriesPanel::choose() {
+    const QModelIndexList marked = list_.selectionModel()->selectedIndexes();
+    if (marked.isEmpty())
+        return;
+    const QModelIndex& item = marked.front();
     showDetail(item.row());
     if (item.data(kLoadableRole).toBool())
         emit seriesChosen(item.row());

@@ -1,6 +1,7 @@
 #pragma once
 /// The series of a folder, with what can be shown and what not, and why. Setters are silent.
 
+#include <QImage>
 #include <QLabel>
 #include <QListView>
 #include <QStandardItemModel>
@@ -22,6 +23,8 @@ class SeriesPanel : public QWidget {
     void setCurrent(int index);
     /// No patient is named, and what the user has marked stays marked.
     void setNothingShown();
+    /// A small picture of the series at that place of the scan.
+    void setPicture(int series, const QImage& picture);
     /// For screenshots: patients are numbered in the place of their names.
     void setNamesHidden(bool hidden);
     int current() const { return shown_; }
@@ -32,14 +35,14 @@ class SeriesPanel : public QWidget {
     QSize sizeHint() const override { return {240, 400}; }
 
   signals:
-    /// A loadable series was clicked or reached by the keyboard.
+    /// A loadable series was clicked, or marked or taken by the keyboard; to reach the list by Tab marks none.
     void seriesChosen(int index);
 
   private:
     void showDetail(int index);
     void name(QStandardItem& item) const;
     QString patientOf(const QModelIndex& item) const;
-    void choose(const QModelIndex& item);
+    void choose();
 
     int shown_ = -1;
     bool several_ = false;  ///< patients

@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 #include <QDate>
+#include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
 
 #include "ui/language.h"
 
@@ -47,6 +49,23 @@ const char* stackWord(dicom::Stack stack) {
     return "";
 }
 
+/// Those that are not empty.
+QString joined(QStringList parts) {
+    parts.removeAll({});
+    return parts.join(QString::fromUtf8(" · "));
+}
+
+/// People write names into descriptions.
+bool namesPatient(const QString& text, const dicom::PatientFacts& patient) {
+    constexpr int kShortest = 3;  // what is shorter stands in any text
+    static const QRegularExpression between("[\\^=,\\s]+");
+    const QStringList parts = QString::fromStdString(patient.name).split(between)
+                              << QString::fromStdString(patient.id).trimmed();
+    return std::ranges::any_of(parts, [&](const QString& part) {
+        return part.size() >= kShortest && text.contains(part, Qt::CaseInsensitive);
+    });
+}
+
 }  // namespace
 
 QString seriesTitle(const dicom::Series& series) {
@@ -57,8 +76,14 @@ QString seriesTitle(const dicom::Series& series) {
     return study.isEmpty() ? translated("Series %1").arg(series.series.number) : study;
 }
 
-QString windowSubject(const dicom::Series& series) {
+QString seriesNumber(const dicom::Series& series) {
     return translated("CT series %1").arg(series.series.number);
+}
+
+QString windowSubject(const dicom::Series& series) {
+    const bool described = !series.series.description.empty() || !series.study.description.empty();
+    const QString title = seriesTitle(series);
+    return described && !namesPatient(title, series.patient) ? title : seriesNumber(series);
 }
 
 QString seriesFacts(const dicom::Series& series) {
@@ -90,6 +115,19 @@ QString patientName(const dicom::PatientFacts& patient) {
         return translated("Name not given");
     const QString family = parts.takeFirst().trimmed();
     return parts.isEmpty() ? family : family + ", " + parts.join(' ').simplified();
+}
+
+QString patientDetails(const dicom::PatientFacts& patient) {
+    const QString born = dateText(patient.birthDate), id = QString::fromStdString(patient.id).trimmed();
+    return joined({born.isEmpty() ? QString() : translated("born %1").arg(born),
+                   id.isEmpty() ? QString() : translated("ID %1").arg(id)});
+}
+
+QStringList patientLines(const dicom::Series& series) {
+    const QString date = dateText(series.study.date.empty() ? series.series.date : series.study.date);
+    QStringList lines{patientName(series.patient), patientDetails(series.patient), joined({date, seriesTitle(series)})};
+    lines.removeAll({});
+    return lines;
 }
 
 }  // namespace pdr::ui

@@ -1,19 +1,16 @@
 #include "ui/shown_picture.h"
 
-#include <QCoreApplication>
 #include <QPainterPath>
 #include <cmath>
 
+#include "ui/annotation/annotations.h"
 #include "ui/error_legend.h"
-#include "ui/orientation_cube.h"
-#include "ui/orientation_letters.h"
 #include "ui/picture_layer.h"
 
 namespace pdr::ui {
 namespace {
 
 constexpr int kMargin = 12;
-constexpr int kCubeSide = 64;
 
 /// One at each end, open towards the other.
 QPainterPath bracketsAround(const QLineF& line) {
@@ -30,14 +27,6 @@ QPainterPath bracketsAround(const QLineF& line) {
     return path;
 }
 
-/// With a shadow, since it may stand on bright bone.
-void paintText(QPainter& painter, const QRect& area, int where, const QString& text) {
-    painter.setPen(Qt::black);
-    painter.drawText(area.translated(1, 1), where, text);
-    painter.setPen(QColor(225, 225, 215));
-    painter.drawText(area, where, text);
-}
-
 /// One painting of it.
 struct Painting {
     QPainter& painter;
@@ -51,7 +40,6 @@ struct Painting {
     void paintImage(const QImage& image) const;
     void paintErrorMap() const;
     void paintLostLines() const;
-    void paintLetters() const;
     void paintTexts() const;
 };
 
@@ -87,31 +75,13 @@ void Painting::paintLostLines() const {
     painter.restore();
 }
 
-void Painting::paintLetters() const {
-    QFont bold = plain;
-    bold.setPointSizeF(bold.pointSizeF() * 1.25);
-    bold.setBold(true);
-    painter.setFont(bold);
-    const EdgeLetters edges = edgeLetters(picture.camera);
-    const auto write = [&](int where, const std::string& text) {
-        paintText(painter, withinMargins(), where, QString::fromStdString(text));
-    };
-    write(Qt::AlignLeft | Qt::AlignVCenter, edges.left);
-    write(Qt::AlignRight | Qt::AlignVCenter, edges.right);
-    write(Qt::AlignTop | Qt::AlignHCenter, edges.top);
-    write(Qt::AlignBottom | Qt::AlignHCenter, edges.bottom);
-    const QPointF corner(view.size.width() - kMargin - kCubeSide, view.size.height() - kMargin - kCubeSide);
-    paintOrientationCube(painter, QRectF(corner, QSizeF(kCubeSide, kCubeSide)), picture.camera);
-}
-
 /// Also where nothing else of the window is seen.
 void Painting::paintTexts() const {
     painter.setFont(plain);
-    QStringList lines{picture.look, picture.mark, view.captioned ? picture.caption : QString(),
-                      QCoreApplication::translate("Viewport", "Not for diagnostic use")};
-    lines.removeAll({});
-    paintText(painter, withinMargins(), Qt::AlignLeft | Qt::AlignBottom, lines.join('\n'));
-    paintText(painter, withinMargins(), Qt::AlignLeft | Qt::AlignTop, view.overlay.join('\n'));
+    paintAnnotations(
+        painter,
+        {picture.camera, view.overlay, {picture.texts, picture.mark, view.captioned ? picture.caption : QString()}},
+        view.size);
 }
 
 }  // namespace
@@ -129,7 +99,6 @@ void paintShownPicture(QPainter& painter, const ShownPicture& picture, const Pic
     painting.paintImage(picture.image);
     painting.paintErrorMap();
     painting.paintLostLines();
-    painting.paintLetters();
     painting.paintTexts();
 }
 

@@ -15,7 +15,7 @@ namespace pdr::ui {
 struct ShownPicture {
     QImage image;             ///< of whatever size: it is stretched to the view's height
     Camera camera;            ///< that it was made with; letters and cube are painted from it
-    QString look;             ///< written into a corner, ...
+    QString texts;            ///< what it shows, in lines; written into a corner, ...
     QString mark;             ///< ... with what else must be known of the picture; empty: nothing
     QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends
     QString caption;          ///< below the mark, where nothing beside the picture says it: PictureView::caption

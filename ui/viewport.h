@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "render/scene/camera.h"
-#include "ui/orientation_letters.h"
+#include "ui/annotation/orientation_letters.h"
 #include "ui/shown_picture.h"
 
 class QHelpEvent;

@@ -54,8 +54,10 @@ void addPicture(QMenu& menu, WindowActions& actions) {
     actions.smoothed = checkable(menu.addAction(Texts::tr("&Smoothed"), QKeySequence(Qt::Key_S)));
     actions.table = checkable(menu.addAction(Texts::tr("&Table and holder"), QKeySequence(Qt::Key_T)));
     actions.captioned = checkable(
-        menu.addAction(Texts::tr("&Caption on previews")),
-        Texts::tr("Saved, copied and full-screen pictures say where they are not yet as good as was wanted."));
+        menu.addAction(Texts::tr("A&nnotate saved images")),
+        Texts::tr("Saved and copied images say which side is which, what they show, and that they are not for "
+                  "diagnostic use."));
+    actions.captioned->setChecked(true);
     actions.errorMap = checkable(menu.addAction(Texts::tr("Where it is still r&ough"), QKeySequence(Qt::Key_E)));
     actions.boxFirst =
         checkable(menu.addAction(Texts::tr("&Box first"), QKeySequence(Qt::Key_B)),

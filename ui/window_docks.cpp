@@ -15,6 +15,7 @@ namespace pdr::ui {
 namespace {
 
 constexpr int kEditorColumn = 316;  ///< [px]
+constexpr int kChoosing = 380;      ///< of the series, with room for names and IDs [px]
 
 /// A quiet heading with a way to fold the panel.
 QWidget* panelTitle(const QString& title, QDockWidget* dock) {
@@ -75,6 +76,17 @@ QList<QAction*> WindowDocks::toggles() const {
     for (const QDockWidget* dock : all_)
         actions << dock->toggleViewAction();
     return actions;
+}
+
+void WindowDocks::setChoosing(bool choosing) {
+    if (choosing == choosing_)
+        return;
+    choosing_ = choosing;
+    if (choosing)
+        seriesWereAway_ = series_->isHidden() && !gaveWay_.contains(series_);
+    series_->setVisible(choosing || !seriesWereAway_);
+    makeRoom();
+    window_.resizeDocks({series_}, {choosing ? kChoosing : series_->widget()->sizeHint().width()}, Qt::Horizontal);
 }
 
 void WindowDocks::setAway(bool away) {
@@ -162,7 +174,7 @@ QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
     constexpr double kPicture = 0.61;  // of the window; some of it is frames
     QList<QDockWidget*> away;
     const auto give = [&](QDockWidget* dock) {
-        if (dock != insisted_ && wanted.removeOne(dock))
+        if (dock != insisted_ && !(choosing_ && dock == series_) && wanted.removeOne(dock))
             away << dock;
     };
     const auto editor = std::ranges::find_if(wanted, [&](QDockWidget* dock) { return editors_.contains(dock); });

@@ -31,6 +31,8 @@ class WindowDocks : public QObject {
     QByteArray wantedState();
     /// Folds panels away where the window has become too small for them, and brings them back in a larger one.
     void makeRoom();
+    /// A series is to be chosen: their list is there and does not give way until one is. Then it is as it was.
+    void setChoosing(bool choosing);
     /// Folds all away, or brings back what was there before.
     void setAway(bool away);
 
@@ -69,6 +71,8 @@ class WindowDocks : public QObject {
     QList<QDockWidget*> sides_;             ///< left and right of the picture
     QMap<QDockWidget*, QWidget*> editors_;  ///< wide ones on the right, one at a time, with their panels
     QList<QDockWidget*> gaveWay_;           ///< that come back when there is room
+    bool choosing_ = false;                 ///< a series
+    bool seriesWereAway_ = false;           ///< before that
     QDockWidget* insisted_ = nullptr;       ///< opened last, which does not give way
     int column_ = 0;                        ///< width of the looks beside an open editor, without it; 0: as it is [px]
     QByteArray stateBefore_;                ///< of the window, as long as all are away

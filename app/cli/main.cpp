@@ -1,12 +1,16 @@
 /// pdrender-cli: info, looks, render, accuracy, effects, replay, cluster, example. Exit codes: 0, 1 for an error, 2 for
 /// wrong usage.
 
-#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QLocale>
 #include <QStringList>
 
 #include <cstdio>
+#include <cstdlib>
+#include <memory>
 
 #include "app/cli/accuracy_command.h"
+#include "app/cli/annotating.h"
 #include "app/cli/cluster_command.h"
 #include "app/cli/effects_command.h"
 #include "app/cli/example_command.h"
@@ -78,12 +82,36 @@ int run(QStringList arguments) {
     return usageError("there is no command \"" + command + "\"");
 }
 
+constexpr const char* kNoLetters =
+    "pdrender-cli: letters cannot be painted on this machine. Install Qt's platform plugins (qt6-qpa-plugins), or add "
+    "--annotations none.\n";
+
+/// Qt ends the program with a signal where it has nothing to paint with.
+void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type != QtFatalMsg)
+        return;
+    std::fprintf(stderr, "%s%s\n", kNoLetters, message.section('\n', 0, 0).toUtf8().constData());
+    std::_Exit(1);
+}
+
+/// Fonts need more of Qt, and no display. Numbers are written as in English, whatever the system speaks.
+std::unique_ptr<QCoreApplication> applicationFor(int& argc, char** argv) {
+    QLocale::setDefault(QLocale::c());
+    if (!mayWriteLetters(argc, argv))
+        return std::make_unique<QCoreApplication>(argc, argv);
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QtMessageHandler usual = qInstallMessageHandler(endWhereQtGivesUp);
+    auto application = std::make_unique<QGuiApplication>(argc, argv);
+    qInstallMessageHandler(usual);
+    return application;
+}
+
 }  // namespace
 }  // namespace pdr::app
 
 int main(int argc, char** argv) {
     return pdr::app::runProgram("pdrender-cli", [&] {
-        const QCoreApplication application(argc, argv);
+        const std::unique_ptr<QCoreApplication> application = pdr::app::applicationFor(argc, argv);
         pdr::app::keepNumbersPlain();
         if (const auto unreadable = pdr::app::unreadableWord(argc, argv)) {
             pdr::app::failed(*unreadable);

@@ -63,9 +63,9 @@ Result<void> checkSpared(const Paths& inputs, const Paths& outputs) {
 }
 
 WrittenFiles writePictures(const Film& film, const Display& display, SmoothedView& view, const Provenance& facts,
-                           const Paths& outputs) {
+                           const PaintOver& paintOver, const Paths& outputs) {
     const auto write = [&](const fs::path& path) {
-        return pictureFormat(path) == PictureFormat::png ? writePng(film, display, view, facts, path)
+        return pictureFormat(path) == PictureFormat::png ? writePng(film, display, view, facts, path, paintOver)
                                                          : writeExr(film, facts, path);
     };
     WrittenFiles written;

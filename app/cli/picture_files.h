@@ -25,7 +25,8 @@ struct WrittenFiles {
 
 /// Writes every output, PNG or OpenEXR by its extension. One that fails is tried under a free name beside its place
 /// ("head-2.png"), then in the current folder. `view` has judged the film where a smoothed picture is wanted.
+/// `paintOver`: for PNG files.
 WrittenFiles writePictures(const Film& film, const Display& display, SmoothedView& view, const Provenance& facts,
-                           const Paths& outputs);
+                           const PaintOver& paintOver, const Paths& outputs);
 
 }  // namespace pdr::app

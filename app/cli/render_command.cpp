@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <new>
 
+#include "app/cli/annotating.h"
 #include "app/cli/film_room.h"
 #include "app/cli/picture_files.h"
 #include "app/cli/progress_line.h"
@@ -12,6 +13,7 @@
 #include "app/cli/run_command.h"
 #include "app/program/interrupt.h"
 #include "app/provenance.h"
+#include "render/accuracy/quality.h"
 #include "render/base/errors.h"
 #include "render/device/device_list.h"
 #include "render/film/picture_format.h"
@@ -19,6 +21,7 @@
 #include "render/prepare/flatten.h"
 #include "render/session/batch_render.h"
 #include "render/session/bias_measurements.h"
+#include "ui/accuracy_text.h"
 
 namespace pdr::app {
 namespace {
@@ -31,10 +34,27 @@ struct Finished {
 /// Of the time that the picture took, for what its bias is measured by.
 constexpr double kBiasShare = 0.1;
 
+bool writesPng(const RenderOptions& options) {
+    return std::ranges::any_of(options.outputs,
+                               [](const auto& path) { return pictureFormat(path) == PictureFormat::png; });
+}
+
 bool wantsSmoothed(const RenderOptions& options, const Scene& scene) {
-    return options.smoothed && canBeSmoothed(scene) && std::ranges::any_of(options.outputs, [](const auto& path) {
-               return pictureFormat(path) == PictureFormat::png;
-           });
+    return options.smoothed && canBeSmoothed(scene) && writesPng(options);
+}
+
+ui::Annotate annotateOf(const RenderOptions& options) {
+    return writesPng(options) ? options.annotate : ui::Annotate::none;
+}
+
+/// What paints over PNG files; the picture is a preview until it is as good as was asked for, or for planning.
+PaintOver painterOf(std::optional<ui::Annotations> annotations, const Stops& stops, const FilmStatus& status,
+                    bool smoothed) {
+    if (!annotations)
+        return {};
+    annotations->texts << ui::previewText(status, stops.levels.value_or(kPlanningLevels), smoothed);
+    return
+        [all = *std::move(annotations)](ivec2 size, std::vector<std::uint8_t>& rgba) { ui::annotate(all, size, rgba); };
 }
 
 /// Of the pictures as they are written.
@@ -49,6 +69,8 @@ std::vector<Bias> biasesOf(const LoadedScene& work, const Rendered& rendered, Sm
 /// Everything between the options and the exit code.
 Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interrupt) {
     if (auto ok = checkWritable(options.outputs); !ok)
+        return ok.error();
+    if (auto ok = checkFonts(annotateOf(options)); !ok)
         return ok.error();
     auto opened = openDevice(options.device, options.threads);
     if (!opened)
@@ -74,6 +96,9 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     if (auto ok = checkSpared(work->files, options.outputs); !ok)
         return ok.error();
 
+    auto annotations = annotationsOf(*work, annotateOf(options));
+    if (!annotations)
+        return annotations.error();
     if (auto ok = device.upload(work->scene); !ok)
         return ok.error();
     if (auto room = roomForFilm(work->scene.film, device.info()); !room)
@@ -110,7 +135,8 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     if (measured)
         rendered.bias = *measured;
     const WrittenFiles written =
-        writePictures(**picture, display, view, provenanceOf(work->scene, rendered), options.outputs);
+        writePictures(**picture, display, view, provenanceOf(work->scene, rendered),
+                      painterOf(*std::move(annotations), options.stops, result->film, smoothed), options.outputs);
     for (const Error& trouble : written.troubles)
         failed(trouble);
     if (!measured)

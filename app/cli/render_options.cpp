@@ -29,6 +29,10 @@ void describeRender(QCommandLineParser& parser) {
         kDeviceOption,
         {"smoothed",
          "Take the noise out of PNG files, and fine detail that it hides; their error is written into them."},
+        {"annotations",
+         "What is written over PNG files: none; sides (default): the patient's sides, look, part, cut, scale, and what "
+         "the picture is worth; patient: that, and the patient's name, birth date and ID.",
+         "none|sides|patient", "sides"},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
     });
     describeNodeOptions(parser);
@@ -91,6 +95,17 @@ std::string readDevice(const QCommandLineParser& parser) {
     return name.toStdString();
 }
 
+ui::Annotate readAnnotate(const QCommandLineParser& parser) {
+    const QString word = parser.value("annotations");
+    if (word == "none")
+        return ui::Annotate::none;
+    if (word == "patient")
+        return ui::Annotate::patient;
+    if (word != "sides")
+        usageError("--annotations", "must be none, sides or patient");
+    return ui::Annotate::sides;
+}
+
 void readRender(const QCommandLineParser& parser, RenderOptions& options) {
     options.nodes = readNodeOptions(parser);
     options.scene = readSceneOptions(parser, "render");
@@ -98,6 +113,7 @@ void readRender(const QCommandLineParser& parser, RenderOptions& options) {
     options.stops = readStops(Reader(parser));
     options.threads = readThreads(parser);
     options.smoothed = parser.isSet("smoothed");
+    options.annotate = readAnnotate(parser);
     options.json = parser.isSet("json");
     options.device = readDevice(parser);
 }

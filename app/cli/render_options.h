@@ -13,17 +13,19 @@
 #include "app/cli/scene_input.h"
 #include "render/base/result.h"
 #include "render/session/batch_render.h"
+#include "ui/annotation/annotations.h"
 
 namespace pdr::app {
 
 struct RenderOptions {
     SceneInput scene;
-    std::vector<std::filesystem::path> outputs;  ///< at least one; each .png or .exr
-    Stops stops;                                 ///< 256 samples when nothing was asked for
-    std::string device = "auto";                 ///< as openDevice() takes it
-    int threads = 0;                             ///< 0 = one per core
-    NodesWanted nodes;                           ///< other machines that help
-    bool smoothed = false;                       ///< PNG files
+    std::vector<std::filesystem::path> outputs;   ///< at least one; each .png or .exr
+    Stops stops;                                  ///< 256 samples when nothing was asked for
+    std::string device = "auto";                  ///< as openDevice() takes it
+    int threads = 0;                              ///< 0 = one per core
+    NodesWanted nodes;                            ///< other machines that help
+    bool smoothed = false;                        ///< PNG files
+    ui::Annotate annotate = ui::Annotate::sides;  ///< PNG files
     bool json = false;
     bool help = false;
 };

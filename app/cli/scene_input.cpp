@@ -154,6 +154,8 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
 
     LoadedScene work{std::move(file->scene), {}, {}, {input.path, file->source.raw.path, file->environmentImage}};
     const WantedVolume& wanted = volume->wanted;
+    work.uncut = boxAround(wanted.framed.box);
+    work.series = volume->series;
     work.scene.volume = wanted.volume;
     for (const dicom::Note& note : volume->notes)
         work.notes.push_back(note.text);

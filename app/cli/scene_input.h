@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "dicom/series.h"
 #include "render/base/progress.h"
 #include "render/base/result.h"
 #include "render/film/display.h"
@@ -40,8 +42,10 @@ struct SceneInput {
 struct LoadedScene {
     Scene scene;
     Display display;
-    std::vector<std::string> notes;            ///< on the import of the voxels and what is hidden of them
-    std::vector<std::filesystem::path> files;  ///< that it was read from, but those of a DICOM folder
+    std::vector<std::string> notes;               ///< on the import of the voxels and what is hidden of them
+    std::vector<std::filesystem::path> files;     ///< that it was read from, but those of a DICOM folder
+    ClipBox uncut;                                ///< what a cut cuts from
+    std::shared_ptr<const dicom::Series> series;  ///< whose voxels they are; null: a raw file's
 };
 
 /// Errors: those of scene files, looks and the import, nothing under the pixel to focus on, and

@@ -164,35 +164,24 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
 
 }  // namespace
 
-/// White letters on ground of a third of its light.
-void paint(const Caption& caption, ivec2 size, std::vector<std::uint8_t>& rgba) {
-    const int top = size.y - caption.size.y;
-    for (int y = std::max(0, -top); y < caption.size.y; ++y)
-        for (int x = 0; x < std::min(caption.size.x, size.x); ++x) {
-            const int letter = caption.coverage[std::size_t(y) * std::size_t(caption.size.x) + std::size_t(x)];
-            std::uint8_t* pixel = &rgba[(std::size_t(top + y) * std::size_t(size.x) + std::size_t(x)) * 4];
-            for (int channel = 0; channel < 3; ++channel)
-                pixel[channel] = std::uint8_t((letter * 255 + (255 - letter) * (pixel[channel] / 3)) / 255);
-        }
-}
-
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
-                      const std::filesystem::path& path, const Caption& caption, const std::stop_token& stop) {
+                      const std::filesystem::path& path, const PaintOver& paintOver, const std::stop_token& stop) {
     SmoothedView view;
     if (display.smoothed)
         view.judge(film, film.samplesPerPixel(), stop);
-    return writePng(film, display, view, provenance, path, caption, stop);
+    return writePng(film, display, view, provenance, path, paintOver, stop);
 }
 
 Result<void> writePng(const Film& film, const Display& wanted, SmoothedView& view, const Provenance& provenance,
-                      const std::filesystem::path& path, const Caption& caption, const std::stop_token& stop) {
+                      const std::filesystem::path& path, const PaintOver& paintOver, const std::stop_token& stop) {
     Result<ReplacingFile> file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
         return file.error();
 
     const Display display = view.better(wanted);
     std::vector<std::uint8_t> rgba = toneMap(film, display);
-    paint(caption, film.size(), rgba);
+    if (paintOver)
+        paintOver(film.size(), rgba);
     std::vector<Fact> facts = factsOf(provenance);
     if (display.smoothed)
         facts.push_back({"pdrender/smoothed", smoothedFact(view.error(display.exposure), view.lostLines().size())});

@@ -4,6 +4,7 @@
 /// as it was, and so does a stop request until then: Error cancelled().
 
 #include <filesystem>
+#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -16,22 +17,18 @@
 
 namespace pdr {
 
-/// Words in a picture: white, on ground that is darkened around them, in its lower left corner.
-struct Caption {
-    ivec2 size{0};                       ///< pixels; what does not fit into the picture is cut off
-    std::vector<std::uint8_t> coverage;  ///< of each pixel by letters, 0 ... 255, row by row from the top
-};
-
-/// Paints `caption` over a picture of `size` pixels, 4 bytes each, row by row from the top.
-void paint(const Caption& caption, ivec2 size, std::vector<std::uint8_t>& rgba);
+/// Paints what is to be read in an image over its `size` pixels, 4 bytes each, row by row from the top. Empty: nothing.
+using PaintOver = std::function<void(ivec2 size, std::vector<std::uint8_t>& rgba)>;
 
 /// Tone-mapped 8-bit sRGB PNG with the provenance as text chunks. A smoothed one says so there, with its error; where
-/// the film itself is better, that is written instead. `caption` is painted over it.
+/// the film itself is better, that is written instead.
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
-                      const std::filesystem::path& path, const Caption& caption = {}, const std::stop_token& stop = {});
+                      const std::filesystem::path& path, const PaintOver& paintOver = {},
+                      const std::stop_token& stop = {});
 /// The same of a film that `view` has judged already, where a smoothed picture is wanted.
 Result<void> writePng(const Film& film, const Display& display, SmoothedView& view, const Provenance& provenance,
-                      const std::filesystem::path& path, const Caption& caption = {}, const std::stop_token& stop = {});
+                      const std::filesystem::path& path, const PaintOver& paintOver = {},
+                      const std::stop_token& stop = {});
 
 /// A picture that was read: linear radiance, row by row from the top.
 struct RadianceImage {

@@ -50,10 +50,11 @@ struct Scene {
                                      ///< it lights nothing; [0, 1e30]
     Camera camera;
     Clip clip;
-    Visible visible;         ///< what the mask was made for; no picture depends on it
-    ivec2 film{512, 512};    ///< pixels; each in [1, 16384]
-    int maxBounces = 1000;   ///< multiple scattering: events on a path, at most; what is cut is counted; [1, 100000]
-    std::uint64_t seed = 1;  ///< any
+    Visible visible;           ///< what the mask was made for; no picture depends on it
+    bool maskAwaited = false;  ///< another part is shown until that mask is there; no picture depends on it
+    ivec2 film{512, 512};      ///< pixels; each in [1, 16384]
+    int maxBounces = 1000;     ///< multiple scattering: events on a path, at most; what is cut is counted; [1, 100000]
+    std::uint64_t seed = 1;    ///< any
     std::uint64_t revision = 0;  ///< grows with each edit
     std::string lookName;        ///< what the user calls the way it looks; no picture depends on it
 

@@ -18,6 +18,7 @@ bool differInViewOnly(Scene a, const Scene& b) {
     a.film = b.film;
     a.revision = b.revision;
     a.lookName = b.lookName;
+    a.maskAwaited = b.maskAwaited;
     return a == b;
 }
 

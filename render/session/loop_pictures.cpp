@@ -152,6 +152,9 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->revision = place_.revision();
     frame->camera = scene_.camera;
     frame->lookName = scene_.lookName;
+    frame->maskAwaited = scene_.maskAwaited;
+    frame->notShown = scene_.mask ? scene_.mask->hidden() : std::string();
+    frame->clip = scene_.clip;
     frame->estimator = scene_.estimator;
     frame->coarse = coarse();
     frame->stop = commands.stop();

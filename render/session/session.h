@@ -18,6 +18,7 @@
 #include "render/film/level_error_map.h"
 #include "render/film/smoothing_judgement.h"
 #include "render/scene/camera.h"
+#include "render/scene/clip.h"
 #include "render/scene/model.h"
 #include "render/session/region.h"
 #include "render/timing/frame_budget.h"
@@ -33,6 +34,9 @@ struct Frame {
     // Of that Scene, so that nothing else is written beside the picture:
     Camera camera;
     std::string lookName;
+    bool maskAwaited = false;
+    std::string notShown;  ///< what its mask hides, in sentences
+    Clip clip;
     Estimator estimator = Estimator::unbiased;
     bool coarse = false;             ///< a first picture, or one during interaction; better ones follow when it ends
     ivec2 size{0};                   ///< pixels; fewer than scene.film where it is coarse: stretch it

@@ -64,6 +64,10 @@
         <translation>%1 (das Bild ändert sich im Mittel um %2 Stufen, 95 % davon um weniger als %3</translation>
     </message>
     <message>
+        <source>%1 (the rest is not yet removed)</source>
+        <translation>%1 (der Rest ist noch nicht entfernt)</translation>
+    </message>
+    <message>
         <source>%1 HU: %2</source>
         <translation>%1 HU: %2</translation>
     </message>
@@ -88,6 +92,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 damaged files were left out</source>
         <translation>%1 beschädigte Dateien wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 drawn</source>
+        <translation>%1 gezeichnet</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -136,6 +144,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm at the centre's depth</source>
+        <translation>%1 mm in der Tiefe der Bildmitte</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -262,20 +274,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1: %2 von der Mitte</translation>
     </message>
     <message>
-        <source>%1° down</source>
-        <translation>%1° unten</translation>
+        <source>%1° from above</source>
+        <translation>%1° von oben</translation>
     </message>
     <message>
-        <source>%1° left</source>
-        <translation>%1° links</translation>
-    </message>
-    <message>
-        <source>%1° right</source>
-        <translation>%1° rechts</translation>
-    </message>
-    <message>
-        <source>%1° up</source>
-        <translation>%1° oben</translation>
+        <source>%1° from below</source>
+        <translation>%1° von unten</translation>
     </message>
     <message numerus="yes">
         <source>%n point(s)</source>
@@ -308,10 +312,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Camera...</source>
         <translation>&amp;Kamera...</translation>
-    </message>
-    <message>
-        <source>&amp;Caption on previews</source>
-        <translation>&amp;Beschriftung auf Vorschauen</translation>
     </message>
     <message>
         <source>&amp;Colours of the window</source>
@@ -582,6 +582,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Eine kleine Lampe von der Seite, die Form zeigt, eine schwache dagegen und eine dahinter</translation>
     </message>
     <message>
+        <source>A&amp;nnotate saved images</source>
+        <translation>Gespeicherte Bilder &amp;beschriften</translation>
+    </message>
+    <message>
         <source>Abdomen</source>
         <translation>Bauch</translation>
     </message>
@@ -668,6 +672,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
         <translation>Eine IPv6-Adresse steht in Klammern: [%1] oder [%1]:%2.</translation>
+    </message>
+    <message>
+        <source>Annotations:</source>
+        <translation>Beschriftung:</translation>
     </message>
     <message>
         <source>Another</source>
@@ -808,6 +816,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Chest</source>
         <translation>Brustkorb</translation>
+    </message>
+    <message>
+        <source>Choose a series from the list on the left.</source>
+        <translation>Wählen Sie links in der Liste eine Serie.</translation>
     </message>
     <message>
         <source>Choose an action, click below, and press its new key.</source>
@@ -1322,6 +1334,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wie das Licht verfolgt wird. Erwartungstreu: Das Bild wird das wahre. Die Schritte gehen über je 3 Voxel wie bei Exposure Render und streuen einmal: Das Bild bleibt falsch. Nur zum Vergleich.</translation>
     </message>
     <message>
+        <source>How long it takes</source>
+        <translation>Wie lange es dauert</translation>
+    </message>
+    <message>
         <source>How many iterations are computed before the picture is shown anew. More is a little faster, fewer is livelier; the result is the same.</source>
         <translation>Wie viele Iterationen berechnet werden, bevor das Bild neu gezeigt wird. Mehr ist etwas schneller, weniger ist lebendiger; das Ergebnis ist dasselbe.</translation>
     </message>
@@ -1352,6 +1368,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>How the work is split</source>
         <translation>Wie die Arbeit verteilt ist</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
     </message>
     <message>
         <source>Implants</source>
@@ -1634,6 +1654,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Keine Abtastung wurde ausgelassen</translation>
     </message>
     <message>
+        <source>No series here can be shown. The list says why.</source>
+        <translation>Keine Serie hier kann gezeigt werden. Die Liste sagt, warum.</translation>
+    </message>
+    <message>
         <source>No tissue is in view</source>
         <translation>Kein Gewebe im Bild</translation>
     </message>
@@ -1652,6 +1676,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Noise</source>
         <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>Not for diagnostic use</source>
@@ -2082,8 +2110,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Diese Darstellung sichern</translation>
     </message>
     <message>
-        <source>Saved, copied and full-screen pictures say where they are not yet as good as was wanted.</source>
-        <translation>Gespeicherte, kopierte und bildschirmfüllende Bilder sagen, wo sie noch nicht so gut sind wie gewünscht.</translation>
+        <source>Saved and copied images say which side is which, what they show, and that they are not for diagnostic use.</source>
+        <translation>Gespeicherte und kopierte Bilder sagen, welche Seite welche ist, was sie zeigen und dass sie nicht für die Diagnose sind.</translation>
     </message>
     <message>
         <source>Saves the picture as PNG or EXR, as it is or made anew in any size.</source>
@@ -2186,6 +2214,18 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>&amp;Größe</translation>
     </message>
     <message>
+        <source>Sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Sides and patient</source>
+        <translation>Seiten und Patient</translation>
+    </message>
+    <message>
+        <source>Sides, look, part, cut, scale and how far the image is; or who the patient is as well. OpenEXR carries none.</source>
+        <translation>Seiten, Look, Teil, Schnitt, Maßstab und wie weit das Bild ist; oder zusätzlich, wer der Patient ist. OpenEXR trägt keine.</translation>
+    </message>
+    <message>
         <source>Silent</source>
         <translation>Schweigt</translation>
     </message>
@@ -2248,6 +2288,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Still being told from the rest, which is shown until then.</source>
+        <translation>Wird noch vom Rest getrennt, der bis dahin zu sehen ist.</translation>
     </message>
     <message>
         <source>Str&amp;ength</source>
@@ -2340,12 +2384,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Dünner Knochen</translation>
     </message>
     <message>
-        <source>This language is spoken from the next start on</source>
-        <translation>Diese Sprache gilt ab dem nächsten Start</translation>
+        <source>This image shows skin: share it like a photograph of the patient.</source>
+        <translation>Dieses Bild zeigt Haut: Geben Sie es nur weiter wie ein Foto des Patienten.</translation>
     </message>
     <message>
-        <source>This picture shows skin. A face identifies a person as a name does: share it like a photograph of the patient.</source>
-        <translation>Dieses Bild zeigt Haut. Ein Gesicht verrät eine Person wie ein Name: Geben Sie es nur weiter wie ein Foto des Patienten.</translation>
+        <source>This language is spoken from the next start on</source>
+        <translation>Diese Sprache gilt ab dem nächsten Start</translation>
     </message>
     <message>
         <source>Three points</source>
@@ -2540,6 +2584,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Was für Knochen gehalten wird, ist weggelassen: Das dichteste Kontrastmittel kann fehlen, Ränder von Knochen können übrig bleiben.</translation>
     </message>
     <message>
+        <source>What is written over the image</source>
+        <translation>Was über dem Bild steht</translation>
+    </message>
+    <message>
         <source>What it computes with</source>
         <translation>Womit er rechnet</translation>
     </message>
@@ -2676,6 +2724,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Schicht fehlt</translation>
     </message>
     <message>
+        <source>about %1 to ±%2</source>
+        <translation>etwa %1 bis ±%2</translation>
+    </message>
+    <message>
         <source>air</source>
         <translation>Luft</translation>
     </message>
@@ -2712,6 +2764,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Knochen</translation>
     </message>
     <message>
+        <source>born %1</source>
+        <translation>geb. %1</translation>
+    </message>
+    <message>
         <source>box of %1 x %2 x %3 mm</source>
         <translation>Quader von %1 x %2 x %3 mm</translation>
     </message>
@@ -2744,6 +2800,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>kopiert</translation>
     </message>
     <message>
+        <source>cut: %1</source>
+        <translation>Schnitt: %1</translation>
+    </message>
+    <message>
         <source>efficiency %1 %</source>
         <translation>Wirkungsgrad %1 %</translation>
     </message>
@@ -2762,6 +2822,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>fine detail is not shown yet</source>
         <translation>feine Einzelheiten werden noch nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>von %1</translation>
     </message>
     <message>
         <source>from behind</source>
@@ -2798,6 +2862,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>host or host:port</source>
         <translation>Rechner oder Rechner:Port</translation>
+    </message>
+    <message>
+        <source>how long it takes is not known yet</source>
+        <translation>wie lange es dauert, ist noch nicht bekannt</translation>
     </message>
     <message>
         <source>in the box 95 % of the tissue within ±%1</source>

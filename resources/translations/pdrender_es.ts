@@ -64,6 +64,10 @@
         <translation>%1 (la imagen cambia %2 niveles de media, el 95 % de ella menos de %3</translation>
     </message>
     <message>
+        <source>%1 (the rest is not yet removed)</source>
+        <translation>%1 (el resto aún no se ha quitado)</translation>
+    </message>
+    <message>
         <source>%1 HU: %2</source>
         <translation>%1 UH: %2</translation>
     </message>
@@ -88,6 +92,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 damaged files were left out</source>
         <translation>Se omitieron %1 archivos dañados</translation>
+    </message>
+    <message>
+        <source>%1 drawn</source>
+        <translation>%1 a mano</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -136,6 +144,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm at the centre's depth</source>
+        <translation>%1 mm a la profundidad del centro</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -262,20 +274,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1: a %2 del centro</translation>
     </message>
     <message>
-        <source>%1° down</source>
-        <translation>%1° abajo</translation>
+        <source>%1° from above</source>
+        <translation>%1° desde arriba</translation>
     </message>
     <message>
-        <source>%1° left</source>
-        <translation>%1° a la izquierda</translation>
-    </message>
-    <message>
-        <source>%1° right</source>
-        <translation>%1° a la derecha</translation>
-    </message>
-    <message>
-        <source>%1° up</source>
-        <translation>%1° arriba</translation>
+        <source>%1° from below</source>
+        <translation>%1° desde abajo</translation>
     </message>
     <message numerus="yes">
         <source>%n point(s)</source>
@@ -308,10 +312,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Camera...</source>
         <translation>&amp;Cámara...</translation>
-    </message>
-    <message>
-        <source>&amp;Caption on previews</source>
-        <translation>Le&amp;yenda en vistas previas</translation>
     </message>
     <message>
         <source>&amp;Colours of the window</source>
@@ -582,6 +582,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Una lámpara pequeña desde el lado que muestra la forma, una débil enfrente y otra detrás</translation>
     </message>
     <message>
+        <source>A&amp;nnotate saved images</source>
+        <translation>A&amp;notar imágenes guardadas</translation>
+    </message>
+    <message>
         <source>Abdomen</source>
         <translation>Abdomen</translation>
     </message>
@@ -668,6 +672,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
         <translation>Una dirección IPv6 va entre corchetes: [%1] o [%1]:%2.</translation>
+    </message>
+    <message>
+        <source>Annotations:</source>
+        <translation>Anotaciones:</translation>
     </message>
     <message>
         <source>Another</source>
@@ -808,6 +816,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Chest</source>
         <translation>Tórax</translation>
+    </message>
+    <message>
+        <source>Choose a series from the list on the left.</source>
+        <translation>Elija una serie de la lista de la izquierda.</translation>
     </message>
     <message>
         <source>Choose an action, click below, and press its new key.</source>
@@ -1322,6 +1334,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cómo se sigue la luz. Insesgado: la imagen llega a ser la verdadera. Los pasos avanzan 3 vóxeles cada vez como en Exposure Render y dispersan una sola vez: la imagen sigue siendo errónea. Solo para comparar.</translation>
     </message>
     <message>
+        <source>How long it takes</source>
+        <translation>Cuánto tarda</translation>
+    </message>
+    <message>
         <source>How many iterations are computed before the picture is shown anew. More is a little faster, fewer is livelier; the result is the same.</source>
         <translation>Cuántas iteraciones se calculan antes de mostrar la imagen de nuevo. Más es algo más rápido, menos es más vivo; el resultado es el mismo.</translation>
     </message>
@@ -1352,6 +1368,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>How the work is split</source>
         <translation>Cómo se reparte el trabajo</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
     </message>
     <message>
         <source>Implants</source>
@@ -1634,6 +1654,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>No se omitió ninguna muestra</translation>
     </message>
     <message>
+        <source>No series here can be shown. The list says why.</source>
+        <translation>Ninguna serie de aquí se puede mostrar. La lista dice por qué.</translation>
+    </message>
+    <message>
         <source>No tissue is in view</source>
         <translation>No hay tejido a la vista</translation>
     </message>
@@ -1652,6 +1676,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Noise</source>
         <translation>Ruido</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
     </message>
     <message>
         <source>Not for diagnostic use</source>
@@ -2082,8 +2110,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Guardar este aspecto</translation>
     </message>
     <message>
-        <source>Saved, copied and full-screen pictures say where they are not yet as good as was wanted.</source>
-        <translation>Las imágenes guardadas, copiadas y a pantalla completa dicen dónde aún no son tan buenas como se deseaba.</translation>
+        <source>Saved and copied images say which side is which, what they show, and that they are not for diagnostic use.</source>
+        <translation>Las imágenes guardadas y copiadas dicen qué lado es cuál, qué muestran y que no son para diagnóstico.</translation>
     </message>
     <message>
         <source>Saves the picture as PNG or EXR, as it is or made anew in any size.</source>
@@ -2186,6 +2214,18 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Ta&amp;maño</translation>
     </message>
     <message>
+        <source>Sides</source>
+        <translation>Lados</translation>
+    </message>
+    <message>
+        <source>Sides and patient</source>
+        <translation>Lados y paciente</translation>
+    </message>
+    <message>
+        <source>Sides, look, part, cut, scale and how far the image is; or who the patient is as well. OpenEXR carries none.</source>
+        <translation>Lados, aspecto, parte, corte, escala y hasta dónde ha llegado la imagen; o también quién es el paciente. OpenEXR no lleva ninguna.</translation>
+    </message>
+    <message>
         <source>Silent</source>
         <translation>En silencio</translation>
     </message>
@@ -2248,6 +2288,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>State</source>
         <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Still being told from the rest, which is shown until then.</source>
+        <translation>Aún se separa del resto, que se muestra hasta entonces.</translation>
     </message>
     <message>
         <source>Str&amp;ength</source>
@@ -2340,12 +2384,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Hueso fino</translation>
     </message>
     <message>
-        <source>This language is spoken from the next start on</source>
-        <translation>Este idioma se usará a partir del próximo inicio</translation>
+        <source>This image shows skin: share it like a photograph of the patient.</source>
+        <translation>Esta imagen muestra piel: compártala como una fotografía del paciente.</translation>
     </message>
     <message>
-        <source>This picture shows skin. A face identifies a person as a name does: share it like a photograph of the patient.</source>
-        <translation>Esta imagen muestra piel. Una cara identifica a una persona como un nombre: compártala como una fotografía del paciente.</translation>
+        <source>This language is spoken from the next start on</source>
+        <translation>Este idioma se usará a partir del próximo inicio</translation>
     </message>
     <message>
         <source>Three points</source>
@@ -2540,6 +2584,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Se omite lo que se toma por hueso: puede faltar el contraste más denso y quedar bordes de hueso.</translation>
     </message>
     <message>
+        <source>What is written over the image</source>
+        <translation>Qué se escribe sobre la imagen</translation>
+    </message>
+    <message>
         <source>What it computes with</source>
         <translation>Con qué calcula</translation>
     </message>
@@ -2676,6 +2724,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>falta un corte</translation>
     </message>
     <message>
+        <source>about %1 to ±%2</source>
+        <translation>unos %1 hasta ±%2</translation>
+    </message>
+    <message>
         <source>air</source>
         <translation>aire</translation>
     </message>
@@ -2712,6 +2764,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>hueso</translation>
     </message>
     <message>
+        <source>born %1</source>
+        <translation>nac. %1</translation>
+    </message>
+    <message>
         <source>box of %1 x %2 x %3 mm</source>
         <translation>caja de %1 x %2 x %3 mm</translation>
     </message>
@@ -2744,6 +2800,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>copiado</translation>
     </message>
     <message>
+        <source>cut: %1</source>
+        <translation>corte: %1</translation>
+    </message>
+    <message>
         <source>efficiency %1 %</source>
         <translation>rendimiento %1 %</translation>
     </message>
@@ -2762,6 +2822,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>fine detail is not shown yet</source>
         <translation>el detalle fino aún no se muestra</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>desde %1</translation>
     </message>
     <message>
         <source>from behind</source>
@@ -2798,6 +2862,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>host or host:port</source>
         <translation>equipo o equipo:puerto</translation>
+    </message>
+    <message>
+        <source>how long it takes is not known yet</source>
+        <translation>aún no se sabe cuánto tarda</translation>
     </message>
     <message>
         <source>in the box 95 % of the tissue within ±%1</source>

@@ -180,8 +180,8 @@ class CliPicturesTest : public QObject {
         QCOMPARE(facts["relativeError"].toDouble(-1), 0.0);
     }
 
-    /// Empty ground beside the tissue says nothing about the tissue. Over seeds the errors vary by 1.4 and 2.6 %, so that
-    /// the bounds are five standard deviations of their quotients; if ground counted they were 0.5 and less.
+    /// Empty ground beside the tissue says nothing about the tissue. Over seeds the errors vary by 1.4 and 2.6 %, so
+    /// that the bounds are five standard deviations of their quotients; if ground counted they were 0.5 and less.
     void theErrorIsThatOfTheTissue() {
         const auto facts = [&](const char* size) {
             const ProgramRun result =
@@ -282,6 +282,47 @@ class CliPicturesTest : public QObject {
         QVERIFY2(result.code == 0, result.err.constData());
         QVERIFY(qGreen(QImage(at("p.png")).pixel(32, 32)) > 10);
         QCOMPARE(BallScene::run({"render", at("phantom"), "-o", at("p.png"), "--series", "1.2.3"}).code, 1);
+    }
+
+    void whatIsWrittenOverAPngIsChosen() {
+        QCOMPARE(BallScene::run({"example", at("whose")}).code, 0);
+        const auto render = [&](const QStringList& options) {
+            const ProgramRun result = BallScene::run(QStringList{"render", at("whose"), "-o", at("n.png"), "-o",
+                                                                 at("n.exr"), "--samples", "2", "--size", "480x360"} +
+                                                     options);
+            return result.code == 0 ? QImage(at("n.png")) : QImage();
+        };
+        const QImage none = render({"--annotations", "none"});
+        const std::vector<float> film = exrPixels(at("n.exr"));
+        const QImage usual = render({}), sides = render({"--annotations", "sides"}),
+                     patient = render({"--annotations", "patient"});
+        QVERIFY(!none.isNull() && !usual.isNull() && !patient.isNull());
+        QVERIFY(film == exrPixels(at("n.exr")));
+        QVERIFY(usual == sides && sides != none && patient != sides);
+        const QRect who(0, 0, 160, 60), what(0, 260, 160, 100), middle(200, 120, 80, 80);
+        QVERIFY(sides.copy(who) == none.copy(who) && patient.copy(who) != none.copy(who));
+        QVERIFY(sides.copy(what) != none.copy(what) && sides.copy(middle) == none.copy(middle));
+        QCOMPARE(BallScene::run({"render", at("whose"), "-o", at("n.png"), "--annotations", "all"}).code, 2);
+        const ProgramRun raw = BallScene::run({"render", scene(), "-o", at("n.png"), "--annotations", "patient"});
+        QVERIFY2(raw.code == 1 && raw.err.contains("a raw file knows no patient"), raw.err.constData());
+    }
+
+    /// Before anything is rendered.
+    void withoutAFontThatIsSaid() {
+        BallScene::write(at("fonts.conf"), "<fontconfig><dir>" + at("no fonts").toUtf8() + "</dir></fontconfig>");
+        const auto run = [&](const QStringList& options) {
+            QProcess process;
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert("FONTCONFIG_FILE", at("fonts.conf"));
+            process.setProcessEnvironment(environment);
+            process.start(PDR_BINARY_DIR "/bin/pdrender-cli",
+                          QStringList{"render", scene(), "-o", at("f.png"), "--samples", "1"} + options);
+            [&] { QVERIFY(process.waitForFinished(pdr::test::kPatience)); }();
+            return std::pair(process.exitCode(), process.readAllStandardError());
+        };
+        const auto [code, said] = run({});
+        QVERIFY2(code == 1 && said.contains("no font") && said.contains("--annotations none"), said.constData());
+        QCOMPARE(run({"--annotations", "none"}).first, 0);
     }
 
     void nothingIsLeftBehind() {

@@ -5,7 +5,7 @@
 #include <QMimeData>
 #include <QTest>
 
-#include "app/caption.h"
+#include "app/annotating.h"
 #include "app/copied_picture.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"
@@ -23,7 +23,7 @@ class TestCopiedPicture : public QObject {
     void init() { QGuiApplication::clipboard()->clear(); }
     void theCopyIsThePictureOnTheScreen();
     void anUnfinishedCopySaysSoUnlessItIsToldNotTo();
-    void aFinishedCopySaysNothing();
+    void aFinishedCopySaysNothingOfThat();
     void aCoarsePictureIsCopiedAtFullSize();
     void whatSelectsTextCopiesText();
     void withoutAPictureTheClipboardStays();
@@ -74,25 +74,32 @@ void TestCopiedPicture::anUnfinishedCopySaysSoUnlessItIsToldNotTo() {
     Trial trial;
     trial.openAndWait(series_);
     const Frame& frame = heldFrame(trial);
-    std::vector<std::uint8_t> captioned = frame.rgba;
+    std::vector<std::uint8_t> annotated = frame.rgba;
     const QString words = ui::previewText(frame.status, frame.stop.levels, frame.smoothed);
     QVERIFY(words.startsWith("Preview, not converged"));
-    paint(captionOf(words, frame.size), frame.size, captioned);
-    QVERIFY(captioned != frame.rgba);
-    QVERIFY(bytesOf(copied(trial)) == captioned);
+    ui::Annotations all = annotationsOf(trial.desktop.parts(), frame);
+    QVERIFY(all.patient.join(' ').contains("Phantom"));
+    all.patient.clear();
+    all.texts << words;
+    ui::annotate(all, frame.size, annotated);
+    QVERIFY(annotated != frame.rgba);
+    QVERIFY(bytesOf(copied(trial)) == annotated);
     emit trial.desktop.window().captionChosen(false);
     QVERIFY(bytesOf(copied(trial)) == frame.rgba);
 }
 
-void TestCopiedPicture::aFinishedCopySaysNothing() {
+void TestCopiedPicture::aFinishedCopySaysNothingOfThat() {
     Frame frame;
-    frame.size = {300, 100};
-    frame.rgba.assign(std::size_t(300 * 100 * 4), 200);
+    frame.size = {300, 200};
+    frame.rgba.assign(std::size_t(300 * 200 * 4), 200);
     frame.status.displayError = 3;
     frame.stop.levels = 4;
-    QVERIFY(bytesOf(copyOf(frame, frame.size, captionOn(frame, true))) == frame.rgba);
+    std::vector<std::uint8_t> sides = frame.rgba;
+    ui::annotate({frame.camera, {}, {}}, frame.size, sides);
+    QVERIFY(bytesOf(copyOf(frame, frame.size, {})) == frame.rgba);
+    QVERIFY(bytesOf(copyOf(frame, frame.size, ui::Annotations{frame.camera, {}, {}})) == sides);
     frame.stop.levels = 2;
-    QVERIFY(bytesOf(copyOf(frame, frame.size, captionOn(frame, true))) != frame.rgba);
+    QVERIFY(bytesOf(copyOf(frame, frame.size, ui::Annotations{frame.camera, {}, {}})) != sides);
 }
 
 /// The left half is dark, the right one bright; so they are in the copy.

@@ -61,14 +61,14 @@ void TestOrderedPicture::initTestCase() {
 void TestOrderedPicture::itIsTheSceneOfTheWindowAndTheSessionGoesOn() {
     Trial trial;
     trial.openAndWait(series_);
-    emit trial.desktop.window().captionChosen(false);
     trial.desktop.parts().document.setSmoothed(false);
     const DesktopParts parts = trial.desktop.parts();
     const Scene shown = parts.document.scene();
     QSignalSpy saved(&parts.picture, &PictureJob::saved);
     const std::uint64_t samples = trial.frames.back()->status.samplesPerPixel;
     const QString file = trial.folder.filePath("tall.png");
-    emit trial.desktop.window().pictureOrdered({file, QSize(60, 90), {.levels = 0.2, .samples = 4}});
+    emit trial.desktop.window().pictureOrdered(
+        {file, QSize(60, 90), {.levels = 0.2, .samples = 4}, ui::Annotate::none});
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QVERIFY(trial.said().contains("saved as"));
     QVERIFY(parts.document.scene() == shown && !parts.document.canUndo());

@@ -31,7 +31,6 @@ static PictureTask task(const QString& file, std::uint64_t samples) {
     task.scene.film = {52, 30};
     task.display = document.display();
     task.display.smoothed = false;
-    task.captioned = false;
     task.stop = {.levels = 0.2, .samples = samples};
     task.file = file;
     task.device = [] { return openDevice("cpu", 1); };
@@ -124,12 +123,13 @@ void TestPictureJob::theFilmIsThatOfABatchRender() {
 void TestPictureJob::unfinishedItSaysSoUnlessItIsToldNotTo() {
     PictureJob job;
     PictureTask plain = task(path("plain.png"), 3), captioned = task(path("captioned.png"), 3);
-    plain.scene.film = captioned.scene.film = {300, 100};
-    captioned.captioned = true;
+    plain.scene.film = captioned.scene.film = {300, 200};
+    captioned.annotations = ui::Annotations{captioned.scene.camera, {}, {}};
     QVERIFY(outcome(job, plain).what.empty() && outcome(job, captioned).what.empty());
     QVERIFY(bytesOf(plain.file) != bytesOf(captioned.file));
-    const QRect aboveTheCaption(0, 0, 300, 70);
-    QVERIFY(QImage(plain.file).copy(aboveTheCaption) == QImage(captioned.file).copy(aboveTheCaption));
+    const QRect texts(0, 120, 100, 80), elsewhere(140, 60, 60, 60);
+    const QImage without(plain.file), with(captioned.file);
+    QVERIFY(without.copy(texts) != with.copy(texts) && without.copy(elsewhere) == with.copy(elsewhere));
 }
 
 void TestPictureJob::itTellsHowFarItIs() {

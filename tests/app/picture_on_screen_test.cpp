@@ -49,7 +49,7 @@ class TestPictureOnScreen : public QObject {
     void anEditNamesNothingNewBeforeItsPictureIsThere();
     void theLettersAreThoseOfTheFrame();
     void whatIsSavedIsWhatWasSeen();
-    void anUnfinishedPictureSaysSoUnlessItIsToldNotTo();
+    void aSavedPictureSaysWhatItShowsUnlessItIsToldNotTo();
     void whatTheLastPictureTookIsToldUntilThisOneKnows();
     void afterAFailureNothingStaysUpAndSavingSaysSo();
     void aFailureAnswersTheSaveThatWaits();
@@ -166,34 +166,32 @@ void TestPictureOnScreen::whatIsSavedIsWhatWasSeen() {
     QVERIFY2(text.contains("Not saved, because") && text.contains("front.png"), qPrintable(text));
 }
 
-/// The lower left corner of what is saved, and of the picture alone on the screen.
-void TestPictureOnScreen::anUnfinishedPictureSaysSoUnlessItIsToldNotTo() {
+/// Corners of what is saved.
+void TestPictureOnScreen::aSavedPictureSaysWhatItShowsUnlessItIsToldNotTo() {
     Trial trial;
     trial.openAndWait(series_);
     ui::MainWindow& window = trial.desktop.window();
     emit window.pauseChosen(true);
     QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
-    const auto picture = [&](bool captioned) {
-        emit window.captionChosen(captioned);
+    const auto picture = [&](ui::Annotate annotate) {
         const int before = saved.count();
-        emit window.saveRequested(trial.folder.filePath("picture.png"));
+        emit window.saveRequested(trial.folder.filePath("picture.png"), annotate);
         [&] { QTRY_COMPARE_WITH_TIMEOUT(saved.count(), before + 1, test::kPatience); }();
         return QImage(trial.folder.filePath("picture.png"));
     };
-    const QImage plain = picture(false), captioned = picture(true);
+    const QImage plain = picture(ui::Annotate::none), captioned = picture(ui::Annotate::sides),
+                 named = picture(ui::Annotate::patient);
     QCOMPARE(captioned.size(), plain.size());
-    int changed = 0, elsewhere = 0;
-    for (int y = 0; y < plain.height(); ++y)
-        for (int x = 0; x < plain.width(); ++x)
-            if (plain.pixel(x, y) != captioned.pixel(x, y))
-                ++(y > plain.height() - 40 ? changed : elsewhere);
-    QVERIFY2(changed > 100 && elsewhere == 0, qPrintable(QString("%1 %2").arg(changed).arg(elsewhere)));
+    const int w = plain.width() / 3, h = plain.height() / 3;
+    const QRect who(0, 0, w, h), what(0, 2 * h, w, h), cube(2 * w, 2 * h, w, h), middle(w, h, w, h);
+    QVERIFY(plain.copy(what) != captioned.copy(what) && plain.copy(cube) != captioned.copy(cube));
+    QVERIFY(plain.copy(middle) == captioned.copy(middle) && plain.copy(who) == captioned.copy(who));
+    QVERIFY(named.copy(who) != captioned.copy(who) && named.copy(what) == captioned.copy(what));
     QCOMPARE(captioned.text("pdrender/device"), QString("cpu"));
     QCOMPARE(captioned.text("pdrender/bias"), QString("none known"));
     QVERIFY(captioned.text("pdrender/camera").contains("perspective"));
     QVERIFY(captioned.text("pdrender/effects").contains("shadows"));
     QVERIFY(!captioned.text("pdrender/look").isEmpty());
-    QVERIFY(Settings(trial.folder.filePath("settings.ini")).captioned());
     emit window.captionChosen(false);
     QVERIFY(!Settings(trial.folder.filePath("settings.ini")).captioned());
 }

@@ -54,9 +54,11 @@ class VisibleTest : public QObject {
         told.document.setVisible(kLungs);
         QCOMPARE(told.wanted, std::vector<Visible>{kLungs});
         QVERIFY(told.document.scene().mask == nullptr && told.document.scene().visible == kLungs);
+        QVERIFY(told.document.scene().maskAwaited);
         const std::uint64_t before = told.document.scene().revision;
         told.document.setMask(kLungs, told.mask);
         QVERIFY(told.document.scene().mask == told.mask && told.document.scene().revision > before);
+        QVERIFY(!told.document.scene().maskAwaited);
         QVERIFY(told.document.scene().check());
         told.document.setVisible(kPeeled);
         QVERIFY(told.document.scene().mask == told.mask);  // until the new one is there

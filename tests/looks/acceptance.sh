@@ -15,7 +15,7 @@ trap 'rm -rf "$scratch"' EXIT
 pictures=()
 for look in "$@"; do
     picture="$scratch/${look// /-}.png"
-    build/release/bin/pdrender-cli render "$folder" -o "$picture" --look "$look" --exposure auto --smoothed \
+    build/release/bin/pdrender-cli render "$folder" -o "$picture" --annotations none --look "$look" --exposure auto --smoothed \
         --size "$size" --samples "${SAMPLES:-96}" >/dev/null 2>"$scratch/said" || { cat "$scratch/said" >&2; exit 1; }
     pictures+=(-label "$look" "$picture")
 done

@@ -22,7 +22,7 @@ for model in absorption emission emissionAbsorption singleScattering multipleSca
     esac
     for look in "Bone" "Thin bone" "Muscles and skull" "Skin over bone"; do
         picture="$scratch/$model-${look// /-}.png"
-        build/release/bin/pdrender-cli render "$folder" -o "$picture" --look "$look" --model "$model" \
+        build/release/bin/pdrender-cli render "$folder" -o "$picture" --annotations none --look "$look" --model "$model" \
             --size "${size}x${size}" --samples "$count" --seconds "$seconds" "${exposure[@]}" --smoothed >/dev/null 2>&1
         pictures+=(-label "$model\n$look" "$picture")
     done

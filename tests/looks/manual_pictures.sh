@@ -30,7 +30,7 @@ first() {
     local side look
     for side in left right; do
         [ $side = left ] && look="Bone" || look="Vessels and bone"
-        "$cli" render "$scratch/$side.json" -o "$scratch/$side.png" --look "$look" --exposure auto --smoothed \
+        "$cli" render "$scratch/$side.json" -o "$scratch/$side.png" --annotations none --look "$look" --exposure auto --smoothed \
             --samples "${SAMPLES:-1024}" >/dev/null 2>&1
     done
     convert "$scratch/left.png" "$scratch/right.png" +append -fuzz 3% -trim -bordercolor black -border 16 -strip -quality 92 "$out/first.jpg"
@@ -64,7 +64,7 @@ models() {
 table() {
     local word
     for word in shown hidden; do
-        "$cli" render "$chest" -o "$scratch/$word.png" --look "Bone beside contrast" --view posterior --table $word \
+        "$cli" render "$chest" -o "$scratch/$word.png" --annotations none --look "Bone beside contrast" --view posterior --table $word \
             --size 512x400 --exposure auto --smoothed --samples "${SAMPLES:-64}" >/dev/null 2>&1
     done
     convert "$scratch/shown.png" "$scratch/hidden.png" +append -strip -quality 88 "$out/table.jpg"

@@ -35,6 +35,7 @@ class TestFileDialogs : public QObject {
     void whatWasKeptByOtherProgramsStays();
     void theDialogForSavingGoesWithItsPicture();
     void aPictureOfAnotherSizeIsOrderedWithItsTarget();
+    void savingBeginsWhereTheLastPictureIs();
 
   private:
     /// Opens the dialog with `key`, goes to the patient's folder and takes what is there, or gives up.
@@ -134,11 +135,10 @@ void TestFileDialogs::theDialogForSavingGoesWithItsPicture() {
     QCOMPARE(saved, 0);
 }
 
-/// What is wanted on the screen is what the dialog begins with.
+/// Which is good for planning, if nothing else is said.
 void TestFileDialogs::aPictureOfAnotherSizeIsOrderedWithItsTarget() {
     MainWindow window;
     window.setPictureAvailable(true);
-    window.accuracy().stop().setRule({.levels = 4, .samples = 500});
     window.show();
     int saved = 0;
     std::optional<PictureOrder> ordered;
@@ -153,7 +153,38 @@ void TestFileDialogs::aPictureOfAnotherSizeIsOrderedWithItsTarget() {
     QVERIFY(ordered && saved == 0);
     QCOMPARE(ordered->file, patient_ + "/picture.png");
     QVERIFY(ordered->size == QSize(2000, 2000));
-    QVERIFY((ordered->stop == StopRule{.levels = 4, .samples = 500}));
+    QVERIFY((ordered->stop == StopRule{.levels = 8}));
+    QVERIFY(ordered->annotate == Annotate::sides);
+}
+
+/// At first where documents are, then in the last picture's folder, also after other dialogs; under the name that was
+/// suggested.
+void TestFileDialogs::savingBeginsWhereTheLastPictureIs() {
+    QVERIFY(QDir().mkpath(home().filePath("Documents")));
+    MainWindow window;
+    window.setPictureAvailable(true);
+    window.setPictureOffer("Bone_A_2026-11-25", {});
+    window.show();
+    const auto beginsAt = [&](QString& name) {
+        QString folder;
+        QTimer::singleShot(0, &window, [&] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            folder = dialog->directory().absolutePath();
+            name = dialog->selectedFiles().value(0);
+            dialog->reject();
+        });
+        for (QAction* action : window.findChildren<QAction*>())
+            if (action->shortcut() == QKeySequence(QKeySequence::Save))
+                action->trigger();
+        return folder;
+    };
+    QString name;
+    QCOMPARE(beginsAt(name), home().filePath("Documents"));
+    QVERIFY2(name.endsWith("/Bone_A_2026-11-25.png"), qPrintable(name));
+    use(window, QKeySequence::Save, true);
+    use(window, QKeySequence::Open, false);
+    QCOMPARE(beginsAt(name), patient_);
 }
 
 }  // namespace pdr::ui

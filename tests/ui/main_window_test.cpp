@@ -29,7 +29,7 @@ class TestMainWindow : public QObject {
     void theStartOffersWaysToOpen();
     void recentFoldersAreOffered();
     void withoutAVolumeNothingActsOnIt();
-    void fullScreenStillSaysWhoAndHowGood();
+    void thePictureSaysWhoAndAloneHowGood();
     void theKeyboardIsSeenOnThePicture();
     void theKeysAreShownAndGoAwayAgain();
     void escapeCancelsAndClosesTheMessage();
@@ -206,7 +206,7 @@ void TestMainWindow::withoutAVolumeNothingActsOnIt() {
 }
 
 /// In the upper left corner, where nothing else is written.
-void TestMainWindow::fullScreenStillSaysWhoAndHowGood() {
+void TestMainWindow::thePictureSaysWhoAndAloneHowGood() {
     MainWindow window;
     activate(window);
     dicom::ScanResult scan;
@@ -228,12 +228,16 @@ void TestMainWindow::fullScreenStillSaysWhoAndHowGood() {
         return lit;
     };
     QCOMPARE(corner(), 0);
+    window.setPatient({"Family, Given", "born 1960-05-17"});
+    const int known = corner();
+    QVERIFY(known > 50);
     QTest::keyClick(&window, Qt::Key_F11);
     const int named = corner();
-    QVERIFY(named > 50);
+    QVERIFY(named > known);
     QTest::keyClick(&window, Qt::Key_N);
     QVERIFY(window.series().patient().contains("hidden") && !window.series().patient().contains("Family"));
     QVERIFY(corner() != named);
+    QVERIFY(!window.patient().join(' ').contains("Family") && !window.patient().join(' ').contains("1960"));
     QTest::keyClick(&window, Qt::Key_N);
     QCOMPARE(window.series().patient(), QString("Family, Given"));
 }

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/scene/orbit.h"
-#include "ui/orientation_letters.h"
+#include "ui/annotation/orientation_letters.h"
 
 namespace pdr::ui {
 

@@ -14,8 +14,8 @@
 #include "render/prepare/focus.h"
 #include "render/scene/orbit.h"
 #include "render/scene/scene.h"
-#include "ui/orientation_cube.h"
-#include "ui/orientation_letters.h"
+#include "ui/annotation/orientation_cube.h"
+#include "ui/annotation/orientation_letters.h"
 
 namespace pdr::ui {
 namespace {

@@ -45,6 +45,8 @@ class TestPanels : public QObject {
   private slots:
     void aSeriesIsDescribedInWords();
     void aSeriesWithoutNameOrDateIsStillDescribed();
+    void aTitleNamesTheSeriesAndNotThePatient();
+    void toReachTheListByTabChoosesNothing();
     void theListShowsAllSeriesAndTheirVerdicts();
     void choosingALoadableSeriesAsksForIt();
     void anUnloadableSeriesGivesItsReasonInsteadOfAPicture();
@@ -85,6 +87,35 @@ void TestPanels::aSeriesWithoutNameOrDateIsStillDescribed() {
     QCOMPARE(patientName(series.patient), "Name not given");
     series.series.date = "sometime";
     QCOMPARE(seriesDate(series), "sometime");
+}
+
+/// People write names into descriptions, and title bars are in task lists and recordings.
+void TestPanels::aTitleNamesTheSeriesAndNotThePatient() {
+    dicom::Series series = seriesOf("Thorax", dicom::Stack::even, "");
+    series.series.number = 3;
+    series.patient.id = "4711";
+    QCOMPARE(windowSubject(series), "Thorax");
+    for (const char* description : {"Thorax FAMILY", "Thorax given", "Thorax 4711", ""}) {
+        series.series.description = description;
+        QCOMPARE(windowSubject(series), "CT series 3");
+    }
+    series.patient.name = "No^O";  // shorter than what tells a person
+    series.series.description = "Contrast";
+    QCOMPARE(windowSubject(series), "Contrast");
+}
+
+void TestPanels::toReachTheListByTabChoosesNothing() {
+    SeriesPanel panel;
+    panel.show();
+    panel.setScan(threeSeries());
+    QSignalSpy chosen(&panel, &SeriesPanel::seriesChosen);
+    panel.activateWindow();
+    const_cast<QListView&>(panel.list()).setFocus(Qt::TabFocusReason);
+    QTRY_VERIFY(panel.list().hasFocus());
+    QCOMPARE(chosen.count(), 0);
+    QTest::keyClick(const_cast<QListView*>(&panel.list()), Qt::Key_Space);
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(chosen.first().first().toInt(), 0);
 }
 
 void TestPanels::theListShowsAllSeriesAndTheirVerdicts() {

@@ -1,6 +1,7 @@
 /// How large a picture is to be that is saved.
 
 #include <QTest>
+#include <algorithm>
 
 #include "ui/picture_size_box.h"
 
@@ -14,8 +15,10 @@ class TestPictureSizeBox : public QObject {
     void theViewsOwnSizeComesFirst();
     void aTypedSizeIsAnotherOne();
     void aChosenSizeReplacesWhatWasTyped();
-    void noSideIsLongerThanAFilm();
+    void noSideIsAbsurdlyLong();
     void eachFieldHasANameAndItsUnit();
+    void itSaysHowLongItTakes();
+    void whoItIsIsOfferedOnlyWhereThatIsKnown();
 
   private:
     static QSpinBox* side(PictureSizeBox& box, const QString& name) {
@@ -27,15 +30,16 @@ class TestPictureSizeBox : public QObject {
 };
 
 void TestPictureSizeBox::atFirstItIsWhatIsOnTheScreen() {
-    PictureSizeBox box({765, 818}, {.levels = 4});
+    PictureSizeBox box({.view = {765, 818}});
     QVERIFY(!box.chosenSize());
     QVERIFY(box.findChild<QComboBox*>()->currentText().contains(QString::fromUtf8("765 × 818")));
     QVERIFY(!side(box, "Width")->isEnabled() && !box.findChild<StopRow*>()->isEnabled());
-    QCOMPARE(box.stop().levels, 4.0);
+    QCOMPARE(box.stop().levels, 8.0);
+    QVERIFY(box.annotate() == Annotate::sides);
 }
 
 void TestPictureSizeBox::theViewsOwnSizeComesFirst() {
-    PictureSizeBox box({765, 818}, {});
+    PictureSizeBox box({.view = {765, 818}});
     auto* sizes = box.findChild<QComboBox*>();
     QList<QSize> offered;
     for (int i = 1; i < sizes->count() - 1; ++i) {
@@ -47,7 +51,7 @@ void TestPictureSizeBox::theViewsOwnSizeComesFirst() {
 }
 
 void TestPictureSizeBox::aTypedSizeIsAnotherOne() {
-    PictureSizeBox box({765, 818}, {});
+    PictureSizeBox box({.view = {765, 818}});
     auto* sizes = box.findChild<QComboBox*>();
     sizes->setCurrentIndex(2);
     side(box, "Height")->setValue(100);
@@ -56,7 +60,7 @@ void TestPictureSizeBox::aTypedSizeIsAnotherOne() {
 }
 
 void TestPictureSizeBox::aChosenSizeReplacesWhatWasTyped() {
-    PictureSizeBox box({765, 818}, {});
+    PictureSizeBox box({.view = {765, 818}});
     auto* sizes = box.findChild<QComboBox*>();
     sizes->setCurrentIndex(sizes->count() - 1);
     QVERIFY(box.chosenSize() == QSize(765, 818));
@@ -67,16 +71,46 @@ void TestPictureSizeBox::aChosenSizeReplacesWhatWasTyped() {
     QVERIFY(!box.chosenSize());
 }
 
-void TestPictureSizeBox::noSideIsLongerThanAFilm() {
-    PictureSizeBox box({765, 818}, {});
-    QCOMPARE(side(box, "Width")->maximum(), 16384);
+void TestPictureSizeBox::noSideIsAbsurdlyLong() {
+    PictureSizeBox box({.view = {765, 818}});
+    QCOMPARE(side(box, "Width")->maximum(), 8192);
     QCOMPARE(side(box, "Height")->minimum(), 1);
 }
 
 void TestPictureSizeBox::eachFieldHasANameAndItsUnit() {
-    PictureSizeBox box({765, 818}, {});
+    PictureSizeBox box({.view = {765, 818}});
     QVERIFY(side(box, "Width")->toolTip().contains("[pixels]"));
     QVERIFY(!box.findChild<QComboBox*>()->accessibleName().isEmpty());
+}
+
+/// Four times as many pixels take four times as long, half the error as well.
+void TestPictureSizeBox::itSaysHowLongItTakes() {
+    PictureSizeBox box({.view = {1000, 1000}, .cost = PictureCost{64 * 600e-6}});
+    const auto said = [&] {
+        QStringList texts;
+        for (const QLabel* label : box.findChildren<QLabel*>())
+            texts << label->text();
+        return texts.join('\n');
+    };
+    QVERIFY(!said().contains(QString::fromUtf8("to ±")));
+    box.findChild<QComboBox*>()->setCurrentIndex(1);
+    QVERIFY2(said().contains(QString::fromUtf8("about 10 min to ±8")), qPrintable(said()));
+    box.findChild<QComboBox*>()->setCurrentIndex(2);
+    QVERIFY2(said().contains(QString::fromUtf8("about 40 min to ±8")), qPrintable(said()));
+    box.findChild<QDoubleSpinBox*>()->setValue(4);
+    QVERIFY2(said().contains(QString::fromUtf8("about 2.7 h to ±4")), qPrintable(said()));
+    PictureSizeBox unknown({.view = {1000, 1000}});
+    unknown.findChild<QComboBox*>()->setCurrentIndex(1);
+    QVERIFY(std::ranges::any_of(unknown.findChildren<QLabel*>(),
+                                [](const QLabel* label) { return label->text().contains("not known yet"); }));
+}
+
+void TestPictureSizeBox::whoItIsIsOfferedOnlyWhereThatIsKnown() {
+    const auto offered = [](bool known) {
+        const PictureSizeBox box({.view = {100, 100}, .patientKnown = known});
+        return box.findChildren<QComboBox*>().back()->findText("Sides and patient") >= 0;
+    };
+    QVERIFY(offered(true) && !offered(false));
 }
 
 }  // namespace pdr::ui

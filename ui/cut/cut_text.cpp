@@ -1,6 +1,7 @@
 #include "ui/cut/cut_text.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +22,20 @@ QString boxText(const ClipBox& box) {
     return Texts::tr("box of %1 x %2 x %3 mm").arg(size.x, 0, 'f', 0).arg(size.y, 0, 'f', 0).arg(size.z, 0, 'f', 0);
 }
 
+/// What each face takes off; nothing for those that take less than is written.
+QStringList boxTexts(const Clip& clip, const std::optional<Uncut>& uncut) {
+    constexpr double kWritten = 0.05;  // [mm]
+    QStringList texts;
+    if (!clip.box)
+        return texts;
+    if (!uncut)
+        return {boxText(*clip.box)};
+    for (int face = 0; face < 6; ++face)
+        if (const double mm = cutOffMm(clip, *uncut, face); mm >= kWritten)
+            texts << QString("%1 %2").arg(faceName(face), millimetres(mm));
+    return texts;
+}
+
 }  // namespace
 
 QString faceName(int face) {
@@ -38,6 +53,11 @@ QString planeName(const ClipPlane& plane) {
     return degrees == 0 ? name : Texts::tr("%1, tilted by %2°").arg(name).arg(degrees);
 }
 
+/// Where a plane lies.
+static QString placeOf(const ClipPlane& plane, const Uncut& uncut) {
+    return Texts::tr("%1: %2 from the middle").arg(planeName(plane), millimetres(planeOffsetMm(plane, uncut)));
+}
+
 QString handleText(const Clip& clip, const Uncut& uncut, CutHandle handle) {
     switch (handle.kind) {
         case CutHandle::Kind::face:
@@ -49,8 +69,16 @@ QString handleText(const Clip& clip, const Uncut& uncut, CutHandle handle) {
         case CutHandle::Kind::tilt:
             break;
     }
-    const ClipPlane& plane = clip.planes[std::size_t(handle.number)];
-    return Texts::tr("%1: %2 from the middle").arg(planeName(plane), millimetres(planeOffsetMm(plane, uncut)));
+    return placeOf(clip.planes[std::size_t(handle.number)], uncut);
+}
+
+QString cutText(const Clip& clip, const std::optional<Uncut>& uncut) {
+    QStringList texts = boxTexts(clip, uncut);
+    for (const ClipPlane& plane : clip.planes)
+        texts << (uncut ? placeOf(plane, *uncut) : planeName(plane));
+    if (!clip.freehand.empty())
+        texts << Texts::tr("%1 drawn").arg(clip.freehand.size());
+    return texts.isEmpty() ? QString() : Texts::tr("cut: %1").arg(texts.join("; "));
 }
 
 }  // namespace pdr::ui

@@ -169,7 +169,7 @@ void LightPanel::showLamp() {
     const QSignalBlocker strength(&strength_), size(&size_);
     strength_.setEnabled(lamp());
     size_.setEnabled(lamp());
-    place_.setText(lamp() ? lampText(sphere_.lamp()) : QString());
+    place_.setText(lamp() ? lampText(sphere_.lamp(), camera_) : QString());
     if (!lamp())
         return;
     strength_.setValue(stepOf(lamp()->irradiance));

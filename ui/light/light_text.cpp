@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/annotation/orientation_letters.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -13,9 +15,18 @@ struct Texts {
 };
 
 /// Nothing for less than half a degree.
-QString degreesText(double degrees, const char* positive, const char* negative) {
+QString heightText(double degrees) {
     const long whole = std::lround(std::abs(degrees));
-    return whole == 0 ? QString() : Texts::tr(degrees > 0 ? positive : negative).arg(whole);
+    if (whole == 0)
+        return {};
+    return degrees > 0 ? Texts::tr("%1° from above").arg(whole) : Texts::tr("%1° from below").arg(whole);
+}
+
+/// The patient's side that a lamp shines from, whatever its height in the view; nothing where it is straight above.
+QString sideText(dvec3 from, const Camera& camera) {
+    const dvec3 level = from.x * camera.right() - from.z * camera.forward();
+    return glm::length(level) < 1e-3 ? QString()
+                                     : Texts::tr("from %1").arg(QString::fromStdString(orientationLetters(level)));
 }
 
 }  // namespace
@@ -56,17 +67,15 @@ QString rigTip(NamedRig name) {
     return {};
 }
 
-QString lampText(const SphereLamp& lamp) {
-    const bool behind = lamp.from.z < 0;
-    const double sideways = glm::degrees(std::atan2(lamp.from.x, std::abs(lamp.from.z)));
-    const double upwards = glm::degrees(std::asin(std::clamp(lamp.from.y, -1.0, 1.0)));
-    QStringList parts{
-        degreesText(sideways, QT_TRANSLATE_NOOP("LightPanel", "%1° right"),
-                    QT_TRANSLATE_NOOP("LightPanel", "%1° left")),
-        degreesText(upwards, QT_TRANSLATE_NOOP("LightPanel", "%1° up"), QT_TRANSLATE_NOOP("LightPanel", "%1° down")),
-        behind ? Texts::tr("from behind") : QString()};
+QString lampText(const SphereLamp& lamp, const Camera& camera) {
+    constexpr double kBeside = 0.0087;  // half a degree
+    const dvec3& from = lamp.from;
+    if (from.z > 0 && std::hypot(from.x, from.y) < kBeside)
+        return lamp.name + ": " + Texts::tr("beside the eye");
+    QStringList parts{sideText(from, camera), heightText(glm::degrees(std::asin(std::clamp(from.y, -1.0, 1.0)))),
+                      from.z < 0 ? Texts::tr("from behind") : QString()};
     parts.removeAll({});
-    return lamp.name + ": " + (parts.isEmpty() ? Texts::tr("beside the eye") : parts.join(", "));
+    return lamp.name + ": " + parts.join(", ");
 }
 
 }  // namespace pdr::ui

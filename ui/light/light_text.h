@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include "render/scene/camera.h"
 #include "render/scene/named_rig.h"
 #include "ui/light/light_sphere.h"
 
@@ -11,7 +12,8 @@ namespace pdr::ui {
 QString rigName(NamedRig name);
 /// What it is good for.
 QString rigTip(NamedRig name);
-/// "Key: 69° left, 41° up"; behind the patient: "Rim: 27° right, 32° up, from behind".
-QString lampText(const SphereLamp& lamp);
+/// "Key: from RA, 41° from above": the patient's side as `camera` sees him, and the height in the picture; behind what
+/// is seen: "Rim: from LP, 32° from above, from behind".
+QString lampText(const SphereLamp& lamp, const Camera& camera);
 
 }  // namespace pdr::ui

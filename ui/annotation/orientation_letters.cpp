@@ -1,4 +1,4 @@
-#include "ui/orientation_letters.h"
+#include "ui/annotation/orientation_letters.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "ui/orientation_cube.h"
+#include "ui/annotation/orientation_cube.h"
 
 #include <QPolygonF>
 #include <QTransform>

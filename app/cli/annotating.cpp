@@ -1,0 +1,61 @@
+#include "app/cli/annotating.h"
+
+#include <QImage>
+#include <QPainter>
+#include <string_view>
+
+#include "ui/annotation/annotation_text.h"
+#include "ui/series_text.h"
+
+namespace pdr::app {
+
+namespace {
+
+/// Without a font all letters are one box, or nothing.
+QImage picture(const QString& letter) {
+    QImage image(32, 32, QImage::Format_Grayscale8);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    QFont font;
+    font.setPixelSize(20);
+    painter.setFont(font);
+    painter.setPen(Qt::white);
+    painter.drawText(image.rect(), Qt::AlignCenter, letter);
+    return image;
+}
+
+}  // namespace
+
+bool mayWriteLetters(int argc, const char* const* argv) {
+    if (argc < 2 || argv[1] != std::string_view("render"))
+        return false;
+    for (int i = 2; i < argc; ++i) {
+        const std::string_view argument(argv[i]);
+        if (argument == "--annotations=none" ||
+            (argument == "none" && argv[i - 1] == std::string_view("--annotations")))
+            return false;
+    }
+    return true;
+}
+
+Result<void> checkFonts(ui::Annotate wanted) {
+    if (wanted == ui::Annotate::none || picture("R") != picture("L"))
+        return {};
+    return Error{"this machine has no font to write the patient's sides with", "--annotations",
+                 "Install one (fonts-dejavu-core), or add --annotations none."};
+}
+
+Result<std::optional<ui::Annotations>> annotationsOf(const LoadedScene& loaded, ui::Annotate wanted) {
+    if (wanted == ui::Annotate::none)
+        return std::optional<ui::Annotations>();
+    if (wanted == ui::Annotate::patient && !loaded.series)
+        return Error{"a raw file knows no patient", "--annotations", "Say sides instead of patient."};
+    const Scene& scene = loaded.scene;
+    const QString notShown = scene.mask ? QString::fromStdString(scene.mask->hidden()) : QString();
+    const QStringList texts = ui::annotationTexts(
+        {QString::fromStdString(scene.lookName), scene.maskAwaited, notShown, scene.clip, loaded.uncut});
+    const QStringList patient = wanted == ui::Annotate::patient ? ui::patientLines(*loaded.series) : QStringList();
+    return std::optional(ui::Annotations{scene.camera, patient, texts});
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,51 @@
+#include "app/series_pictures.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dicom/pixels.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr int kSide = 96;                      ///< [px]
+constexpr int kDarkHu = -300, kWhiteHu = 500;  ///< all but bone and lungs in greys
+
+int grey(std::int16_t hu) {
+    return std::clamp((int(hu) - kDarkHu) * 255 / (kWhiteHu - kDarkHu), 0, 255);
+}
+
+}  // namespace
+
+QImage seriesPicture(const dicom::Series& series) {
+    if (series.slices.empty())
+        return {};
+    const auto slice = dicom::decodeSlice(series.slices[series.slices.size() / 2], dicom::Padding::maskAsAir);
+    if (!slice)
+        return {};
+    QImage image(slice->size.x, slice->size.y, QImage::Format_Grayscale8);
+    for (int y = 0; y < slice->size.y; ++y)
+        std::transform(slice->hu.begin() + std::ptrdiff_t(y) * slice->size.x,
+                       slice->hu.begin() + std::ptrdiff_t(y + 1) * slice->size.x, image.scanLine(y),
+                       [](std::int16_t hu) { return uchar(grey(hu)); });
+    const dvec3 mm = series.geometry.spacingMm();
+    const QSizeF shape(slice->size.x * mm.x, slice->size.y * mm.y);
+    return image.scaled(shape.scaled(kSide, kSide, Qt::KeepAspectRatio).toSize().expandedTo({1, 1}),
+                        Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+}
+
+void SeriesPictures::make(const dicom::ScanResult& scan) {
+    start([this, all = scan.series](const Progress&, const std::stop_token& stop) -> std::function<void()> {
+        std::vector<std::pair<int, QImage>> pictures;
+        for (std::size_t i = 0; i < all.size() && !stop.stop_requested(); ++i)
+            if (all[i].verdict.loadable())
+                if (const QImage picture = seriesPicture(all[i]); !picture.isNull())
+                    pictures.emplace_back(int(i), picture);
+        return [this, pictures] {
+            for (const auto& [series, picture] : pictures)
+                emit made(series, picture);
+        };
+    });
+}
+
+}  // namespace pdr::app

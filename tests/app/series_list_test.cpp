@@ -1,0 +1,117 @@
+/// Whose images they are is said before one is shown, and nobody's are shown unasked.
+
+#include <QDir>
+#include <QFile>
+#include <QStandardItemModel>
+#include <QTest>
+
+#include "app/series_choice.h"
+#include "app/series_pictures.h"
+#include "dicom/export.h"
+#include "render/volume/phantom.h"
+#include "tests/support/desktop_trial.h"
+#include "tests/support/patience.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+/// A small series of that patient in a folder of its own; every other slice is missing where there is a `gap`.
+static void writeSeries(const QString& folder, const std::string& name, const std::string& id, bool gap = false) {
+    QVERIFY(QDir().mkpath(folder));
+    const Volume head = headPhantom({32, 28, 24}, {7.8, 9.8, 9});
+    const dicom::ExportFacts facts{name, id, "Study", "Thorax", "Made from formulas."};
+    QVERIFY(dicom::writeSeries(head, facts, ui::fromQt(folder), noProgress));
+    if (const QStringList files = QDir(folder).entryList(QDir::Files); gap)
+        QVERIFY(QFile::remove(folder + "/" + files[files.size() / 2]));
+}
+
+static QVariant itemOf(Trial& trial, int row, int role) {
+    return trial.desktop.window().series().list().model()->index(row, 0).data(role);
+}
+
+class TestSeriesList : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init() { place_ = std::make_unique<QTemporaryDir>(); }
+    void severalPatientsAreToBeChosenFrom();
+    void theOnlySeriesIsShown();
+    void oneLoadableAmongSeveralPatientsIsToBeChosen();
+    void aRefusedFolderShowsItsListAndItsReasons();
+    void whoItIsStandsInThePicture();
+
+  private:
+    QString at(const QString& name) const { return place_->filePath(name); }
+
+    std::unique_ptr<QTemporaryDir> place_;
+};
+
+void TestSeriesList::severalPatientsAreToBeChosenFrom() {
+    writeSeries(at("all/a"), "Doe^Jane", "4711");
+    writeSeries(at("all/b"), "Roe^Richard", "4712");
+    Trial trial;
+    ui::MainWindow& window = trial.desktop.window();
+    trial.desktop.open(at("all"));
+    QTRY_COMPARE_WITH_TIMEOUT(window.series().list().model()->rowCount(), 2, test::kPatience);
+    QVERIFY(window.series().isVisible());
+    QVERIFY2(window.viewport().message().contains("Choose a series"), qPrintable(window.viewport().message()));
+    QTRY_VERIFY_WITH_TIMEOUT(!itemOf(trial, 1, Qt::DecorationRole).value<QPixmap>().isNull(), test::kPatience);
+    QVERIFY(!itemOf(trial, 0, Qt::DecorationRole).value<QPixmap>().isNull());
+    const QString first = itemOf(trial, 0, Qt::AccessibleTextRole).toString();
+    QVERIFY2(first.contains("Thorax") && first.contains("ID 471"), qPrintable(first));
+    QVERIFY(!trial.desktop.parts().import.isRunning() && !trial.desktop.parts().document.hasVolume());
+    const QRect second = window.series().list().visualRect(window.series().list().model()->index(1, 0));
+    QTest::mouseClick(window.series().list().viewport(), Qt::LeftButton, {}, second.center());
+    QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.empty(), test::kPatience);
+    QVERIFY(window.patient().front() == itemOf(trial, 1, Qt::UserRole).toString());
+}
+
+void TestSeriesList::theOnlySeriesIsShown() {
+    writeSeries(at("one"), "Doe^Jane", "4711");
+    Trial trial;
+    trial.openAndWait(at("one"));
+    QVERIFY(trial.desktop.parts().document.hasVolume());
+}
+
+void TestSeriesList::oneLoadableAmongSeveralPatientsIsToBeChosen() {
+    dicom::Series good, bad;
+    good.verdict.stack = dicom::Stack::even;
+    bad.verdict.stack = dicom::Stack::gap;
+    QCOMPARE(onlyLoadable({.series = {good, bad}}), 0);
+    QCOMPARE(onlyLoadable({.series = {good, good}}), -1);
+    QCOMPARE(onlyLoadable({.series = {bad}}), -1);
+    QCOMPARE(onlyLoadable({}), -1);
+    bad.patient.birthDate = "19600517";
+    QCOMPARE(onlyLoadable({.series = {good, bad}}), -1);
+}
+
+void TestSeriesList::aRefusedFolderShowsItsListAndItsReasons() {
+    writeSeries(at("gap"), "Doe^Jane", "4711", true);
+    Trial trial;
+    ui::MainWindow& window = trial.desktop.window();
+    trial.desktop.open(at("gap"));
+    QTRY_VERIFY_WITH_TIMEOUT(!window.message().text().isEmpty(), test::kPatience);
+    QVERIFY(window.series().isVisible());
+    QVERIFY2(window.series().detail().contains("mm apart"), qPrintable(window.series().detail()));
+    QVERIFY2(window.viewport().message().contains("The list says why"), qPrintable(window.viewport().message()));
+}
+
+void TestSeriesList::whoItIsStandsInThePicture() {
+    writeSeries(at("one"), "Doe^Jane", "4711");
+    Trial trial;
+    ui::MainWindow& window = trial.desktop.window();
+    QCOMPARE(window.patient(), QStringList());
+    trial.openAndWait(at("one"));
+    const QString said = window.patient().join('\n');
+    for (const char* part : {"Doe, Jane", "ID 4711", "Thorax"})
+        QVERIFY2(said.contains(part), qPrintable(said));
+    QVERIFY2(window.windowTitle().startsWith("Thorax"), qPrintable(window.windowTitle()));
+    QTest::keyClick(&window, Qt::Key_N);
+    QVERIFY(!window.patient().join('\n').contains("Doe") && !window.patient().join('\n').contains("4711"));
+    QVERIFY2(window.windowTitle().startsWith("CT series"), qPrintable(window.windowTitle()));
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestSeriesList)
+#include "series_list_test.moc"
