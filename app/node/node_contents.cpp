@@ -5,15 +5,8 @@
 #include <utility>
 
 #include "render/base/errors.h"
-#include "render/base/free_memory.h"
 
 namespace pdr::node {
-namespace {
-
-/// Beside voxels, a scene needs what is derived of them.
-constexpr double kSceneOverhead = 1.5;
-
-}  // namespace
 
 void NodeContents::setKey(const nodes::ContentKey& key) {
     if (key_ && *key_ != key)
@@ -54,7 +47,7 @@ Result<void> NodeContents::order(const wire::SceneOrder& order) {
     for (const nodes::WantedContent& wanted : nodes::wantedContents(order))
         if (!isHere(wanted.hash))
             missing += double(wanted.bytes);
-    if (missing * kSceneOverhead <= double(freeBytes()))
+    if (missing * kSceneOverhead <= double(freeMemory_()))
         return {};
     coming_.reset();
     return notEnoughMemory(" for the scene: " + bytesText(std::size_t(missing)), "", "");
