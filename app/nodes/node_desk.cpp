@@ -140,8 +140,9 @@ void NodeDesk::ended(NodeId id, const QString& reason) {
     node->status.name = last.name;
     node->status.device = last.device;
     node->status.otherBits = last.otherBits;
-    node->status.reason = reason;
-    node->status.state = link->isRefused() ? NodeState::refused : NodeState::lost;
+    const bool lied = !link->quarantine().isEmpty();
+    node->status.reason = lied ? link->quarantine() : reason;
+    node->status.state = link->isRefused() ? NodeState::refused : lied ? NodeState::quarantined : NodeState::lost;
     link->deleteLater();
     if (wasKnown) {
         if (!link->wasFlooded())  // else the pauses go on growing

@@ -251,8 +251,12 @@ void NodeLink::leave(const QString& reason) {
 void NodeLink::end(const QString& reason) {
     beatTimer_.stop();
     pace_.stop();
-    if (worker_)
+    if (worker_) {
+        const std::optional<WorkerStatus> last = coordinator_.pool->worker(*worker_);
+        if (last && last->state == WorkerState::quarantined)
+            quarantine_ = QString::fromStdString(last->reason);
         coordinator_.pool->leave(*std::exchange(worker_, std::nullopt));
+    }
     emit over(isRefused() ? refusal_ : reason);
 }
 

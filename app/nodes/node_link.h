@@ -43,6 +43,8 @@ class NodeLink : public QObject {
     NodeStatus status() const;
     /// It was refused (version, bits): dialling again would not help.
     bool isRefused() const { return !refusal_.isEmpty(); }
+    /// Why it was quarantined; empty: it was not.
+    const QString& quarantine() const { return quarantine_; }
     /// It has closed the connection with a Bye.
     bool hasSaidGoodbye() const { return goodbye_; }
     /// The connection was closed because it sent too much, or results of no lease.
@@ -92,7 +94,7 @@ class NodeLink : public QObject {
     QTimer beatTimer_;
     QTimer pace_;  ///< runs while no other scene may be sent
     std::optional<WorkerId> worker_;
-    QString name_, device_, refusal_, sceneTrouble_;
+    QString name_, device_, refusal_, sceneTrouble_, quarantine_;
     bool otherBits_ = false;
     bool unasked_ = false;  ///< a result of no lease came
     bool goodbye_ = false;

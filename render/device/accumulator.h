@@ -36,6 +36,13 @@ class Accumulator {
     virtual Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) = 0;
     /// Of the whole area.
     Result<void> accumulate(std::uint32_t n, std::stop_token stop) { return accumulate(area(), n, std::move(stop)); }
+    /// Takes n more samples of the whole area, which has `had`, and returns how many it has then: had + n; or 0 where
+    /// samples of before were found wrong, and all are thrown away. accumulate() takes those again before it returns.
+    virtual Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) {
+        if (Result<void> done = accumulate(n, std::move(stop)); !done)
+            return done.error();
+        return had + n;
+    }
     /// Orders a picture of what is there, tone mapped; whether it is smoothed, the picture says. At most maxInFlight()
     /// may be waiting to be read back. After a stop request a smoothed one is worthless.
     virtual Result<void> resolve(const Display& display, std::stop_token stop) = 0;

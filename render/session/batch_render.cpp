@@ -56,10 +56,16 @@ Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
     const std::uint32_t samples = wantedSamples(elapsed);
     // A launch that is broken off leaves worthless sums: the first one has nothing to lose.
     const bool canBreakOff = done_ == 0 || whenStopped_ == WhenStopped::discard;
-    if (auto ok = film_.accumulate(samples, canBreakOff ? stop : std::stop_token()); !ok)
-        return ok;
-    if (!(canBreakOff && stop.stop_requested()))
-        done_ += samples;
+    const auto there = film_.extend(done_, samples, canBreakOff ? stop : std::stop_token());
+    if (!there)
+        return there.error();
+    if (canBreakOff && stop.stop_requested())
+        return {};
+    done_ = *there;
+    if (done_ == 0) {
+        begunAt_ = elapsed;
+        status_ = {};
+    }
     return {};
 }
 
@@ -83,7 +89,7 @@ std::uint32_t BatchRender::wantedSamples(double elapsed) const {
     double time = order.seconds;
     if (stops_.seconds)
         time = std::min(time, *stops_.seconds - elapsed);
-    double wanted = std::floor(time * double(done_) / std::max(elapsed, 1e-9));
+    double wanted = std::floor(time * double(done_) / std::max(elapsed - begunAt_, 1e-9));
     if (stops_.samples)
         wanted = std::min(wanted, double(*stops_.samples - done_));
     if (stopsByError())
@@ -107,7 +113,7 @@ std::optional<StopReason> BatchRender::reached(double elapsed) const {
         if (stops_.levels && status_.displayError <= *stops_.levels)
             return StopReason::levels;
     }
-    if (stops_.seconds && elapsed >= *stops_.seconds)
+    if (stops_.seconds && done_ > 0 && elapsed >= *stops_.seconds)
         return StopReason::seconds;
     return std::nullopt;
 }

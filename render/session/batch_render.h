@@ -14,7 +14,8 @@ namespace pdr {
 /// When to stop; whichever comes first. At least one must be there.
 struct Stops {
     std::optional<std::uint64_t> samples;  ///< per pixel; >= 1
-    std::optional<double> seconds;         ///< of rendering; > 0; the sample that is on its way is still finished
+    std::optional<double> seconds;         ///< of rendering; > 0; the sample that is on its way is still finished, and
+                                           ///< so is the first one after all were found wrong
     std::optional<double> relativeError;   ///< FilmStatus::relativeError; > 0
     std::optional<double> levels;          ///< FilmStatus::displayError; > 0
 };
@@ -70,6 +71,7 @@ class BatchRender {
     Display display_;
     WhenStopped whenStopped_;
     std::uint64_t done_ = 0;  ///< samples of every pixel
+    double begunAt_ = 0;      ///< when the first of them was asked for, in seconds of rendering
     FilmStatus status_;       ///< of the film when it was last looked at
 };
 

@@ -72,20 +72,40 @@ OrderSize SharedAccumulator::orderSize() const {
     return {1, std::uint32_t(kSamplesPerBlock * (workers + 1))};
 }
 
-Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) {
+std::vector<TileGoal> SharedAccumulator::goalsOf(const Tile& region, std::uint32_t n) const {
     std::vector<TileGoal> goals;
     for (const EvenTile& even : film_.progress().evenTiles(film_.progress().cellsAround(region)))
         goals.push_back({even.tile, even.next, even.next + n});
+    return goals;
+}
+
+Result<void> SharedAccumulator::take(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
+    return pool_.hasWorkers() ? together(goals, stop) : alone(goals, stop);
+}
+
+bool SharedAccumulator::throwLiesAway() {
+    if (!pool_.areLiarsAmong(believed_))
+        return false;
+    believed_.clear();
+    film_.restart(film_.area(), film_.revision());
+    return true;
+}
+
+Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) {
+    std::vector<TileGoal> goals = goalsOf(region, n);
     for (;;) {
-        Result<void> done = pool_.hasWorkers() ? together(goals, stop) : alone(goals, stop);
-        if (!done || stop.stop_requested())
+        if (Result<void> done = take(goals, stop); !done || stop.stop_requested())
             return done;
-        if (!pool_.areLiarsAmong(believed_))
-            return {};
         goals = allOf(film_.progress());
-        believed_.clear();
-        film_.restart(film_.area(), film_.revision());
+        if (!throwLiesAway())
+            return {};
     }
+}
+
+Result<std::uint64_t> SharedAccumulator::extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) {
+    if (Result<void> done = take(goalsOf(film_.area(), n), stop); !done)
+        return done.error();
+    return throwLiesAway() ? 0 : had + n;
 }
 
 Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const std::stop_token& stop) {

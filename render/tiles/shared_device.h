@@ -27,9 +27,14 @@ class SharedAccumulator final : public HostAccumulator {
     using Accumulator::accumulate;
     OrderSize orderSize() const override;
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
+    Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) override;
     Result<void> restart(const Tile& area, std::uint64_t revision) override;
 
   private:
+    std::vector<TileGoal> goalsOf(const Tile& region, std::uint32_t n) const;
+    /// Whether it holds what nobody should believe; then it is emptied.
+    bool throwLiesAway();
+    Result<void> take(const std::vector<TileGoal>& goals, const std::stop_token& stop);
     Result<void> alone(const std::vector<TileGoal>& goals, const std::stop_token& stop);
     Result<void> together(const std::vector<TileGoal>& goals, const std::stop_token& stop);
     Result<void> takePart(const std::stop_token& stop);

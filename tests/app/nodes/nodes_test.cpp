@@ -5,6 +5,7 @@
 #include "app/node/exit_codes.h"
 #include "app/remote/certificates.h"
 #include "app/remote/listener.h"
+#include "tests/support/acted_node.h"
 #include "tests/support/shared_picture.h"
 
 using namespace pdr;
@@ -167,6 +168,21 @@ class NodesTest : public QObject {
         process->signal(end);
         QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, kPatience);
         QCOMPARE(lost.at(0).at(0).value<nodes::NodeStatus>().losses, losses);
+    }
+
+    /// Started again it would call itself a new one.
+    void nodeThatLiedIsNotDialledAgain() {
+        NodeTrial trial;
+        ActedNode acted;
+        QVERIFY(bool(trial.nodes.add(QString("localhost:%1").arg(acted.port()))));
+        QTRY_VERIFY_WITH_TIMEOUT(acted.isWelcome() && !trial.pool->workers().empty(), kPatience);
+        trial.pool->quarantine(trial.pool->workers().at(0).id, "it lied");
+        acted.leave();
+        QTRY_VERIFY_WITH_TIMEOUT(trial.pool->workers().empty(), kPatience);
+        QTest::qWait(1000);  // it would be dialled within 0.2 s
+        QCOMPARE(acted.connections(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(trial.nodes.nodes().at(0).state, nodes::NodeState::quarantined, kPatience);
+        QCOMPARE(trial.nodes.nodes().at(0).reason, QString("it lied"));
     }
 
     void exitCodesSayWhatToDo() {

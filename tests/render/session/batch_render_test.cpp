@@ -1,6 +1,7 @@
 /// A picture without a window: what a stop request leaves of it, and how it is cut into orders.
 
 #include <QTest>
+#include <functional>
 #include <vector>
 
 #include "render/device/host_accumulator.h"
@@ -18,6 +19,9 @@ class TestBatchRender : public QObject {
     void aStopRequestKeepsTheSampleOnItsWayOrDiscardsIt();
     void whatIsToBeDiscardedEndsAsWellWhereNothingStopsIt();
     void ordersThatReachTheNextBlockEndWithOne();
+    void whatIsFoundWrongIsTakenAgain();
+    void aStopRequestIsObeyedWhereAllWasFoundWrong();
+    void aTimeThatIsOverLeavesASampleWhereAllWasFoundWrong();
 };
 
 /// Takes samples without light, and writes down where each order ends.
@@ -40,6 +44,33 @@ class WrittenOrders final : public HostAccumulator {
 
   private:
     std::uint64_t next_ = 0;
+};
+
+/// Samples are found wrong with one of the orders, from 1.
+class FoundWrong final : public HostAccumulator {
+  public:
+    explicit FoundWrong(int order) : HostAccumulator({0, 0, 32, 32}, 0), wrongWith_(order) {}
+
+    Result<void> accumulate(const Tile&, std::uint32_t, std::stop_token) override { return {}; }
+    Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token) override {
+        if (++orders == wrongWith_) {
+            film_.restart(film_.area(), film_.revision());
+            found();
+            return 0;
+        }
+        for (std::uint64_t next = had; next < had + n;) {
+            const SampleRange samples = samplesInBlock(next, std::uint32_t(had + n - next));
+            film_.commit(film_.area(), samples);
+            next = samples.end();
+        }
+        return had + n;
+    }
+
+    int orders = 0;
+    std::function<void()> found = [] {};
+
+  private:
+    int wrongWith_;
 };
 
 static Scene smallSlab() {
@@ -96,6 +127,31 @@ void TestBatchRender::ordersThatReachTheNextBlockEndWithOne() {
         QVERIFY(isWithinABlock || end % kSamplesPerBlock == 0 || end == kSamples);
         first = end;
     }
+}
+
+void TestBatchRender::whatIsFoundWrongIsTakenAgain() {
+    FoundWrong film(3);
+    const auto ended = BatchRender(film, {.samples = 100}, {}).run({}, [](const BatchState&) {});
+    QVERIFY(ended && ended->reason == StopReason::samples);
+    QCOMPARE(ended->film.samplesPerPixel, std::uint64_t(100));
+    QVERIFY(film.orders > 3);
+}
+
+void TestBatchRender::aStopRequestIsObeyedWhereAllWasFoundWrong() {
+    std::stop_source stop;
+    FoundWrong film(3);
+    film.found = [&] { stop.request_stop(); };
+    const auto ended = BatchRender(film, {.samples = 1'000'000}, {}).run(stop.get_token(), [](const BatchState&) {});
+    QVERIFY(ended && ended->reason == StopReason::interrupted);
+    QCOMPARE(film.orders, 3);
+    QCOMPARE(ended->film.samplesPerPixel, std::uint64_t(0));
+}
+
+void TestBatchRender::aTimeThatIsOverLeavesASampleWhereAllWasFoundWrong() {
+    FoundWrong film(1);
+    const auto ended = BatchRender(film, {.seconds = 1e-9}, {}).run({}, [](const BatchState&) {});
+    QVERIFY(ended && ended->reason == StopReason::seconds);
+    QCOMPARE(ended->film.samplesPerPixel, std::uint64_t(1));
 }
 
 }  // namespace pdr

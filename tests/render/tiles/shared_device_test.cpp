@@ -156,6 +156,27 @@ class SharedDeviceTest : public QObject {
             sameBits((*film->film())->content(), alone(sceneToShare(), std::vector<std::uint32_t>(samples / 32, 32))));
     }
 
+    /// Whoever renders to an end is told, and obeys a stop before all is taken again.
+    void pictureThatALiarHelpedWithBeginsAnew() {
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        NearbyWorker liar(pool, "liar", NearbyWorker::Nature::liesSeldom);
+        const auto device = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*device, sceneToShare());
+        std::uint64_t samples = 0;
+        do {
+            QVERIFY2(samples < 200000, "it is never found");
+            const auto there = film->extend(samples, 32, {});
+            QVERIFY(there && (*there == samples + 32 || *there == 0));
+            samples = *there;
+        } while (samples > 0);
+        QCOMPARE(liar.status().state, WorkerState::quarantined);
+        QCOMPARE((*film->film())->samplesPerPixel(), std::uint64_t(0));
+        for (const std::uint32_t n : {64u, 40u})
+            QVERIFY(bool(film->extend(samples, n, {})));
+        QVERIFY(sameBits((*film->film())->content(), alone(sceneToShare(), {64, 40})));
+    }
+
     /// What is told of paths that were cut is checked as the light is.
     void whoHidesFaultsIsFoundOnProbation() {
         const FilmContent mine = alone(cutScene(), {64, 40});
