@@ -27,6 +27,20 @@ class CorpusTest : public QObject {
             }
         QVERIFY(files > 30);
     }
+
+    /// Each count of pixels and of own ones beside a limit, with bits all set, none, and every other.
+    void packedSumsOfAnySizeDoNoHarm() {
+        for (const int pixels : {0, 1, 8, 9, 256, 2047, 2048, 2049})
+            for (const int own : {0, 1, pixels - 1, pixels, pixels + 1, 4096, 65535})
+                for (const int slices : {0, 1})
+                    for (const int fill : {0, 0xff, 0xaa}) {
+                        const std::array<int, 6> seed{pixels & 255,   pixels >> 8, own & 255,
+                                                      own >> 8 & 255, slices,      fill};
+                        std::array<std::byte, 6> bytes;
+                        std::ranges::transform(seed, bytes.begin(), [](int one) { return std::byte(one); });
+                        test::unpackAnySums(bytes);
+                    }
+    }
 };
 
 QTEST_APPLESS_MAIN(CorpusTest)

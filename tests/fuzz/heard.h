@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "app/wire/byte_planes.h"
 #include "app/wire/content.h"
 #include "app/wire/frame_reader.h"
+#include "app/wire/one_frame.h"
+#include "app/wire/packed_sums.h"
 
 namespace pdr::test {
 
@@ -30,6 +33,34 @@ inline void assemble(const wire::Chunk& chunk) {
         put(wire::packChunk(chunk.content, once, 0),
             [&](std::span<const std::byte> twice) { require(std::ranges::equal(once, twice)); });
     });
+}
+
+/// Sums as somebody packs them who means harm: a sound zstd frame, of just the size that its head asks for. Chance
+/// makes none of these. `bytes`: pixels, u16; own pixels, u16; in how many slices, u8; then what is repeated in the
+/// frame.
+inline void unpackAnySums(std::span<const std::byte> bytes) {
+    if (bytes.size() < 6)
+        return;
+    const auto word = [&](std::size_t at) {
+        return std::to_integer<std::uint32_t>(bytes[at]) | std::to_integer<std::uint32_t>(bytes[at + 1]) << 8;
+    };
+    const std::uint32_t head[2]{word(0) % (wire::kSlicePixels + 2), word(2)};
+    const std::size_t slices = std::to_integer<std::size_t>(bytes[4]) % 3 + 1;
+    const auto fill = bytes.subspan(5);
+    wire::Bytes raw(sizeof(PixelSums) + (head[0] + 7) / 8 + wire::kPlanes * wire::planeBytes(head[1]));
+    for (std::size_t i = 0; i < raw.size(); ++i)
+        raw[i] = fill[i % fill.size()];
+    const wire::Bytes slice = wire::packedFrame(std::as_bytes(std::span(head)), raw, 1);
+    wire::Bytes packed;
+    for (std::size_t i = 0; i < slices; ++i)
+        packed.insert(packed.end(), slice.begin(), slice.end());
+    const std::size_t pixels = slices * head[0];
+    const auto sums = wire::unpackSums(packed, pixels);
+    if (!sums)
+        return;
+    require(sums->size() == pixels);
+    const auto again = wire::unpackSums(wire::packSums(*sums), pixels);
+    require(again && std::ranges::equal(std::as_bytes(std::span(*again)), std::as_bytes(std::span(*sums))));
 }
 
 inline void sayAgain(wire::Role reader, const wire::Message& message) {

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "app/wire/byte_planes.h"
 #include "app/wire/one_frame.h"
 #include "app/wire/packed_sums.h"
 #include "render/volume/phantom.h"
@@ -154,6 +155,16 @@ class PackedSumsTest : public QObject {
         QVERIFY(!unpackSums(packedWith(2, 0b100001, 8), 5));  // beyond the last
         QVERIFY(!unpackSums(packedWith(6, 0b111111, 8), 5));
         QVERIFY(!unpackSums(packedWith(2, 0b10001, 16), 5));
+    }
+
+    /// A sound frame of 14 MB, of a few hundred bytes when packed, where 300 kB are at hand.
+    void moreOwnPixelsThanThereAreAreRefused() {
+        constexpr std::uint32_t kPixels = 256, kOwn = 200'000;
+        const std::uint32_t head[2]{kPixels, kOwn};
+        const Bytes raw(sizeof(PixelSums) + kPixels / 8 + kPlanes * planeBytes(kOwn), std::byte('A'));
+        const Bytes packed = packedFrame(std::as_bytes(std::span(head)), raw, 1);
+        QVERIFY(packed.size() < 2000);
+        QVERIFY(!unpackSums(packed, kPixels));
     }
 
     void damagedPacksDoNoHarm() {
