@@ -121,7 +121,7 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
         outputs.push_back(options.folder / name);
     if (auto ok = checkWritable(outputs); !ok)
         return ok.error();
-    const auto opened = openDevice(options.device, options.threads);
+    const auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu);
     if (!opened)
         return opened.error();
     auto loaded = loadSceneShown(options.scene);

@@ -2,6 +2,7 @@
 /// How every command ends on an error.
 
 #include <cstdio>
+#include <string>
 
 #include "render/base/result.h"
 
@@ -11,6 +12,12 @@ namespace pdr::app {
 inline int failed(const Error& error) {
     std::fprintf(stderr, "pdrender-cli: %s\n", error.text().c_str());
     return 1;
+}
+
+/// Says on standard error why "auto" does not render on its GPU.
+inline void tellOfCpu(const Error& why) {
+    const std::string place = why.where.empty() ? "" : why.where + ": ";
+    std::fprintf(stderr, "note: the CPU renders, since a GPU cannot: %s%s.\n", place.c_str(), why.what.c_str());
 }
 
 }  // namespace pdr::app

@@ -72,7 +72,7 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
         return ok.error();
     if (auto ok = checkFonts(annotateOf(options)); !ok)
         return ok.error();
-    auto opened = openDevice(options.device, options.threads);
+    auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu);
     if (!opened)
         return opened.error();
     std::unique_ptr<NodeCrew> crew;

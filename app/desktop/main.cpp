@@ -16,6 +16,7 @@
 #include "app/desktop/options.h"
 #include "app/looks.h"
 #include "app/program/program.h"
+#include "app/show_message.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
 #include "ui/language.h"
@@ -45,12 +46,12 @@ void takeScreenshot(ui::MainWindow& window, const QString& file) {
 }
 
 /// The one asked for; else the one chosen last, and where that is there no longer, the best.
-Result<std::unique_ptr<Device>> deviceFor(const DesktopOptions& options) {
+Result<std::unique_ptr<Device>> deviceFor(const DesktopOptions& options, const WhySpare& told) {
     if (!options.device.isEmpty())
-        return openDevice(options.device.toStdString(), options.threads);
-    if (auto last = openDevice(Settings().device().toStdString(), options.threads))
+        return openDevice(options.device.toStdString(), options.threads, told);
+    if (auto last = openDevice(Settings().device().toStdString(), options.threads, told))
         return last;
-    return openDevice("auto", options.threads);
+    return openDevice("auto", options.threads, told);
 }
 
 int run(const DesktopOptions& options) {
@@ -59,13 +60,19 @@ int run(const DesktopOptions& options) {
         std::cerr << "pdrender: " << looks.error().text() << '\n';
         return 1;
     }
-    auto device = deviceFor(options);
+    QString whyCpu;
+    auto device = deviceFor(options, [&](const Error& why) {
+        whyCpu = QCoreApplication::translate("main", "The CPU renders, since the GPU cannot be used: %1.")
+                     .arg(QString::fromStdString(why.what));
+    });
     if (!device) {
         std::cerr << "pdrender: " << device.error().text() << '\n';
         return 1;
     }
     Desktop desktop(*std::move(looks), *std::move(device), {}, options.threads);
     desktop.window().show();
+    if (!whyCpu.isEmpty())
+        showNotice(desktop.parts(), whyCpu);
     if (!options.folder.isEmpty())
         QTimer::singleShot(0, &desktop.window(), [&] { desktop.open(options.folder); });  // where exceptions end
     if (!options.screenshot.isEmpty())

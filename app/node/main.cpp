@@ -55,7 +55,9 @@ Result<wire::Hello> introduction(const NodeOptions& options, Device& device) {
 }
 
 int work(const NodeOptions& options, const app::Interrupt& interrupt) {
-    Result<std::unique_ptr<Device>> device = openDevice(options.device, options.threads);
+    Result<std::unique_ptr<Device>> device = openDeviceToTheEnd(options.device, options.threads, [](const Error& why) {
+        std::fprintf(stderr, "pdrender-node: the CPU renders, since a GPU cannot: %s\n", why.what.c_str());
+    });
     if (!device)
         return ending(device.error(), ExitCode::configuration);
     const Result<wire::Hello> hello = introduction(options, **device);

@@ -16,7 +16,8 @@ namespace {
 #if !defined(PDR_HAS_CUDA)
 /// What there is without a CUDA compiler.
 Error withoutCuda() {
-    return {"this program was built without CUDA", "cuda", "Render on the CPU, or build it where the CUDA Toolkit is."};
+    return {"this program was built without CUDA", "cuda", "Render on the CPU, or build it where the CUDA Toolkit is.",
+            ErrorKind::refused};
 }
 Result<std::vector<DeviceInfo>> cudaDevices() {
     return withoutCuda();
@@ -49,7 +50,7 @@ std::vector<DeviceInfo> devicesHere() {
     return devices;
 }
 
-Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads) {
+Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads, const WhySpare& told) {
     if (name == "cpu")
         return makeCpuDevice(threads);
     if (name == "emulated")
@@ -58,7 +59,11 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads)
         return makeLockstepGpu(threads);
     if (name == "auto") {
         Result<std::unique_ptr<Device>> gpu = makeCudaDevice(0);
-        return gpu ? std::move(gpu) : Result<std::unique_ptr<Device>>(makeCpuDevice(threads));
+        if (gpu)
+            return gpu;
+        if (told && gpu.error().kind != ErrorKind::refused)
+            told(gpu.error());
+        return makeCpuDevice(threads);
     }
     if (const std::optional<int> index = cudaIndex(name)) {
         Result<std::unique_ptr<Device>> gpu = makeCudaDevice(*index);
@@ -69,6 +74,14 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads)
         return error;
     }
     return Error{"there is no such device", name, "Choose auto, cpu, cuda or cuda:1."};
+}
+
+Result<std::unique_ptr<Device>> openDeviceToTheEnd(const std::string& name, int threads, const WhySpare& told) {
+    Result<std::unique_ptr<Device>> device = openDevice(name, threads, told);
+    if (!device || name != "auto" || (*device)->info().hostMemory)
+        return device;
+    return withSpare(
+        *std::move(device), [threads] { return openDevice("cpu", threads); }, told);
 }
 
 }  // namespace pdr

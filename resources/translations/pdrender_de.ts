@@ -2314,6 +2314,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Nennt die Version, die Lizenz und wofür dieses Programm nicht gedacht ist.</translation>
     </message>
     <message>
+        <source>The CPU renders, since the GPU cannot be used: %1.</source>
+        <translation>Die CPU rechnet, da die Grafikkarte nicht verwendet werden kann: %1.</translation>
+    </message>
+    <message>
         <source>The chosen lamp</source>
         <translation>Die gewählte Lampe</translation>
     </message>

@@ -2314,6 +2314,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Dice la versión, la licencia y para qué no sirve este programa.</translation>
     </message>
     <message>
+        <source>The CPU renders, since the GPU cannot be used: %1.</source>
+        <translation>Calcula la CPU, pues la tarjeta gráfica no se puede usar: %1.</translation>
+    </message>
+    <message>
         <source>The chosen lamp</source>
         <translation>La lámpara elegida</translation>
     </message>

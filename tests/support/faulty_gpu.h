@@ -30,6 +30,9 @@ class FaultyGpu : public HostGpu {
 
     std::string name() const { return "faulty"; }
 
+    /// One that is lost does not say.
+    GpuMemory memory() const { return plan_->lost && plan_->failed ? GpuMemory{} : HostGpu::memory(); }
+
     void* allocate(std::size_t bytes) {
         count(FaultPlan::Call::allocate);
         return HostGpu::allocate(bytes);

@@ -44,19 +44,38 @@ Error noGpu(cudaError_t status) {
     cudaDriverGetVersion(&driver);
     cudaRuntimeGetVersion(&runtime);
     if (status == cudaErrorInsufficientDriver && driver == 0)
-        return {"there is no driver for a GPU of NVIDIA's", kName, "Install one, or render on the CPU."};
+        return {"there is no driver for a GPU of NVIDIA's", kName, "Install one, or render on the CPU.",
+                ErrorKind::refused};
     if (status == cudaErrorInsufficientDriver)
         return {
             "the driver is too old: it knows CUDA " + versionText(driver) + ", " + versionText(runtime) + " is needed",
             kName, "Install a newer driver, or render on the CPU."};
     if (status == cudaErrorNoDevice)
-        return {"there is no GPU of NVIDIA's", kName, "Render on the CPU."};
+        return {"there is no GPU of NVIDIA's", kName, "Render on the CPU.", ErrorKind::refused};
     return {std::string("the GPU cannot be used (") + cudaGetErrorString(status) + ")", kName, "Render on the CPU."};
+}
+
+/// The first generation that nvcc compiles for: 7.5, Turing.
+constexpr int kOldest = 75;
+
+/// Whether this program has machine code for the GPU, or what its driver can translate.
+Result<void> checkAge(int index) {
+    int major = 0, minor = 0;
+    const cudaError_t status[] = {cudaDeviceGetAttribute(&major, cudaDevAttrComputeCapabilityMajor, index),
+                                  cudaDeviceGetAttribute(&minor, cudaDevAttrComputeCapabilityMinor, index)};
+    cudaGetLastError();
+    const bool isKnown = status[0] == cudaSuccess && status[1] == cudaSuccess;
+    if (!isKnown || 10 * major + minor >= kOldest)
+        return {};
+    return Error{"the GPU is too old for this program: it is of compute capability " + std::to_string(major) + "." +
+                     std::to_string(minor) + ", 7.5 or later is needed",
+                 kName, "Render on the CPU."};
 }
 
 DeviceInfo infoOf(int index) {
     cudaDeviceProp properties{};
-    cudaGetDeviceProperties(&properties, index);
+    if (cudaGetDeviceProperties(&properties, index) != cudaSuccess)
+        cudaGetLastError();  // else the next launch is blamed for it
     return {index == 0 ? kName : kName + (":" + std::to_string(index)),
             std::string(properties.name) + ", " + bytesText(properties.totalGlobalMem)};
 }
@@ -82,6 +101,8 @@ Result<std::unique_ptr<Device>> makeCudaDevice(int index) {
     if (index < 0 || std::size_t(index) >= known->size())
         return Error{"there is no such GPU", "cuda:" + std::to_string(index),
                      "The last one is cuda:" + std::to_string(known->size() - 1) + "."};
+    if (Result<void> isNew = checkAge(index); !isNew)
+        return isNew.error();
     auto device = std::make_unique<GpuDevice<CudaGpu>>((*known)[std::size_t(index)], index);
     if (Result<void> works = takeStatus(device->gpu()); !works)
         return works.error();

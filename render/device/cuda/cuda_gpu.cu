@@ -3,10 +3,19 @@
 #include "render/base/errors.h"
 
 namespace pdr {
+namespace {
+
+/// For calls that nothing depends on. The runtime keeps their error, and the next launch would be blamed for it.
+void ignore(cudaError_t status) {
+    if (status != cudaSuccess)
+        cudaGetLastError();
+}
+
+}  // namespace
 
 CudaGpu::Event::~Event() {
     if (event_ != nullptr)
-        cudaEventDestroy(event_);
+        ignore(cudaEventDestroy(event_));
 }
 
 CudaGpu::CudaGpu(int index) : index_(index), name_("cuda:" + std::to_string(index)) {
@@ -20,11 +29,11 @@ CudaGpu::CudaGpu(int index) : index_(index), name_("cuda:" + std::to_string(inde
 }
 
 CudaGpu::~CudaGpu() {
-    cudaSetDevice(index_);
+    ignore(cudaSetDevice(index_));
     release(next_);
     for (cudaStream_t stream : streams_)
         if (stream != nullptr)
-            cudaStreamDestroy(stream);
+            ignore(cudaStreamDestroy(stream));
 }
 
 bool CudaGpu::ready() {
@@ -49,9 +58,11 @@ std::optional<Error> CudaGpu::takeError() {
 
 GpuMemory CudaGpu::memory() const {
     GpuMemory memory;
-    if (cudaSetDevice(index_) != cudaSuccess || cudaMemGetInfo(&memory.free, &memory.total) != cudaSuccess)
-        return {};
-    return memory;
+    const bool isThere = cudaSetDevice(index_) == cudaSuccess;
+    if (isThere && cudaMemGetInfo(&memory.free, &memory.total) == cudaSuccess)
+        return memory;
+    cudaGetLastError();
+    return {};
 }
 
 void* CudaGpu::allocate(std::size_t bytes) {
@@ -69,8 +80,8 @@ void* CudaGpu::allocate(std::size_t bytes) {
 void CudaGpu::release(void* memory) {
     if (memory == nullptr)
         return;
-    cudaSetDevice(index_);
-    cudaFree(memory);
+    ignore(cudaSetDevice(index_));
+    ignore(cudaFree(memory));
 }
 
 void* CudaGpu::allocatePinned(std::size_t bytes) {
@@ -82,7 +93,7 @@ void* CudaGpu::allocatePinned(std::size_t bytes) {
 
 void CudaGpu::releasePinned(void* memory) {
     if (memory != nullptr)
-        cudaFreeHost(memory);
+        ignore(cudaFreeHost(memory));
 }
 
 bool CudaGpu::textureFits(ivec3 size) {
@@ -135,8 +146,8 @@ std::uint64_t CudaGpu::makeTexture(const std::int16_t* voxels, ivec3 size) {
     const bool copied = check(cudaMemcpy3DAsync(&copy, of(GpuStream::compute)), "copying a texture to it");
     const cudaTextureObject_t texture = copied ? textureOf(array) : 0;
     if (texture == 0) {
-        cudaStreamSynchronize(of(GpuStream::compute));
-        cudaFreeArray(array);
+        ignore(cudaStreamSynchronize(of(GpuStream::compute)));
+        ignore(cudaFreeArray(array));
     }
     return texture;
 }
@@ -144,13 +155,14 @@ std::uint64_t CudaGpu::makeTexture(const std::int16_t* voxels, ivec3 size) {
 void CudaGpu::releaseTexture(std::uint64_t texture) {
     if (texture == 0)
         return;
-    cudaSetDevice(index_);
-    cudaStreamSynchronize(of(GpuStream::compute));
+    ignore(cudaSetDevice(index_));
+    ignore(cudaStreamSynchronize(of(GpuStream::compute)));
     cudaResourceDesc resource{};
-    const bool known = cudaGetTextureObjectResourceDesc(&resource, texture) == cudaSuccess;
-    cudaDestroyTextureObject(texture);
-    if (known)
-        cudaFreeArray(resource.res.array.array);
+    const cudaError_t known = cudaGetTextureObjectResourceDesc(&resource, texture);
+    ignore(known);
+    ignore(cudaDestroyTextureObject(texture));
+    if (known == cudaSuccess)
+        ignore(cudaFreeArray(resource.res.array.array));
 }
 
 void CudaGpu::copyToDevice(void* to, const void* from, std::size_t bytes, GpuStream stream) {
@@ -193,14 +205,13 @@ void CudaGpu::awaitAll() {
 }
 
 unsigned CudaGpu::residentBlocks(const void* kernel) {
-    unsigned& blocks = residentBlocks_[kernel];
-    if (blocks == 0) {
-        int each = 0, processors = 0;
-        check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&each, kernel, kThreads, 0), "a launch");
-        check(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, index_), "a launch");
-        blocks = unsigned(std::max(each * processors, 1));
-    }
-    return blocks;
+    if (const auto known = residentBlocks_.find(kernel); known != residentBlocks_.end())
+        return known->second;
+    int each = 0, processors = 0;
+    if (!check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&each, kernel, kThreads, 0), "a launch") ||
+        !check(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, index_), "a launch"))
+        return 0;
+    return residentBlocks_[kernel] = unsigned(std::max(each * processors, 1));
 }
 
 }  // namespace pdr

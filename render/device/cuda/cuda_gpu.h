@@ -99,7 +99,8 @@ class CudaGpu {
             return;
         const auto needed = unsigned((count + kThreads - 1) / kThreads);
         const unsigned blocks = std::min(needed, residentBlocks(reinterpret_cast<const void*>(walkQueued<Program>)));
-        check(cudaMemsetAsync(next_, 0, sizeof *next_, of(stream)), "a launch");
+        if (blocks == 0 || !check(cudaMemsetAsync(next_, 0, sizeof *next_, of(stream)), "a launch"))
+            return;
         walkQueued<<<blocks, kThreads, 0, of(stream)>>>(program, count, next_);
         check(cudaGetLastError(), "a launch");
     }
@@ -116,7 +117,7 @@ class CudaGpu {
     /// A texture object for `array`; 0 after an error.
     cudaTextureObject_t textureOf(cudaArray_t array);
     cudaStream_t of(GpuStream stream) const { return streams_[int(stream)]; }
-    /// Blocks of a kernel that the GPU holds at a time.
+    /// Blocks of a kernel that the GPU holds at a time; 0: an error is kept.
     unsigned residentBlocks(const void* kernel);
 
     int index_;

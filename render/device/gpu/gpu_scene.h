@@ -129,9 +129,14 @@ bool GpuScene<G>::wantsTexture(const PreparedScene& scene) {
 
 template <Gpu G>
 Result<void> GpuScene<G>::room(const PreparedScene& scene, std::size_t needed) const {
-    const std::size_t free = gpu_.memory().free;
+    if (Result<void> works = takeStatus(gpu_); !works)
+        return works;
+    const auto [total, free] = gpu_.memory();
     if (needed <= free)
         return {};
+    if (total == 0)
+        return Error{"it does not say how much memory it has, and is broken or lost", gpu_.name(), "Render on the CPU.",
+                     ErrorKind::deviceLost};
     return Error{"the volume does not fit into its memory: " + bytesText(needed) + " are needed, " + bytesText(free) +
                      " are free",
                  gpu_.name(),

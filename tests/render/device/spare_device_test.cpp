@@ -1,0 +1,150 @@
+// First: it includes TBB, of whose names Qt takes some for keywords.
+#include "tests/support/tissue_scene.h"
+
+#include <QTest>
+
+#include "render/device/gpu_device.h"
+#include "render/device/spare_device.h"
+#include "render/session/batch_render.h"
+#include "render/tiles/reference_tiles.h"
+#include "tests/support/failing_device.h"
+#include "tests/support/faulty_gpu.h"
+
+using namespace pdr;
+using namespace pdr::test;
+
+namespace {
+
+constexpr std::uint64_t kSamples = 40;
+
+/// What is told when the other device takes over.
+struct Told {
+    std::vector<Error> all;
+    WhySpare hear() {
+        return [this](const Error& why) { all.push_back(why); };
+    }
+};
+
+Result<std::unique_ptr<Device>> cpu() {
+    return makeCpuDevice(1);
+}
+
+Result<FilmContent> pictureBy(Device& device) {
+    const auto film = startFilm(device, tissueScene());
+    if (!film)
+        return film.error();
+    const auto ended = BatchRender(**film, {.samples = kSamples}, {}).run({}, [](const BatchState&) {});
+    if (!ended)
+        return ended.error();
+    const auto picture = (*film)->film();
+    if (!picture)
+        return picture.error();
+    return (*picture)->content();
+}
+
+FilmContent alone() {
+    return *pictureBy(**cpu());
+}
+
+}  // namespace
+
+/// "auto": a GPU that cannot do its work, and the CPU that does it then.
+class SpareDeviceTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void deviceThatFailsHandsOver_data() {
+        QTest::addColumn<int>("uploads");
+        QTest::addColumn<int>("launches");
+        QTest::addColumn<bool>("tooSmall");
+        QTest::newRow("too old: it fails at its first upload") << 0 << Mishaps::kNever << false;
+        QTest::newRow("its memory is taken") << Mishaps::kNever << Mishaps::kNever << true;
+        QTest::newRow("its first launch fails") << Mishaps::kNever << 0 << false;
+        QTest::newRow("it is lost on the way") << Mishaps::kNever << 5 << false;
+    }
+    void deviceThatFailsHandsOver() {
+        QFETCH(const int, uploads);
+        QFETCH(const int, launches);
+        QFETCH(const bool, tooSmall);
+        const auto mishaps = std::make_shared<Mishaps>();
+        mishaps->uploads = uploads;
+        mishaps->accumulates = launches;
+        mishaps->tooSmall = tooSmall;
+        Told told;
+        const auto device = withSpare(failing(mishaps), cpu, told.hear());
+        const auto picture = pictureBy(*device);
+        QVERIFY2(bool(picture), picture ? "" : picture.error().text().c_str());
+        QVERIFY(sameBits(*picture, alone()));
+        QCOMPARE(told.all.size(), std::size_t(1));
+        QVERIFY(told.all[0].what.find(tooSmall ? "9.3 GB" : "the device is lost") != std::string::npos);
+        QCOMPARE(device->info().name, std::string("cpu"));
+    }
+
+    /// One call after the other fails, and all behind it: the picture is right, or there is none and a sentence.
+    void gpuThatIsLostAtAnyCallGivesTheRightPictureOrNone() {
+        const FilmContent right = alone();
+        int handedOver = 0, none = 0;
+        for (int call = 0;; call += call < 50 ? 1 : 97) {
+            const auto plan = std::make_shared<FaultPlan>();
+            plan->fails = call;
+            plan->lost = true;
+            Told told;
+            const auto device = withSpare(std::make_unique<GpuDevice<FaultyGpu>>(DeviceInfo{"faulty", "", false}, plan),
+                                          cpu, told.hear());
+            const auto picture = pictureBy(*device);
+            if (!plan->failed)
+                break;
+            QVERIFY(told.all.size() <= 1);
+            if (picture) {
+                QVERIFY(sameBits(*picture, right));
+                handedOver += int(told.all.size());
+            } else {
+                QCOMPARE(picture.error().kind, ErrorKind::deviceLost);
+                ++none;
+            }
+            QVERIFY(picture || told.all.empty());
+        }
+        qInfo("the CPU took over %d times, %d times there was no picture", handedOver, none);
+        QVERIFY(handedOver > 30);
+    }
+
+    void deviceThatWorksIsKept() {
+        Told told;
+        const auto device = withSpare(failing(std::make_shared<Mishaps>()), cpu, told.hear());
+        const auto picture = pictureBy(*device);
+        QVERIFY(picture && sameBits(*picture, alone()));
+        QVERIFY(told.all.empty());
+        QCOMPARE(device->info().name, std::string("failing"));
+    }
+
+    void samplesForOthersGoOverWithTheSumsBeforeThem() {
+        const auto plan = std::make_shared<FaultPlan>();
+        plan->call = FaultPlan::Call::await;
+        plan->fails = 1;
+        plan->lost = true;
+        Told told;
+        const auto device =
+            withSpare(std::make_unique<GpuDevice<FaultyGpu>>(DeviceInfo{"faulty", "", false}, plan), cpu, told.hear());
+        const auto bits = referenceTiles(*device);
+        QVERIFY(bits && *bits == *referenceTiles(**cpu()));
+        QCOMPARE(told.all.size(), std::size_t(1));
+    }
+
+    void whereTheSpareOneFailsTooItIsSaid() {
+        const auto mishaps = std::make_shared<Mishaps>();
+        mishaps->uploads = 0;
+        Told told;
+        const auto device = withSpare(
+            failing(mishaps),
+            []() -> Result<std::unique_ptr<Device>> {
+                return Error{"there is none", "", ""};
+            },
+            told.hear());
+        const auto picture = pictureBy(*device);
+        QVERIFY(!picture && picture.error().what == "the device is lost");
+        QVERIFY(told.all.empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(SpareDeviceTest)
+#include "spare_device_test.moc"
