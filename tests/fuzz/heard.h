@@ -44,7 +44,7 @@ inline void unpackAnySums(std::span<const std::byte> bytes) {
     const auto word = [&](std::size_t at) {
         return std::to_integer<std::uint32_t>(bytes[at]) | std::to_integer<std::uint32_t>(bytes[at + 1]) << 8;
     };
-    const std::uint32_t head[2]{word(0) % (wire::kSlicePixels + 2), word(2)};
+    const std::uint32_t head[2]{std::uint32_t(word(0) % (wire::kSlicePixels + 2)), word(2)};
     const std::size_t slices = std::to_integer<std::size_t>(bytes[4]) % 3 + 1;
     const auto fill = bytes.subspan(5);
     wire::Bytes raw(sizeof(PixelSums) + (head[0] + 7) / 8 + wire::kPlanes * wire::planeBytes(head[1]));
