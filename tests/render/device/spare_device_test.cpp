@@ -60,7 +60,7 @@ class SpareDeviceTest : public QObject {
         QTest::newRow("too old: it fails at its first upload") << 0 << Mishaps::kNever << false;
         QTest::newRow("its memory is taken") << Mishaps::kNever << Mishaps::kNever << true;
         QTest::newRow("its first launch fails") << Mishaps::kNever << 0 << false;
-        QTest::newRow("it is lost on the way") << Mishaps::kNever << 5 << false;
+        QTest::newRow("it is lost on the way") << Mishaps::kNever << 1 << false;
     }
     void deviceThatFailsHandsOver() {
         QFETCH(const int, uploads);
