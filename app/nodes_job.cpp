@@ -5,13 +5,10 @@
 #include <utility>
 
 #include "app/remote/address.h"
-#include "ui/nodes/node_address.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
 namespace {
-
-static_assert(ui::kNodePort == remote::kDefaultPort);
 
 constexpr quint64 kDialledIn = quint64(1) << 32;  ///< ids of those that are wanted are smaller
 

@@ -46,7 +46,7 @@ void paintMarkLegend(QPainter& painter, const ErrorAxes& axes, const PlotEvents&
     for (const bool joined : {false, true}) {
         if (!hasKind(events, joined))
             continue;
-        const QString text = joined ? translated("a node joined") : translated("a node was lost");
+        const QString text = joined ? translated("a render node joined") : translated("a render node was lost");
         const double width = metrics.horizontalAdvance(text);
         painter.setPen(palette.color(QPalette::WindowText));
         painter.drawText(QRectF(right - width, middle - metrics.height() / 2.0, width, metrics.height()),

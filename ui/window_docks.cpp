@@ -53,7 +53,7 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       rendering_(add("Rendering", tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
       accuracy_(add("Accuracy", tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
       effects_(add("Effects", tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
-      nodes_(add("Nodes", tr("Nodes"), panels.nodes, Qt::BottomDockWidgetArea, Qt::Key_F12)) {
+      nodes_(add("Nodes", tr("Render nodes"), panels.nodes, Qt::BottomDockWidgetArea, Qt::Key_F12)) {
     for (QDockWidget* folded : {tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_, nodes_})
         folded->hide();
     sides_ = {series_, look_, rendering_, tissue_, light_, camera_, cut_};

@@ -15,54 +15,12 @@ Error noSuchPort(const QString& text) {
     return {"there is no such port", text.toStdString(), "Ports are numbers from 1 to 65535.", ErrorKind::refused};
 }
 
-/// 0 as well.
-Result<quint16> parsePort(const QString& digits, const QString& text) {
-    bool ok = false;
-    const uint port = digits.toUInt(&ok);
-    if (!ok || port > 65535 || !digits[0].isDigit())
-        return noSuchPort(text);
-    return quint16(port);
-}
-
-bool isIpv6(const QString& host) {
-    return QHostAddress(host).protocol() == QAbstractSocket::IPv6Protocol;
-}
-
-bool isHost(const QString& host) {
-    const auto fits = [](QChar letter) {
-        return letter > u' ' && letter.unicode() < 127 && letter != u'/' && letter != u'@';
-    };
-    return !host.isEmpty() && std::ranges::all_of(host, fits);
-}
-
-/// `colon`: where the port begins, or at the end.
-Result<Address> split(const QString& text, const QString& host, qsizetype colon) {
-    Address address{host};
-    if (!isHost(host) || host.contains(u'['))
-        return notAnAddress(text);
-    if (colon == text.size())
-        return address;
-    if (text[colon] != u':')
-        return notAnAddress(text);
-    const auto port = parsePort(text.mid(colon + 1), text);
-    if (!port)
-        return port.error();
-    address.port = *port;
-    return address;
-}
-
+/// Port 0 as well.
 Result<Address> parseAnyPort(const QString& text) {
-    if (text.startsWith(u'[')) {
-        const qsizetype end = text.indexOf(u']');
-        const QString host = text.mid(1, end - 1);
-        if (end < 0 || !isIpv6(host))
-            return notAnAddress(text);
-        return split(text, host, end + 1);
-    }
-    if (text.count(u':') > 1)
-        return isIpv6(text) ? Result(Address{text}) : notAnAddress(text);
-    const qsizetype colon = text.contains(u':') ? text.indexOf(u':') : text.size();
-    return split(text, text.left(colon), colon);
+    const auto read = readNetworkAddress(text.toStdString());
+    if (const auto* address = std::get_if<NetworkAddress>(&read))
+        return Address{QString::fromStdString(address->host), address->port};
+    return std::get<AddressFault>(read) == AddressFault::port ? noSuchPort(text) : notAnAddress(text);
 }
 
 bool isNumber(const QString& text) {
@@ -90,8 +48,9 @@ Result<Address> parseAddress(const QString& text) {
 Result<Address> parseListening(const QString& text) {
     if (!isNumber(text))
         return parseAnyPort(text);
-    const auto port = parsePort(text, text);
-    return port ? Result(Address{"", *port}) : port.error();
+    bool fits = false;
+    const quint16 port = text.toUShort(&fits);
+    return fits ? Result(Address{"", port}) : noSuchPort(text);
 }
 
 }  // namespace pdr::remote

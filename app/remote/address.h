@@ -4,15 +4,14 @@
 #include <QString>
 #include <cstdint>
 
+#include "render/base/network_address.h"
 #include "render/base/result.h"
 
 namespace pdr::remote {
 
-inline constexpr quint16 kDefaultPort = 4743;
-
 struct Address {
     QString host;  ///< a name, or an IP address without brackets; empty: all of this machine's
-    quint16 port = kDefaultPort;
+    quint16 port = kNodePort;
 
     /// Only reachable from this machine: "localhost", 127.0.0.0/8, ::1.
     bool isLoopback() const;

@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>"%1" is no address of a node: only a host and a port, without slashes, such as gpu-07:%2.</source>
-        <translation>„%1“ ist keine Adresse eines Knotens: nur Rechner und Port, ohne Schrägstriche, etwa gpu-07:%2.</translation>
+        <translation>„%1“ ist keine Adresse eines Render-Rechners: nur Rechner und Port, ohne Schrägstriche, etwa gpu-07:%2.</translation>
     </message>
     <message>
         <source>"%1" is no host: names have letters, digits, dots and hyphens.</source>
@@ -155,7 +155,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>%1 nodes make other bits than this machine, and take no part</source>
-        <translation>%1 Knoten rechnen andere Bits als dieser Rechner und wirken nicht mit</translation>
+        <translation>%1 Render-Rechner rechnen andere Bits als dieser Rechner und wirken nicht mit</translation>
     </message>
     <message>
         <source>%1 of the curve</source>
@@ -507,7 +507,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>1 node makes other bits than this machine, and takes no part</source>
-        <translation>1 Knoten rechnet andere Bits als dieser Rechner und wirkt nicht mit</translation>
+        <translation>1 Render-Rechner rechnet andere Bits als dieser Rechner und wirkt nicht mit</translation>
     </message>
     <message>
         <source>1 sample</source>
@@ -623,11 +623,11 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Add the node</source>
-        <translation>Den Knoten hinzufügen</translation>
+        <translation>Den Render-Rechner hinzufügen</translation>
     </message>
     <message>
         <source>Address of a node</source>
-        <translation>Adresse eines Knotens</translation>
+        <translation>Adresse eines Render-Rechners</translation>
     </message>
     <message>
         <source>Adds a panel like the chosen one, as a lamp of its own</source>
@@ -647,7 +647,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>All nodes make the same bits as this machine</source>
-        <translation>Alle Knoten rechnen bitgleich mit diesem Rechner</translation>
+        <translation>Alle Render-Rechner rechnen bitgleich mit diesem Rechner</translation>
     </message>
     <message>
         <source>All panels in numbers</source>
@@ -779,11 +779,11 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Bytes from the node</source>
-        <translation>Bytes vom Knoten</translation>
+        <translation>Bytes vom Render-Rechner</translation>
     </message>
     <message>
         <source>Bytes to the node</source>
-        <translation>Bytes zum Knoten</translation>
+        <translation>Bytes zum Render-Rechner</translation>
     </message>
     <message>
         <source>CPU</source>
@@ -1359,11 +1359,11 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>How nodes are spoken to</source>
-        <translation>Wie mit Knoten gesprochen wird</translation>
+        <translation>Wie mit Render-Rechnern gesprochen wird</translation>
     </message>
     <message>
         <source>How nodes share the work</source>
-        <translation>Wie sich Knoten die Arbeit teilen</translation>
+        <translation>Wie sich Render-Rechner die Arbeit teilen</translation>
     </message>
     <message>
         <source>How the work is split</source>
@@ -1642,12 +1642,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Kein bekannter systematischer Fehler der Rechnung</translation>
     </message>
     <message>
-        <source>No nodes: other machines can render along, and the picture becomes right sooner</source>
-        <translation>Keine Knoten: Andere Rechner können mitrechnen, dann wird das Bild eher richtig</translation>
-    </message>
-    <message>
         <source>No picture</source>
         <translation>Kein Bild</translation>
+    </message>
+    <message>
+        <source>No render nodes: other machines can render along, and the picture becomes right sooner</source>
+        <translation>Keine Render-Rechner: Andere Rechner können mitrechnen, dann wird das Bild eher richtig</translation>
     </message>
     <message>
         <source>No sample was left out</source>
@@ -1660,18 +1660,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>No tissue is in view</source>
         <translation>Kein Gewebe im Bild</translation>
-    </message>
-    <message>
-        <source>Node</source>
-        <translation>Knoten</translation>
-    </message>
-    <message>
-        <source>Nodes</source>
-        <translation>Knoten</translation>
-    </message>
-    <message>
-        <source>Nodes may dial in: "pdrender-node --coordinator" with this machine's name and this port.</source>
-        <translation>Knoten dürfen sich melden: „pdrender-node --coordinator“ mit dem Namen dieses Rechners und diesem Port.</translation>
     </message>
     <message>
         <source>Noise</source>
@@ -1825,7 +1813,7 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     </message>
     <message>
         <source>Parts with the chosen nodes; they forget the scan (Delete)</source>
-        <translation>Trennt sich von den gewählten Knoten; sie vergessen den Scan (Entf)</translation>
+        <translation>Trennt sich von den gewählten Render-Rechnern; sie vergessen den Scan (Entf)</translation>
     </message>
     <message>
         <source>Patient</source>
@@ -2048,6 +2036,18 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Rename the look</source>
         <translation>Darstellung umbenennen</translation>
+    </message>
+    <message>
+        <source>Render node</source>
+        <translation>Render-Rechner</translation>
+    </message>
+    <message>
+        <source>Render nodes</source>
+        <translation>Render-Rechner</translation>
+    </message>
+    <message>
+        <source>Render nodes may dial in: "pdrender-node --coordinator" with this machine's name and this port.</source>
+        <translation>Render-Rechner dürfen sich melden: „pdrender-node --coordinator“ mit dem Namen dieses Rechners und diesem Port.</translation>
     </message>
     <message>
         <source>Rendering</source>
@@ -2323,7 +2323,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     </message>
     <message>
         <source>The chosen nodes take nothing new, or go on (Space)</source>
-        <translation>Die gewählten Knoten nehmen nichts Neues an oder machen weiter (Leertaste)</translation>
+        <translation>Die gewählten Render-Rechner nehmen nichts Neues an oder machen weiter (Leertaste)</translation>
     </message>
     <message>
         <source>The densest contrast looks like bone, and marrow looks like blood.</source>
@@ -2339,7 +2339,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     </message>
     <message>
         <source>The folder of this machine's certificates, which "pdrender-node --make-certificates" has made: with them nodes on other machines may be used.</source>
-        <translation>Der Ordner mit den Zertifikaten dieses Rechners, die „pdrender-node --make-certificates“ erzeugt hat: Mit ihnen lassen sich Knoten auf anderen Rechnern verwenden.</translation>
+        <translation>Der Ordner mit den Zertifikaten dieses Rechners, die „pdrender-node --make-certificates“ erzeugt hat: Mit ihnen lassen sich andere Rechner als Render-Rechner verwenden.</translation>
     </message>
     <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
@@ -2409,7 +2409,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     </message>
     <message>
         <source>Tiles: each node renders a part of the picture. Samples: each renders the whole picture, a block of samples at a time, which is sooner where tiles would be too small.</source>
-        <translation>Kacheln: Jeder Knoten rechnet einen Teil des Bildes. Abtastungen: Jeder rechnet das ganze Bild, immer einen Block von Abtastungen; das ist schneller, wo Kacheln zu klein wären.</translation>
+        <translation>Kacheln: Jeder Render-Rechner rechnet einen Teil des Bildes. Abtastungen: Jeder rechnet das ganze Bild, immer einen Block von Abtastungen; das ist schneller, wo Kacheln zu klein wären.</translation>
     </message>
     <message>
         <source>Tissue</source>
@@ -2445,7 +2445,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     </message>
     <message>
         <source>Type the address of a node first, such as gpu-07 or 10.0.0.7:%1.</source>
-        <translation>Geben Sie zuerst die Adresse eines Knotens ein, etwa gpu-07 oder 10.0.0.7:%1.</translation>
+        <translation>Geben Sie zuerst die Adresse eines Render-Rechners ein, etwa gpu-07 oder 10.0.0.7:%1.</translation>
     </message>
     <message>
         <source>Unbiased</source>
@@ -2597,7 +2597,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     </message>
     <message>
         <source>What it is doing. What a lost node had in hand is rendered by others</source>
-        <translation>Was er gerade tut. Was ein verlorener Knoten in Arbeit hatte, rechnen andere</translation>
+        <translation>Was er gerade tut. Was ein verlorener Render-Rechner in Arbeit hatte, rechnen andere</translation>
     </message>
     <message>
         <source>What it shows and costs</source>
@@ -2701,7 +2701,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     </message>
     <message>
         <source>Without certificates: only nodes on this machine</source>
-        <translation>Ohne Zertifikate: nur Knoten auf diesem Rechner</translation>
+        <translation>Ohne Zertifikate: nur Programme auf diesem Rechner</translation>
     </message>
     <message>
         <source>X-ray</source>
@@ -2712,12 +2712,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Zoomen</translation>
     </message>
     <message>
-        <source>a node joined</source>
-        <translation>ein Knoten kam dazu</translation>
+        <source>a render node joined</source>
+        <translation>ein Render-Rechner kam dazu</translation>
     </message>
     <message>
-        <source>a node was lost</source>
-        <translation>ein Knoten ging verloren</translation>
+        <source>a render node was lost</source>
+        <translation>ein Render-Rechner ging verloren</translation>
     </message>
     <message>
         <source>a single slice</source>

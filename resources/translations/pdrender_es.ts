@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>"%1" is no address of a node: only a host and a port, without slashes, such as gpu-07:%2.</source>
-        <translation>«%1» no es la dirección de un nodo: solo equipo y puerto, sin barras, como gpu-07:%2.</translation>
+        <translation>«%1» no es la dirección de un equipo de render: solo equipo y puerto, sin barras, como gpu-07:%2.</translation>
     </message>
     <message>
         <source>"%1" is no host: names have letters, digits, dots and hyphens.</source>
@@ -155,7 +155,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>%1 nodes make other bits than this machine, and take no part</source>
-        <translation>%1 nodos calculan otros bits que este equipo y no participan</translation>
+        <translation>%1 equipos de render calculan otros bits que este equipo y no participan</translation>
     </message>
     <message>
         <source>%1 of the curve</source>
@@ -507,7 +507,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>1 node makes other bits than this machine, and takes no part</source>
-        <translation>1 nodo calcula otros bits que este equipo y no participa</translation>
+        <translation>1 equipo de render calcula otros bits que este equipo y no participa</translation>
     </message>
     <message>
         <source>1 sample</source>
@@ -623,11 +623,11 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Add the node</source>
-        <translation>Añadir el nodo</translation>
+        <translation>Añadir el equipo de render</translation>
     </message>
     <message>
         <source>Address of a node</source>
-        <translation>Dirección de un nodo</translation>
+        <translation>Dirección de un equipo de render</translation>
     </message>
     <message>
         <source>Adds a panel like the chosen one, as a lamp of its own</source>
@@ -647,7 +647,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>All nodes make the same bits as this machine</source>
-        <translation>Todos los nodos calculan los mismos bits que este equipo</translation>
+        <translation>Todos los equipos de render calculan los mismos bits que este equipo</translation>
     </message>
     <message>
         <source>All panels in numbers</source>
@@ -779,11 +779,11 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Bytes from the node</source>
-        <translation>Bytes desde el nodo</translation>
+        <translation>Bytes desde el equipo de render</translation>
     </message>
     <message>
         <source>Bytes to the node</source>
-        <translation>Bytes hacia el nodo</translation>
+        <translation>Bytes hacia el equipo de render</translation>
     </message>
     <message>
         <source>CPU</source>
@@ -1359,11 +1359,11 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>How nodes are spoken to</source>
-        <translation>Cómo se habla con los nodos</translation>
+        <translation>Cómo se habla con los equipos de render</translation>
     </message>
     <message>
         <source>How nodes share the work</source>
-        <translation>Cómo se reparten los nodos el trabajo</translation>
+        <translation>Cómo se reparten los equipos de render el trabajo</translation>
     </message>
     <message>
         <source>How the work is split</source>
@@ -1642,12 +1642,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Ningún sesgo conocido en el cálculo</translation>
     </message>
     <message>
-        <source>No nodes: other machines can render along, and the picture becomes right sooner</source>
-        <translation>Sin nodos: otros equipos pueden calcular también, y la imagen es correcta antes</translation>
-    </message>
-    <message>
         <source>No picture</source>
         <translation>Sin imagen</translation>
+    </message>
+    <message>
+        <source>No render nodes: other machines can render along, and the picture becomes right sooner</source>
+        <translation>Sin equipos de render: otros equipos pueden calcular también, y la imagen es correcta antes</translation>
     </message>
     <message>
         <source>No sample was left out</source>
@@ -1660,18 +1660,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>No tissue is in view</source>
         <translation>No hay tejido a la vista</translation>
-    </message>
-    <message>
-        <source>Node</source>
-        <translation>Nodo</translation>
-    </message>
-    <message>
-        <source>Nodes</source>
-        <translation>Nodos</translation>
-    </message>
-    <message>
-        <source>Nodes may dial in: "pdrender-node --coordinator" with this machine's name and this port.</source>
-        <translation>Los nodos pueden llamar: «pdrender-node --coordinator» con el nombre de este equipo y este puerto.</translation>
     </message>
     <message>
         <source>Noise</source>
@@ -1825,7 +1813,7 @@ Brillo propio: luz que emite el propio tejido</translation>
     </message>
     <message>
         <source>Parts with the chosen nodes; they forget the scan (Delete)</source>
-        <translation>Se despide de los nodos elegidos; olvidan el estudio (Supr)</translation>
+        <translation>Se despide de los equipos de render elegidos; olvidan el estudio (Supr)</translation>
     </message>
     <message>
         <source>Patient</source>
@@ -2048,6 +2036,18 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Rename the look</source>
         <translation>Renombrar el aspecto</translation>
+    </message>
+    <message>
+        <source>Render node</source>
+        <translation>Equipo de render</translation>
+    </message>
+    <message>
+        <source>Render nodes</source>
+        <translation>Equipos de render</translation>
+    </message>
+    <message>
+        <source>Render nodes may dial in: "pdrender-node --coordinator" with this machine's name and this port.</source>
+        <translation>Los equipos de render pueden llamar: «pdrender-node --coordinator» con el nombre de este equipo y este puerto.</translation>
     </message>
     <message>
         <source>Rendering</source>
@@ -2323,7 +2323,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     </message>
     <message>
         <source>The chosen nodes take nothing new, or go on (Space)</source>
-        <translation>Los nodos elegidos no aceptan nada nuevo, o continúan (espacio)</translation>
+        <translation>Los equipos de render elegidos no aceptan nada nuevo, o continúan (espacio)</translation>
     </message>
     <message>
         <source>The densest contrast looks like bone, and marrow looks like blood.</source>
@@ -2339,7 +2339,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     </message>
     <message>
         <source>The folder of this machine's certificates, which "pdrender-node --make-certificates" has made: with them nodes on other machines may be used.</source>
-        <translation>La carpeta con los certificados de este equipo, creados con «pdrender-node --make-certificates»: con ellos se pueden usar nodos en otros equipos.</translation>
+        <translation>La carpeta con los certificados de este equipo, creados con «pdrender-node --make-certificates»: con ellos se pueden usar otros equipos como equipos de render.</translation>
     </message>
     <message>
         <source>The histogram's height grows with the logarithm of the voxels</source>
@@ -2409,7 +2409,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     </message>
     <message>
         <source>Tiles: each node renders a part of the picture. Samples: each renders the whole picture, a block of samples at a time, which is sooner where tiles would be too small.</source>
-        <translation>Teselas: cada nodo calcula una parte de la imagen. Muestras: cada uno calcula la imagen entera, un bloque de muestras tras otro, lo que es más rápido donde las teselas serían demasiado pequeñas.</translation>
+        <translation>Teselas: cada equipo de render calcula una parte de la imagen. Muestras: cada uno calcula la imagen entera, un bloque de muestras tras otro, lo que es más rápido donde las teselas serían demasiado pequeñas.</translation>
     </message>
     <message>
         <source>Tissue</source>
@@ -2445,7 +2445,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     </message>
     <message>
         <source>Type the address of a node first, such as gpu-07 or 10.0.0.7:%1.</source>
-        <translation>Escriba primero la dirección de un nodo, como gpu-07 o 10.0.0.7:%1.</translation>
+        <translation>Escriba primero la dirección de un equipo de render, como gpu-07 o 10.0.0.7:%1.</translation>
     </message>
     <message>
         <source>Unbiased</source>
@@ -2597,7 +2597,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     </message>
     <message>
         <source>What it is doing. What a lost node had in hand is rendered by others</source>
-        <translation>Qué está haciendo. Lo que un nodo perdido tenía entre manos lo calculan otros</translation>
+        <translation>Qué está haciendo. Lo que un equipo de render perdido tenía entre manos lo calculan otros</translation>
     </message>
     <message>
         <source>What it shows and costs</source>
@@ -2701,7 +2701,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     </message>
     <message>
         <source>Without certificates: only nodes on this machine</source>
-        <translation>Sin certificados: solo nodos en este equipo</translation>
+        <translation>Sin certificados: solo programas en este equipo</translation>
     </message>
     <message>
         <source>X-ray</source>
@@ -2712,12 +2712,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>a node joined</source>
-        <translation>se unió un nodo</translation>
+        <source>a render node joined</source>
+        <translation>se unió un equipo de render</translation>
     </message>
     <message>
-        <source>a node was lost</source>
-        <translation>se perdió un nodo</translation>
+        <source>a render node was lost</source>
+        <translation>se perdió un equipo de render</translation>
     </message>
     <message>
         <source>a single slice</source>

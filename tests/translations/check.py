@@ -5,12 +5,16 @@ check.py --source FOLDER [--write LANGUAGE TABLE]: with --write the file of that
 holds and from TABLE, lines of "text<TAB>translation" in which several forms are parted by "|||"."""
 import argparse
 import pathlib
+import re
 import sys
 import xml.sax.saxutils
 
 import texts
 
 LANGUAGES = ("de", "es")
+# A clinician reads a lymph node or a nodule.
+MISREAD = {"en": re.compile(r"^(No )?[Nn]odes?\b|^a node\b"), "de": re.compile(r"[Kk]noten"),
+           "es": re.compile(r"\b[Nn]odos?\b")}
 
 
 def file_of(root, language):
@@ -20,12 +24,16 @@ def file_of(root, language):
 def complaints(root, language):
     said, translated = texts.in_sources(root), texts.in_translation(file_of(root, language))
     for text, where in said.items():
+        if MISREAD["en"].search(text):
+            yield f"{where}: reads as a nodule, say render node: {text!r}"
         if translated.get(text) is None:
             yield f"{where}: not translated: {text!r}"
     for text, forms in translated.items():
         if text not in said:
             yield f"nobody says any more: {text!r}"
         for form in forms or []:
+            if MISREAD[language].search(form):
+                yield f"reads as a nodule: {text!r}: {form!r}"
             if texts.places(form) != texts.places(text):
                 yield f"other numbers in it: {text!r}: {form!r}"
             if text.startswith(" ") != form.startswith(" ") or ("&" in text) != ("&" in form):

@@ -148,6 +148,8 @@ void TestNodesPanel::addressesAreUnderstood_data() {
                                    << "[fe80::1]:4743";
     QTest::newRow("sixteen bytes and a port") << "[::1]:65535"
                                               << "[::1]:65535";
+    QTest::newRow("sixteen bytes without brackets") << "::1"
+                                                    << "[::1]:4743";
 }
 
 void TestNodesPanel::addressesAreUnderstood() {
@@ -180,7 +182,7 @@ void TestNodesPanel::whatIsNoAddressIsToldBelow_data() {
                                  << "is no host";
     QTest::newRow("somebody") << "me@gpu-07"
                               << "is no host";
-    QTest::newRow("brackets missing") << "fe80::1"
+    QTest::newRow("brackets missing") << "fe80::1::4743"
                                       << "stands in brackets";
     QTest::newRow("bracket open") << "[fe80::1"
                                   << "is no host";
@@ -298,7 +300,7 @@ void TestNodesPanel::settersAreSilent() {
 
 void TestNodesPanel::theLastLineSaysHowWorkIsSplit() {
     NodesPanel panel;
-    QVERIFY(said(panel, "How the work is split").startsWith("No nodes"));
+    QVERIFY(said(panel, "How the work is split").startsWith("No render nodes"));
     panel.setNodes(nodes(3));
     panel.setSplit("Tiles: an iteration takes 0.4 s");
     const QString wanted =

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 
+#include "render/base/network_address.h"
 #include "ui/nodes/node_address.h"
 
 namespace pdr::ui {

@@ -3,8 +3,8 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
+#include "render/base/network_address.h"
 #include "ui/file_dialogs.h"
-#include "ui/nodes/node_address.h"
 
 namespace pdr::ui {
 
@@ -12,7 +12,7 @@ ListenRow::ListenRow(QWidget* parent) : QWidget(parent) {
     listens_.setText(tr("Listen on port"));
     listens_.setAccessibleName(tr("Listen on port"));
     listens_.setToolTip(
-        tr("Nodes may dial in: \"pdrender-node --coordinator\" with this machine's name and this port."));
+        tr("Render nodes may dial in: \"pdrender-node --coordinator\" with this machine's name and this port."));
     port_.setAccessibleName(tr("Port"));
     port_.setRange(1, 65535);
     port_.setValue(kNodePort);

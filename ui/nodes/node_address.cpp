@@ -1,7 +1,8 @@
 #include "ui/nodes/node_address.h"
 
 #include <QCoreApplication>
-#include <QUrl>
+
+#include "render/base/network_address.h"
 
 namespace pdr::ui {
 namespace {
@@ -20,12 +21,6 @@ QString portOf(const QString& text) {
     return colon > text.lastIndexOf(']') ? text.mid(colon + 1) : QString();
 }
 
-bool isPort(const QString& text) {
-    bool isNumber = false;
-    const int port = text.toInt(&isNumber);
-    return isNumber && port >= 1 && port <= 65535;
-}
-
 }  // namespace
 
 TypedAddress readAddress(const QString& typed) {
@@ -37,18 +32,18 @@ TypedAddress readAddress(const QString& typed) {
                                   "gpu-07:%2.")
                            .arg(text)
                            .arg(kNodePort));
-    if (!text.startsWith('[') && text.count(':') > 1)
+    const auto read = readNetworkAddress(text.toStdString());
+    const auto* address = std::get_if<NetworkAddress>(&read);
+    const AddressFault fault = address ? AddressFault::port : std::get<AddressFault>(read);
+    if (address && address->port > 0) {
+        const QString host = QString::fromStdString(address->host);
+        return {QString(host.contains(':') ? "[%1]:%2" : "%1:%2").arg(host).arg(address->port), {}};
+    }
+    if (fault == AddressFault::brackets)
         return problem(translated("An IPv6 address stands in brackets: [%1] or [%1]:%2.").arg(text).arg(kNodePort));
-    if (const QString port = portOf(text); !isPort(port) && (!port.isEmpty() || text.endsWith(':')))
-        return problem(translated("\"%1\" is no port: ports are numbers from 1 to 65535.").arg(port));
-    QUrl url;
-    url.setScheme("pdr");
-    url.setAuthority(text, QUrl::StrictMode);
-    if (!url.isValid() || url.host().isEmpty() || !url.userInfo().isEmpty())
-        return problem(translated("\"%1\" is no host: names have letters, digits, dots and hyphens.").arg(text));
-    const QString host = url.host(QUrl::FullyEncoded);
-    const QString bracketed = host.contains(':') && !host.startsWith('[') ? '[' + host + ']' : host;
-    return {QString("%1:%2").arg(bracketed).arg(url.port(kNodePort)), {}};
+    if (fault == AddressFault::port)
+        return problem(translated("\"%1\" is no port: ports are numbers from 1 to 65535.").arg(portOf(text)));
+    return problem(translated("\"%1\" is no host: names have letters, digits, dots and hyphens.").arg(text));
 }
 
 }  // namespace pdr::ui

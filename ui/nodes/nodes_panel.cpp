@@ -26,7 +26,7 @@ NodesPanel::NodesPanel(QWidget* parent)
 /// All widths are fixed or what is left: none is measured anew with each update.
 void NodesPanel::setUpTable() {
     table_.setModel(&model_);
-    table_.setAccessibleName(tr("Nodes"));
+    table_.setAccessibleName(tr("Render nodes"));
     table_.setSelectionBehavior(QAbstractItemView::SelectRows);
     table_.setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_.setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -192,7 +192,7 @@ void NodesPanel::showNotes() {
     QStringList notes{split_, bitsText(model_.nodes())};
     notes.removeAll({});
     if (model_.nodes().isEmpty())
-        notes = QStringList{tr("No nodes: other machines can render along, and the picture becomes right sooner")};
+        notes = QStringList{tr("No render nodes: other machines can render along, and the picture becomes right sooner")};
     notes_.setLine(notes.join(QString::fromUtf8(" · ")));
 }
 
