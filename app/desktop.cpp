@@ -63,11 +63,13 @@ void holdOnScreen(QWidget& window) {
 
 }  // namespace
 
-Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile, int threads)
+Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile, int threads,
+                 std::filesystem::path powerSupplies)
     : settings_(settingsFile),
       document_(std::move(looks)),
       bridge_(std::move(device), threads),
-      ownLooks_(settingsFile.isEmpty() ? OwnLooks::usualFolder() : QFileInfo(settingsFile).path() + "/looks") {
+      ownLooks_(settingsFile.isEmpty() ? OwnLooks::usualFolder() : QFileInfo(settingsFile).path() + "/looks"),
+      battery_(bridge_, std::move(powerSupplies)) {
     offerDevices(window_.rendering(), bridge_.firstDevice());
     window_.rendering().setPace(settings_.pace());
     bridge_.setPace(window_.rendering().pace());

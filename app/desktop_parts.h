@@ -1,6 +1,7 @@
 #pragma once
 /// The desktop's parts, for what brings them together.
 
+#include "app/battery_rest.h"
 #include "app/cut_edits.h"
 #include "app/document.h"
 #include "app/import_job.h"
@@ -46,6 +47,7 @@ struct DesktopParts {
     NodesJob& nodes;
     SaidOnce& said;
     SeriesPictures& seriesPictures;
+    BatteryRest& battery;
 };
 
 }  // namespace pdr::app

@@ -227,12 +227,14 @@ void Document::setSmoothed(bool smoothed) {
     emit displayChanged(display());
 }
 
+void Document::setNextFilm(ivec2 pixels) {
+    nextFilm_ = glm::clamp(pixels, ivec2(1), ivec2(kLongestSide));
+}
+
 void Document::setViewSize(ivec2 pixels) {
-    const ivec2 film = glm::clamp(pixels, ivec2(1), ivec2(kLongestSide));
-    if (film == film_)
-        return;
-    film_ = film;
-    show(false);
+    setNextFilm(pixels);
+    if (nextFilm_ != film_)
+        show(false);
 }
 
 void Document::undo() {
@@ -290,6 +292,7 @@ void Document::show(Scene scene, bool moving) {
     const std::uint64_t revision = scene_.revision + 1;
     scene_ = std::move(scene);
     scene_.revision = revision;
+    scene_.film = film_ = nextFilm_;
     emit sceneChanged(scene_, moving);
     if (shown_.visible != setup_.look.visible)
         emit maskWanted(parts_, setup_.look.visible);
@@ -325,7 +328,7 @@ std::optional<ClipBox> Document::uncut() const {
 }
 
 Camera Document::cameraOf(StandardView view, const Camera& lens) const {
-    return fittedView(view, framed(), double(film_.x) / film_.y, kFilled, lens);
+    return fittedView(view, framed(), double(nextFilm_.x) / nextFilm_.y, kFilled, lens);
 }
 
 }  // namespace pdr::app

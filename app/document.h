@@ -104,15 +104,17 @@ class Document : public QObject {
     void setBrightness(double stops, bool moving = false);
     /// Only for the eye; no step to undo.
     void setSmoothed(bool smoothed);
-    /// The view's size in the screen's own pixels, of which the film has as many; no step to undo. The picture begins
+    /// Pixels of the films that begin from now on; the one that is there stays, with all its samples.
+    void setNextFilm(pdr::ivec2 pixels);
+    /// The view's size in the screen's own pixels, of which the film has as many; no step to undo. The image begins
     /// anew where that is another size.
     void setViewSize(pdr::ivec2 pixels);
     void undo();
     void redo();
 
   signals:
-    /// Before the volume goes: who holds it, its table, parts or masks, lets go of them now, since the next series waits
-    /// for their memory.
+    /// Before the volume goes: who holds it, its table, parts or masks, lets go of them now, since the next series
+    /// waits for their memory.
     void closing();
     /// There are other looks to choose from, or the same for another volume.
     void looksChanged();
@@ -155,8 +157,9 @@ class Document : public QObject {
     std::deque<PartMask> masks_;  ///< of the volume, the newest last
     PartMask shown_;              ///< what the scene shows
     bool smoothed_ = true;
-    ivec2 film_ = Scene{}.film;
-    Scene scene_;  ///< of the volume, with or without its table, setup and film
+    ivec2 film_ = Scene{}.film;      ///< of the scene
+    ivec2 nextFilm_ = Scene{}.film;  ///< of the next one
+    Scene scene_;                    ///< of the volume, with or without its table, setup and film
 };
 
 }  // namespace pdr::app

@@ -53,6 +53,20 @@ void cancelWhatRuns(const DesktopParts& parts) {
         parts.picture.cancel();
 }
 
+void keepOrFitFilm(const DesktopParts& parts) {
+    const QSize view = parts.window.viewport().sizeInPixels();
+    const auto& frame = parts.bridge.lastFrame();
+    if (frame && !frame->coarse)
+        parts.document.setNextFilm({view.width(), view.height()});
+    else
+        parts.document.setViewSize({view.width(), view.height()});
+}
+
+void fitFilm(const DesktopParts& parts) {
+    const QSize view = parts.window.viewport().sizeInPixels();
+    parts.document.setViewSize({view.width(), view.height()});
+}
+
 void leaveOutUnseen(const DesktopParts& parts) {
     if (const auto& ledger = parts.bridge.lastLedger(); ledger && parts.document.hasVolume())
         parts.document.setSetup(leanSetup(parts.document, *ledger).setup);

@@ -22,6 +22,11 @@ void savePicture(const DesktopParts& parts, const QString& file, ui::Annotate an
 /// Gives up what the progress is shown of: reading, looking for a part of the body, a picture of surroundings, or else
 /// a picture that is being made.
 void cancelWhatRuns(const DesktopParts& parts);
+/// The film takes the view's size where its image is still coarse; one with samples worth keeping stays, and is scaled
+/// until something begins a new one.
+void keepOrFitFilm(const DesktopParts& parts);
+/// The film takes the view's size, and begins anew where that is another one.
+void fitFilm(const DesktopParts& parts);
 /// Does what the panel of effects offers.
 void leaveOutUnseen(const DesktopParts& parts);
 

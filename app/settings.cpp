@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/accuracy/quality.h"
 #include "ui/nodes/node_address.h"
 
 namespace pdr::app {
@@ -83,10 +84,10 @@ FrameBudget Settings::pace() const {
             store_.value(kFrames, usual.framesPerSecond).toDouble()};
 }
 
-/// Files are edited by hand: what is no target is the finest step.
+/// Files are edited by hand: what is no target is good for planning.
 double Settings::target() const {
-    const double kept = store_.value(kTarget, kFinestStep).toDouble();
-    return kept >= kFinestTarget && kept <= kCoarsestTarget ? kept : kFinestStep;
+    const double kept = store_.value(kTarget, kPlanningLevels).toDouble();
+    return kept >= kFinestTarget && kept <= kCoarsestTarget ? kept : kPlanningLevels;
 }
 
 bool Settings::captioned() const {

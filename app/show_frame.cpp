@@ -71,11 +71,11 @@ void keepWhatItTook(Settings& settings, const Frame& frame) {
             settings.keepPlanningSeconds(kindOf(frame), step.seconds.value / pixelsOf(frame));
 }
 
-/// What the last picture of the kind took per pixel, for those of the whole view: a coarse one has fewer.
+/// What the last picture of the kind took per pixel, for those of the whole film: a coarse one has fewer.
 std::optional<double> lastTime(const DesktopParts& parts, const Frame& frame) {
-    const QSize view = parts.window.viewport().sizeInPixels();
+    const ivec2 film = parts.document.scene().film;
     const std::optional<double> perPixel = parts.settings.planningSeconds(kindOf(frame));
-    return perPixel ? std::optional(*perPixel * view.width() * view.height()) : std::nullopt;
+    return perPixel ? std::optional(*perPixel * film.x * film.y) : std::nullopt;
 }
 
 /// By what this one took, or the last of its kind.
@@ -155,6 +155,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
                                         errorMapOf(frame), frame->smoothed});
     parts.window.cut().setPicture(frame->camera, {frame->size.x, frame->size.y});
     parts.window.setPictureOffer(fileNameOf(parts, *frame), costOf(parts, *frame));
+    parts.window.region().setPicture({frame->size.x, frame->size.y});
     parts.window.setPictureAvailable(true);
     parts.looks.setImageStands(true);
     keepWhatItTook(parts.settings, *frame);
@@ -174,7 +175,12 @@ void showStatus(const DesktopParts& parts) {
     foot.setAccuracy(accuracy);
     const QStringList remarks = remarksOn(parts, *frame);
     foot.setMaking(making);
-    foot.setRemarks(remarks);
+    QStringList beside = remarks;
+    for (const QString& text : smoothedTexts(*frame))  // which stands in the image
+        beside.removeAll(text);
+    if (parts.battery.rests())
+        beside.prepend(ui::MainWindow::tr("Rendering rests on battery: Space goes on"));
+    foot.setRemarks(beside);
     ui::AccuracyPanel& panel = parts.window.accuracy();
     panel.setAccuracy(accuracy, bridge.stop());
     panel.setBias(remarks);

@@ -37,4 +37,19 @@ void showNotice(const DesktopParts& parts, const QString& sentences) {
     parts.window.message().showNotice(sentences);
 }
 
+/// Said below what the folder that is opened has to say, until its series is there.
+void showOthersLeftOut(const DesktopParts& parts) {
+    auto* meanwhile = new QObject(&parts.window);
+    const auto say = [parts] {
+        parts.window.message().add(ui::MainWindow::tr("Only the first of the folders that were dropped is opened."));
+    };
+    const auto end = [meanwhile] { meanwhile->deleteLater(); };
+    QObject::connect(&parts.import, &ImportJob::scanned, meanwhile, say);
+    QObject::connect(&parts.import, &ImportJob::loaded, meanwhile, say);
+    QObject::connect(&parts.import, &ImportJob::failed, meanwhile, say);
+    QObject::connect(&parts.import, &ImportJob::loaded, meanwhile, end);
+    QObject::connect(&parts.import, &ImportJob::failed, meanwhile, end);
+    QObject::connect(&parts.import, &ImportJob::cancelled, meanwhile, end);
+}
+
 }  // namespace pdr::app

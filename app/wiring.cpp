@@ -18,6 +18,7 @@ void wireImport(const DesktopParts& parts) {
     ImportJob& import = parts.import;
     ui::MainWindow& window = parts.window;
     QObject::connect(&window, &ui::MainWindow::folderChosen, &import, &ImportJob::scanFolder);
+    QObject::connect(&window, &ui::MainWindow::othersLeftOut, &window, [parts] { showOthersLeftOut(parts); });
     QObject::connect(&window.series(), &ui::SeriesPanel::seriesChosen, &window,
                      [parts](int index) { showReading(parts, index); });
     QObject::connect(&window, &ui::MainWindow::cancelRequested, &import, &ImportJob::cancel);
@@ -45,9 +46,9 @@ void wireEdits(const DesktopParts& parts) {
     Document& document = parts.document;
     ui::MainWindow& window = parts.window;
     QObject::connect(&window.viewport(), &ui::Viewport::cameraEdited, &document, &Document::setCamera);
-    QObject::connect(&window.viewport(), &ui::Viewport::sizeInPixelsChanged, &document, [&document](QSize size) {
-        document.setViewSize({size.width(), size.height()});
-    });
+    QObject::connect(&window.viewport(), &ui::Viewport::sizeInPixelsChanged, &window,
+                     [parts] { keepOrFitFilm(parts); });
+    QObject::connect(&window, &ui::MainWindow::fitRequested, &window, [parts] { fitFilm(parts); });
     QObject::connect(&window, &ui::MainWindow::viewChosen, &document, &Document::setView);
     QObject::connect(&window, &ui::MainWindow::resetRequested, &document, &Document::resetView);
     QObject::connect(&window, &ui::MainWindow::tableChosen, &document,
@@ -174,6 +175,7 @@ void wireScreen(const DesktopParts& parts) {
     QObject::connect(&parts.bridge, &RenderBridge::deviceChanged, &window.rendering(), &ui::RenderPanel::setDevice);
     QObject::connect(&parts.bridge, &RenderBridge::noticed, &window,
                      [parts](const QString& sentences) { showNotice(parts, sentences); });
+    QObject::connect(&parts.battery, &BatteryRest::restsChanged, &window, [parts] { showStatus(parts); });
     QObject::connect(&parts.study, &TissueStudy::histogramFound, &window.tissue(), &ui::TissuePanel::setHistogram);
     QObject::connect(&parts.study, &TissueStudy::nothingFound, &window, [parts] {
         parts.window.status().showForAWhile(ui::MainWindow::tr("there is too little tissue at that place"));

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kSmall = 0.9;  ///< of the usual letters
 
-QLabel* smallLabel(const QString& accessibleName) {
-    auto* label = new QLabel;
+ElidedLabel* smallLabel(const QString& accessibleName) {
+    auto* label = new ElidedLabel;
     QFont font = label->font();
     font.setPointSizeF(kSmall * font.pointSizeF());
     label->setFont(font);
@@ -25,8 +25,8 @@ Foot::Foot(QWidget* parent)
       strip_(new AccuracyStrip),
       remarks_(smallLabel(tr("What else is true of the picture"))),
       limit_(smallLabel(tr("What the scan itself resolves"))) {
-    // Long remarks are cut off at their end; they must not make the window wider.
-    remarks_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    // Long remarks must not make the window wider; the limit is short, and has its room first.
+    limit_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     auto* last = new QHBoxLayout;
     last->setContentsMargins(8, 0, 8, 2);
     last->setSpacing(16);
@@ -57,12 +57,12 @@ void Foot::setMaking(const QString& making) {
 }
 
 void Foot::setRemarks(const QStringList& remarks) {
-    remarks_->setText(remarks.join(QString::fromUtf8(" · ")));
+    remarks_->setLine(remarks.join(QString::fromUtf8(" · ")));
     remarks_->setToolTip(remarks.join('\n'));
 }
 
 void Foot::setLimit(const QString& limit) {
-    limit_->setText(limit);
+    limit_->setLine(limit);
 }
 
 }  // namespace pdr::ui

@@ -3,6 +3,7 @@
 /// small letters what else is true. Setters are silent.
 
 #include "ui/accuracy_strip.h"
+#include "ui/elided_label.h"
 #include "ui/status_line.h"
 
 namespace pdr::ui {
@@ -21,7 +22,7 @@ class Foot : public QWidget {
     void clear();
     /// What the picture is made by, in the sentence's tool tip.
     void setMaking(const QString& making);
-    /// Sentences that are true of the picture; what has no room is cut off, and stands in the tool tip.
+    /// Sentences that are true of the picture; what has no room ends in dots, and stands in the tool tip.
     void setRemarks(const QStringList& remarks);
     /// What no computing can mend, at the right end.
     void setLimit(const QString& limit);
@@ -29,8 +30,8 @@ class Foot : public QWidget {
   private:
     StatusLine* status_;
     AccuracyStrip* strip_;
-    QLabel* remarks_;
-    QLabel* limit_;
+    ElidedLabel* remarks_;
+    ElidedLabel* limit_;
 };
 
 }  // namespace pdr::ui

@@ -1,5 +1,6 @@
 #include "ui/keys_overlay.h"
 
+#include <QApplication>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -19,7 +20,8 @@ const auto kGestures = std::to_array<Gesture>({
     {QT_TRANSLATE_NOOP("KeysOverlay", "Left drag, arrow keys"), QT_TRANSLATE_NOOP("KeysOverlay", "Turn the view")},
     {QT_TRANSLATE_NOOP("KeysOverlay", "Middle or Shift+left drag"), QT_TRANSLATE_NOOP("KeysOverlay", "Move the view")},
     {QT_TRANSLATE_NOOP("KeysOverlay", "Wheel, right drag, + and -"), QT_TRANSLATE_NOOP("KeysOverlay", "Zoom")},
-    {QT_TRANSLATE_NOOP("KeysOverlay", "Double click"), QT_TRANSLATE_NOOP("KeysOverlay", "Reset the view")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Home"), QT_TRANSLATE_NOOP("KeysOverlay", "Reset the view")},
+    {QT_TRANSLATE_NOOP("KeysOverlay", "Right click"), QT_TRANSLATE_NOOP("KeysOverlay", "What one does most")},
     {QT_TRANSLATE_NOOP("KeysOverlay", "Ctrl+drag on the picture"),
      QT_TRANSLATE_NOOP("KeysOverlay", "Shift the tissue's curve, widen it")},
     {QT_TRANSLATE_NOOP("KeysOverlay", "Ctrl+click on the picture"),
@@ -45,9 +47,10 @@ KeysOverlay::KeysOverlay(QWidget* window) : QWidget(window) {
 }
 
 void KeysOverlay::toggle(const QList<QAction*>& actions) {
-    setVisible(!isVisible());
-    if (!isVisible())
-        return;
+    if (isVisible())
+        return hide();
+    before_ = QApplication::focusWidget();
+    show();
     lines_.clear();
     for (const Gesture& gesture : kGestures)
         lines_ << Line{tr(gesture.hand), tr(gesture.effect)};
@@ -91,6 +94,13 @@ void KeysOverlay::keyPressEvent(QKeyEvent*) {
 
 void KeysOverlay::mousePressEvent(QMouseEvent*) {
     hide();
+}
+
+void KeysOverlay::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    if (before_)
+        before_->setFocus();
+    before_ = nullptr;
 }
 
 }  // namespace pdr::ui

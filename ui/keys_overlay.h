@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QList>
+#include <QPointer>
 #include <QWidget>
 
 namespace pdr::ui {
@@ -20,6 +21,7 @@ class KeysOverlay : public QWidget {
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
   private:
     struct Line {
@@ -27,6 +29,7 @@ class KeysOverlay : public QWidget {
     };
 
     QList<Line> lines_;
+    QPointer<QWidget> before_;  ///< had the keyboard
 };
 
 }  // namespace pdr::ui

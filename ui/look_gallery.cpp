@@ -110,6 +110,8 @@ LookGallery::Group& LookGallery::groupOf(const QString& name) {
     connect(heading, &QToolButton::clicked, this, [this, name](bool open) {
         open_[name] = open;
         unfold(name, open);
+        if (open)
+            emit unfolded(groups_[name].body);
     });
     column_->addWidget(heading);
     column_->addWidget(body);

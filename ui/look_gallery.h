@@ -46,6 +46,8 @@ class LookGallery : public QWidget {
 
   signals:
     void lookChosen(int index);
+    /// By hand; `group` holds its pictures.
+    void unfolded(QWidget* group);
 
   private:
     struct Group {

@@ -16,6 +16,8 @@ constexpr int kStops = 4;
 LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizontal) {
     connect(&gallery_, &LookGallery::lookChosen, this, &LookPanel::lookChosen);
     doesNotShow_.setWordWrap(true);
+    doesNotShow_.setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    doesNotShow_.setMinimumHeight(2 * doesNotShow_.fontMetrics().lineSpacing());  // what is below stays where it is
     doesNotShow_.setAccessibleName(tr("What this look does not show"));
 
     brightness_.setAccessibleName(tr("Brightness"));
@@ -43,7 +45,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     light_.setToolTip(tr("Where the light comes from (F8)"));
     connect(&light_, &QPushButton::clicked, this, &LookPanel::lightWanted);
 
-    camera_.setText(tr("&Camera..."));
+    camera_.setText(tr("Camer&a..."));
     camera_.setAccessibleName(tr("Edit the camera"));
     camera_.setToolTip(tr("Projection, focus and background (F7)"));
     connect(&camera_, &QPushButton::clicked, this, &LookPanel::cameraWanted);
@@ -60,7 +62,11 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     scroll_.setFrameShape(QFrame::NoFrame);
     scroll_.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_.setFocusPolicy(Qt::NoFocus);
+    scroll_.setMinimumHeight(LookGallery::kPicture + 40);  // a heading and a row of pictures
     gallery_.layout()->setAlignment(Qt::AlignTop);
+    connect(
+        &gallery_, &LookGallery::unfolded, this, [this](QWidget* group) { scroll_.ensureWidgetVisible(group, 0, 0); },
+        Qt::QueuedConnection);  // when it has got its place
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 6, 8, 10);
@@ -70,6 +76,10 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     column->addWidget(&doesNotShow_);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
+    for (QPushButton* edit : {&tissue_, &light_, &camera_}) {  // beside each other in a narrow column
+        edit->setProperty("narrow", true);
+        edit->setMinimumWidth(edit->fontMetrics().horizontalAdvance(edit->text().remove('&')) + 14);
+    }
     auto* edits = new QHBoxLayout;
     edits->addWidget(&tissue_);
     edits->addWidget(&light_);
@@ -87,21 +97,6 @@ void LookPanel::setLook(int index) {
 
 void LookPanel::setDoesNotShow(const QString& sentence) {
     doesNotShow_.setText(sentence);
-    doesNotShow_.setHidden(sentence.isEmpty());
-    makeRoom();
-}
-
-void LookPanel::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    makeRoom();
-}
-
-/// A sliver of the gallery is of no use, and takes the room of the words below it.
-void LookPanel::makeRoom() {
-    constexpr int kLeast = LookGallery::kPicture + 40;  // a heading and a row of pictures
-    const int gallery = scroll_.isHidden() ? 0 : scroll_.minimumSizeHint().height() + layout()->spacing();
-    const int others = layout()->minimumHeightForWidth(width()) - gallery;
-    scroll_.setVisible(height() - others >= kLeast + layout()->spacing());
 }
 
 void LookPanel::setBrightness(double stops) {

@@ -43,12 +43,7 @@ class LookPanel : public QWidget {
     /// The same of the camera.
     void cameraWanted();
 
-  protected:
-    void resizeEvent(QResizeEvent* event) override;
-
   private:
-    void makeRoom();
-
     QScrollArea scroll_;  ///< around the gallery, which leaves it first
     LookGallery gallery_;
     QLabel doesNotShow_;

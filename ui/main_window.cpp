@@ -13,6 +13,7 @@
 #include "ui/file_dialogs.h"
 #include "ui/keys_dialog.h"
 #include "ui/program_icon.h"
+#include "ui/wheel_guard.h"
 
 namespace pdr::ui {
 namespace {
@@ -54,7 +55,7 @@ MainWindow::MainWindow()
       nodes_(new NodesPanel),
       foot_(new Foot),
       accuracy_(new AccuracyPanel),
-      message_(new MessageBar),
+      message_(new MessageBar(viewport_)),
       start_(new StartPanel),
       keys_(new KeysOverlay(this)),
       docks_(new WindowDocks(*this, *viewport_,
@@ -62,17 +63,11 @@ MainWindow::MainWindow()
                               accuracy_, effects_, nodes_})),
       actions_(fillMenus(*menuBar(), docks_->toggles(), *cut_)),
       bindings_(namedActions(*menuBar())) {
-    auto* middle = new QWidget;
-    auto* column = new QVBoxLayout(middle);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(message_);
-    column->addWidget(viewport_, 1);
     auto* inPlaceOfThePicture = new QGridLayout(viewport_);
     inPlaceOfThePicture->addWidget(start_, 0, 0, Qt::AlignCenter);
     start_->hide();
     viewport_->setOverlay([this] { return whatIsSeen(); });
-    setCentralWidget(middle);
+    setCentralWidget(viewport_);
     statusBar()->addWidget(foot_, 1);
     statusBar()->setSizeGripEnabled(false);
 
@@ -89,6 +84,7 @@ MainWindow::MainWindow()
     connect(docks_, &WindowDocks::cutShown, cut_, &CutTools::showHandles);
     connect(docks_, &WindowDocks::effectsShown, this, &MainWindow::effectsShown);
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
+    connect(viewport_, &Viewport::menuRequested, this, &MainWindow::showMenu);
     connect(viewport_, &Viewport::tissuePicked, this, [this] { setPicking(Viewport::Picking::nothing); });
     connect(viewport_, &Viewport::focusPicked, this, [this] { setPicking(Viewport::Picking::nothing); });
     connect(tissue_, &TissuePanel::pickingChosen, this,
@@ -104,6 +100,7 @@ MainWindow::MainWindow()
     connect(look_, &LookPanel::cameraWanted, docks_->toggleCamera(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::textClicked, docks_->toggleAccuracy(), &QAction::trigger);
 
+    guardWheels(*this);
     setWindowIcon(programIcon());
     setAcceptDrops(true);
     setUndoAvailable(false, false);
@@ -134,6 +131,7 @@ void MainWindow::connectViewActions() {
         connect(actions_.views[i], &QAction::triggered, this, [this, i] { emit viewChosen(StandardView(i)); });
     viewport_->addAction(actions_.pause);  // its key counts there only
     connect(actions_.firstView, &QAction::triggered, this, &MainWindow::resetRequested);
+    connect(actions_.fit, &QAction::triggered, this, &MainWindow::fitRequested);
     connect(actions_.pause, &QAction::triggered, this, &MainWindow::pauseChosen);
     connect(actions_.smoothed, &QAction::triggered, this, &MainWindow::smoothingChosen);
     connect(actions_.table, &QAction::triggered, this, &MainWindow::tableChosen);
@@ -196,7 +194,7 @@ void MainWindow::setVolumeAvailable(bool available) {
     for (QAction* view : actions_.views)
         view->setEnabled(available);
     for (QAction* action :
-         {actions_.firstView, actions_.pause, actions_.smoothed, actions_.errorMap, actions_.boxFirst})
+         {actions_.firstView, actions_.fit, actions_.pause, actions_.smoothed, actions_.errorMap, actions_.boxFirst})
         action->setEnabled(available);
     look_->setEnabled(available);
 }
@@ -264,6 +262,21 @@ void MainWindow::setPicking(Viewport::Picking picking) {
     camera_->setPicking(picking == Viewport::Picking::focus);
 }
 
+/// What one does most with the picture, and what has no other button where it is alone.
+void MainWindow::showMenu(QPoint place) {
+    auto* menu = new QMenu(this);
+    menu->setObjectName("pictureMenu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions({actions_.firstView, actions_.fit, actions_.pause});
+    menu->addSeparator();
+    menu->addActions({actions_.smoothed, actions_.errorMap, actions_.boxFirst});
+    menu->addSeparator();
+    menu->addActions({actions_.undo, actions_.redo, actions_.copy, actions_.save});
+    menu->addSeparator();
+    menu->addActions({actions_.hideName, actions_.alone, actions_.keys});
+    menu->popup(viewport_->mapToGlobal(place));
+}
+
 void MainWindow::chooseFolder() {
     const QString folder = askForFolder(this, lastFolder_);
     if (!folder.isEmpty())
@@ -327,6 +340,8 @@ QStringList MainWindow::whatIsSeen() const {
 }
 
 void MainWindow::escape() {
+    if (keys_->isVisible())
+        return keys_->hide();
     if (cut_->giveUp())
         return;
     if (region_->isDrawing()) {

@@ -2,6 +2,7 @@
 /// The desktop's window: the picture in the middle, the series on the left, the look and the rendering on the right,
 /// the truth about it at the foot. It shows values and emits edits; it knows no renderer and no importer.
 
+#include <QFileInfo>
 #include <QMainWindow>
 #include <optional>
 
@@ -31,6 +32,9 @@
 
 namespace pdr::ui {
 
+/// What is opened of `path`: the folder that a file lies in, or it itself.
+QString folderOf(const QFileInfo& path);
+
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -38,6 +42,7 @@ class MainWindow : public QMainWindow {
     MainWindow();
 
     Viewport& viewport() { return *viewport_; }
+    RegionBox& region() { return *region_; }
     SeriesPanel& series() { return *series_; }
     LookPanel& look() { return *look_; }
     VisibleRow& visible() { return *visible_; }
@@ -99,6 +104,8 @@ class MainWindow : public QMainWindow {
 
   signals:
     void folderChosen(const QString& folder);
+    /// More was dropped than folderChosen() told.
+    void othersLeftOut();
     /// A picture of surroundings that is to light the volume.
     void skyDropped(const QString& file);
     /// What is on the screen, as it is.
@@ -116,6 +123,8 @@ class MainWindow : public QMainWindow {
     void redoRequested();
     void viewChosen(pdr::StandardView view);
     void resetRequested();
+    /// The image is to be rendered at the size at which it is shown.
+    void fitRequested();
     void pauseChosen(bool paused);
     void smoothingChosen(bool smoothed);
     void tableChosen(bool shown);
@@ -145,6 +154,7 @@ class MainWindow : public QMainWindow {
     void connectEditActions();
     void connectViewActions();
     void setPicking(Viewport::Picking picking);
+    void showMenu(QPoint place);
     void chooseFolder();
     void chooseFile();
     void showPictureAlone(bool alone);

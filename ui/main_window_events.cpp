@@ -10,6 +10,10 @@
 
 namespace pdr::ui {
 
+QString folderOf(const QFileInfo& path) {
+    return path.isFile() ? path.absolutePath() : path.absoluteFilePath();
+}
+
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange)
@@ -38,14 +42,20 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
         event->acceptProposedAction();
 }
 
-/// A file stands for the folder that it lies in, but for a picture of surroundings.
+/// A file stands for the folder that it lies in, but for a picture of surroundings. Files of one folder are one.
 void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList folders;
+    for (const QUrl& url : event->mimeData()->urls())
+        folders << folderOf(QFileInfo(url.toLocalFile()));
+    folders.removeDuplicates();
     const QFileInfo dropped(event->mimeData()->urls().value(0).toLocalFile());
     event->acceptProposedAction();
     if (dropped.isFile() && dropped.suffix().compare("exr", Qt::CaseInsensitive) == 0)
         emit skyDropped(dropped.absoluteFilePath());
     else
-        emit folderChosen(dropped.isFile() ? dropped.absolutePath() : dropped.absoluteFilePath());
+        emit folderChosen(folders.first());
+    if (folders.size() > 1)
+        emit othersLeftOut();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

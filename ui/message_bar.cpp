@@ -2,13 +2,13 @@
 
 #include <QHBoxLayout>
 #include <QStyle>
-#include <QToolButton>
+#include <algorithm>
 
 #include "ui/to_qt.h"
 
 namespace pdr::ui {
 
-MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
+MessageBar::MessageBar(QWidget* picture) : Floating(picture) {
     setObjectName("message");  // by which the style sheet colours it
     QFont large = font();
     large.setPointSizeF(large.pointSizeF() * 1.6);
@@ -17,6 +17,17 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     text_.setWordWrap(true);
     text_.setTextFormat(Qt::PlainText);
     text_.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    text_.setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    lines_.setWidget(&text_);
+    lines_.setWidgetResizable(true);
+    lines_.setFrameShape(QFrame::NoFrame);
+    lines_.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    lines_.setFocusPolicy(Qt::NoFocus);
+    details_.setText(tr("Details"));
+    details_.setAccessibleName(tr("All of the message"));
+    details_.setCheckable(true);
+    details_.setToolTip(tr("Shows all of the message"));
+    connect(&details_, &QToolButton::toggled, this, &MessageBar::fit);
     offer_.setAccessibleName(tr("What can be done"));
     offer_.hide();
     connect(&offer_, &QPushButton::clicked, this, [this] {
@@ -33,7 +44,8 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     row->setContentsMargins(12, 6, 6, 6);
     row->setSpacing(12);
     row->addWidget(&symbol_);
-    row->addWidget(&text_, 1);
+    row->addWidget(&lines_, 1);
+    row->addWidget(&details_);
     row->addWidget(&offer_);
     row->addWidget(close, 0, Qt::AlignTop);
     hide();
@@ -52,6 +64,13 @@ void MessageBar::showNotice(const QString& sentences) {
     showText(sentences, false);
 }
 
+void MessageBar::add(const QString& sentence) {
+    if (isHidden())
+        return showNotice(sentence);
+    text_.setText(text_.text() + '\n' + sentence);
+    fit();
+}
+
 void MessageBar::showText(const QString& text, bool warning) {
     text_.setText(text);
     symbol_.setText(QString::fromUtf8(warning ? "\u26A0" : "\u2139"));
@@ -60,7 +79,37 @@ void MessageBar::showText(const QString& text, bool warning) {
     for (QWidget* part : parts)
         part->style()->polish(part);  // coloured by what the property says now
     offer_.hide();
+    details_.setChecked(false);
     show();
+    fit();
+}
+
+/// Below the letter at the upper edge, on the right, so that what is written on the left stays legible.
+QRect MessageBar::placeIn(QSize view) {
+    constexpr int kMost = 640, kMargin = 12, kLetter = 40;
+    const int width = std::min(view.width() - 2 * kMargin, kMost);
+    resize(width, height());
+    fit();
+    return {view.width() - kMargin - width, kLetter, width, sizeHint().height()};
+}
+
+void MessageBar::resizeEvent(QResizeEvent* event) {
+    Floating::resizeEvent(event);
+    fit();
+}
+
+void MessageBar::fit() {
+    constexpr int kShort = 2, kLong = 12;
+    layout()->activate();
+    const int line = text_.fontMetrics().lineSpacing(), beside = details_.sizeHint().width() + layout()->spacing();
+    const auto heightIn = [&](int width) { return text_.heightForWidth(std::max(width, line)); };
+    const int wide = lines_.width() + (details_.isHidden() ? 0 : beside);
+    const bool isLong = heightIn(wide) > kShort * line + line / 2;
+    details_.setVisible(isLong);
+    const int whole = heightIn(isLong ? wide - beside : wide);
+    const bool all = !isLong || details_.isChecked();
+    lines_.setFixedHeight(all ? std::min(whole, kLong * line) : kShort * line);
+    lines_.setVerticalScrollBarPolicy(all && whole > kLong * line ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
 }
 
 void MessageBar::offer(const QString& action) {

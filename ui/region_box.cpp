@@ -3,6 +3,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "ui/shown_picture.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -12,6 +14,11 @@ constexpr double kLeastSide = 6;  ///< of a box [px]: less is a click
 
 void RegionBox::setBox(const std::optional<QRectF>& box) {
     box_ = box;
+    update();
+}
+
+void RegionBox::setPicture(QSize size) {
+    size_ = size;
     update();
 }
 
@@ -38,16 +45,29 @@ void RegionBox::mouseReleaseEvent(QMouseEvent* event) {
     if (box.width() < kLeastSide || box.height() < kLeastSide)
         emit notDrawn();
     else
-        emit drawn({box.x() / width(), box.y() / height(), box.width() / width(), box.height() / height()});
+        emit drawn(inParts(box));
 }
 
 /// [px]
 QRectF RegionBox::dragged() const {
-    return QRectF(*from_, to_).normalized() & QRectF(rect());
+    return QRectF(*from_, to_).normalized() & QRectF(rect()) & area();
+}
+
+/// Of the picture [px]
+QRectF RegionBox::area() const {
+    return size_.isEmpty() ? QRectF(rect()) : pictureArea(size_, {size(), devicePixelRatioF()});
+}
+
+QRectF RegionBox::inParts(const QRectF& box) const {
+    const QRectF whole = area();
+    return {(box.x() - whole.x()) / whole.width(), (box.y() - whole.y()) / whole.height(), box.width() / whole.width(),
+            box.height() / whole.height()};
 }
 
 QRectF RegionBox::inPixels(const QRectF& box) const {
-    return {box.x() * width(), box.y() * height(), box.width() * width(), box.height() * height()};
+    const QRectF whole = area();
+    return {whole.x() + box.x() * whole.width(), whole.y() + box.y() * whole.height(), box.width() * whole.width(),
+            box.height() * whole.height()};
 }
 
 void RegionBox::paintEvent(QPaintEvent*) {

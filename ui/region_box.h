@@ -17,6 +17,8 @@ class RegionBox : public PictureLayer {
 
     /// Fractions of the picture's width and height; none: there is no box.
     void setBox(const std::optional<QRectF>& box);
+    /// Of so many pixels, in its view as pictureArea() has it; at first it fills the view.
+    void setPicture(QSize size);
     /// The next drag draws a box; until then the mouse does nothing else.
     void startDrawing() { takeMouse(); }
     void stopDrawing();
@@ -36,8 +38,11 @@ class RegionBox : public PictureLayer {
 
   private:
     QRectF dragged() const;
+    QRectF area() const;
+    QRectF inParts(const QRectF& box) const;
     QRectF inPixels(const QRectF& box) const;
 
+    QSize size_;  ///< of the picture; empty: as the view's
     std::optional<QRectF> box_;
     std::optional<QPointF> from_;  ///< where the drag began [px]; none: it has not
     QPointF to_;

@@ -28,7 +28,7 @@ RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addRow(&device_);  // the whole row: names of GPUs are long
     rows->addRow(&automatic_);
-    rows->addRow(tr("&Frame rate"), &framesPerSecond_);
+    rows->addRow(tr("Frame &rate"), &framesPerSecond_);
     rows->addRow(tr("&Iterations per picture"), &iterations_);
 
     auto* column = new QVBoxLayout(this);

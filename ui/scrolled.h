@@ -6,10 +6,9 @@
 
 namespace pdr::ui {
 
-/// `content`, which belongs to it, without a frame. It scrolls up and down, and sideways only where what it shows has
-/// grown.
-inline QScrollArea* scrolled(QWidget* content) {
-    auto* area = new QScrollArea;
+/// `area` around `content`, which belongs to it, without a frame. It scrolls up and down, and sideways only where what
+/// it shows has grown.
+inline QScrollArea* scrolled(QWidget* content, QScrollArea* area = new QScrollArea) {
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
     area->setMinimumWidth(content->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width());

@@ -12,6 +12,24 @@ namespace {
 
 constexpr int kMargin = 12;
 
+/// Of the screen.
+QSize sizeInPixels(const PictureView& view) {
+    return (QSizeF(view.size) * view.pixelRatio).toSize();
+}
+
+/// A panel that takes a few rows does not blur the image.
+bool isPixelByPixel(const QSize& image, const PictureView& view) {
+    constexpr double kSame = 0.02;
+    const int height = sizeInPixels(view).height();
+    return std::abs(image.height() - height) <= kSame * height;
+}
+
+/// Of an image in the middle of the view, of which it may be larger [the screen's pixels].
+QPoint cornerInPixels(const QSize& image, const PictureView& view) {
+    const QSize beside = sizeInPixels(view) - image;
+    return {beside.width() / 2, beside.height() / 2};
+}
+
 /// One at each end, open towards the other.
 QPainterPath bracketsAround(const QLineF& line) {
     constexpr double kBeyond = 4, kHalf = 6, kHook = 4;
@@ -44,10 +62,10 @@ struct Painting {
 };
 
 void Painting::paintImage(const QImage& image) const {
-    if (image.size() == (QSizeF(view.size) * view.pixelRatio).toSize()) {
-        // pixel by pixel, also where one is no whole part of a length
+    if (isPixelByPixel(image.size(), view)) {
+        // also where one is no whole part of a length
         painter.scale(1 / view.pixelRatio, 1 / view.pixelRatio);
-        painter.drawImage(QPointF(0, 0), image);
+        painter.drawImage(cornerInPixels(image.size(), view), image);
         return painter.resetTransform();
     }
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
@@ -87,6 +105,8 @@ void Painting::paintTexts() const {
 }  // namespace
 
 QRectF pictureArea(const QSize& image, const PictureView& view) {
+    if (isPixelByPixel(image, view))
+        return {QPointF(cornerInPixels(image, view)) / view.pixelRatio, QSizeF(image) / view.pixelRatio};
     const double scale = double(view.size.height()) / image.height();
     QRectF area(0, 0, image.width() * scale, view.size.height());
     area.moveCenter(QRectF({}, QSizeF(view.size)).center());

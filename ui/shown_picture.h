@@ -31,8 +31,9 @@ struct PictureView {
     QStringList overlay;     ///< lines in the upper left corner
 };
 
-/// The part of the view that the picture takes. The field of view belongs to the height, so the picture is fitted to
-/// it: while the window is resized the patient keeps his size until the new picture comes.
+/// The part of the view that the picture takes, in its middle [px]. The field of view belongs to the height, so the
+/// picture is fitted to it: what is seen is what a picture of the view's own size would show, at the same place. Where
+/// the heights are all but the same, it is shown pixel by pixel.
 QRectF pictureArea(const QSize& image, const PictureView& view);
 /// The picture, with the map, letters, cube, brackets and texts over it. What it leaves free stays as it was.
 void paintShownPicture(QPainter& painter, const ShownPicture& picture, const PictureView& view);

@@ -21,7 +21,7 @@ StartPanel::StartPanel(QWidget* parent) : QFrame(parent), recentColumn_(new QVBo
     open_.setText(tr("&Open a folder..."));
     open_.setAccessibleName(tr("Open a folder"));
     connect(&open_, &QPushButton::clicked, this, &StartPanel::openRequested);
-    example_.setText(tr("Open the &example"));
+    example_.setText(tr("Open the e&xample"));
     example_.setAccessibleName(tr("Open the example"));
     example_.setToolTip(tr("A CT to try with, which belongs to the program"));
     example_.hide();

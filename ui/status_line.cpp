@@ -10,8 +10,9 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
     text_.setAccessibleName(tr("How good the picture is"));
     text_.setCursor(Qt::PointingHandCursor);
     setDetails({});
-    // A long line is cut off at its end; it must not make the window wider.
-    text_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    // A long remark leaves the text some room.
+    step_.setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    step_.setMaximumWidth(420);
     bar_.setAccessibleName(tr("Progress"));
     bar_.setRange(0, 1000);
     bar_.setTextVisible(false);
@@ -35,15 +36,26 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
 }
 
 void StatusLine::setText(const QString& text) {
-    text_.setText(text);
+    text_.setLine(text);
+    showTip();
 }
 
 void StatusLine::setDetails(const QString& details) {
+    details_ = details;
+    showTip();
+}
+
+/// With the text, which may end in dots.
+void StatusLine::showTip() {
     const QString meaning =
         tr("How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the "
            "pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its "
            "own, and may lack fine detail: S shows the raw one. A click tells more.");
-    text_.setToolTip(details.isEmpty() ? meaning : "<p>" + meaning + "</p><p>" + details.toHtmlEscaped() + "</p>");
+    QString tip;
+    for (const QString& part : {text_.text(), meaning, details_})
+        if (!part.isEmpty())
+            tip += "<p>" + part.toHtmlEscaped() + "</p>";
+    text_.setToolTip(tip);
 }
 
 /// The label lets clicks through.
@@ -53,14 +65,14 @@ void StatusLine::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void StatusLine::showForAWhile(const QString& remark) {
-    step_.setText(remark);
+    step_.setLine(remark);
     step_.show();
     remarkTimer_.start();
 }
 
 void StatusLine::setProgress(double fraction, const QString& step) {
     remarkTimer_.stop();
-    step_.setText(step);
+    step_.setLine(step);
     bar_.setValue(int(fraction * bar_.maximum()));
     for (QWidget* part : std::initializer_list<QWidget*>{&step_, &bar_, &cancel_})
         part->show();

@@ -7,6 +7,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "ui/elided_label.h"
+
 namespace pdr::ui {
 
 class StatusLine : public QWidget {
@@ -34,8 +36,11 @@ class StatusLine : public QWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
 
   private:
-    QLabel text_;
-    QLabel step_;
+    void showTip();
+
+    ElidedLabel text_;
+    QString details_;
+    ElidedLabel step_;
     QTimer remarkTimer_;
     QProgressBar bar_;
     QPushButton cancel_;

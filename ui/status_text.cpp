@@ -68,12 +68,13 @@ QString gridText(dvec3 spacingMm) {
 }
 
 QString stretchedText(ivec2 picture, QSize view) {
-    if (picture == ivec2(view.width(), view.height()))
+    const double scale = double(view.height()) / picture.y;
+    if (std::abs(scale - 1) <= 0.02)  // which is shown pixel by pixel
         return {};
     return translated("%1 × %2 pixels stretched to %3 × %4")
         .arg(picture.x)
         .arg(picture.y)
-        .arg(view.width())
+        .arg(std::lround(picture.x * scale))
         .arg(view.height());
 }
 

@@ -12,11 +12,14 @@ QPushButton:pressed { background: @pressed; }
 QPushButton:disabled { color: @disabled; border-color: @faint; }
 QPushButton:checked { background: @accent; border-color: @accentEdge; font-weight: bold; color: @onAccent; }
 QPushButton:focus { border: 2px solid @focus; padding: 5px 11px; }
+QPushButton[narrow="true"] { padding: 6px; }
+QPushButton[narrow="true"]:focus { padding: 5px; }
 QToolTip { background: @base; color: @text; border: 1px solid @border; }
 QMainWindow::separator { width: 1px; height: 1px; background: @faint; }
 QStatusBar::item { border: none; }
 #start { background: @window; border: 1px solid @border; border-radius: 8px; }
-#message { background: @notice; }
+#message { background: @notice; border: 1px solid @border; border-radius: 6px; }
+#message QScrollArea, #message QScrollArea > QWidget > QWidget { background: transparent; }
 #message QLabel, #message QToolButton { color: @onNotice; }
 #message[warning="true"] { background: @warning; }
 #message[warning="true"] QLabel, #message[warning="true"] QToolButton { color: @onWarning; }

@@ -1,5 +1,6 @@
 #include "ui/viewport.h"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -18,6 +19,7 @@ namespace {
 constexpr double kKeyStep = 1.0 / 24;  // of the view's height: 7.5 degrees
 constexpr double kZoomPerWheelClick = 1.15;
 constexpr double kZoomPerHeight = 8;  // magnification of a drag over the whole height
+constexpr double kTremble = 3;        // of a hand that clicks [px]
 constexpr auto kRestAfter = std::chrono::milliseconds(250);
 constexpr auto kSettledAfter = std::chrono::milliseconds(200);
 
@@ -91,7 +93,6 @@ void Viewport::setPicking(Picking picking) {
 }
 
 void Viewport::dragTissue(QPointF point) {
-    constexpr double kTremble = 3;  // [px]
     tissueMoved_ = tissueMoved_ || QLineF(pressed_, point).length() > kTremble;
     const dvec2 drag = inHeights(point - pressed_);
     if (tissueMoved_ && picking_ == Picking::nothing)
@@ -204,6 +205,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     if (event->buttons() != Qt::NoButton)
         return;
     const Gesture ended = std::exchange(gesture_, Gesture::none);
+    if (ended == Gesture::zoom && QLineF(pressed_, event->position()).length() <= kTremble)
+        emit menuRequested(event->position().toPoint());
     if (ended == Gesture::tissue)
         endTissue(event->position());
     if (ended == Gesture::light)
@@ -211,9 +214,10 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     rest();
 }
 
-void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (!event->modifiers().testFlag(Qt::ControlModifier))
-        emit resetRequested();
+/// That of the mouse comes with the press, which may begin a drag.
+void Viewport::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() != QContextMenuEvent::Mouse)
+        emit menuRequested(rect().center());
 }
 
 /// The point under the cursor stays under it.
@@ -241,6 +245,8 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
             return turnOrMove({0, -kKeyStep});
         case Qt::Key_Down:
             return turnOrMove({0, kKeyStep});
+        case Qt::Key_Home:
+            return emit resetRequested();
         case Qt::Key_Plus:
         case Qt::Key_Equal:
             return editInSteps(zoomed(*camera_, kZoomPerWheelClick));

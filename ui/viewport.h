@@ -59,9 +59,11 @@ class Viewport : public QWidget {
     void focusPicked(QPointF place);
     /// The mouse rests on the picture: at `place`, in fractions of its width and height.
     void rested(QPointF place);
-    /// A double click.
+    /// By Home, which is the strip's and the fields' own elsewhere.
     void resetRequested();
-    /// With a picture only when the size has settled: until then the picture is stretched. It may be the old one.
+    /// A right click, or the menu's key: at `place` [px].
+    void menuRequested(QPoint place);
+    /// With a picture only when the size has settled: until then the picture is scaled. It may be the old one.
     void sizeInPixelsChanged(QSize size);
 
   protected:
@@ -73,7 +75,7 @@ class Viewport : public QWidget {
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 

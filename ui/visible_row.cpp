@@ -25,13 +25,14 @@ VisibleRow::VisibleRow(QWidget* parent) : QWidget(parent) {
 
     notShown_.setWordWrap(true);
     notShown_.setForegroundRole(QPalette::PlaceholderText);
-    notShown_.hide();
+    notShown_.setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    notShown_.setMinimumHeight(2 * notShown_.fontMetrics().lineSpacing());  // what is above stays where it is
 
     part_.setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
 
     auto* form = new QFormLayout(this);
     form->setContentsMargins(10, 0, 10, 8);
-    form->addRow(tr("S&how"), &part_);
+    form->addRow(tr("Sho&w"), &part_);
     form->addRow(tr("&Peel"), &peel_);
     form->addRow(&notShown_);
 }
@@ -44,7 +45,6 @@ void VisibleRow::setChoice(const Visible& visible) {
 
 void VisibleRow::setNotShown(const QString& sentences) {
     notShown_.setText(sentences);
-    notShown_.setVisible(!sentences.isEmpty());
 }
 
 void VisibleRow::choose() {

@@ -33,7 +33,8 @@ void fillFileMenu(QMenuBar& bar, WindowActions& actions) {
 void fillEditMenu(QMenuBar& bar, WindowActions& actions) {
     QMenu* menu = bar.addMenu(Texts::tr("&Edit"));
     actions.undo = menu->addAction(Texts::tr("&Undo"), QKeySequence::Undo);
-    actions.redo = menu->addAction(Texts::tr("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+    actions.redo = menu->addAction(Texts::tr("&Redo"));
+    actions.redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     menu->addSeparator();
     actions.copy = menu->addAction(Texts::tr("&Copy picture"), QKeySequence::Copy);
 }
@@ -45,6 +46,7 @@ void addViews(QMenu& menu, WindowActions& actions) {
     for (std::size_t i = 0; i < names.size(); ++i)
         actions.views[i] = menu.addAction(names[i], QKeySequence(Qt::Key(Qt::Key_1 + int(i))));
     actions.firstView = menu.addAction(Texts::tr("R&eset view"), QKeySequence(Qt::Key_R));
+    actions.fit = menu.addAction(Texts::tr("Render at the window's si&ze"));
 }
 
 /// How the picture is made and shown.
@@ -100,7 +102,7 @@ void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& a
 void fillHelpMenu(QMenuBar& bar, WindowActions& actions) {
     QMenu* menu = bar.addMenu(Texts::tr("&Help"));
     actions.keys = menu->addAction(Texts::tr("&Keys"));
-    actions.keys->setShortcuts({QKeySequence(Qt::Key_H), QKeySequence(Qt::Key_Question)});
+    actions.keys->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_H), QKeySequence(Qt::Key_Question)});
     actions.editKeys = menu->addAction(Texts::tr("&Edit keys..."));
     actions.about = menu->addAction(Texts::tr("&About PD-Render"));
 }
@@ -126,6 +128,9 @@ void describe(const WindowActions& actions) {
              {actions.redo, "redo", {}},
              {actions.copy, "copy", Texts::tr("Copies the picture to the clipboard, with its caption and no name.")},
              {actions.firstView, "firstView", Texts::tr("Shows the patient as when the series was opened.")},
+             {actions.fit, "fitImage",
+              Texts::tr(
+                  "Begins the image anew with as many pixels as it is shown with; the next edit does so as well.")},
              {actions.pause, "pause", Texts::tr("Holds the rendering, or lets it go on, also beyond the target.")},
              {actions.smoothed, "smoothed",
               Texts::tr("Shows the picture without its noise, or raw as it is computed.")},

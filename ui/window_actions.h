@@ -17,7 +17,7 @@ struct WindowActions {
     RecentMenu* recent;
     QAction *undo, *redo, *copy;
     std::array<QAction*, 6> views;  ///< in the order of StandardView
-    QAction* firstView;
+    QAction *firstView, *fit;
     QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *hideName, *alone;
     std::array<QAction*, 3> themes;  ///< in the order of ThemeChoice; one is checked
     QActionGroup* languages;         ///< each with its code as data, empty for the system's; one is checked

@@ -1,14 +1,12 @@
 #include "ui/window_docks.h"
 
 #include <QAction>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QMenuBar>
 #include <QStatusBar>
-#include <QToolButton>
 #include <algorithm>
 #include <utility>
 
+#include "ui/panel_title.h"
 #include "ui/scrolled.h"
 
 namespace pdr::ui {
@@ -16,26 +14,14 @@ namespace {
 
 constexpr int kEditorColumn = 316;  ///< [px]
 constexpr int kChoosing = 380;      ///< of the series, with room for names and IDs [px]
+constexpr int kLookHeight = 200;    ///< at least, above an editor; the rest is reached by scrolling
+constexpr int kEditorHeight = 320;  ///< likewise
 
-/// A quiet heading with a way to fold the panel.
-QWidget* panelTitle(const QString& title, QDockWidget* dock) {
-    auto* heading = new QLabel(title);
-    heading->setForegroundRole(QPalette::PlaceholderText);
-    auto* fold = new QToolButton;
-    fold->setText(QChar(0x00D7));
-    fold->setAutoRaise(true);
-    fold->setFocusPolicy(Qt::TabFocus);
-    fold->setAccessibleName(WindowDocks::tr("Fold %1 away").arg(title));
-    fold->setToolTip(WindowDocks::tr("Fold away (%1)").arg(dock->toggleViewAction()->shortcut().toString()));
-    QObject::connect(fold, &QToolButton::clicked, dock->toggleViewAction(), &QAction::trigger);
-
-    auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(10, 4, 6, 2);
-    row->addWidget(heading, 1);
-    row->addWidget(fold);
-    return bar;
-}
+/// As wide as what it holds would like to be, with its scroll bar.
+class ScrolledLooks : public QScrollArea {
+  public:
+    QSize sizeHint() const override { return widget()->sizeHint() + QSize(verticalScrollBar()->sizeHint().width(), 0); }
+};
 
 }  // namespace
 
@@ -45,22 +31,25 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       picture_(picture),
       panels_(panels),
       series_(add("Series", tr("Series"), panels.series, Qt::LeftDockWidgetArea, Qt::Key_F2)),
-      look_(add("Look", tr("Appearance"), panels.look, Qt::RightDockWidgetArea, Qt::Key_F3)),
+      look_(
+          add("Look", tr("Appearance"), scrolled(panels.look, new ScrolledLooks), Qt::RightDockWidgetArea, Qt::Key_F3)),
       tissue_(add("Tissue", tr("Tissue"), scrolled(panels.tissue), Qt::RightDockWidgetArea, Qt::Key_F5)),
       light_(add("Light", tr("Light"), scrolled(panels.light), Qt::RightDockWidgetArea, Qt::Key_F8)),
       camera_(add("Camera", tr("Camera"), scrolled(panels.camera), Qt::RightDockWidgetArea, Qt::Key_F7)),
       cut_(add("Cut", tr("Cut"), scrolled(panels.cut), Qt::RightDockWidgetArea, Qt::Key_F9)),
       rendering_(add("Rendering", tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
-      accuracy_(add("Accuracy", tr("Accuracy"), panels.accuracy, Qt::BottomDockWidgetArea, Qt::SHIFT | Qt::Key_E)),
+      accuracy_(new FloatingPanel(&picture, tr("Accuracy"), panels.accuracy, Qt::SHIFT | Qt::Key_E)),
       effects_(add("Effects", tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
       nodes_(add("Nodes", tr("Render nodes"), panels.nodes, Qt::BottomDockWidgetArea, Qt::Key_F12)) {
-    for (QDockWidget* folded : {tissue_, light_, camera_, cut_, rendering_, accuracy_, effects_, nodes_})
+    look_->widget()->setMinimumHeight(kLookHeight);
+    for (QDockWidget* folded : {tissue_, light_, camera_, cut_, rendering_, effects_, nodes_})
         folded->hide();
+    nameToggle(*accuracy_->toggleViewAction(), "Accuracy");
     sides_ = {series_, look_, rendering_, tissue_, light_, camera_, cut_};
     editors_ = {{tissue_, panels.tissue}, {light_, panels.light}, {camera_, panels.camera}, {cut_, panels.cut}};
     for (QDockWidget* dock : std::as_const(sides_))
         connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) { opened(dock, shown); });
-    below_ = {accuracy_, effects_, nodes_};
+    below_ = {effects_, nodes_};
     for (QDockWidget* dock : std::as_const(below_))
         connect(dock->toggleViewAction(), &QAction::triggered, this,
                 [this, dock](bool shown) { openedBelow(dock, shown); });
@@ -75,6 +64,7 @@ QList<QAction*> WindowDocks::toggles() const {
     QList<QAction*> actions;
     for (const QDockWidget* dock : all_)
         actions << dock->toggleViewAction();
+    actions.insert(actions.indexOf(effects_->toggleViewAction()), accuracy_->toggleViewAction());
     return actions;
 }
 
@@ -90,6 +80,7 @@ void WindowDocks::setChoosing(bool choosing) {
 }
 
 void WindowDocks::setAway(bool away) {
+    accuracy_->setVisible(!away && accuracy_->toggleViewAction()->isChecked());
     if (!away) {
         window_.restoreState(std::exchange(stateBefore_, {}));
         return makeRoom();
@@ -106,12 +97,17 @@ QDockWidget* WindowDocks::add(const QString& name, const QString& title, QWidget
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
     dock->setWidget(panel);
     dock->toggleViewAction()->setShortcut(key);
-    dock->toggleViewAction()->setObjectName(name + "Panel");  // by which its key is kept
-    dock->toggleViewAction()->setToolTip(tr("Shows this panel, or folds it away."));
-    dock->setTitleBarWidget(panelTitle(title, dock));
+    nameToggle(*dock->toggleViewAction(), name);
+    dock->setTitleBarWidget(panelTitle(title, *dock->toggleViewAction()));
     window_.addDockWidget(area, dock);
     all_ << dock;
     return dock;
+}
+
+/// By its name the key is kept.
+void WindowDocks::nameToggle(QAction& toggle, const QString& panel) {
+    toggle.setObjectName(panel + "Panel");
+    toggle.setToolTip(tr("Shows this panel, or folds it away."));
 }
 
 /// Side by side they are legible in wide windows only; what was opened last stays. Those that could take any height get
@@ -148,11 +144,13 @@ void WindowDocks::openedEditor(QDockWidget* dock, bool shown) {
     if (shown)
         column_ = look_->isVisible() ? look_->width() : 0;
     makeRoom();
-    window_.resizeDocks({shown ? dock : look_}, {shown ? kEditorColumn : column_}, Qt::Horizontal);
-    if (shown)
-        window_.resizeDocks({look_, dock}, {1, window_.height()}, Qt::Vertical);
-    else
-        column_ = 0;
+    if (shown) {
+        window_.resizeDocks({dock}, {kEditorColumn}, Qt::Horizontal);
+        const int room = middleHeight(), look = std::max(room - editors_[dock]->sizeHint().height(), kLookHeight);
+        window_.resizeDocks({look_, dock}, {look, std::max(room - look, kEditorHeight)}, Qt::Vertical);
+    } else if (column_ > 0) {
+        window_.resizeDocks({look_}, {std::exchange(column_, 0)}, Qt::Horizontal);
+    }
 }
 
 void WindowDocks::makeRoom() {
@@ -184,7 +182,7 @@ QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
         give(rendering_);
     if (narrow || pictureShare(wanted) < kPicture)
         give(series_);
-    if (panel && middleHeight() < panels_.look->minimumSizeHint().height() + panel->minimumSizeHint().height())
+    if (panel && middleHeight() < kLookHeight + kEditorHeight)
         give(look_);
     return away;
 }

@@ -7,6 +7,8 @@
 #include <QMainWindow>
 #include <QMap>
 
+#include "ui/floating_panel.h"
+
 namespace pdr::ui {
 
 class WindowDocks : public QObject {
@@ -18,7 +20,8 @@ class WindowDocks : public QObject {
         QWidget *series, *look, *tissue, *light, *camera, *cut, *rendering, *accuracy, *effects, *nodes;
     };
 
-    /// Adds all docks to `window`; all but series and look are folded away. `picture`: what is to keep most of it.
+    /// Adds all docks to `window`; all but series and look are folded away. `picture`: what is to keep most of it; the
+    /// accuracy floats over it.
     WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
 
     /// That show each and fold it away, in the menu's order.
@@ -45,6 +48,7 @@ class WindowDocks : public QObject {
   private:
     QDockWidget* add(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
                      const QKeySequence& key);
+    static void nameToggle(QAction& toggle, const QString& panel);
     void opened(QDockWidget* dock, bool shown);
     void openedEditor(QDockWidget* dock, bool shown);
     QList<QDockWidget*> inTheWayOf(QList<QDockWidget*> wanted) const;
@@ -64,7 +68,7 @@ class WindowDocks : public QObject {
     QDockWidget* camera_;
     QDockWidget* cut_;
     QDockWidget* rendering_;
-    QDockWidget* accuracy_;
+    FloatingPanel* accuracy_;
     QDockWidget* effects_;
     QDockWidget* nodes_;
     QList<QDockWidget*> below_;             ///< the picture, the one opened last first

@@ -15,6 +15,7 @@
 #include "app/desktop/application.h"
 #include "app/desktop/options.h"
 #include "app/looks.h"
+#include "app/power_supply.h"
 #include "app/program/program.h"
 #include "app/show_message.h"
 #include "render/base/version.h"
@@ -69,7 +70,7 @@ int run(const DesktopOptions& options) {
         std::cerr << "pdrender: " << device.error().text() << '\n';
         return 1;
     }
-    Desktop desktop(*std::move(looks), *std::move(device), {}, options.threads);
+    Desktop desktop(*std::move(looks), *std::move(device), {}, options.threads, kPowerSupplies);
     desktop.window().show();
     if (!whyCpu.isEmpty())
         showNotice(desktop.parts(), whyCpu);

@@ -298,8 +298,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Alle Vorgaben</translation>
     </message>
     <message>
-        <source>&amp;Aperture</source>
-        <translation>B&amp;lende</translation>
+        <source>Apert&amp;ure</source>
+        <translation>Bl&amp;ende</translation>
     </message>
     <message>
         <source>&amp;Box first</source>
@@ -307,10 +307,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>&amp;Brightness</source>
-        <translation>&amp;Helligkeit</translation>
+        <translation>Helligkei&amp;t</translation>
     </message>
     <message>
-        <source>&amp;Camera...</source>
+        <source>Camer&amp;a...</source>
         <translation>&amp;Kamera...</translation>
     </message>
     <message>
@@ -339,11 +339,11 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>&amp;Density</source>
-        <translation>&amp;Dichte</translation>
+        <translation>Dicht&amp;e</translation>
     </message>
     <message>
         <source>&amp;Draw a line</source>
-        <translation>Linie &amp;zeichnen</translation>
+        <translation>Lini&amp;e zeichnen</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -362,16 +362,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>&amp;Focus on...</source>
-        <translation>&amp;Scharf auf...</translation>
+        <source>Focus o&amp;n...</source>
+        <translation>Schar&amp;f auf...</translation>
     </message>
     <message>
         <source>&amp;Forget these folders</source>
         <translation>Diese Ordner &amp;vergessen</translation>
     </message>
     <message>
-        <source>&amp;Frame rate</source>
-        <translation>&amp;Bildrate</translation>
+        <source>Frame &amp;rate</source>
+        <translation>Bild&amp;rate</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
@@ -407,7 +407,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>&amp;My looks</source>
-        <translation>&amp;Eigene Darstellungen</translation>
+        <translation>Eige&amp;ne Darstellungen</translation>
     </message>
     <message>
         <source>&amp;No key</source>
@@ -455,7 +455,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>&amp;Shadows of what was cut</source>
-        <translation>&amp;Schatten des Weggeschnittenen</translation>
+        <translation>Schatten des &amp;Weggeschnittenen</translation>
     </message>
     <message>
         <source>&amp;Smoothed</source>
@@ -466,8 +466,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Tisch und Halterung</translation>
     </message>
     <message>
-        <source>&amp;This tissue...</source>
-        <translation>&amp;Dieses Gewebe...</translation>
+        <source>Thi&amp;s tissue...</source>
+        <translation>Dieses Ge&amp;webe...</translation>
     </message>
     <message>
         <source>&amp;Tissue...</source>
@@ -479,7 +479,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>&amp;Undo all cuts</source>
-        <translation>Alle Schnitte &amp;aufheben</translation>
+        <translation>Alle Schnitte au&amp;fheben</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -615,7 +615,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Add a &amp;plane that faces you</source>
-        <translation>Eine zugewandte &amp;Ebene hinzufügen</translation>
+        <translation>Eine &amp;zugewandte Ebene hinzufügen</translation>
     </message>
     <message>
         <source>Add a plane: %1</source>
@@ -635,7 +635,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>All aroun&amp;d</source>
-        <translation>&amp;Rundum</translation>
+        <translation>R&amp;undum</translation>
     </message>
     <message>
         <source>All but bones</source>
@@ -719,7 +719,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Bac&amp;kground</source>
-        <translation>Hinter&amp;grund</translation>
+        <translation>Hintergr&amp;und</translation>
     </message>
     <message>
         <source>Back</source>
@@ -970,10 +970,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Abstand der Ebene von der Mitte</translation>
     </message>
     <message>
-        <source>Double click</source>
-        <translation>Doppelklick</translation>
-    </message>
-    <message>
         <source>Double click on a handle</source>
         <translation>Doppelklick auf einen Griff</translation>
     </message>
@@ -1106,8 +1102,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Kaudal</translation>
     </message>
     <message>
-        <source>Field of vie&amp;w</source>
-        <translation>&amp;Blickwinkel</translation>
+        <source>Fiel&amp;d of view</source>
+        <translation>Blick&amp;winkel</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -1263,7 +1259,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Hei&amp;ght</source>
-        <translation>&amp;Höhe</translation>
+        <translation>H&amp;öhe</translation>
     </message>
     <message>
         <source>Height of the picture [pixels]</source>
@@ -1748,8 +1744,8 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Einen Ordner mit einem CT öffnen</translation>
     </message>
     <message>
-        <source>Open the &amp;example</source>
-        <translation>&amp;Beispiel öffnen</translation>
+        <source>Open the e&amp;xample</source>
+        <translation>Beis&amp;piel öffnen</translation>
     </message>
     <message>
         <source>Open the example</source>
@@ -2058,10 +2054,6 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die Berechnung hält bei %1: Ziehen Sie den Knopf nach links für früher, nach rechts für genauer.</translation>
     </message>
     <message>
-        <source>Reset the view</source>
-        <translation>Ansicht zurücksetzen</translation>
-    </message>
-    <message>
         <source>Right</source>
         <translation>Rechts</translation>
     </message>
@@ -2082,7 +2074,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Rauheit</translation>
     </message>
     <message>
-        <source>S&amp;how</source>
+        <source>Sho&amp;w</source>
         <translation>&amp;Zeigen</translation>
     </message>
     <message>
@@ -2211,7 +2203,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     </message>
     <message>
         <source>Si&amp;ze</source>
-        <translation>&amp;Größe</translation>
+        <translation>Gr&amp;öße</translation>
     </message>
     <message>
         <source>Sides</source>
@@ -2262,8 +2254,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Himmelsbild...</translation>
     </message>
     <message>
-        <source>Sky t&amp;urned</source>
-        <translation>Himmel gedre&amp;ht</translation>
+        <source>Sk&amp;y turned</source>
+        <translation>&amp;Winkel des Himmels</translation>
     </message>
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
@@ -2294,8 +2286,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wird noch vom Rest getrennt, der bis dahin zu sehen ist.</translation>
     </message>
     <message>
-        <source>Str&amp;ength</source>
-        <translation>&amp;Stärke</translation>
+        <source>Stren&amp;gth</source>
+        <translation>St&amp;ärke</translation>
     </message>
     <message>
         <source>Strength of the chosen lamp</source>
@@ -2436,7 +2428,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Dreht das Himmelsbild um die Körperachse [Grad]</translation>
     </message>
     <message>
-        <source>Turns wit&amp;h</source>
+        <source>T&amp;urns with</source>
         <translation>Dreht &amp;mit</translation>
     </message>
     <message>
@@ -3098,6 +3090,50 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>±%1 since %2 of rendering</source>
         <translation>±%1 seit %2 Rechenzeit</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>All of the message</source>
+        <translation>Die ganze Meldung</translation>
+    </message>
+    <message>
+        <source>Shows all of the message</source>
+        <translation>Zeigt die ganze Meldung</translation>
+    </message>
+    <message>
+        <source>Render at the window's si&amp;ze</source>
+        <translation>In &amp;Größe des Fensters rendern</translation>
+    </message>
+    <message>
+        <source>Begins the image anew with as many pixels as it is shown with; the next edit does so as well.</source>
+        <translation>Beginnt das Bild neu mit so vielen Pixeln, wie es gezeigt wird; die nächste Änderung tut es ebenso.</translation>
+    </message>
+    <message>
+        <source>Rendering rests on battery: Space goes on</source>
+        <translation>Im Akkubetrieb ruht das Rendern: Leertaste setzt fort</translation>
+    </message>
+    <message>
+        <source>Only the first of the folders that were dropped is opened.</source>
+        <translation>Nur der erste der abgelegten Ordner wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Rechter Klick</translation>
+    </message>
+    <message>
+        <source>What one does most</source>
+        <translation>Was man am häufigsten tut</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>Reset the view</source>
+        <translation>Ansicht zurücksetzen</translation>
     </message>
 </context>
 </TS>

@@ -298,8 +298,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Todas las predeterminadas</translation>
     </message>
     <message>
-        <source>&amp;Aperture</source>
-        <translation>&amp;Apertura</translation>
+        <source>Apert&amp;ure</source>
+        <translation>Apert&amp;ura</translation>
     </message>
     <message>
         <source>&amp;Box first</source>
@@ -310,8 +310,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Brillo</translation>
     </message>
     <message>
-        <source>&amp;Camera...</source>
-        <translation>&amp;Cámara...</translation>
+        <source>Camer&amp;a...</source>
+        <translation>Cáma&amp;ra...</translation>
     </message>
     <message>
         <source>&amp;Colours of the window</source>
@@ -339,7 +339,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>&amp;Density</source>
-        <translation>&amp;Densidad</translation>
+        <translation>De&amp;nsidad</translation>
     </message>
     <message>
         <source>&amp;Draw a line</source>
@@ -362,15 +362,15 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Archivo</translation>
     </message>
     <message>
-        <source>&amp;Focus on...</source>
-        <translation>&amp;Enfocar...</translation>
+        <source>Focus o&amp;n...</source>
+        <translation>En&amp;focar...</translation>
     </message>
     <message>
         <source>&amp;Forget these folders</source>
         <translation>&amp;Olvidar estas carpetas</translation>
     </message>
     <message>
-        <source>&amp;Frame rate</source>
+        <source>Frame &amp;rate</source>
         <translation>&amp;Imágenes por segundo</translation>
     </message>
     <message>
@@ -391,7 +391,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>&amp;Iterations per picture</source>
-        <translation>&amp;Iteraciones por imagen</translation>
+        <translation>Iteraciones por ima&amp;gen</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
@@ -403,7 +403,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>&amp;Light...</source>
-        <translation>&amp;Luz...</translation>
+        <translation>Lu&amp;z...</translation>
     </message>
     <message>
         <source>&amp;My looks</source>
@@ -415,7 +415,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>&amp;Open a folder...</source>
-        <translation>&amp;Abrir una carpeta...</translation>
+        <translation>Abrir &amp;una carpeta...</translation>
     </message>
     <message>
         <source>&amp;Open folder...</source>
@@ -455,7 +455,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>&amp;Shadows of what was cut</source>
-        <translation>&amp;Sombras de lo cortado</translation>
+        <translation>S&amp;ombras de lo cortado</translation>
     </message>
     <message>
         <source>&amp;Smoothed</source>
@@ -466,8 +466,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Mesa y soporte</translation>
     </message>
     <message>
-        <source>&amp;This tissue...</source>
-        <translation>&amp;Este tejido...</translation>
+        <source>Thi&amp;s tissue...</source>
+        <translation>Este teji&amp;do...</translation>
     </message>
     <message>
         <source>&amp;Tissue...</source>
@@ -479,7 +479,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>&amp;Undo all cuts</source>
-        <translation>&amp;Deshacer todos los cortes</translation>
+        <translation>Des&amp;hacer todos los cortes</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -719,7 +719,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Bac&amp;kground</source>
-        <translation>&amp;Fondo</translation>
+        <translation>F&amp;ondo</translation>
     </message>
     <message>
         <source>Back</source>
@@ -970,10 +970,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Distancia del plano al centro</translation>
     </message>
     <message>
-        <source>Double click</source>
-        <translation>Doble clic</translation>
-    </message>
-    <message>
         <source>Double click on a handle</source>
         <translation>Doble clic en un tirador</translation>
     </message>
@@ -1106,8 +1102,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Pies</translation>
     </message>
     <message>
-        <source>Field of vie&amp;w</source>
-        <translation>Ca&amp;mpo de visión</translation>
+        <source>Fiel&amp;d of view</source>
+        <translation>Campo &amp;de visión</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -1263,7 +1259,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Hei&amp;ght</source>
-        <translation>Al&amp;tura</translation>
+        <translation>A&amp;ltura</translation>
     </message>
     <message>
         <source>Height of the picture [pixels]</source>
@@ -1748,8 +1744,8 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abrir una carpeta con una TC</translation>
     </message>
     <message>
-        <source>Open the &amp;example</source>
-        <translation>Abrir el &amp;ejemplo</translation>
+        <source>Open the e&amp;xample</source>
+        <translation>Abrir el e&amp;jemplo</translation>
     </message>
     <message>
         <source>Open the example</source>
@@ -1887,7 +1883,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     </message>
     <message>
         <source>Pro&amp;jection</source>
-        <translation>Pro&amp;yección</translation>
+        <translation>Proyecció&amp;n</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -2058,10 +2054,6 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>El cálculo se detiene en %1: arrastre el control, a la izquierda para antes, a la derecha para más exacto.</translation>
     </message>
     <message>
-        <source>Reset the view</source>
-        <translation>Restablecer la vista</translation>
-    </message>
-    <message>
         <source>Right</source>
         <translation>Derecha</translation>
     </message>
@@ -2082,8 +2074,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rugosidad</translation>
     </message>
     <message>
-        <source>S&amp;how</source>
-        <translation>&amp;Mostrar</translation>
+        <source>Sho&amp;w</source>
+        <translation>Mo&amp;strar</translation>
     </message>
     <message>
         <source>Sagittal</source>
@@ -2211,7 +2203,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     </message>
     <message>
         <source>Si&amp;ze</source>
-        <translation>Ta&amp;maño</translation>
+        <translation>Tama&amp;ño</translation>
     </message>
     <message>
         <source>Sides</source>
@@ -2262,8 +2254,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Imagen de cielo...</translation>
     </message>
     <message>
-        <source>Sky t&amp;urned</source>
-        <translation>Cielo &amp;girado</translation>
+        <source>Sk&amp;y turned</source>
+        <translation>Cie&amp;lo girado</translation>
     </message>
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
@@ -2294,8 +2286,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Aún se separa del resto, que se muestra hasta entonces.</translation>
     </message>
     <message>
-        <source>Str&amp;ength</source>
-        <translation>&amp;Intensidad</translation>
+        <source>Stren&amp;gth</source>
+        <translation>I&amp;ntensidad</translation>
     </message>
     <message>
         <source>Strength of the chosen lamp</source>
@@ -2436,8 +2428,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Gira la imagen de cielo alrededor del eje del paciente [grados]</translation>
     </message>
     <message>
-        <source>Turns wit&amp;h</source>
-        <translation>Gira &amp;con</translation>
+        <source>T&amp;urns with</source>
+        <translation>Gira c&amp;on</translation>
     </message>
     <message>
         <source>Two lamps behind: bright outlines</source>
@@ -3098,6 +3090,50 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>±%1 since %2 of rendering</source>
         <translation>±%1 desde %2 de cálculo</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detalles</translation>
+    </message>
+    <message>
+        <source>All of the message</source>
+        <translation>Todo el mensaje</translation>
+    </message>
+    <message>
+        <source>Shows all of the message</source>
+        <translation>Muestra todo el mensaje</translation>
+    </message>
+    <message>
+        <source>Render at the window's si&amp;ze</source>
+        <translation>Renderizar al tamaño de la &amp;ventana</translation>
+    </message>
+    <message>
+        <source>Begins the image anew with as many pixels as it is shown with; the next edit does so as well.</source>
+        <translation>Empieza la imagen de nuevo con tantos píxeles como se muestran; el próximo cambio también lo hace.</translation>
+    </message>
+    <message>
+        <source>Rendering rests on battery: Space goes on</source>
+        <translation>Con batería el renderizado descansa: Espacio continúa</translation>
+    </message>
+    <message>
+        <source>Only the first of the folders that were dropped is opened.</source>
+        <translation>Solo se abre la primera de las carpetas soltadas.</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Clic derecho</translation>
+    </message>
+    <message>
+        <source>What one does most</source>
+        <translation>Lo más habitual</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Reset the view</source>
+        <translation>Restablecer la vista</translation>
     </message>
 </context>
 </TS>

@@ -21,6 +21,7 @@ class TestSettings : public QObject {
     void onlyTheOwnerMayReadThem_data();
     void onlyTheOwnerMayReadThem();
     void theOwnFolderIsTheOwnersAlone();
+    void renderingHoldsWhereItIsGoodForPlanning();
     void coloursAreKept();
     void keysAreKept();
     void nodesAreKept();
@@ -46,6 +47,16 @@ void TestSettings::foldersAreNotRememberedUnlessChosen() {
     kept.settings.keepRemembersFolders(true);
     kept.settings.keepFolder("/patients/Doe");
     QCOMPARE(Settings(kept.file).recentFolders(), QStringList{"/patients/Doe"});
+}
+
+/// Until another target is chosen; what is no target does not count.
+void TestSettings::renderingHoldsWhereItIsGoodForPlanning() {
+    Kept kept;
+    QCOMPARE(kept.settings.target(), 8.0);
+    kept.settings.keepTarget(2);
+    QCOMPARE(Settings(kept.file).target(), 2.0);
+    kept.settings.keepTarget(-1);
+    QCOMPARE(Settings(kept.file).target(), 8.0);
 }
 
 void TestSettings::theNewestEightAreRememberedOnce() {

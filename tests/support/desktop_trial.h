@@ -20,6 +20,7 @@ struct Trial {
         : desktop(*bundledLooks(), std::move(device), folder.filePath("settings.ini"), 1) {
         QObject::connect(&desktop.parts().bridge, &RenderBridge::frameReady,
                          [this](const std::shared_ptr<const Frame>& frame) { frames.push_back(frame); });
+        desktop.parts().bridge.setTarget(kFinestStep);  // goes on as long as a test looks
         desktop.window().resize(900, 500);
         desktop.window().show();
     }

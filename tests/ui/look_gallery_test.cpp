@@ -112,17 +112,19 @@ class LookGalleryTest : public QObject {
         QVERIFY(!says("Fat is not shown."));
     }
 
-    /// A sliver of it would take the room of the words.
-    void theGalleryIsThereWhereItHasRoom() {
+    /// A sliver of it would be of no use: the panel asks for the room of a row of pictures, and scrolls in less.
+    void aRowOfTheGalleryIsAlwaysThere() {
         LookPanel panel;
         panel.gallery().setLooks(kLooks);
         panel.setLook(0);
         panel.setDoesNotShow("Soft tissue is not shown, and bone below 230 HU is faint.");
-        for (const int height : {600, 300, 600}) {
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        for (const int height : {600, 100, 600}) {
             panel.resize(280, height);
-            panel.show();
-            QVERIFY(QTest::qWaitForWindowExposed(&panel));
-            QCOMPARE(panel.gallery().isVisible(), height == 600);
+            QCoreApplication::processEvents();
+            QVERIFY(panel.gallery().isVisible());
+            QVERIFY(panel.gallery().parentWidget()->height() >= LookGallery::kPicture);
         }
     }
 

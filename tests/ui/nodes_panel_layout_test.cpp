@@ -122,10 +122,10 @@ void TestNodesPanelLayout::itLeavesThePictureItsPart() {
     window.resize(800, 600);
     QCoreApplication::processEvents();
     QCOMPARE(window.size(), QSize(800, 600));
-    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
-    QVERIFY(window.accuracy().isVisible() && !window.nodes().isVisible());
+    QTest::keyClick(&window, Qt::Key_F6);
+    QVERIFY(window.effects().isVisible() && !window.nodes().isVisible());
     QTest::keyClick(&window, Qt::Key_F12);
-    QVERIFY(!window.accuracy().isVisible() && window.nodes().isVisible());
+    QVERIFY(!window.effects().isVisible() && window.nodes().isVisible());
     QTest::keyClick(&window, Qt::Key_F12);
     QVERIFY(!window.nodes().isVisible());
 }

@@ -63,7 +63,8 @@ class TestViewport : public QObject {
     void rightDragUpMagnifies();
     void lettingGoIsTheOnlyRest();
     void aClickAloneEditsNothing();
-    void doubleClickAsksForTheFirstView();
+    void aDoubleClickLeavesTheViewAsItIs();
+    void aRightClickAsksForTheMenuAndADragDoesNot();
     void theWheelKeepsThePointUnderTheCursor();
     void theWheelRestsByItself();
     void arrowKeysTurnAndMove();
@@ -74,6 +75,7 @@ class TestViewport : public QObject {
     void theCaptionStandsInAPictureAlone();
     void withoutPictureTheMessageIsShown();
     void theNewSizeIsTold();
+    void withAPictureTheSettledSizeIsTold();
     void whereTheMouseRestsIsToldInPartsOfThePicture();
     void aTipIsShownOnlyWhereTheMouseStillRests();
 };
@@ -134,12 +136,23 @@ void TestViewport::aClickAloneEditsNothing() {
     QCOMPARE(hand.edits + hand.rests, 0);
 }
 
-void TestViewport::doubleClickAsksForTheFirstView() {
+void TestViewport::aDoubleClickLeavesTheViewAsItIs() {
     Hand hand;
-    QSignalSpy reset(&hand.viewport, &Viewport::resetRequested);
     QTest::mouseDClick(&hand.viewport, Qt::LeftButton);
-    QCOMPARE(reset.count(), 1);
     QCOMPARE(hand.edits + hand.rests, 0);
+}
+
+void TestViewport::aRightClickAsksForTheMenuAndADragDoesNot() {
+    Hand hand;
+    QSignalSpy menu(&hand.viewport, &Viewport::menuRequested);
+    QTest::mouseClick(&hand.viewport, Qt::RightButton, {}, {120, 70});
+    QCOMPARE(menu.count(), 1);
+    QCOMPARE(menu[0][0].toPoint(), QPoint(120, 70));
+    QCOMPARE(hand.edits + hand.rests, 0);
+    hand.drag(Qt::RightButton, {200, 40});
+    QTest::mouseRelease(&hand.viewport, Qt::RightButton, {}, {200, 40});
+    QCOMPARE(menu.count(), 1);
+    QVERIFY(hand.edits > 0);
 }
 
 void TestViewport::theWheelKeepsThePointUnderTheCursor() {
@@ -268,6 +281,19 @@ void TestViewport::theNewSizeIsTold() {
     hand.viewport.resize(300, 250);
     QTRY_COMPARE_WITH_TIMEOUT(size.count(), 1, test::kPatience);
     QCOMPARE(size.first().first().toSize(), QSize(300, 250) * hand.viewport.devicePixelRatioF());
+}
+
+void TestViewport::withAPictureTheSettledSizeIsTold() {
+    Hand hand;
+    hand.viewport.setPicture(shownOf({400, 200}));
+    QSignalSpy size(&hand.viewport, &Viewport::sizeInPixelsChanged);
+    for (int i = 1; i <= 5; ++i) {
+        hand.viewport.resize(400 + 10 * i, 200);
+        QCoreApplication::sendPostedEvents();
+    }
+    QCOMPARE(size.count(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(size.count(), 1, test::kPatience);
+    QCOMPARE(size[0][0].toSize(), QSize(450, 200) * hand.viewport.devicePixelRatioF());
 }
 
 void TestViewport::whereTheMouseRestsIsToldInPartsOfThePicture() {

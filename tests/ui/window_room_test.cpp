@@ -1,5 +1,6 @@
 /// Who has the room in the window: the picture most of it, panels what is left.
 
+#include <QPushButton>
 #include <QTest>
 #include <QToolButton>
 
@@ -12,6 +13,9 @@ class TestWindowRoom : public QObject {
 
   private slots:
     void oneOfThePanelsBelowMakesRoomForTheOther();
+    void theAccuracyFloatsOverThePicture();
+    void noPanelIsSqueezed_data();
+    void noPanelIsSqueezed();
     void anEditorLeavesThePictureMostOfTheWindow_data();
     void anEditorLeavesThePictureMostOfTheWindow();
     void editorsGiveWayToEachOther();
@@ -31,15 +35,56 @@ static void activate(MainWindow& window) {
 void TestWindowRoom::oneOfThePanelsBelowMakesRoomForTheOther() {
     MainWindow window;
     activate(window);
-    const auto shown = [&] { return std::pair(window.accuracy().isVisible(), window.effects().isVisible()); };
+    const auto shown = [&] { return std::pair(window.nodes().isVisible(), window.effects().isVisible()); };
     window.resize(1200, 800);
-    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
+    QTest::keyClick(&window, Qt::Key_F12);
     QCOMPARE(shown(), std::pair(true, false));
     QTest::keyClick(&window, Qt::Key_F6);
     QCOMPARE(shown(), std::pair(false, true));
     window.resize(1800, 800);
-    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
+    QTest::keyClick(&window, Qt::Key_F12);
     QCOMPARE(shown(), std::pair(true, true));
+}
+
+/// It costs the picture no room, and hides none of what stands in the corners.
+void TestWindowRoom::theAccuracyFloatsOverThePicture() {
+    MainWindow window;
+    window.resize(1366, 768);
+    activate(window);
+    const QSize before = window.viewport().size();
+    QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
+    QVERIFY(window.accuracy().isVisible());
+    window.message().showNotice("a message");
+    QCoreApplication::processEvents();
+    QCOMPARE(window.viewport().size(), before);
+    const QWidget* panel = window.accuracy().parentWidget();
+    QVERIFY(window.viewport().rect().contains(panel->geometry()));
+    QVERIFY(panel->x() > 200 && panel->geometry().right() < before.width() - 76);
+    QVERIFY(window.viewport().rect().contains(window.message().geometry()));
+    QVERIFY(!window.message().geometry().intersects(panel->geometry()));
+}
+
+void TestWindowRoom::noPanelIsSqueezed_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("1480 x 920") << QSize(1480, 920);
+    QTest::newRow("1366 x 768") << QSize(1366, 768);
+}
+
+/// Buttons keep the height that their words need, whatever else is open, and the looks stay.
+void TestWindowRoom::noPanelIsSqueezed() {
+    QFETCH(QSize, size);
+    MainWindow window;
+    activate(window);
+    window.foot().setRemarks({"a remark"});
+    window.resize(size);
+    for (const int key : {int(Qt::Key_F8), int(Qt::Key_F12), int(Qt::Key_F5), int(Qt::Key_F7), int(Qt::Key_F9)}) {
+        QTest::keyClick(&window, Qt::Key(key));
+        QCoreApplication::processEvents();
+        QVERIFY(window.look().isVisible());
+        for (const QPushButton* button : window.look().findChildren<QPushButton*>())
+            QVERIFY2(button->height() >= button->minimumSizeHint().height(), qPrintable(button->text()));
+        QVERIFY(window.look().gallery().parentWidget()->height() >= LookGallery::kPicture);
+    }
 }
 
 void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow_data() {

@@ -50,7 +50,7 @@ void CameraPanel::describeControls() {
     describe(height_, 1, 1e5, tr(" mm"), tr("Height of what is seen"), tr("From the top to the bottom of the picture"));
     describe(aperture_, 0, 200, tr(" mm"), tr("Aperture"),
              tr("Diameter of the lens. At 0 all is sharp; the larger, the less is sharp before and behind the focus"));
-    focus_.setText(tr("&Focus on..."));
+    focus_.setText(tr("Focus o&n..."));
     focus_.setCheckable(true);
     focus_.setAccessibleName(tr("Focus on what is clicked"));
     focus_.setToolTip(tr("Then click the anatomy that is to be sharp"));
@@ -91,9 +91,9 @@ void CameraPanel::layOut() {
     auto* rows = new QFormLayout;
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addRow(tr("Pro&jection"), &type_);
-    rows->addRow(tr("Field of vie&w"), &fieldOfView_);
+    rows->addRow(tr("Fiel&d of view"), &fieldOfView_);
     rows->addRow(tr("Hei&ght"), &height_);
-    rows->addRow(tr("&Aperture"), &aperture_);
+    rows->addRow(tr("Apert&ure"), &aperture_);
     auto* focus = new QHBoxLayout;
     focus->addWidget(&focus_, 1);
     focus->addWidget(&noFocus_);

@@ -87,10 +87,10 @@ QWidget* LightPanel::rigButtons() {
 void LightPanel::layOut() {
     auto* rows = new QFormLayout;
     rows->setContentsMargins(0, 0, 0, 0);
-    rows->addRow(tr("Str&ength"), &strength_);
+    rows->addRow(tr("Stren&gth"), &strength_);
     rows->addRow(tr("Si&ze"), &size_);
     rows->addRow(tr("All aroun&d"), &ambient_);
-    rows->addRow(tr("Turns wit&h"), &follows_);
+    rows->addRow(tr("T&urns with"), &follows_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 4, 10, 8);
     column->setSpacing(6);

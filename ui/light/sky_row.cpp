@@ -25,7 +25,7 @@ SkyRow::SkyRow(QWidget* parent) : QWidget(parent) {
 
     auto* form = new QFormLayout(&turnRow_);
     form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(tr("Sky t&urned"), &turn_);
+    form->addRow(tr("Sk&y turned"), &turn_);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);

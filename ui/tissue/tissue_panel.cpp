@@ -40,7 +40,7 @@ TissuePanel::TissuePanel(QWidget* parent) : QWidget(parent) {
     density_.setKeyboardTracking(false);
     density_.setAccessibleName(tr("Density at the top of the opacity curve"));
     density_.setToolTip(tr("Extinction at the top of the opacity curve: larger is denser tissue everywhere"));
-    pick_.setText(tr("&This tissue..."));
+    pick_.setText(tr("Thi&s tissue..."));
     pick_.setCheckable(true);
     pick_.setAccessibleName(tr("Show the tissue that is clicked"));
     pick_.setToolTip(

@@ -1,4 +1,4 @@
-#include "ui/nodes/elided_label.h"
+#include "ui/elided_label.h"
 
 #include <QPainter>
 

@@ -1,0 +1,36 @@
+#include "ui/panel_title.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace pdr::ui {
+namespace {
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(WindowDocks)
+};
+
+}  // namespace
+
+QWidget* panelTitle(const QString& title, QAction& toggle) {
+    auto* heading = new QLabel(title);
+    heading->setForegroundRole(QPalette::PlaceholderText);
+    auto* fold = new QToolButton;
+    fold->setText(QChar(0x00D7));
+    fold->setAutoRaise(true);
+    fold->setFocusPolicy(Qt::TabFocus);
+    fold->setAccessibleName(Texts::tr("Fold %1 away").arg(title));
+    fold->setToolTip(Texts::tr("Fold away (%1)").arg(toggle.shortcut().toString()));
+    QObject::connect(fold, &QToolButton::clicked, &toggle, &QAction::trigger);
+
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(10, 4, 6, 2);
+    row->addWidget(heading, 1);
+    row->addWidget(fold);
+    return bar;
+}
+
+}  // namespace pdr::ui
