@@ -28,7 +28,7 @@ std::vector<std::uint8_t> stretched(const Frame& frame, ivec2 size) {
 QImage copyOf(const Frame& frame, ivec2 fullSize, const std::optional<ui::Annotations>& annotations) {
     const ivec2 size = frame.coarse ? fullSize : frame.size;
     std::vector<std::uint8_t> rgba = frame.coarse ? stretched(frame, size) : frame.rgba;
-    const QString state = ui::previewText(frame.status, frame.stop.levels, frame.smoothed);
+    const QString state = ui::previewText(shownOf(frame), frame.stop.levels);
     if (const PaintOver paintOver = painterOf(annotations, state))
         paintOver(size, rgba);
     return ownImage(rgba, size);

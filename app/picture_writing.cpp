@@ -33,8 +33,13 @@ Result<void> writePicture(const FilmView& view, Display display, const std::opti
     const std::filesystem::path path = ui::fromQt(file);
     if (pictureFormat(path) == PictureFormat::exr)
         return writeExr(film, provenance, path, stop);
-    const QString state = ui::previewText(rendered.status, view.stop.levels, display.smoothed);
-    return writePng(film, display, provenance, path, painterOf(annotations, state), stop);
+    SmoothedView smoothed;
+    if (display.smoothed)
+        smoothed.judge(film, film.samplesPerPixel(), stop);
+    const bool denoised = smoothed.better(display).smoothed;
+    const ShownStatus shown = shownStatus(rendered.status, denoised, smoothed.error(display.exposure));
+    const QString state = ui::previewText(shown, view.stop.levels);
+    return writePng(film, display, smoothed, provenance, path, painterOf(annotations, state), stop);
 }
 
 Error notSaved(const QString& file, const Error& reason) {

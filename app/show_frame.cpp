@@ -102,7 +102,7 @@ QString fileNameOf(const DesktopParts& parts, const Frame& frame) {
 QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
     if (frame.region)
-        remarks << ui::boxText(frame.region->status, !frame.region->reached, frame.status);
+        remarks << ui::boxText(frame.region->status, !frame.region->reached, shownOf(frame).status);
     remarks << smoothedTexts(frame) << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
     const std::vector<Bias> known = biases(frame.bias);
     for (const Bias& bias : known)
@@ -122,12 +122,16 @@ ui::Holding holdingOf(const RenderBridge& bridge) {
 
 /// Of the box as long as it gets all samples; else of the whole picture.
 ui::Accuracy accuracyOf(const DesktopParts& parts, const Frame& frame) {
-    ui::Accuracy accuracy{frame.status,  frame.coarse,          frame.smoothed,
+    const ShownStatus shown = shownOf(frame);
+    ui::Accuracy accuracy{shown.status,  frame.coarse,          shown.of,
                           frame.steps,   frame.seconds,         holdingOf(parts.bridge),
                           frame.history, lastTime(parts, frame)};
+    if (shown.of == ErrorOf::denoised)
+        accuracy.film = frame.status;
     if (!frame.region || frame.region->reached)
         return accuracy;
     accuracy.status = frame.region->status;
+    accuracy.of = frame.region->of;
     accuracy.steps = frame.region->steps;
     accuracy.points = frame.region->history;
     accuracy.box = true;
@@ -151,7 +155,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
     }
     parts.window.viewport().setPicture({pictureOf(frame), frame->camera, annotationsOf(parts, *frame).texts.join('\n'),
                                         smoothedTexts(*frame).join('\n'), lostLinesOf(*frame),
-                                        ui::previewText(frame->status, frame->stop.levels, frame->smoothed),
+                                        ui::previewText(shownOf(*frame), frame->stop.levels),
                                         errorMapOf(frame), frame->smoothed});
     parts.window.cut().setPicture(frame->camera, {frame->size.x, frame->size.y});
     parts.window.setPictureOffer(fileNameOf(parts, *frame), costOf(parts, *frame));

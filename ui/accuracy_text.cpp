@@ -53,7 +53,7 @@ QString unknownText(const Accuracy& accuracy) {
                                                : translated("Estimating · the error is not known yet");
 }
 
-/// Which sentence is said; each takes a word and levels, those with a price the next levels and a duration.
+/// How the sentence ends.
 enum class Ending { none, price, leastPrice, paused, reached };
 
 Ending endingOf(Holding holding, const QualityStep* next) {
@@ -64,38 +64,53 @@ Ending endingOf(Holding holding, const QualityStep* next) {
     return next->atLeast() ? Ending::leastPrice : Ending::price;
 }
 
-QString sentenceOf(Ending ending) {
-    switch (ending) {
-        case Ending::price:
-            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in %4");
-        case Ending::leastPrice:
-            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in at least %4");
-        case Ending::paused:
-            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels · paused");
-        case Ending::reached:
-            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels · as wanted; Space goes on");
-        case Ending::none:
+/// The number, and which image it speaks of.
+QString numberText(const Accuracy& accuracy) {
+    const QString within = levels(accuracy.status.displayError);
+    switch (accuracy.of) {
+        case ErrorOf::denoised:
+            return translated("denoised: 95 % of the tissue within ±%1 of 255 grey levels").arg(within);
+        case ErrorOf::beforeDenoising:
+            return translated("95 % of the tissue within ±%1 of 255 grey levels before denoising").arg(within);
+        case ErrorOf::film:
             break;
     }
-    return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels");
+    return translated("95 % of the tissue within ±%1 of 255 grey levels").arg(within);
 }
 
-QString smoothedSentenceOf(Ending ending) {
+/// What comes next, or why nothing does; `next`: the next step, for a price.
+QString endingText(Ending ending, const QualityStep* next, const Accuracy& accuracy) {
+    const auto priced = [&](const QString& text) {
+        return text.arg(levels(next->levels), durationText(next->seconds.value - accuracy.seconds));
+    };
     switch (ending) {
         case Ending::price:
-            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in %4");
+            return priced(translated("±%1 in %2"));
         case Ending::leastPrice:
-            return translated(
-                "%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in at least %4");
+            return priced(translated("±%1 in at least %2"));
         case Ending::paused:
-            return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · paused");
+            return translated("paused");
         case Ending::reached:
-            return translated(
-                "%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · as wanted; Space goes on");
+            return translated("as wanted; Space goes on");
         case Ending::none:
             break;
     }
-    return translated("%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing");
+    return {};
+}
+
+QString previewSentence(ErrorOf of) {
+    switch (of) {
+        case ErrorOf::denoised:
+            return translated(
+                "Preview, not converged · denoised: 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2");
+        case ErrorOf::beforeDenoising:
+            return translated(
+                "Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before denoising, "
+                "wanted ±%2");
+        case ErrorOf::film:
+            break;
+    }
+    return translated("Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2");
 }
 
 /// Wherever that is said of.
@@ -107,11 +122,10 @@ QString sentenceOn(const Accuracy& accuracy) {
         return accuracy.holding == Holding::paused ? translated("%1 · paused").arg(unknownText(accuracy))
                                                    : unknownText(accuracy);
     const QualityStep* next = nextStep(accuracy.steps);
-    const Ending ending = endingOf(accuracy.holding, next);
-    const QString sentence = (accuracy.smoothed ? smoothedSentenceOf(ending) : sentenceOf(ending))
-                                 .arg(wordText(qualityOf(status)), levels(status.displayError));
-    const bool priced = ending == Ending::price || ending == Ending::leastPrice;
-    return priced ? sentence.arg(levels(next->levels), durationText(next->seconds.value - accuracy.seconds)) : sentence;
+    QStringList parts{wordText(qualityOf(status)), numberText(accuracy),
+                      endingText(endingOf(accuracy.holding, next), next, accuracy)};
+    parts.removeAll({});
+    return parts.join(QString::fromUtf8(" · "));
 }
 
 }  // namespace
@@ -131,26 +145,23 @@ QString accuracyText(const Accuracy& accuracy) {
     return accuracy.box ? translated("In the box: %1").arg(sentence) : sentence;
 }
 
-QString previewText(const FilmStatus& status, double target, bool smoothed) {
-    if (status.displayError <= target)
+QString previewText(const ShownStatus& shown, double target) {
+    const double off = shown.status.displayError;
+    if (off <= target)
         return {};
-    if (!std::isfinite(status.displayError))
+    if (!std::isfinite(off))
         return translated("Preview, not converged · how far it is off is not known yet");
-    const QString sentence =
-        smoothed ? translated(
-                       "Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before smoothing, "
-                       "wanted ±%2")
-                 : translated("Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2");
-    return sentence.arg(levels(status.displayError), levels(target));
+    return previewSentence(shown.of).arg(levels(off), levels(target));
 }
 
 QString noiseText(const Accuracy& accuracy) {
-    const FilmStatus& status = accuracy.status;
+    const FilmStatus& status = accuracy.film ? *accuracy.film : accuracy.status;
     if (status.samplesPerPixel == 0)
         return {};
     if (!std::isfinite(status.displayError) || !std::isfinite(status.relativeError))
         return translated("not known yet");
-    return translated("±%1 levels for 95 % of the tissue; %2 % of its light")
+    return translated(accuracy.film ? "±%1 levels for 95 % of the tissue before denoising; %2 % of its light"
+                                    : "±%1 levels for 95 % of the tissue; %2 % of its light")
         .arg(levels(status.displayError))
         .arg(std::ceil(100 * status.relativeError));
 }

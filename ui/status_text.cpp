@@ -35,12 +35,12 @@ QString samplesText(std::uint64_t count) {
     return count == 1 ? translated("1 sample") : translated("%1 samples").arg(counted);
 }
 
-/// Of a smoothed picture.
+/// What is said of a denoised image: one number, the bound.
 QStringList errorTexts(const std::optional<SmoothedError>& error) {
     if (!error)
-        return {translated("smoothed: error not known yet")};
-    QStringList texts{translated("smoothed: within ±%1 levels, at most ±%2")
-                          .arg(localNumber(levelsText(error->levels)), localNumber(levelsText(error->levelsAtMost)))};
+        return {translated("denoised: error not known yet")};
+    QStringList texts{translated("denoised: 95 % of the tissue within ±%1, thin structures may be further off")
+                          .arg(localNumber(levelsText(error->levelsAtMost)))};
     const int hidden = int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)));
     if (hidden >= 100)
         texts << translated("fine detail is not shown yet");

@@ -17,13 +17,13 @@ QString gridText(dvec3 spacingMm);
 /// "153 × 164 pixels stretched to 765 × 818"; nothing where a picture has the view's pixels.
 QString stretchedText(ivec2 picture, QSize view);
 
-/// What stands beside a smoothed picture: "smoothed: within ±5 levels, at most ±7", for 95 % of the tissue, and "fine
-/// detail below 38 % contrast is not shown yet"; or that it is not known yet; and how many `lostLines` are marked in
-/// it.
+/// What stands beside a denoised image: "denoised: 95 % of the tissue within ±7, thin structures may be further off",
+/// and "fine detail below 38 % contrast is not shown yet"; or that the error is not known yet; and how many `lostLines`
+/// are marked in it.
 QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines);
 
-/// What stands beside a picture with a box, whose status is `box`: "in the box 95 % of the tissue within ±4"; or, where
-/// it is `first` and gets all samples, what of the whole picture is true meanwhile.
+/// What stands beside a picture with a box, whose status is `box`: "in the box 95 % of the tissue within ±4", of what is
+/// shown, as that of the whole `picture`; or, where it is `first` and gets all samples, what of the whole picture is true meanwhile.
 QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture);
 
 /// A device to choose: "CPU (2 threads)".

@@ -48,11 +48,10 @@ ui::Annotate annotateOf(const RenderOptions& options) {
 }
 
 /// What paints over PNG files; the picture is a preview until it is as good as was asked for, or for planning.
-PaintOver painterOf(std::optional<ui::Annotations> annotations, const Stops& stops, const FilmStatus& status,
-                    bool smoothed) {
+PaintOver painterOf(std::optional<ui::Annotations> annotations, const Stops& stops, const ShownStatus& shown) {
     if (!annotations)
         return {};
-    annotations->texts << ui::previewText(status, stops.levels.value_or(kPlanningLevels), smoothed);
+    annotations->texts << ui::previewText(shown, stops.levels.value_or(kPlanningLevels));
     return
         [all = *std::move(annotations)](ivec2 size, std::vector<std::uint8_t>& rgba) { ui::annotate(all, size, rgba); };
 }
@@ -136,7 +135,9 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
         rendered.bias = *measured;
     const WrittenFiles written =
         writePictures(**picture, display, view, provenanceOf(work->scene, rendered),
-                      painterOf(*std::move(annotations), options.stops, result->film, smoothed), options.outputs);
+                      painterOf(*std::move(annotations), options.stops,
+                                shownStatus(result->film, smoothed, view.error(double(display.exposure)))),
+                      options.outputs);
     for (const Error& trouble : written.troubles)
         failed(trouble);
     if (!measured)

@@ -52,10 +52,10 @@ Bias faultBias(Fault fault, const BiasFacts& facts) {
 
 Bias smoothingBias(const std::optional<SmoothedError>& error) {
     if (!error)
-        return {BiasCause::smoothing, "smoothed: how much is not known yet"};
+        return {BiasCause::smoothing, "denoised: how much is not known yet"};
     return {.cause = BiasCause::smoothing,
-            .text = "smoothed: 95 % of the tissue within ±" + levelsText(error->levels) +
-                    " levels, noise included, at most ±" + levelsText(error->levelsAtMost),
+            .text = "denoised: 95 % of the tissue within ±" + levelsText(error->levelsAtMost) +
+                    " levels, noise included",
             .levelsAtMost = error->levelsAtMost};
 }
 

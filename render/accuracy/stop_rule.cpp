@@ -17,7 +17,7 @@ std::optional<ForetoldStop> foretoldStop(const StopRule& rule, const std::vector
         return std::nullopt;
     using Cause = ForetoldStop::Cause;
     const double perSample = secondsSpent / double(samplesPerPixel);
-    ForetoldStop stop{Cause::levels, levels->value};
+    ForetoldStop stop{Cause::levels, std::max(levels->value, double(kSamplesToStop) * perSample)};
     if (rule.seconds < stop.seconds)
         stop = {Cause::seconds, rule.seconds};
     if (rule.samples > 0 && double(rule.samples) * perSample < stop.seconds)

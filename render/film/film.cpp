@@ -167,8 +167,9 @@ Result<void> Film::merge(const TileResult& result) {
 PixelEstimate Film::pixel(int x, int y) const {
     const std::size_t index = std::size_t(y) * std::size_t(area().width) + std::size_t(x);
     const Moments moments = at(index);
-    return {moments.mean,  standardErrorOf(moments), errorDrawOf(moments),
-            moments.count, halvesOf(moments),        (block_[index].seen & kSeenTissue) != 0};
+    const std::uint32_t seen = block_[index].seen;
+    return {moments.mean,      standardErrorOf(moments),   errorDrawOf(moments),  moments.count,
+            halvesOf(moments), (seen & kSeenTissue) != 0, isUnlit(moments, seen)};
 }
 
 template <class Look>

@@ -27,6 +27,7 @@ struct PixelEstimate {
     std::uint64_t count = 0;
     HalfMeans halves;
     bool tissue = false;  ///< a sample met some
+    bool unlit = false;   ///< no sample brought light, though one may: see isUnlit()
 };
 
 /// All that a film knows, pixel by pixel: what another film, on another device, goes on from.

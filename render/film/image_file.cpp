@@ -32,8 +32,7 @@ namespace {
 std::string errorFact(const std::optional<SmoothedError>& error) {
     if (!error)
         return "error not known";
-    return "95 % of the tissue within " + levelsText(error->levels) + " of 255 levels, at most " +
-           levelsText(error->levelsAtMost) + "; lines of 2 pixels below " +
+    return "95 % of the tissue within " + levelsText(error->levelsAtMost) + " of 255 levels; lines of 2 pixels below " +
            std::to_string(int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)))) + " % contrast may be missing";
 }
 

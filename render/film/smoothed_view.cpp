@@ -30,6 +30,10 @@ std::optional<SmoothedError> SmoothedView::error(double exposure) {
     return error_;
 }
 
+std::optional<SmoothedError> SmoothedView::errorOver(const Tile& part, double exposure) const {
+    return judgement_ ? judgement_->over(part, exposure) : std::nullopt;
+}
+
 std::vector<denoise::LostLine> SmoothedView::lostLines() const {
     return judgement_ ? judgement_->lostLines() : std::vector<denoise::LostLine>();
 }

@@ -25,6 +25,8 @@ class SmoothedView {
     Display better(Display wanted) const;
     /// Of the smoothed picture when it was last judged, on a display of that exposure; later ones are better.
     std::optional<SmoothedError> error(double exposure);
+    /// Of a part of it alone.
+    std::optional<SmoothedError> errorOver(const Tile& part, double exposure) const;
     /// Of it, too: some of them may have come back since.
     std::vector<denoise::LostLine> lostLines() const;
 

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kTile = 16;  ///< pixels an edge whose errors count as one draw: wider than most blotches
 constexpr int kFewestTiles = 16;
+constexpr double kMostDark = 0.05;   ///< of the pixels: so many are left out of what is said of 95 %
+constexpr double kSureEnough = 3;    ///< -ln(1 - 0.95): what did not come in n draws has a chance of at most 3 / n
 
 /// Standard deviations of a one-sided 95 %. Noise of few samples is skewed and its spread is little known: as with
 /// Student's t of so many values less one for each half.
@@ -76,6 +78,8 @@ Tile intersection(const Tile& a, const Tile& b) {
 struct SmoothingJudgement::Sums {
     double tiles = 0, pixels = 0, luminance = 0, variance = 0;
     double noise = 0, rareNoise = 0;
+    double power = 0;                           ///< of samples: mean squares of their luminance
+    double unlit = 0, dark = 0, darkTiles = 0;  ///< pixels without light; those of tiles that have no others; these
     dvec4 errors{0.0};   ///< squared: of the luminance, and of each channel in levels
     dvec4 squares{0.0};  ///< of the tiles' errors
 
@@ -86,8 +90,18 @@ struct SmoothingJudgement::Sums {
         variance += tile.variance;
         noise += tile.noise;
         rareNoise += tile.rareNoise;
+        power += tile.power;
+        unlit += tile.unlit;
+        const bool isDark = tile.pixels > 0 && tile.unlit == tile.pixels;
+        dark += isDark ? tile.pixels : 0;
+        darkTiles += isDark;
         errors += tile.errors;
         squares += tile.errors * tile.errors;
+    }
+    /// Radiance that a dark tile may have: so few of its samples may be as bright as those elsewhere. 0 where the dark
+    /// is no more than what is left out.
+    double inTheDark(double samplesPerPixel) const {
+        return dark > kMostDark * pixels ? kSureEnough * darkTiles / (dark * samplesPerPixel) * (power / luminance) : 0;
     }
     /// Sums that chance has made negative say that there is no error.
     dvec4 rootMeans(double sigmas) const {
@@ -110,7 +124,7 @@ std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const
 
 SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy, const denoise::Colours& even,
                                        const denoise::Colours& odd, const std::stop_token& stop)
-    : area_(film.area()), unit_(noisy.unit), sigmas_(sureEnough(film.samplesPerPixel())) {
+    : area_(film.area()), unit_(noisy.unit), samples_(double(film.samplesPerPixel())), sigmas_(sureEnough(film.samplesPerPixel())) {
     const denoise::Plane variance = denoise::realVariance(noisy.all.variance, noisy.ratio);
     evidence_.reserve(std::size_t(area_.width) * std::size_t(area_.height));
     for (int y = 0; y < area_.height; ++y)
@@ -132,6 +146,7 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
             pixel.noise = square(float(error / unit_));
             pixel.rare = isRareLight(pdr::luminance(raw.mean), error);
             pixel.tissue = raw.tissue;
+            pixel.unlit = raw.unlit;
             tissue_ = tissue_ || pixel.tissue;
         }
     lostLines_ =
@@ -152,6 +167,8 @@ SmoothingJudgement::Sums SmoothingJudgement::sumsIn(const Tile& tile, float expo
             sums.variance += double(pixel.variance);
             sums.noise += double(pixel.noise);
             sums.rareNoise += pixel.rare ? double(pixel.noise) : 0;
+            sums.power += double(square(pixel.luminance) + float(samples_) * pixel.noise);
+            sums.unlit += pixel.unlit;
             sums.errors[0] += double(pixel.squaredError);
             for (int c = 0; c < 3; ++c) {
                 const float slope = levelSlope(pixel.smooth[c] / exposure, error) / exposure;
@@ -173,15 +190,17 @@ std::optional<SmoothedError> SmoothingJudgement::over(const Tile& region, double
     const Tile inside = intersection(region, area_);
     const auto inUnits = float(exposure / unit_);
     const Sums linear = sumsOver(inside, inUnits, 0);
-    if (linear.tiles < kFewestTiles || linear.rareNoise > kMostRareNoise * linear.noise)
+    if (linear.tiles < kFewestTiles || linear.rareNoise > kMostRareNoise * linear.noise ||
+        (linear.unlit > 0 && !(linear.luminance > 0)))
         return std::nullopt;
     const double error = linear.rootMeans(0)[0], atMost = linear.rootMeans(sigmas_)[0];
     const Sums shown = sumsOver(inside, inUnits, float(atMost) / inUnits);
     const double mean = linear.luminance / linear.pixels;
     const auto relative = [mean](double off) { return off > 0 ? off / mean : 0; };
     const auto worstChannel = [](const dvec4& all) { return std::max({all[1], all[2], all[3]}); };
+    const double dark = double(exactLevelOf(displayCurve(), float(linear.inTheDark(samples_) / double(inUnits))));
     return SmoothedError{relative(error), relative(atMost), kLevels * worstChannel(shown.rootMeans(0)),
-                         kMostLevels * worstChannel(shown.rootMeans(sigmas_)),
+                         std::max(kMostLevels * worstChannel(shown.rootMeans(sigmas_)), dark),
                          kHiddenSigmas * relative(std::sqrt(linear.variance / linear.pixels))};
 }
 

@@ -31,7 +31,8 @@ class SmoothingJudgement {
     static std::optional<SmoothingJudgement> of(const Film& film, const std::stop_token& stop = {});
 
     /// Of a region of the film, which is clipped to it, on a display of that exposure. Nothing where it has tissue in
-    /// less than 16 tiles of 16 x 16 pixels, or while the picture rests on few bright samples: too little is known.
+    /// less than 16 tiles of 16 x 16 pixels, while the picture rests on few bright samples, or while no light
+    /// has been seen that may come: too little is known.
     std::optional<SmoothedError> over(const Tile& region, double exposure) const;
     std::optional<SmoothedError> overAll(double exposure) const { return over(area_, exposure); }
     /// That are known to be missing, though the stated error does not tell; see denoise/lost_lines.h.
@@ -47,6 +48,7 @@ class SmoothingJudgement {
         float noise = 0;     ///< as raw as it is
         bool rare = false;   ///< less than two bright samples could make the pixel
         bool tissue = false;
+        bool unlit = false;
     };
     struct Sums;
 
@@ -57,6 +59,7 @@ class SmoothingJudgement {
 
     Tile area_;
     double unit_;
+    double samples_;  ///< that every pixel has
     double sigmas_;  ///< of the sums over tiles, for 95 %
     std::vector<Evidence> evidence_;
     bool tissue_ = false;  ///< there is some: only that counts

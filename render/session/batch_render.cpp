@@ -4,14 +4,13 @@
 #include <chrono>
 #include <cmath>
 
-#include "render/accuracy/forecast.h"
+#include "render/accuracy/stop_rule.h"
 
 namespace pdr {
 namespace {
 
 constexpr double kReportSeconds = 0.5;
-constexpr std::uint64_t kErrorEvery = 16;     ///< samples between two looks at the error; it costs time
-constexpr std::uint64_t kSamplesToStop = 64;  ///< before which no error counts as reached: too little is known of it
+constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two looks at the error; it costs time
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -107,10 +106,10 @@ std::uint32_t BatchRender::toBlockEnd(std::uint32_t wanted) const {
 std::optional<StopReason> BatchRender::reached(double elapsed) const {
     if (stops_.samples && done_ >= *stops_.samples)
         return StopReason::samples;
-    if (errorIsDue() && done_ >= kSamplesToStop) {
-        if (stops_.relativeError && status_.relativeError <= *stops_.relativeError)
+    if (errorIsDue()) {
+        if (stops_.relativeError && isReached(status_.relativeError, *stops_.relativeError, done_))
             return StopReason::error;
-        if (stops_.levels && status_.displayError <= *stops_.levels)
+        if (stops_.levels && isReached(status_.displayError, *stops_.levels, done_))
             return StopReason::levels;
     }
     if (stops_.seconds && done_ > 0 && elapsed >= *stops_.seconds)

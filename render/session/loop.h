@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "render/accuracy/shown_history.h"
 #include "render/film/error_map_view.h"
 #include "render/film/smoothed_view.h"
 #include "render/session/bias_measurements.h"
@@ -67,6 +68,7 @@ class Session::Loop {
     std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
     bool isSurveyDue(const Display& asked) const;
     void remember(DisplayedPicture& picture);
+    ShownStatus shown(const FilmStatus& film, bool denoised, float exposure);
     void addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds);
 
     // Beginnings.
@@ -92,7 +94,7 @@ class Session::Loop {
     Result<void> lookAtRegion(const Display& display);
     RenderCommands::Progress progress() const;
     double secondsAhead() const;
-    std::vector<QualityStep> steps() const;
+    std::vector<QualityStep> steps(ErrorOf of) const;
     bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }
     double pixels() const { return double(place_.size().x) * place_.size().y; }
     /// Of the part that is being sampled; samples that each of them has.
@@ -140,7 +142,7 @@ class Session::Loop {
     bool guideSought_ = false;                     ///< the device was asked for it
     std::shared_ptr<const GuidedFilm> guided_;     ///< the film on it, as it was shown; null: it was not
     std::optional<double> shownError_;             ///< of its full picture that was shown last; none: there is none
-    ErrorHistory history_;                         ///< of its full pictures
+    ShownHistory history_;                         ///< of its full pictures
     float historyExposure_ = 0;                    ///< of the display that its errors are those of
     double frameSeconds_ = 0;                      ///< of the frame in the making
     double seconds_ = 0;                           ///< of all of them

@@ -60,6 +60,11 @@ bool Session::Loop::isSurveyDue(const Display& asked) const {
     return coarse() || !shownError_ || asked.exposure != historyExposure_ || samples >= next;
 }
 
+/// How good the image is that is made of a film of that status, as it was judged last.
+ShownStatus Session::Loop::shown(const FilmStatus& film, bool denoised, float exposure) {
+    return shownStatus(film, denoised, denoised ? smoothedView_.error(exposure) : std::nullopt);
+}
+
 /// What is known of it, if it is the film's own.
 void Session::Loop::remember(DisplayedPicture& picture) {
     FilmStatus& status = picture.picture.status;
@@ -69,16 +74,18 @@ void Session::Loop::remember(DisplayedPicture& picture) {
         status.meanSamplesPerPixel = counts.meanSamplesPerPixel;
         status.mostSamplesPerPixel = counts.mostSamplesPerPixel;
         status.health = counts.health;
-        return;
     }
     shownError_.reset();
     if (coarse())
         return;
+    const ShownStatus now = shown(status, picture.picture.smoothed, picture.display.exposure);
+    shownError_ = now.status.displayError;
+    if (!picture.picture.surveyed)
+        return;
     surveyed_ = status;
-    shownError_ = status.displayError;
     if (std::exchange(historyExposure_, picture.display.exposure) != picture.display.exposure)
         history_.forgetErrors();
-    history_.add(seconds_ - secondsAhead(), status);
+    history_.add(seconds_ - secondsAhead(), status, now);
 }
 
 /// That a part has had of the samples that the whole picture is still to get.
@@ -95,8 +102,10 @@ Result<void> Session::Loop::lookAtRegion(const Display& display) {
     if (!region_.isDue(sweep_.samplesOf(tile), display.exposure))
         return {};
     const double start = clock_();
-    Result<void> looked =
-        place_.film()->look([&](const Film& film) { region_.look(film, display.exposure, seconds_); });
+    const bool denoised = smoothedView_.better({display.exposure, smooths(display)}).smoothed;
+    Result<void> looked = place_.film()->look([&](const Film& film) {
+        region_.look(film, display.exposure, seconds_, denoised ? &smoothedView_ : nullptr);
+    });
     seconds_ += secondsSince(start);
     return looked;
 }
@@ -108,8 +117,8 @@ RenderCommands::Progress Session::Loop::progress() const {
 }
 
 /// What it takes until the whole picture is as good: what a part has had already counts when the rest gets there.
-std::vector<QualityStep> Session::Loop::steps() const {
-    std::vector<QualityStep> steps = history_.steps();
+std::vector<QualityStep> Session::Loop::steps(ErrorOf of) const {
+    std::vector<QualityStep> steps = history_.steps(of);
     const double ahead = secondsAhead();
     for (QualityStep& step : steps)
         if (!step.reached)

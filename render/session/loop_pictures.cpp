@@ -173,9 +173,10 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->bias.isSmoothed = frame->smoothed;
     frame->seconds = seconds_;
     if (!coarse()) {
-        frame->steps = steps();
+        const ErrorOf of = shown(frame->status, frame->smoothed, frame->display.exposure).of;
+        frame->steps = steps(of);
         frame->region = region_.status(commands.stop().levels);
-        frame->history = history_.points();
+        frame->history = history_.points(of);
     }
     frame->errorMap = errorMap_.map();
     frame->iterationsPerSecond = meter_.iterationsPerSecond();

@@ -41,11 +41,15 @@ bool RegionView::isDue(std::uint64_t samples, float exposure) const {
     return region_ && (!status_ || exposure != exposure_ || 8 * samples >= 9 * status_->samplesPerPixel);
 }
 
-void RegionView::look(const Film& film, float exposure, double seconds) {
-    status_ = film.status(double(exposure), *tile(film.size()));
+void RegionView::look(const Film& film, float exposure, double seconds, SmoothedView* denoised) {
+    const Tile part = *tile(film.size());
+    const FilmStatus own = film.status(double(exposure), part);
+    const ShownStatus shown = shownStatus(own, denoised, denoised ? denoised->errorOver(part, exposure) : std::nullopt);
+    status_ = shown.status;
+    of_ = shown.of;
     if (std::exchange(exposure_, exposure) != exposure)
         history_.forgetErrors();
-    history_.add(seconds, *status_);
+    history_.add(seconds, own, shown);
 }
 
 double RegionView::error() const {
@@ -60,7 +64,7 @@ double RegionView::error() const {
 std::optional<RegionStatus> RegionView::status(double target) const {
     if (!region_ || !status_)
         return std::nullopt;
-    return RegionStatus{*region_, *status_, !isFirst(target), history_.steps(), history_.points()};
+    return RegionStatus{*region_, *status_, of_, !isFirst(target), history_.steps(of_), history_.points(of_)};
 }
 
 }  // namespace pdr

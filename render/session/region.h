@@ -4,8 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "render/accuracy/forecast.h"
+#include "render/accuracy/shown_history.h"
+#include "render/accuracy/stop_rule.h"
 #include "render/film/film.h"
+#include "render/film/smoothed_view.h"
 
 namespace pdr {
 
@@ -21,7 +23,8 @@ Tile tileOf(const Region& region, ivec2 size);
 /// Of its pixels alone.
 struct RegionStatus {
     Region region;
-    FilmStatus status;
+    FilmStatus status;               ///< of what is shown of them
+    ErrorOf of = ErrorOf::film;      ///< image that its displayError speaks of
     bool reached = false;            ///< it is within the target: the rest of the picture gets the samples
     std::vector<QualityStep> steps;  ///< while it gets all the samples; see ErrorHistory::steps()
     std::vector<ErrorPoint> history;
@@ -42,8 +45,9 @@ class RegionView {
     /// Whether the status is to be found out where each pixel has so many `samples`, on a display of that exposure: at
     /// each eighth more, and on another display.
     bool isDue(std::uint64_t samples, float exposure) const;
-    /// After `seconds` of rendering.
-    void look(const Film& film, float exposure, double seconds);
+    /// After `seconds` of rendering. `denoised`: what is known of the denoised image where that is shown; null: it is
+    /// not.
+    void look(const Film& film, float exposure, double seconds, SmoothedView* denoised = nullptr);
 
     /// Display levels within which 95 % of its tissue is shown; 0 where there is none, or no light for long. Infinite:
     /// not known yet.
@@ -51,13 +55,16 @@ class RegionView {
     /// Where rendering is to end within `target` levels. None without a region.
     std::optional<RegionStatus> status(double target) const;
     /// Whether it is to get all the samples.
-    bool isFirst(double target) const { return region_ && error() > target; }
+    bool isFirst(double target) const {
+        return region_ && (error() > target || (error() > 0 && status_->samplesPerPixel < kSamplesToStop));
+    }
 
   private:
     std::optional<Region> region_;
     std::optional<FilmStatus> status_;
-    float exposure_ = 0;  ///< of that
-    ErrorHistory history_;
+    ErrorOf of_ = ErrorOf::film;  ///< image that its displayError speaks of
+    float exposure_ = 0;          ///< of that
+    ShownHistory history_;
 };
 
 }  // namespace pdr

@@ -16,7 +16,7 @@
 #include "render/film/display.h"
 #include "render/film/film.h"
 #include "render/film/level_error_map.h"
-#include "render/film/smoothing_judgement.h"
+#include "render/film/shown_status.h"
 #include "render/scene/camera.h"
 #include "render/scene/clip.h"
 #include "render/scene/model.h"
@@ -63,6 +63,11 @@ struct Frame {
     std::shared_ptr<const LevelErrorMap> errorMap;
     std::optional<RegionStatus> region;  ///< none: it was not asked for, or nothing is known of it yet
 };
+
+/// How good the image of a frame is.
+inline ShownStatus shownOf(const Frame& frame) {
+    return shownStatus(frame.status, frame.smoothed, frame.smoothedError);
+}
 
 /// Called on the render thread; must return soon.
 using FrameSink = std::function<void(std::shared_ptr<const Frame>)>;

@@ -194,46 +194,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 wurde entfernt</translation>
     </message>
     <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · as wanted; Space goes on</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten · wie gewünscht; Leertaste: weiter</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · paused</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten · angehalten</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in %4</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten · ±%3 in %4</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in at least %4</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen vor dem Glätten · ±%3 in mindestens %4</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · as wanted; Space goes on</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen · wie gewünscht; Leertaste: weiter</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · paused</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen · angehalten</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in %4</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen · ±%3 in %4</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in at least %4</source>
-        <translation>%1 · 95 % des Gewebes innerhalb ±%2 von 255 Graustufen · ±%3 in mindestens %4</translation>
-    </message>
-    <message>
         <source>%1 · all that is on is called for</source>
         <translation>%1 · alles, was an ist, wird gebraucht</translation>
     </message>
@@ -528,6 +488,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>95 % interval, grey levels of 255</source>
         <translation>95-%-Intervall, Graustufen von 255</translation>
+    </message>
+    <message>
+        <source>95 % of the tissue within ±%1 of 255 grey levels</source>
+        <translation>95 % des Gewebes innerhalb ±%1 von 255 Graustufen</translation>
+    </message>
+    <message>
+        <source>95 % of the tissue within ±%1 of 255 grey levels before denoising</source>
+        <translation>95 % des Gewebes innerhalb ±%1 von 255 Graustufen vor dem Entrauschen</translation>
     </message>
     <message>
         <source>; any target takes %1 of the time</source>
@@ -1870,12 +1838,16 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Das Volumen von %1 wird vorbereitet...</translation>
     </message>
     <message>
-        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before smoothing, wanted ±%2</source>
-        <translation>Vorschau, nicht fertig · 95 % des Gewebes innerhalb ±%1 von 255 Graustufen vor dem Glätten, gewünscht ±%2</translation>
+        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before denoising, wanted ±%2</source>
+        <translation>Vorschau, nicht fertig · 95 % des Gewebes innerhalb ±%1 von 255 Graustufen vor dem Entrauschen, gewünscht ±%2</translation>
     </message>
     <message>
         <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
         <translation>Vorschau, nicht fertig · 95 % des Gewebes innerhalb ±%1 von 255 Graustufen, gewünscht ±%2</translation>
+    </message>
+    <message>
+        <source>Preview, not converged · denoised: 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
+        <translation>Vorschau, nicht fertig · entrauscht: 95 % des Gewebes innerhalb ±%1 von 255 Graustufen, gewünscht ±%2</translation>
     </message>
     <message>
         <source>Preview, not converged · how far it is off is not known yet</source>
@@ -2740,6 +2712,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>beliebig lange</translation>
     </message>
     <message>
+        <source>as wanted; Space goes on</source>
+        <translation>wie gewünscht; Leertaste: weiter</translation>
+    </message>
+    <message>
         <source>back</source>
         <translation>hinten</translation>
     </message>
@@ -2798,6 +2774,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>cut: %1</source>
         <translation>Schnitt: %1</translation>
+    </message>
+    <message>
+        <source>denoised: 95 % of the tissue within ±%1 of 255 grey levels</source>
+        <translation>entrauscht: 95 % des Gewebes innerhalb ±%1 von 255 Graustufen</translation>
+    </message>
+    <message>
+        <source>denoised: 95 % of the tissue within ±%1, thin structures may be further off</source>
+        <translation>entrauscht: 95 % des Gewebes innerhalb ±%1, dünne Strukturen können weiter abweichen</translation>
+    </message>
+    <message>
+        <source>denoised: error not known yet</source>
+        <translation>entrauscht: Fehler noch nicht bekannt</translation>
     </message>
     <message>
         <source>efficiency %1 %</source>
@@ -2944,6 +2932,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>an einem Bild von %1 × %2 Pixeln auf der CPU (%3)</translation>
     </message>
     <message>
+        <source>paused</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
         <source>results that never came: %1</source>
         <translation>ausgebliebene Ergebnisse: %1</translation>
     </message>
@@ -2970,14 +2962,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>slices of different size</source>
         <translation>Schichten verschiedener Größe</translation>
-    </message>
-    <message>
-        <source>smoothed: error not known yet</source>
-        <translation>geglättet: Fehler noch nicht bekannt</translation>
-    </message>
-    <message>
-        <source>smoothed: within ±%1 levels, at most ±%2</source>
-        <translation>geglättet: innerhalb ±%1 Stufen, höchstens ±%2</translation>
     </message>
     <message>
         <source>target</source>
@@ -3076,12 +3060,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>±%1 kommt zuerst: in %2, mit %3 Abtastungen</translation>
     </message>
     <message>
+        <source>±%1 in %2</source>
+        <translation>±%1 in %2</translation>
+    </message>
+    <message>
         <source>±%1 in %2, to 95 % between %3 and %4</source>
         <translation>±%1 in %2, zu 95 % zwischen %3 und %4</translation>
     </message>
     <message>
         <source>±%1 in at least %2</source>
         <translation>±%1 in mindestens %2</translation>
+    </message>
+    <message>
+        <source>±%1 levels for 95 % of the tissue before denoising; %2 % of its light</source>
+        <translation>±%1 Stufen für 95 % des Gewebes vor dem Entrauschen; %2 % seines Lichts</translation>
     </message>
     <message>
         <source>±%1 levels for 95 % of the tissue; %2 % of its light</source>

@@ -194,46 +194,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 se quitó</translation>
     </message>
     <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · as wanted; Space goes on</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar · según lo deseado; Espacio continúa</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · paused</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar · en pausa</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in %4</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar · ±%3 en %4</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels before smoothing · ±%3 in at least %4</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris antes de suavizar · ±%3 en al menos %4</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · as wanted; Space goes on</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris · según lo deseado; Espacio continúa</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · paused</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris · en pausa</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in %4</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris · ±%3 en %4</translation>
-    </message>
-    <message>
-        <source>%1 · 95 % of the tissue within ±%2 of 255 grey levels · ±%3 in at least %4</source>
-        <translation>%1 · 95 % del tejido dentro de ±%2 de 255 niveles de gris · ±%3 en al menos %4</translation>
-    </message>
-    <message>
         <source>%1 · all that is on is called for</source>
         <translation>%1 · todo lo activado es necesario</translation>
     </message>
@@ -528,6 +488,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>95 % interval, grey levels of 255</source>
         <translation>Intervalo del 95 %, niveles de gris de 255</translation>
+    </message>
+    <message>
+        <source>95 % of the tissue within ±%1 of 255 grey levels</source>
+        <translation>95 % del tejido dentro de ±%1 de 255 niveles de gris</translation>
+    </message>
+    <message>
+        <source>95 % of the tissue within ±%1 of 255 grey levels before denoising</source>
+        <translation>95 % del tejido dentro de ±%1 de 255 niveles de gris antes de eliminar el ruido</translation>
     </message>
     <message>
         <source>; any target takes %1 of the time</source>
@@ -1870,12 +1838,16 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Preparando el volumen de %1...</translation>
     </message>
     <message>
-        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before smoothing, wanted ±%2</source>
-        <translation>Vista previa, sin converger · 95 % del tejido dentro de ±%1 de 255 niveles de gris antes de suavizar, deseado ±%2</translation>
+        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before denoising, wanted ±%2</source>
+        <translation>Vista previa, sin converger · 95 % del tejido dentro de ±%1 de 255 niveles de gris antes de eliminar el ruido, deseado ±%2</translation>
     </message>
     <message>
         <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
         <translation>Vista previa, sin converger · 95 % del tejido dentro de ±%1 de 255 niveles de gris, deseado ±%2</translation>
+    </message>
+    <message>
+        <source>Preview, not converged · denoised: 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
+        <translation>Vista previa, sin converger · sin ruido: 95 % del tejido dentro de ±%1 de 255 niveles de gris, deseado ±%2</translation>
     </message>
     <message>
         <source>Preview, not converged · how far it is off is not known yet</source>
@@ -2740,6 +2712,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>cualquier tiempo</translation>
     </message>
     <message>
+        <source>as wanted; Space goes on</source>
+        <translation>según lo deseado; Espacio continúa</translation>
+    </message>
+    <message>
         <source>back</source>
         <translation>detrás</translation>
     </message>
@@ -2798,6 +2774,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>cut: %1</source>
         <translation>corte: %1</translation>
+    </message>
+    <message>
+        <source>denoised: 95 % of the tissue within ±%1 of 255 grey levels</source>
+        <translation>sin ruido: 95 % del tejido dentro de ±%1 de 255 niveles de gris</translation>
+    </message>
+    <message>
+        <source>denoised: 95 % of the tissue within ±%1, thin structures may be further off</source>
+        <translation>sin ruido: 95 % del tejido dentro de ±%1, las estructuras finas pueden desviarse más</translation>
+    </message>
+    <message>
+        <source>denoised: error not known yet</source>
+        <translation>sin ruido: error aún no conocido</translation>
     </message>
     <message>
         <source>efficiency %1 %</source>
@@ -2944,6 +2932,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>en una imagen de %1 × %2 píxeles en la CPU (%3)</translation>
     </message>
     <message>
+        <source>paused</source>
+        <translation>en pausa</translation>
+    </message>
+    <message>
         <source>results that never came: %1</source>
         <translation>resultados que no llegaron: %1</translation>
     </message>
@@ -2970,14 +2962,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>slices of different size</source>
         <translation>cortes de tamaño distinto</translation>
-    </message>
-    <message>
-        <source>smoothed: error not known yet</source>
-        <translation>suavizada: error aún no conocido</translation>
-    </message>
-    <message>
-        <source>smoothed: within ±%1 levels, at most ±%2</source>
-        <translation>suavizada: dentro de ±%1 niveles, como máximo ±%2</translation>
     </message>
     <message>
         <source>target</source>
@@ -3076,12 +3060,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>±%1 llega primero: en %2, con %3 muestras</translation>
     </message>
     <message>
+        <source>±%1 in %2</source>
+        <translation>±%1 en %2</translation>
+    </message>
+    <message>
         <source>±%1 in %2, to 95 % between %3 and %4</source>
         <translation>±%1 en %2, al 95 % entre %3 y %4</translation>
     </message>
     <message>
         <source>±%1 in at least %2</source>
         <translation>±%1 en al menos %2</translation>
+    </message>
+    <message>
+        <source>±%1 levels for 95 % of the tissue before denoising; %2 % of its light</source>
+        <translation>±%1 niveles para el 95 % del tejido antes de eliminar el ruido; %2 % de su luz</translation>
     </message>
     <message>
         <source>±%1 levels for 95 % of the tissue; %2 % of its light</source>

@@ -62,7 +62,7 @@ void TestBoxFirst::aBoxIsDrawnHasItsOwnSentenceAndIsForgotten() {
     QTRY_VERIFY_WITH_TIMEOUT(trial.said().startsWith("In the box: "), test::kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(std::isfinite(last()->region->status.displayError), test::kPatience);
     QVERIFY(trial.said().contains("waits for the box"));
-    QVERIFY(last()->status.mostSamplesPerPixel > last()->status.samplesPerPixel);
+    QTRY_VERIFY_WITH_TIMEOUT(last()->status.mostSamplesPerPixel > last()->status.samplesPerPixel, test::kPatience);
     // As good as is wanted of it, all of the picture is spoken of again.
     trial.desktop.parts().bridge.setStop({.levels = 32});
     QTRY_VERIFY_WITH_TIMEOUT(last()->region->reached, test::kPatience);

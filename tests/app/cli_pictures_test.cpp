@@ -57,7 +57,7 @@ class CliPicturesTest : public QObject {
             const ProgramRun result = BallScene::run(
                 QStringList{"render", scene(), "-o", at(name), "--samples", "16", "--size", "192x160"} + options);
             QCOMPARE(result.code, 0);
-            QCOMPARE(result.out.contains("smoothed:"), !QImage(at(name)).text("pdrender/smoothed").isEmpty());
+            QCOMPARE(result.out.contains("denoised:"), !QImage(at(name)).text("pdrender/smoothed").isEmpty());
         }
     }
 

@@ -75,7 +75,7 @@ void TestCopiedPicture::anUnfinishedCopySaysSoUnlessItIsToldNotTo() {
     trial.openAndWait(series_);
     const Frame& frame = heldFrame(trial);
     std::vector<std::uint8_t> annotated = frame.rgba;
-    const QString words = ui::previewText(frame.status, frame.stop.levels, frame.smoothed);
+    const QString words = ui::previewText(shownOf(frame), frame.stop.levels);
     QVERIFY(words.startsWith("Preview, not converged"));
     ui::Annotations all = annotationsOf(trial.desktop.parts(), frame);
     QVERIFY(all.patient.join(' ').contains("Phantom"));

@@ -78,8 +78,11 @@ void TestFoot::theSentenceSaysWordNumberAndPrice_data() {
     rare.steps[1].seconds.high = std::numeric_limits<double>::infinity();
     row("at least", rare, "Rough · 95 % of the tissue within ±26 of 255 grey levels · ±16 in at least 8 s");
     Accuracy smoothed = accuracyAt(26);
-    smoothed.smoothed = true;
-    row("smoothed", smoothed, "Rough · 95 % of the tissue within ±26 of 255 grey levels before smoothing · ±16 in 8 s");
+    smoothed.of = ErrorOf::denoised;
+    row("denoised", smoothed, "Rough · denoised: 95 % of the tissue within ±26 of 255 grey levels · ±16 in 8 s");
+    smoothed.of = ErrorOf::beforeDenoising;
+    row("not known of the denoised image", smoothed,
+        "Rough · 95 % of the tissue within ±26 of 255 grey levels before denoising · ±16 in 8 s");
     row("no forecast", {statusOf(12)}, "Good for orientation · 95 % of the tissue within ±12 of 255 grey levels");
     row("nothing", {}, "");
 }
@@ -118,12 +121,15 @@ void TestFoot::theSentenceSaysWhatIsNotKnown() {
 
 /// Where the picture leaves the window, the sentence goes with it, until it is as good as was wanted.
 void TestFoot::aPreviewSaysThatItIsOne() {
-    QCOMPARE(previewText(statusOf(12), 4, false),
+    const auto text = [](const FilmStatus& status, ErrorOf of) { return previewText({status, of}, 4); };
+    QCOMPARE(text(statusOf(12), ErrorOf::film),
              QString::fromUtf8("Preview, not converged · 95 % of the tissue within ±12 of 255 grey levels, wanted ±4"));
-    QVERIFY(previewText(statusOf(12), 4, true).contains(QString::fromUtf8("±12 of 255 grey levels before smoothing")));
-    QVERIFY(previewText({.samplesPerPixel = 31}, 4, false).startsWith("Preview, not converged"));
-    QCOMPARE(previewText(statusOf(4), 4, false), QString());
-    QCOMPARE(previewText(statusOf(3.9), 4, true), QString());
+    QVERIFY(text(statusOf(12), ErrorOf::denoised).contains("denoised: 95 % of the tissue within"));
+    QVERIFY(text(statusOf(12), ErrorOf::beforeDenoising)
+                .contains(QString::fromUtf8("±12 of 255 grey levels before denoising")));
+    QVERIFY(text({.samplesPerPixel = 31}, ErrorOf::film).startsWith("Preview, not converged"));
+    QCOMPARE(text(statusOf(4), ErrorOf::film), QString());
+    QCOMPARE(text(statusOf(3.9), ErrorOf::denoised), QString());
 }
 
 void TestFoot::stepsAreToldInWords() {

@@ -244,14 +244,14 @@ void TestPanels::brightnessBeyondTheSliderIsKeptAtItsEnd() {
 }
 
 void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
-    const QString within = QString::fromUtf8("smoothed: within ±5 levels, at most ±7");
+    const QString within = QString::fromUtf8("denoised: 95 % of the tissue within ±7, thin structures may be further off");
     SmoothedError error{.levels = 4.2, .levelsAtMost = 6.9};
     QCOMPARE(smoothedTexts(error, 0), QStringList{within});
     error.hiddenContrast = 0.371;
     QCOMPARE(smoothedTexts(error, 0), (QStringList{within, "fine detail below 38 % contrast is not shown yet"}));
     error.hiddenContrast = 1.2;
     QCOMPARE(smoothedTexts(error, 0), (QStringList{within, "fine detail is not shown yet"}));
-    QCOMPARE(smoothedTexts(std::nullopt, 0), QStringList{"smoothed: error not known yet"});
+    QCOMPARE(smoothedTexts(std::nullopt, 0), QStringList{"denoised: error not known yet"});
     QCOMPARE(smoothedTexts(error, 1).back(), "1 line that smoothing took away is marked");
     QCOMPARE(smoothedTexts(error, 3).back(), "3 lines that smoothing took away are marked");
     QCOMPARE(smoothedTexts(error, 200).back(), "the 200 clearest of the lines that smoothing took away are marked");

@@ -302,7 +302,11 @@ class ForecastTest : public QObject {
         QVERIFY(std::abs(stop->seconds - 16) < 1e-9 && std::abs(stop->levels - 8) < 1e-6 && stop->samples == 512);
         QVERIFY(!foretoldStop({}, {}, 2, 64));
         const StopRule rule{.levels = 4, .seconds = 10, .samples = 100};
-        QVERIFY(rule.isMet(4, 1, 1) && rule.isMet(9, 10, 1) && rule.isMet(9, 1, 100) && !rule.isMet(4.1, 9.9, 99));
+        QVERIFY(rule.isMet(4, 1, 64) && rule.isMet(9, 10, 1) && rule.isMet(9, 1, 100) && !rule.isMet(4.1, 9.9, 99));
+        QVERIFY(!rule.isMet(0.1, 9.9, 63));  // too few samples for an error to count
+        QVERIFY(isReached(4, 4, 64) && !isReached(4, 4, 63) && !isReached(4.1, 4, 64));
+        const auto early = foretoldStop({.levels = 64}, steps, 2, 16);
+        QVERIFY(early->seconds == 8 && early->samples == 64);
         QVERIFY(!StopRule{}.isMet(1.1, 1e9, 1'000'000'000));
     }
 };

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "render/device/emulated/emulated_gpu.h"
+#include "render/film/shown_status.h"
 #include "render/film/smoothed_view.h"
 #include "render/film/tone_map.h"
 #include "tests/support/noisy_films.h"
@@ -230,6 +231,44 @@ class SmoothingJudgementTest : public QObject {
         };
         QVERIFY(!said(8));
         QVERIFY(said(800));
+    }
+
+    /// Black, since no light was found yet, is not dark: nothing is said of a black picture, and of one that is black
+    /// in part, what rare light may bring there.
+    void tissueThatHasSeenNoLightIsNoDarkTissue() {
+        const ivec2 size(128, 96);
+        const auto said = [&](int lit, std::uint32_t seenInTheDark, double exposure = 1) {
+            const auto isLit = [&](std::size_t pixel) { return int(pixel) % size.x < lit; };
+            Film film(size, 1);
+            grow(
+                film, 16,
+                [&](std::size_t pixel, std::uint64_t sample) { return isLit(pixel) ? chance(3, pixel, sample) : 0.0; },
+                [&](std::size_t pixel) { return isLit(pixel) ? kSeenTissue | kSeenChance : seenInTheDark; });
+            return SmoothingJudgement::of(film)->overAll(exposure);
+        };
+        constexpr std::uint32_t kUnlucky = kSeenTissue | kSeenChance;
+        QVERIFY(said(128, 0));
+        QVERIFY(!said(0, kUnlucky));
+        QVERIFY(said(0, kSeenTissue));  // which no light can reach: that is dark
+        // An eighth of it in tiles of 256 pixels; light is as bright as 2/3 where there is some.
+        const double rare = curve(3.0 / (256 * 16) * 2 / 3, 0.002);
+        const double unlucky = said(112, kUnlucky, 0.002)->levelsAtMost;
+        const double dark = said(112, kSeenTissue, 0.002)->levelsAtMost;
+        QVERIFY2(unlucky > 0.9 * rare && dark < 0.9 * rare,
+                 qPrintable(QString("%1, %2 of %3").arg(unlucky).arg(dark).arg(rare)));
+    }
+
+    /// What is said of a denoised image is said of that, and where nothing is known of it, of the film, by name.
+    void theNumberIsOfTheImageThatIsShown() {
+        const FilmStatus film{.samplesPerPixel = 64, .displayError = 16, .tissuePixels = 100, .gain = 2};
+        const SmoothedError error{.levels = 5, .levelsAtMost = 7};
+        QCOMPARE(shownStatus(film, false, error).status.displayError, 16.0);
+        QVERIFY(shownStatus(film, false, error).of == ErrorOf::film);
+        QCOMPARE(shownStatus(film, true, error).status.displayError, 7.0);
+        QVERIFY(shownStatus(film, true, error).of == ErrorOf::denoised);
+        QCOMPARE(shownStatus(film, true, std::nullopt).status.displayError, 16.0);
+        QVERIFY(shownStatus(film, true, std::nullopt).of == ErrorOf::beforeDenoising);
+        QVERIFY(shownStatus({.samplesPerPixel = 64}, true, error).of == ErrorOf::beforeDenoising);  // without tissue
     }
 
     void nothingIsSaidOfTooFewSamplesOrAfterAStop() {

@@ -1,6 +1,7 @@
 /// Rendering ends by itself where more of it would not be seen, says so, and goes on when it is asked to.
 
 #include <QTest>
+#include <cmath>
 #include <ctime>
 
 #include "tests/support/reel.h"
@@ -37,7 +38,7 @@ class TargetTest : public QObject {
         Held held;
         const auto frame = held.reached(1);
         QVERIFY(frame && frame->status.displayError <= kFinestStep);
-        QVERIFY(frame->status.samplesPerPixel >= kSamplesToEstimate);
+        QVERIFY(frame->status.samplesPerPixel >= kSamplesToStop);
         const int shown = held.screen.count();
         const std::clock_t start = std::clock();
         QTest::qWait(300);
@@ -54,6 +55,38 @@ class TargetTest : public QObject {
         QVERIFY(!(early->status.displayError <= kFinestStep));
         held.session.setIterationsPerFrame(50);
         QVERIFY(held.screen.await([](const Frame& frame) { return frame.reached; }));
+    }
+
+    /// However good it seems: as on the command line.
+    void aFewSamplesAreNeverEnough() {
+        Held held;
+        held.session.setIterationsPerFrame(4);
+        held.session.setStop({.levels = 64});
+        const auto frame = held.reached(1);
+        QVERIFY(frame && frame->status.samplesPerPixel >= kSamplesToStop);
+        QVERIFY(frame->status.samplesPerPixel < kSamplesToStop + 8);
+    }
+
+    /// The denoised image where that is shown, and the film once it is shown as it is.
+    void theImageOnTheScreenIsHeldByItsOwnError() {
+        Held held;
+        held.session.setIterationsPerFrame(8);
+        held.session.setDisplay({.smoothed = true});
+        Scene scene = smallScene(1);
+        scene.film = {96, 80};
+        held.session.setStop({.levels = 64});
+        held.session.submit(scene, false);
+        const auto first = held.screen.await([](const Frame& f) { return f.reached && f.smoothedError; });
+        QVERIFY(first && first->smoothed && first->smoothedError->levelsAtMost < 0.8 * first->status.displayError);
+        const double between = std::sqrt(first->smoothedError->levelsAtMost * first->status.displayError);
+        held.session.setStop({.levels = between});
+        const auto denoised = held.screen.await([&](const Frame& f) { return f.stop.levels == between; });
+        QVERIFY(denoised && denoised->reached);
+        QCOMPARE(denoised->status.samplesPerPixel, first->status.samplesPerPixel);
+        held.session.setDisplay({});
+        const auto raw = held.screen.await([](const Frame& f) { return !f.smoothed && f.reached; });
+        QVERIFY(raw && raw->status.displayError <= between);
+        QVERIFY(raw->status.samplesPerPixel > first->status.samplesPerPixel);
     }
 
     void moreIsRenderedOnRequestUntilThereIsAnotherScene() {
