@@ -11,6 +11,7 @@ namespace pdr::ui {
 namespace {
 
 constexpr int kMargin = 12;
+constexpr QRgb kLostColour = qRgb(110, 185, 190);  ///< of brackets: no hand moves them, and they measure nothing
 
 /// Of the screen.
 QSize sizeInPixels(const PictureView& view) {
@@ -79,8 +80,11 @@ void Painting::paintErrorMap() const {
     paintErrorLegend(painter, withinMargins(), picture.smoothed);
 }
 
-/// The line itself stays free: if the film is shown in its place, it is seen there.
+/// With the map: alone they would pass for findings. The line itself stays free: if the film is shown in its place, it
+/// is seen there.
 void Painting::paintLostLines() const {
+    if (picture.errorMap.isNull())
+        return;
     const double scale = area().height() / picture.image.height();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -88,7 +92,7 @@ void Painting::paintLostLines() const {
         const QLineF shown(area().topLeft() + scale * line.p1(), area().topLeft() + scale * line.p2());
         const QPainterPath brackets = bracketsAround(shown);
         painter.strokePath(brackets.translated(1, 1), QPen(QColor(0, 0, 0, 150), 1));
-        painter.strokePath(brackets, QPen(QColor(kMarkColour), 1));
+        painter.strokePath(brackets, QPen(QColor(kLostColour), 1, Qt::DotLine));
     }
     painter.restore();
 }

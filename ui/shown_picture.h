@@ -17,7 +17,7 @@ struct ShownPicture {
     Camera camera;            ///< that it was made with; letters and cube are painted from it
     QString texts;            ///< what it shows, in lines; written into a corner, ...
     QString mark;             ///< ... with what else must be known of the picture; empty: nothing
-    QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends
+    QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends, with the map
     QString caption;          ///< below the mark, where nothing beside the picture says it: PictureView::caption
     QImage errorMap;          ///< painted over the image, with a legend; null: none
     bool smoothed = false;    ///< the image is; the map is of what it was before

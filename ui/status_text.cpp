@@ -54,10 +54,10 @@ QStringList errorTexts(const std::optional<SmoothedError>& error) {
 QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines) {
     QStringList texts = errorTexts(error);
     if (lostLines >= denoise::kMostLostLines)
-        texts << translated("the %1 clearest of the lines that smoothing took away are marked").arg(lostLines);
+        texts << translated("%1 or more thin lines hidden by denoising: E shows where").arg(lostLines);
     else if (lostLines > 0)
-        texts << translated(lostLines == 1 ? "%1 line that smoothing took away is marked"
-                                           : "%1 lines that smoothing took away are marked")
+        texts << translated(lostLines == 1 ? "%1 thin line hidden by denoising: E shows where"
+                                           : "%1 thin lines hidden by denoising: E shows where")
                      .arg(lostLines);
     return texts;
 }

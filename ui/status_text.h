@@ -18,8 +18,8 @@ QString gridText(dvec3 spacingMm);
 QString stretchedText(ivec2 picture, QSize view);
 
 /// What stands beside a denoised image: "denoised: 95 % of the tissue within ±7, thin structures may be further off",
-/// and "fine detail below 38 % contrast is not shown yet"; or that the error is not known yet; and how many `lostLines`
-/// are marked in it.
+/// and "fine detail below 38 % contrast is not shown yet"; or that the error is not known yet; and how many
+/// `lostLines` it lacks, which the error map marks.
 QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines);
 
 /// What stands beside a picture with a box, whose status is `box`: "in the box 95 % of the tissue within ±4", of what is

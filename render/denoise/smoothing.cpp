@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/denoise/regained.h"
+
 namespace pdr::denoise {
 namespace {
 
@@ -55,6 +57,7 @@ Colours smoothed(const Colours& mean, const Plane& variance, const Plane& ratio,
     const Plane noise = realVariance(variance, ratio);
     const Plane counted = combined([](float real) { return real + kLeastVariance; }, noise);
     Colours out = onScales({mean, luminance(mean), counted}, kScales, stop);
+    regain(mean, noise, out, stop);
     for (int c = 0; c < 3; ++c)
         out[c] = combined([](float smooth, float raw, float real) { return real == 0 ? raw : std::max(smooth, 0.0f); },
                           out[c], mean[c], noise);

@@ -13,6 +13,12 @@ namespace pdr {
 
 /// Samples per pixel below which nothing is said about display levels.
 inline constexpr std::uint64_t kSamplesToEstimate = 32;
+/// The same of an image in which chance has no part but in where a sample lies in its pixel, as of the models without
+/// scattering: one sample of each half.
+inline constexpr std::uint64_t kSamplesWithoutChance = 2;
+constexpr std::uint64_t samplesToEstimate(bool chance) {
+    return chance ? kSamplesToEstimate : kSamplesWithoutChance;
+}
 
 struct FilmStatus {
     std::uint64_t samplesPerPixel = 0;  ///< that every pixel has; the mean and the most that one has:
@@ -25,7 +31,7 @@ struct FilmStatus {
     /// Unknown below 2 samples and while nothing that chance decides was seen; 0 for an image without noise.
     double relativeError = 0;
     /// 95 % of the tissue is shown within so many display levels of what it would be without noise, [0, 255]; see
-    /// display_error.h. Unknown below kSamplesToEstimate samples, without tissue, and without a display.
+    /// display_error.h. Unknown below samplesToEstimate() samples, without tissue, and without a display.
     double displayError = std::numeric_limits<double>::infinity();
     /// Standard deviation of displayError itself [levels], whatever the errors' distribution: of N pixels so many lie
     /// below a percentile as come of N throws of a coin. 0 where displayError is not known.

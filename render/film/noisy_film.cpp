@@ -14,6 +14,8 @@ constexpr double kBrightest = 1e15;
 /// tissue; with 1.5 it is as good, with 2 fine lines go earlier than those of the halves.
 constexpr float kTolerance = 1.5f;
 
+constexpr int kLendRadius = 8;  ///< of a square that holds several samples with light where one in a hundred has some
+
 /// A power of two, which scales without rounding.
 double unitFor(double meanLuminance) {
     return meanLuminance > 0 ? std::exp2(std::clamp(std::ilogb(meanLuminance), -120, 120)) : 1;
@@ -52,6 +54,22 @@ void mirror(NoisyFilm::Part& part) {
     part.variance.mirror();
 }
 
+/// Which pixels show tissue (1), and which of these have seen no light though they may.
+struct Tissue {
+    denoise::Plane met, unlit;
+};
+
+/// A pixel that has seen no light knows nothing of its noise, which is not none: it has that of the tissue around.
+void lendNoise(const Tissue& tissue, NoisyFilm& film) {
+    const auto times = [](float a, float b) { return a * b; };
+    const denoise::Plane sums = denoise::boxed(denoise::combined(times, film.all.variance, tissue.met), kLendRadius);
+    const denoise::Plane counts = denoise::boxed(tissue.met, kLendRadius);
+    for (const auto& [part, share] : {std::pair(&film.all, 1.0f), {&film.even, 2.0f}, {&film.odd, 2.0f}})
+        part->variance = denoise::combined(
+            [share](float own, float unlit, float sum, float count) { return unlit > 0 ? share * sum / count : own; },
+            part->variance, tissue.unlit, sums, counts);
+}
+
 denoise::Plane ratioOf(const NoisyFilm& film) {
     const auto difference = [](float a, float b) { return a - b; };
     const auto sum = [](float a, float b) { return a + b; };
@@ -65,15 +83,22 @@ denoise::Plane ratioOf(const NoisyFilm& film) {
 NoisyFilm noisyFilm(const Film& film) {
     const ivec2 size = film.size();
     NoisyFilm noisy{unitFor(film.status().meanLuminance), partOf(size), partOf(size), partOf(size), {}};
+    Tissue tissue{denoise::Plane(size), denoise::Plane(size)};
     denoise::eachBand(size.y, {}, [&](int begin, int end) {
         for (int y = begin; y < end; ++y)
-            for (int x = 0; x < size.x; ++x)
-                setPixel(noisy, x, y, film.pixel(x, y));
+            for (int x = 0; x < size.x; ++x) {
+                const PixelEstimate pixel = film.pixel(x, y);
+                setPixel(noisy, x, y, pixel);
+                tissue.met.row(y)[x] = float(pixel.tissue);
+                tissue.unlit.row(y)[x] = float(pixel.tissue && pixel.unlit);
+            }
     });
+    tissue.met.mirror();
     for (NoisyFilm::Part* part : {&noisy.all, &noisy.even, &noisy.odd})
         mirror(*part);
     if (film.samplesPerPixel() >= 2) {
         noisy.ratio = ratioOf(noisy);
+        lendNoise(tissue, noisy);
         return noisy;
     }
     noisy.all.variance = denoise::varianceAround(denoise::luminance(noisy.all.mean));

@@ -57,7 +57,7 @@ FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCoun
 FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCounts& samples, const Health& health,
                     const Shown& shown) {
     FilmStatus status = statusOf(sums, pixels, samples, health);
-    if (samples.least < kSamplesToEstimate || sums.tissue == 0 || !std::isfinite(status.relativeError))
+    if (samples.least < samplesToEstimate(sums.chance > 0) || sums.tissue == 0 || !std::isfinite(status.relativeError))
         return status;
     ErrorCounts errors = shown.errors;
     if (sums.unlit > 0)

@@ -130,14 +130,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 verabschiedet sich</translation>
     </message>
     <message>
-        <source>%1 line that smoothing took away is marked</source>
-        <translation>%1 Linie, die das Glätten entfernt hat, ist markiert</translation>
-    </message>
-    <message>
-        <source>%1 lines that smoothing took away are marked</source>
-        <translation>%1 Linien, die das Glätten entfernt hat, sind markiert</translation>
-    </message>
-    <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
@@ -162,6 +154,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 der Kurve</translation>
     </message>
     <message>
+        <source>%1 or more thin lines hidden by denoising: E shows where</source>
+        <translation>%1 oder mehr dünne Linien durch das Entrauschen verdeckt: E zeigt, wo</translation>
+    </message>
+    <message>
         <source>%1 over Hounsfield units</source>
         <translation>%1 über Hounsfield-Einheiten</translation>
     </message>
@@ -172,6 +168,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 samples</source>
         <translation>%1 Abtastungen</translation>
+    </message>
+    <message>
+        <source>%1 thin line hidden by denoising: E shows where</source>
+        <translation>%1 dünne Linie durch das Entrauschen verdeckt: E zeigt, wo</translation>
+    </message>
+    <message>
+        <source>%1 thin lines hidden by denoising: E shows where</source>
+        <translation>%1 dünne Linien durch das Entrauschen verdeckt: E zeigt, wo</translation>
     </message>
     <message>
         <source>%1 waits for the scan</source>
@@ -2970,10 +2974,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>target: %1</source>
         <translation>Ziel: %1</translation>
-    </message>
-    <message>
-        <source>the %1 clearest of the lines that smoothing took away are marked</source>
-        <translation>die %1 deutlichsten Linien, die das Glätten entfernt hat, sind markiert</translation>
     </message>
     <message>
         <source>the CPU</source>

@@ -130,14 +130,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 se despide</translation>
     </message>
     <message>
-        <source>%1 line that smoothing took away is marked</source>
-        <translation>está marcada %1 línea que el suavizado eliminó</translation>
-    </message>
-    <message>
-        <source>%1 lines that smoothing took away are marked</source>
-        <translation>están marcadas %1 líneas que el suavizado eliminó</translation>
-    </message>
-    <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
@@ -162,6 +154,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 de la curva</translation>
     </message>
     <message>
+        <source>%1 or more thin lines hidden by denoising: E shows where</source>
+        <translation>%1 o más líneas finas ocultas al eliminar el ruido: E muestra dónde</translation>
+    </message>
+    <message>
         <source>%1 over Hounsfield units</source>
         <translation>%1 sobre unidades Hounsfield</translation>
     </message>
@@ -172,6 +168,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 samples</source>
         <translation>%1 muestras</translation>
+    </message>
+    <message>
+        <source>%1 thin line hidden by denoising: E shows where</source>
+        <translation>%1 línea fina oculta al eliminar el ruido: E muestra dónde</translation>
+    </message>
+    <message>
+        <source>%1 thin lines hidden by denoising: E shows where</source>
+        <translation>%1 líneas finas ocultas al eliminar el ruido: E muestra dónde</translation>
     </message>
     <message>
         <source>%1 waits for the scan</source>
@@ -2970,10 +2974,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>target: %1</source>
         <translation>objetivo: %1</translation>
-    </message>
-    <message>
-        <source>the %1 clearest of the lines that smoothing took away are marked</source>
-        <translation>están marcadas las %1 líneas más claras que el suavizado eliminó</translation>
     </message>
     <message>
         <source>the CPU</source>

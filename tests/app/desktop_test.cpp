@@ -259,6 +259,8 @@ void TestDesktop::linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone()
         auto frame = std::make_shared<Frame>(*trial.frames.back());
         frame->rgba.assign(frame->rgba.size(), 0);
         frame->smoothed = smoothed;
+        frame->errorMap = std::make_shared<const LevelErrorMap>(
+            LevelErrorMap{frame->size, std::vector<std::uint8_t>(frame->rgba.size() / 4, kNoTissueBin)});
         if (marked)
             frame->lostLines = {{.begin = vec2(20, 30), .end = vec2(60, 40), .darker = true}};
         showFrame(trial.desktop.parts(), frame);

@@ -252,9 +252,9 @@ void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
     error.hiddenContrast = 1.2;
     QCOMPARE(smoothedTexts(error, 0), (QStringList{within, "fine detail is not shown yet"}));
     QCOMPARE(smoothedTexts(std::nullopt, 0), QStringList{"denoised: error not known yet"});
-    QCOMPARE(smoothedTexts(error, 1).back(), "1 line that smoothing took away is marked");
-    QCOMPARE(smoothedTexts(error, 3).back(), "3 lines that smoothing took away are marked");
-    QCOMPARE(smoothedTexts(error, 200).back(), "the 200 clearest of the lines that smoothing took away are marked");
+    QCOMPARE(smoothedTexts(error, 1).back(), "1 thin line hidden by denoising: E shows where");
+    QCOMPARE(smoothedTexts(error, 3).back(), "3 thin lines hidden by denoising: E shows where");
+    QCOMPARE(smoothedTexts(error, 200).back(), "200 or more thin lines hidden by denoising: E shows where");
 }
 
 void TestPanels::theStatusNamesTheDeviceAndItsIterations() {

@@ -238,13 +238,17 @@ void TestViewport::theCaptionStandsInAPictureAlone() {
     QVERIFY(shown(true, "Preview") != shown(true, {}));
 }
 
-/// A picture of half the view's size, in which a line lies: seen are its ends, not the line, nor what is written.
+/// A picture of half the view's size, in which a line lies: seen are its ends, not the line, nor what is written; and
+/// that with the error map alone.
 void TestViewport::bracketsStandAtTheEndsOfLostLinesAlone() {
     Hand hand;
     QImage image(200, 100, QImage::Format_RGBX8888);
     image.fill(Qt::darkGray);
-    const auto shown = [&](const QList<QLineF>& lostLines) {
-        hand.viewport.setPicture({image, hand.camera, "bone", "smoothed", lostLines});
+    QImage map(image.size(), QImage::Format_RGBA8888);
+    map.fill(Qt::transparent);
+    const auto shown = [&](const QList<QLineF>& lostLines, bool withMap = true) {
+        hand.viewport.setPicture(
+            {image, hand.camera, "bone", "denoised", lostLines, {}, withMap ? map : QImage(), true});
         return hand.viewport.grab().toImage();
     };
     const QImage plain = shown({}), marked = shown({QLineF(80, 50, 120, 50)});
@@ -252,8 +256,10 @@ void TestViewport::bracketsStandAtTheEndsOfLostLinesAlone() {
     QRect changed;
     for (int y = 0; y < plain.height(); ++y)
         for (int x = 0; x < plain.width(); ++x)
-            if (plain.pixel(x, y) != marked.pixel(x, y))
+            if (plain.pixel(x, y) != marked.pixel(x, y)) {
                 changed |= QRect(x, y, 1, 1);
+                QVERIFY(qBlue(marked.pixel(x, y)) >= qRed(marked.pixel(x, y)));  // not as handles and measures are
+            }
     // The line goes from 160 to 240 at a height of 100.
     const QRectF lengths(changed.topLeft() / ratio, changed.size() / ratio);
     QVERIFY(lengths.left() > 150 && lengths.left() < 160 && lengths.right() > 240 && lengths.right() < 250);
@@ -261,6 +267,7 @@ void TestViewport::bracketsStandAtTheEndsOfLostLinesAlone() {
     const QRect line(QPoint(int(165 * ratio), int(96 * ratio)), QPoint(int(235 * ratio), int(104 * ratio)));
     QVERIFY(plain.copy(line) == marked.copy(line));
     QVERIFY(shown({}) == plain);
+    QVERIFY(shown({QLineF(80, 50, 120, 50)}, false) == shown({}, false));
 }
 
 void TestViewport::withoutPictureTheMessageIsShown() {

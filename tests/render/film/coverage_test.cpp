@@ -84,6 +84,33 @@ class CoverageTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// Where chance has no part but in the pixels' edges, two samples tell.
+    void projectionsAreKnownAtOnce_data() {
+        QTest::addColumn<Model>("model");
+        for (const Model model : {Model::absorption, Model::emissionAbsorption, Model::maximumIntensity})
+            QTest::newRow(modelName(model)) << model;
+    }
+    void projectionsAreKnownAtOnce() {
+        QFETCH(Model, model);
+        Scene scene = test::tissueScene();
+        scene.film = kFilm;
+        scene.model = model;
+        scene.seed = 9'999;
+        const Film truth = test::render(scene, 2'048);
+        for (const std::uint64_t samples : {2, 4, 8, 16, 31}) {
+            constexpr int kSeeds = 20;
+            double levels = 0, stated = 0;
+            for (scene.seed = 1; scene.seed <= kSeeds; ++scene.seed) {
+                const Film film = test::render(scene, samples);
+                levels += covered(film, truth).levels / kSeeds;
+                stated += test::shownStatus(film, kExposure).displayError / kSeeds;
+            }
+            qInfo("%d samples: %.1f %% of the tissue within %.2f levels", int(samples), 100 * levels, stated);
+            QVERIFY(std::isfinite(stated) && levels > 0.93);
+        }
+        QVERIFY(!std::isfinite(test::shownStatus(test::render(scene, 1), kExposure).displayError));
+    }
+
     void whatIsStatedHolds_data() {
         QTest::addColumn<MakeScene>("made");
         QTest::addColumn<bool>("rareLight");  // most of a pixel's light comes by paths that few samples find
