@@ -26,7 +26,7 @@ constexpr double kLevels = 2, kMostLevels = 2.1;
 
 /// In standard deviations of the noise: measured with lines drawn into pictures of bone and of smooth shade, 4 to 256
 /// samples a pixel.
-constexpr double kHiddenSigmas = 3.4;
+constexpr double kHiddenSigmas = 1.8;
 
 float square(float value) {
     return value * value;

@@ -87,6 +87,19 @@ std::vector<LostLine> marksOf(const Film& film) {
     return SmoothingJudgement::of(film)->lostLines();
 }
 
+/// Of a film whose smoothed picture shows nothing but what `plain` shows.
+std::vector<LostLine> marksBeside(const Film& film, const Film& plain) {
+    const NoisyFilm noisy = noisyFilm(film), calm = noisyFilm(plain);
+    const auto scaled = [](const denoise::Plane& plane, double unit) {
+        return denoise::combined([unit](float value) { return float(unit) * value; }, plane);
+    };
+    const auto square = float(noisy.unit * noisy.unit);
+    const denoise::Plane variance = denoise::combined([square](float value) { return square * value; },
+                                                      denoise::realVariance(noisy.all.variance, noisy.ratio));
+    return denoise::lostLines(scaled(denoise::luminance(noisy.all.mean), noisy.unit),
+                              scaled(denoise::luminance(pdr::smoothRadiance(calm)), calm.unit), variance);
+}
+
 /// Whether the smoothed picture keeps less than half of a line's contrast.
 bool isLost(const Drawn& line, const std::vector<double>& without, const std::vector<double>& with, double contrast) {
     double light = 0, kept = 0;
@@ -106,7 +119,7 @@ class LostLinesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// And the smoothed picture of the samples' contrast has lost them.
+    /// Where a smoothed picture shows none of them.
     void lostLinesAreMarkedAndNothingElse_data() {
         QTest::addColumn<int>("samples");
         QTest::addColumn<double>("contrast");
@@ -118,25 +131,41 @@ class LostLinesTest : public QObject {
         QFETCH(double, contrast);
         const Film plain = noisyFilmOf(kFilm, shade, std::uint64_t(samples));
         const Film drawn = noisyFilmOf(kFilm, withLines(contrast), std::uint64_t(samples));
-        const std::vector<double> without = smoothRadiance(plain), with = smoothRadiance(drawn);
-        const std::vector<LostLine> marks = marksOf(drawn);
-        int lost = 0, marked = 0, right = 0;
+        const std::vector<LostLine> marks = marksBeside(drawn, plain);
+        int marked = 0, right = 0;
         for (int cell = 0; cell < kLines; ++cell) {
             const Drawn line = lineIn(cell);
             const auto on = std::ranges::count_if(marks, [&](const LostLine& mark) { return line.has(mark); });
             right += int(on);
-            if (!isLost(line, without, with, contrast))
-                continue;
-            ++lost;
             marked += on > 0;
         }
-        QVERIFY2(lost > kLines / 2, qPrintable(QString::number(lost)));
-        QVERIFY2(marked >= 0.8 * lost, qPrintable(QString("%1 of %2").arg(marked).arg(lost)));
+        QVERIFY2(marked >= 0.8 * kLines, qPrintable(QString("%1 of %2").arg(marked).arg(kLines)));
         QCOMPARE(right, int(marks.size()));
         QVERIFY(std::ranges::all_of(marks, &LostLine::darker));
     }
 
+    /// Of lines that are as clear as that a smoothed picture loses few, and no mark stands where there is none.
+    void whatTheSmoothedPictureKeepsIsNotMarked_data() {
+        QTest::addColumn<int>("samples");
+        QTest::addColumn<double>("contrast");
+        QTest::addRow("40 %% at 16 samples") << 16 << 0.4;
+        QTest::addRow("20 %% at 64 samples") << 64 << 0.2;
+    }
     void whatTheSmoothedPictureKeepsIsNotMarked() {
+        QFETCH(int, samples);
+        QFETCH(double, contrast);
+        const Film plain = noisyFilmOf(kFilm, shade, std::uint64_t(samples));
+        const Film drawn = noisyFilmOf(kFilm, withLines(contrast), std::uint64_t(samples));
+        const std::vector<double> without = smoothRadiance(plain), with = smoothRadiance(drawn);
+        const std::vector<LostLine> marks = marksOf(drawn);
+        int lost = 0, right = 0;
+        for (int cell = 0; cell < kLines; ++cell) {
+            const Drawn line = lineIn(cell);
+            right += int(std::ranges::count_if(marks, [&](const LostLine& mark) { return line.has(mark); }));
+            lost += isLost(line, without, with, contrast);
+        }
+        QVERIFY2(lost <= kLines / 4, qPrintable(QString::number(lost)));
+        QCOMPARE(right, int(marks.size()));
         QCOMPARE(marksOf(noisyFilmOf(kFilm, withLines(0.4), 64)).size(), 0u);
     }
 
@@ -178,11 +207,12 @@ class LostLinesTest : public QObject {
         QFETCH(double, angle);
         const Drawn line{dvec2(kFilm) / 2.0, angle, 120};
         const Truth brighter = drawn([&](int x, int y) { return 0.5 * (1 + 0.3 * line.cover(x, y)); });
-        const std::vector<LostLine> marks = marksOf(noisyFilmOf(kFilm, brighter, 32));
+        const Film plain = noisyFilmOf(kFilm, [](int, int) { return 0.5; }, 32);
+        const std::vector<LostLine> marks = marksBeside(noisyFilmOf(kFilm, brighter, 32), plain);
         QCOMPARE(marks.size(), 1u);
         QVERIFY(line.has(marks[0]) && !marks[0].darker);
         const float length = glm::length(marks[0].end - marks[0].begin);
-        QVERIFY2(length > 90 && length < 165, qPrintable(QString::number(length)));
+        QVERIFY2(length > 90 && length < 170, qPrintable(QString::number(length)));
     }
 
     void noThreadChangesALine() {

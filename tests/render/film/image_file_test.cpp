@@ -156,7 +156,7 @@ class ImageFileTest : public QObject {
 
     /// The one line that the film has and the picture has not.
     void aSmoothedPngSaysHowManyLinesAreMissing() {
-        const auto line = [](int x, int y) { return x < 80 && (y == 30 || y == 31) ? 0.3 : 0.5; };
+        const auto line = [](int x, int y) { return x < 80 && (y == 30 || y == 31) ? 0.38 : 0.5; };
         (void)writePng(test::noisyFilmOf({96, 64}, line, 16), {1, true}, kFacts, at("a.png"));
         const QString text = QImage(folder_.filePath("a.png")).text("pdrender/smoothed");
         QVERIFY2(text.endsWith("; 1 line of the film missing"), qPrintable(text));
