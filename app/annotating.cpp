@@ -4,6 +4,7 @@
 
 #include "app/look_text.h"
 #include "ui/annotation/annotation_text.h"
+#include "ui/room_text.h"
 
 namespace pdr::app {
 namespace {
@@ -19,13 +20,13 @@ ui::Annotations annotations(const DesktopParts& parts, const Camera& camera, con
 
 ui::Annotations annotationsOf(const DesktopParts& parts, const Frame& frame) {
     return annotations(parts, frame.camera, frame.lookName,
-                       {{}, frame.maskAwaited, QString::fromStdString(frame.notShown), frame.clip, {}});
+                       {{}, frame.maskAwaited, ui::inWords(frame.notShown), frame.clip, {}});
 }
 
 ui::Annotations annotationsOf(const DesktopParts& parts, const Scene& scene) {
-    const std::string notShown = scene.mask ? scene.mask->hidden() : std::string();
+    const Text notShown = scene.mask ? scene.mask->hidden() : Text();
     return annotations(parts, scene.camera, scene.lookName,
-                       {{}, scene.maskAwaited, QString::fromStdString(notShown), scene.clip, {}});
+                       {{}, scene.maskAwaited, ui::inWords(notShown), scene.clip, {}});
 }
 
 std::optional<ui::Annotations> leaving(ui::Annotations all, ui::Annotate choice) {

@@ -57,8 +57,8 @@ void BackgroundJob::start(Work work) {
     if (thread_.isRunning())
         QMetaObject::invokeMethod(&worker_, run);
     else
-        deliver(stop, failure({"the system has no thread or no memory left for this", "",
-                               "Close other programs, then try again."}));
+        deliver(stop, failure({phrase("the system has no thread or no memory left for this"), "",
+                               phrase("Close other programs, then try again.")}));
 }
 
 /// The one place of the thread where exceptions end.

@@ -145,8 +145,7 @@ void Document::chooseLook(int index) {
 void Document::setLook(const Look& look, bool moving) {
     PictureSetup setup = setup_;
     setup.look = look;
-    setup.lookName = looks_.nameOf(setup, setup_.lookName);
-    edit(std::move(setup), Gesture::look, moving);
+    edit(looks_.named(std::move(setup), setup_.lookName), Gesture::look, moving);
     emit displayChanged(display());
 }
 
@@ -185,16 +184,14 @@ void Document::fallBackTo(const Visible& visible) {
     if (visible == setup_.look.visible)
         return;
     setup_.look.visible = visible;
-    setup_.lookName = looks_.nameOf(setup_, setup_.lookName);
+    setup_ = looks_.named(setup_, setup_.lookName);
     history_.forgetStepTo(setup_);
     if (hasVolume())
         show(false);
 }
 
 void Document::setSetup(const PictureSetup& setup) {
-    PictureSetup named = setup;
-    named.lookName = looks_.nameOf(setup, setup_.lookName);
-    edit(std::move(named));
+    edit(looks_.named(setup, setup_.lookName));
     emit displayChanged(display());
 }
 

@@ -13,12 +13,12 @@ std::uint64_t filmBytes(ivec2 size, const DeviceInfo& device) {
     return std::uint64_t(size.x) * std::uint64_t(size.y) * ((device.hostMemory ? 2 : 1) * kFilm + kPicture);
 }
 
-Result<void> checkFilmFits(ivec2 size, const DeviceInfo& device, const std::string& hint) {
+Result<void> checkFilmFits(ivec2 size, const DeviceInfo& device, const Text& hint) {
     const std::uint64_t needed = filmBytes(size, device), free = freeBytes();
     if (needed <= free)
         return {};
-    return Error{"a picture of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels needs " +
-                     bytesText(needed) + " of memory, " + bytesText(free) + " are free",
+    return Error{phrase("a picture of %1 x %2 pixels needs %3 of memory, %4 are free", size.x, size.y,
+                        bytesText(needed), bytesText(free)),
                  "", hint, ErrorKind::memory};
 }
 

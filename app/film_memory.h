@@ -15,6 +15,6 @@ namespace pdr::app {
 std::uint64_t filmBytes(ivec2 size, const DeviceInfo& device);
 
 /// `hint`: what to do about it. Errors: it does not fit.
-Result<void> checkFilmFits(ivec2 size, const DeviceInfo& device, const std::string& hint);
+Result<void> checkFilmFits(ivec2 size, const DeviceInfo& device, const Text& hint);
 
 }  // namespace pdr::app

@@ -4,8 +4,6 @@
 #include <cassert>
 #include <utility>
 
-#include "app/changed_look.h"
-
 namespace pdr::app {
 
 FittedLooks::FittedLooks(std::vector<NamedLook> drawn) {
@@ -51,17 +49,17 @@ int FittedLooks::indexOf(const PictureSetup& setup) const {
     return shown == fitted_.end() ? -1 : int(shown - fitted_.begin());
 }
 
-std::string FittedLooks::nameOf(const PictureSetup& setup, const std::string& before) const {
+PictureSetup FittedLooks::named(PictureSetup setup, const std::string& before) const {
     const auto shown = std::ranges::find_if(
         fitted_, [&](const NamedLook& one) { return one.look == setup.look && one.model == setup.model; });
-    return shown == fitted_.end() ? changedName(before) : shown->name;
+    setup.lookChanged = shown == fitted_.end();
+    setup.lookName = setup.lookChanged ? before : shown->name;
+    return setup;
 }
 
-const NamedLook* FittedLooks::beginningOf(const std::string& name) const {
-    for (const std::string& beginning : {name, unchangedName(name)})
-        if (const auto look = std::ranges::find(fitted_, beginning, &NamedLook::name); look != fitted_.end())
-            return &*look;
-    return nullptr;
+const NamedLook* FittedLooks::lookCalled(const std::string& name) const {
+    const auto look = std::ranges::find(fitted_, name, &NamedLook::name);
+    return look == fitted_.end() ? nullptr : &*look;
 }
 
 bool FittedLooks::suggestStops(int look, double stops) {

@@ -34,11 +34,13 @@ class FittedLooks {
 
     /// The look that a setup shows; -1: a changed one.
     int indexOf(const PictureSetup& setup) const;
-    /// What a setup is called that came out of one called `before`: a picture must not bear the name of a look that it
-    /// does not show.
-    std::string nameOf(const PictureSetup& setup, const std::string& before) const;
-    /// The look of that name, or the one that it was before it was changed; null: there is none.
-    const NamedLook* beginningOf(const std::string& name) const;
+    /// `setup`, which came out of one whose look was called `before`, under the name of the look that it shows, or as
+    /// that one changed: a picture must not bear the name of a look that it does not show.
+    PictureSetup named(PictureSetup setup, const std::string& before) const;
+    /// The look that a setup shows, or the one that it was before it was changed; null: there is none.
+    const NamedLook* beginningOf(const PictureSetup& setup) const { return lookCalled(setup.lookName); }
+    /// Null: there is none.
+    const NamedLook* lookCalled(const std::string& name) const;
 
     /// [stops] that suit the scan under a look; 0: not known yet.
     double stops(int look) const { return stops_[std::size_t(look)].value_or(0); }

@@ -11,8 +11,8 @@
 namespace pdr::app {
 namespace {
 
-/// Who is told of Document::closing() lets go soon, the renderer after the launch that is under way. The wait has an end
-/// all the same: somebody who does not let go is a fault, and must not keep a surgeon from a scan without a word.
+/// Who is told of Document::closing() lets go soon, the renderer after the launch that is under way. The wait has an
+/// end all the same: somebody who does not let go is a fault, and must not keep a surgeon from a scan without a word.
 Result<void> waitUntilFreed(const std::weak_ptr<const Volume>& volume, std::chrono::milliseconds patience,
                             const Progress& progress) {
     const QDeadlineTimer end(patience);
@@ -20,7 +20,8 @@ Result<void> waitUntilFreed(const std::weak_ptr<const Volume>& volume, std::chro
         if (!progress(0, "closing the series before"))
             return cancelled();
         if (end.hasExpired())
-            return Error{"the series before is still held in memory", "", "Open the series again, or start the program anew."};
+            return Error{phrase("the series before is still held in memory"), "",
+                         phrase("Open the series again, or start the program anew.")};
         QThread::msleep(5);
     }
     return {};

@@ -15,7 +15,7 @@ namespace {
 NamedLook shownLook(const Document& document, const std::string& name) {
     const PictureSetup& setup = document.setup();
     NamedLook named;
-    if (const NamedLook* begun = document.looks().beginningOf(setup.lookName)) {
+    if (const NamedLook* begun = document.looks().beginningOf(setup)) {
         named.doesNotShow = begun->doesNotShow;
         named.bloodHu = begun->bloodHu;
         named.cut = begun->cut;
@@ -38,7 +38,7 @@ std::vector<NamedLook> carriedLooks(const Document& document) {
 Result<void> checkFree(const Document& document, const std::string& name) {
     for (const NamedLook& look : carriedLooks(document))
         if (look.name == name || nameText(look).toStdString() == name)
-            return Error{"a look of the program has this name", name, "Take another."};
+            return Error{phrase("a look of the program has this name"), name, phrase("Take another.")};
     return {};
 }
 
@@ -94,7 +94,7 @@ void importLook(const DesktopParts& parts, const QString& file) {
 }
 
 void exportLook(const DesktopParts& parts, const QString& file) {
-    const NamedLook look = shownLook(parts.document, parts.document.setup().lookName);
+    const NamedLook look = shownLook(parts.document, lookTitle(parts.document.setup()));
     if (auto written = writeLookFile(look, file); !written)
         return showFailure(parts, written.error());
     showSaved(parts, file);

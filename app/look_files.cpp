@@ -60,8 +60,8 @@ Result<void> writeLookFile(const NamedLook& look, const QString& path) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), qint64(text.size())) != qint64(text.size()) ||
         !file.commit())
-        return Error{"this look cannot be written: " + file.errorString().toStdString(), path.toStdString(),
-                     "Choose another place."};
+        return Error{phrase("this look cannot be written: %1", file.errorString().toStdString()), path.toStdString(),
+                     phrase("Choose another place.")};
     return {};
 }
 

@@ -2,8 +2,6 @@
 
 #include <QCoreApplication>
 
-#include "app/changed_look.h"
-
 namespace pdr::app {
 namespace {
 
@@ -22,12 +20,14 @@ QString nameText(const NamedLook& look) {
     return inWindow(look, look.name);
 }
 
-QString nameText(const FittedLooks& looks, const std::string& lookName) {
-    const NamedLook* look = looks.beginningOf(lookName);
-    if (!look)
-        return QString::fromStdString(lookName);
-    const QString name = nameText(*look);
-    return lookName == look->name ? name : QString::fromStdString(changedName(name.toStdString()));
+QString nameText(const FittedLooks& looks, const std::string& title) {
+    if (const NamedLook* look = looks.lookCalled(title))
+        return nameText(*look);
+    if (!title.ends_with(kChangedLook))
+        return QString::fromStdString(title);
+    const std::string name = title.substr(0, title.size() - kChangedLook.size());
+    const NamedLook* look = looks.lookCalled(name);
+    return translated("%1 (changed)").arg(look ? nameText(*look) : QString::fromStdString(name));
 }
 
 QString doesNotShowText(const NamedLook& look) {
@@ -35,7 +35,7 @@ QString doesNotShowText(const NamedLook& look) {
 }
 
 QString doesNotShowText(const FittedLooks& looks, const PictureSetup& setup) {
-    const NamedLook* look = looks.beginningOf(setup.lookName);
+    const NamedLook* look = looks.beginningOf(setup);
     const bool same = look && look->look.transferFunction == setup.look.transferFunction &&
                       look->look.visible == setup.look.visible && look->model == setup.model;
     return same ? doesNotShowText(*look) : QString();

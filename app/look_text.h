@@ -10,8 +10,8 @@ namespace pdr::app {
 
 /// What the window calls `look`: one of the program's in its language, the user's own as it is.
 QString nameText(const NamedLook& look);
-/// The same of PictureSetup::lookName and Scene::lookName, which say, too, that a look was changed.
-QString nameText(const FittedLooks& looks, const std::string& lookName);
+/// The same of a look's title, as Scene::lookName has it, which says, too, that a look was changed: see lookTitle().
+QString nameText(const FittedLooks& looks, const std::string& title);
 /// What it does not show, in sentences.
 QString doesNotShowText(const NamedLook& look);
 /// The same of a setup. Of a changed look it holds as long as the same tissue and the same part is seen.

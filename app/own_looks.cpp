@@ -14,9 +14,9 @@ constexpr std::size_t kLongestName = 60;
 
 Result<void> checkName(const std::string& name) {
     if (QString::fromStdString(name).trimmed().isEmpty())
-        return Error{"a look needs a name", "", ""};
+        return Error{phrase("a look needs a name"), "", ""};
     if (name.size() > kLongestName)
-        return Error{"this name is too long", name, "Take one of at most 60 letters."};
+        return Error{phrase("this name is too long"), name, phrase("Take one of at most 60 letters.")};
     return {};
 }
 
@@ -51,7 +51,8 @@ Result<void> OwnLooks::save(NamedLook look) {
     if (auto ok = checkName(look.name); !ok)
         return ok;
     if (!QDir().mkpath(folder_))
-        return Error{"the folder for your looks cannot be made", folder_.toStdString(), "Check its permissions."};
+        return Error{phrase("the folder for your looks cannot be made"), folder_.toStdString(),
+                     phrase("Check its permissions.")};
     look.group = LookGroup::own;
     return writeLookFile(look, fileOf(look.name));
 }
@@ -69,7 +70,7 @@ Result<void> OwnLooks::rename(const std::string& from, const std::string& to) {
 Result<void> OwnLooks::remove(const std::string& name) {
     QFile file(fileOf(name));
     if (!file.remove())
-        return Error{"this look cannot be deleted: " + file.errorString().toStdString(), name, ""};
+        return Error{phrase("this look cannot be deleted: %1", file.errorString().toStdString()), name, ""};
     return {};
 }
 

@@ -57,7 +57,7 @@ Result<void> renderAndWrite(const PictureTask& task, Device& device, const Progr
     const Scene& scene = task.scene;
     if (auto ok = device.upload(scene); !ok)
         return ok;
-    if (auto fits = checkFilmFits(scene.film, device.info(), "Choose a smaller size."); !fits)
+    if (auto fits = checkFilmFits(scene.film, device.info(), phrase("Choose a smaller size.")); !fits)
         return fits;
     const auto film = device.film(scene.film, scene.revision, scene.schedule);
     if (!film)
@@ -96,7 +96,8 @@ Result<void> checkAndMake(const PictureTask& task, const Progress& progress, con
 
 void PictureJob::make(const PictureTask& task) {
     if (isRunning()) {
-        emit failed(notSaved(task.file, {"another picture is being made", "", "Wait for it, or cancel it."}));
+        emit failed(
+            notSaved(task.file, {phrase("another picture is being made"), "", phrase("Wait for it, or cancel it.")}));
         return;
     }
     start([this, task](const Progress& progress, const std::stop_token& stop) -> std::function<void()> {

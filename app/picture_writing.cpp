@@ -11,8 +11,8 @@ namespace pdr::app {
 Result<void> checkPictureName(const QString& file) {
     if (pictureFormat(ui::fromQt(file)))
         return {};
-    return Error{"the name says no format that pictures are saved in", file.toStdString(),
-                 "Choose a name that ends in .png or .exr."};
+    return Error{phrase("the name says no format that pictures are saved in"), file.toStdString(),
+                 phrase("Choose a name that ends in .png or .exr.")};
 }
 
 PaintOver painterOf(const std::optional<ui::Annotations>& annotations, const QString& state) {
@@ -43,10 +43,9 @@ Result<void> writePicture(const FilmView& view, Display display, const std::opti
 }
 
 Error notSaved(const QString& file, const Error& reason) {
-    const std::string place = reason.where.empty() ? "" : reason.where + ": ";
-    const std::string hint = reason.hint.empty() ? "Change that" : reason.hint;
-    return {"not saved, because " + place + reason.what, file.toStdString(),
-            hint + (hint.ends_with('.') ? "" : ".") + " Then save again."};
+    const Text what = reason.where.empty() ? reason.what : phrase("%1: %2", reason.where, reason.what);
+    const Text hint = reason.hint.empty() ? phrase("Change that.") : Text::sentence(reason.hint);
+    return {phrase("not saved, because %1", what), file.toStdString(), joined(hint, phrase("Then save again."))};
 }
 
 }  // namespace pdr::app

@@ -70,7 +70,7 @@ Provenance provenanceOf(const Scene& scene, const Rendered& rendered) {
             .warnings = warningNames(warnings(scene)),
             .hidden = scene.volume ? scene.volume->hidden() : std::string(),
             .cut = cutText(scene.clip),
-            .notShown = scene.mask ? scene.mask->hidden() : std::string(),
+            .notShown = scene.mask ? scene.mask->hidden() : Text(),
             .remarks = scene.volume ? scene.volume->remarks() : std::string()};
 }
 

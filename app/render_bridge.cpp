@@ -8,6 +8,7 @@
 #include "render/device/device_list.h"
 #include "render/scene/scene.h"
 #include "render/tiles/reference_tiles.h"
+#include "ui/room_text.h"
 
 namespace pdr::app {
 namespace {
@@ -183,7 +184,7 @@ void RenderBridge::save(const QString& file, const std::optional<ui::Annotations
         return;
     }
     if (!lastFrame_) {
-        emit saveFailed(notSaved(file, {"there is no picture", "", "Wait until there is one."}));
+        emit saveFailed(notSaved(file, {phrase("there is no picture"), "", phrase("Wait until there is one.")}));
         return;
     }
     session_.requestSnapshot(
@@ -218,7 +219,7 @@ DeviceOpener RenderBridge::finalRenderDevice() const {
 /// On the render thread.
 void RenderBridge::take(std::shared_ptr<const Frame> frame) {
     if (!frame->notice.empty()) {
-        QMetaObject::invokeMethod(this, [this, notice = QString::fromStdString(frame->notice)] {
+        QMetaObject::invokeMethod(this, [this, notice = ui::inWords(frame->notice)] {
             chosen_.reset();
             emit noticed(notice);
             emit deviceChanged(device_);

@@ -22,13 +22,15 @@ int onlyLoadable(const dicom::ScanResult& scan) {
 
 Error nothingLoadable(const dicom::ScanResult& scan) {
     std::set<std::string> told;
-    std::string reasons;
+    Text reasons;
     for (const dicom::Series& series : scan.series)
-        if (const std::string& reason = series.verdict.reason; !reason.empty() && told.insert(reason).second)
-            reasons += (reasons.empty() ? "" : "; ") + reason;
+        if (const Text& reason = series.verdict.reason; !reason.empty() && told.insert(reason).second)
+            reasons = reasons.empty() ? reason : phrase("%1; %2", reasons, reason);
     if (reasons.empty() && !scan.problems.empty())
         reasons = scan.problems.front().reason;
-    return {"no series here can be loaded" + (reasons.empty() ? "" : ": " + reasons), "", "", ErrorKind::refused};
+    return {
+        reasons.empty() ? phrase("no series here can be loaded") : phrase("no series here can be loaded: %1", reasons),
+        "", "", ErrorKind::refused};
 }
 
 Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& id) {
@@ -36,13 +38,13 @@ Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::str
         const auto named = std::ranges::find_if(scan.series, [&](const auto& each) { return each.series.id() == id; });
         if (named != scan.series.end())
             return *named;
-        return Error{"there is no series " + id + " here", "",
-                     "\"pdrender-cli info FOLDER\" lists those that there are.", ErrorKind::refused};
+        return Error{phrase("there is no series %1 here", id), "",
+                     phrase("\"pdrender-cli info FOLDER\" lists those that there are."), ErrorKind::refused};
     }
     if (const int first = firstLoadable(scan); first >= 0)
         return scan.series[std::size_t(first)];
     Error error = nothingLoadable(scan);
-    error.hint = "\"pdrender-cli info FOLDER\" lists all of them.";
+    error.hint = phrase("\"pdrender-cli info FOLDER\" lists all of them.");
     return error;
 }
 

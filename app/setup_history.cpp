@@ -48,7 +48,7 @@ PictureSetup SetupHistory::redo(const PictureSetup& now) {
 
 void SetupHistory::brighten(const std::string& lookName, double stops) {
     for (PictureSetup& earlier : past_)
-        if (earlier.lookName == lookName && earlier.stops == 0)
+        if (earlier.lookName == lookName && !earlier.lookChanged && earlier.stops == 0)
             earlier.stops = stops;
 }
 

@@ -3,6 +3,7 @@
 #include "app/background_colour.h"
 #include "app/ledger_content.h"
 #include "app/look_text.h"
+#include "ui/room_text.h"
 
 namespace pdr::app {
 namespace {
@@ -19,7 +20,7 @@ std::optional<QColor> backgroundOf(const Document& document) {
 QString notShownText(const Scene& scene) {
     if (scene.maskAwaited)
         return ui::MainWindow::tr("Still being told from the rest, which is shown until then.");
-    return scene.mask ? QString::fromStdString(scene.mask->hidden()) : QString();
+    return scene.mask ? ui::inWords(scene.mask->hidden()) : QString();
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "ui/accuracy_text.h"
 #include "ui/annotation/orientation_letters.h"
 #include "ui/error_colours.h"
+#include "ui/room_text.h"
 #include "ui/series_text.h"
 #include "ui/status_text.h"
 #include "ui/to_qt.h"
@@ -107,7 +108,7 @@ QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     const std::vector<Bias> known = biases(frame.bias);
     for (const Bias& bias : known)
         if (bias.cause != BiasCause::smoothing)  // more is said of that above
-            remarks << QString::fromStdString(bias.text);
+            remarks << ui::inWords(bias.text);
     if (noneOfComputing(known))
         remarks << ui::MainWindow::tr("No known bias in the computing");
     remarks.removeAll({});

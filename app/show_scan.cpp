@@ -4,8 +4,8 @@
 #include "app/show_document.h"
 #include "app/show_frame.h"
 #include "app/show_message.h"
+#include "ui/room_text.h"
 #include "ui/series_text.h"
-#include "ui/to_qt.h"
 
 namespace pdr::app {
 namespace {
@@ -17,8 +17,8 @@ QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofP
     for (const auto* notes : {&series.verdict.notes, &ofPixels})
         for (const dicom::Note& note : *notes)
             lines << ui::sentence(note.text);
-    if (const std::string text = segment::tableText(table); !text.empty())
-        lines << QString::fromStdString(text);
+    if (const Text text = segment::tableText(table); !text.empty())
+        lines << ui::inWords(text);
     return lines.join('\n');
 }
 
@@ -66,7 +66,7 @@ void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QS
         return parts.window.viewport().setMessage(ui::MainWindow::tr("Choose a series from the list on the left."));
     parts.window.series().setCurrent(scan.series.empty() ? -1 : 0);
     Error error = nothingLoadable(scan).in(folder.toStdString());
-    error.hint = "Open a folder with a CT series.";
+    error.hint = phrase("Open a folder with a CT series.");
     parts.window.message().showError(error);
     parts.window.viewport().setMessage(ui::MainWindow::tr("No series here can be shown. The list says why."));
 }

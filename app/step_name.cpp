@@ -6,8 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "app/changed_look.h"
-
 namespace pdr::app {
 namespace {
 
@@ -77,11 +75,6 @@ Change changeOf(const Camera& before, const Camera& after) {
     return Change::moved;
 }
 
-/// Whether the user has taken another one; changing one only adds to its name.
-bool another(const std::string& before, const std::string& after) {
-    return unchangedName(before) != unchangedName(after);
-}
-
 Change changeOf(const Look& before, const Look& after) {
     Look tissue = before, light = before, visible = before;
     tissue.transferFunction = after.transferFunction;
@@ -99,7 +92,7 @@ Change changeOf(const Look& before, const Look& after) {
 
 Change changeOf(const PictureSetup& before, const PictureSetup& after) {
     std::vector<Change> changes;
-    const bool chosen = another(before.lookName, after.lookName);
+    const bool chosen = before.lookName != after.lookName;
     if (chosen)
         changes.push_back(Change::lookChosen);
     else if (before.look != after.look)

@@ -25,7 +25,7 @@ ByteSource::ByteSource(const std::filesystem::path& file) : opened_(checkPlainFi
     file_.open(file, std::ios::binary);
     if (file_.is_open() && !failure)
         return;
-    opened_ = Error{"the file cannot be read", file.string(), ""};
+    opened_ = Error{phrase("the file cannot be read"), file.string(), ""};
     size_ = 0;
 }
 

@@ -38,14 +38,14 @@ std::vector<std::uint8_t> joinedFragments(DcmDataset& data) {
 }
 
 /// What the stream itself says, before the decoder may be let loose on it.
-std::string streamDamage(DcmDataset& data, const SliceHeader& header) {
+Text streamDamage(DcmDataset& data, const SliceHeader& header) {
     const std::vector<std::uint8_t> stream = joinedFragments(data);
     if (DcmXfer(data.getOriginalXfer()).getXfer() == EXS_RLELossless)
         return rleDamage(stream, std::size_t(header.columns) * std::size_t(header.rows),
                          header.format.bitsAllocated / 8);
     const JpegStream jpeg = readJpeg(stream);
     if (jpeg.kind == JpegStream::Kind::none || jpeg.size != ivec2(header.columns, header.rows))
-        return "it is not of the size that the file's header says";
+        return phrase("it is not of the size that the file's header says");
     return jpegDamage(jpeg);
 }
 
@@ -84,22 +84,22 @@ std::size_t impossiblePixels(DcmDataset& data, const SliceHeader& header) {
 
 }  // namespace
 
-std::string decompress(DcmDataset& data, const SliceHeader& header) {
+Text decompress(DcmDataset& data, const SliceHeader& header) {
     const bool isCompressed = DcmXfer(data.getOriginalXfer()).isEncapsulated();
     if (isCompressed) {
-        if (const std::string damage = streamDamage(data, header); !damage.empty())
-            return "is damaged: " + damage;
+        if (const Text damage = streamDamage(data, header); !damage.empty())
+            return phrase("the compressed picture is damaged: %1", damage);
     }
     const DecoderWarnings warnings;
     if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad())
-        return "cannot be decoded";
+        return phrase("the compressed picture cannot be decoded");
     if (!isCompressed)
         return {};
     if (warnings.count() > 0)
-        return "is damaged: its decoder says \"" + warnings.first() + "\"";
+        return phrase("the compressed picture is damaged: its decoder says \"%1\"", warnings.first());
     if (const std::size_t count = impossiblePixels(data, header); count > 0)
-        return "is damaged: " + std::to_string(count) + " of its pixels hold numbers that " +
-               std::to_string(header.format.bitsStored) + " bits cannot";
+        return phrase("the compressed picture is damaged: %1 of its pixels hold numbers that %2 bits cannot", count,
+                      header.format.bitsStored);
     return {};
 }
 

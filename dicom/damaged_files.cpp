@@ -60,12 +60,16 @@ std::set<fs::path> foldersOf(const Series& series, const fs::path& root) {
 
 void note(Series& series, const Names& own, const Names& beside) {
     if (!own.empty())
-        series.verdict.notes.push_back({"damaged", counted(own.size(), "damaged file", "damaged files") +
-                                                       " of this series left out (" + listed(own) + ")"});
+        series.verdict.notes.push_back(
+            {"damaged", phrase(own.size() == 1 ? "1 damaged file of this series left out (%2)"
+                                               : "%1 damaged files of this series left out (%2)",
+                               own.size(), listed(own))});
     if (!beside.empty())
-        series.verdict.notes.push_back({"unread", counted(beside.size(), "file", "files") +
-                                                      " could not be read, and slices of this series may be missing (" +
-                                                      listed(beside) + ")"});
+        series.verdict.notes.push_back(
+            {"unread",
+             phrase(beside.size() == 1 ? "1 file could not be read, and slices of this series may be missing (%2)"
+                                       : "%1 files could not be read, and slices of this series may be missing (%2)",
+                    beside.size(), listed(beside))});
 }
 
 }  // namespace
@@ -84,9 +88,9 @@ std::vector<Problem> spoiltFiles(const std::vector<fs::path>& foreign, const std
         if (folder == folders.end() || file.filename().string().starts_with('.'))
             continue;
         if (isEmpty(file))
-            spoilt.push_back({file, "it is empty"});
+            spoilt.push_back({file, phrase("it is empty")});
         else if (folder->second.hold(file))
-            spoilt.push_back({file, "it is called as the slices beside it, but holds no DICOM"});
+            spoilt.push_back({file, phrase("it is called as the slices beside it, but holds no DICOM")});
     }
     return spoilt;
 }

@@ -164,8 +164,8 @@ std::optional<Error> writeSlice(const Volume& volume, const ExportFacts& facts, 
     written = written && fs::file_size(file, failure) > pixelBytes && !failure;
     if (written)
         return {};
-    return Error{"slice " + std::to_string(k + 1) + " cannot be written", folder.parent_path().string(),
-                 "Is the disk full, or the folder write-protected?"};
+    return Error{phrase("slice %1 cannot be written", k + 1), folder.parent_path().string(),
+                 phrase("Is the disk full, or the folder write-protected?")};
 }
 
 std::optional<Error> writeAll(const Volume& volume, const ExportFacts& facts, const fs::path& folder,
@@ -184,13 +184,14 @@ std::optional<Error> writeAll(const Volume& volume, const ExportFacts& facts, co
 std::optional<Error> refuse(const Volume& volume, const fs::path& folder) {
     std::error_code failure;
     if (fs::exists(folder, failure) && !fs::is_directory(folder, failure))
-        return Error{"a file of this name is in the way", folder.string(), "Choose another folder."};
+        return Error{phrase("a file of this name is in the way"), folder.string(), phrase("Choose another folder.")};
     if (fs::exists(folder, failure) && !fs::is_empty(folder, failure))
-        return Error{"the folder is not empty", folder.string(), "Choose an empty or a new folder."};
+        return Error{phrase("the folder is not empty"), folder.string(), phrase("Choose an empty or a new folder.")};
     if (volume.size().x > 65535 || volume.size().y > 65535)
-        return Error{"a slice of more than 65535 pixels has no place in a DICOM file", folder.string(), ""};
+        return Error{phrase("a slice of more than 65535 pixels has no place in a DICOM file"), folder.string(), ""};
     if (!isUpright(volume.geometry()))
-        return Error{"the axes of the volume are not at right angles", folder.string(), "Resample it first."};
+        return Error{phrase("the axes of the volume are not at right angles"), folder.string(),
+                     phrase("Resample it first.")};
     return {};
 }
 
@@ -211,7 +212,8 @@ std::optional<fs::path> makePartial(const fs::path& place, std::error_code& fail
 }
 
 Error cannotBeMade(const fs::path& place, const std::error_code& failure) {
-    return {"the folder cannot be made (" + failure.message() + ")", place.string(), "Choose another place."};
+    return {phrase("the folder cannot be made (%1)", failure.message()), place.string(),
+            phrase("Choose another place.")};
 }
 
 }  // namespace

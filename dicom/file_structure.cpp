@@ -29,13 +29,13 @@ class Allowance {
     bool take(const Element& element) {
         // Most elements are small: asking after each thousandth is asking within a millisecond.
         if (++elements_ % 1000 == 0 && !goOn_())
-            found_.damage = "cancelled";
+            found_.damage = phrase("cancelled");
         const bool isRead = element.length <= kReadAtOnce || element.text != Element::Text::none;
         bytes_ += isRead && element.length != kUndefined ? element.length : 0;
         if (elements_ > kMaxElements)
             found_.damage = tooManyElements();
         else if (bytes_ > kMaxHeaderBytes)
-            found_.damage = "its header takes more than " + std::to_string(kMaxHeaderBytes >> 20) + " MB";
+            found_.damage = phrase("its header takes more than %1 MB", kMaxHeaderBytes >> 20);
         return found_.damage.empty();
     }
 
@@ -44,8 +44,7 @@ class Allowance {
         if (element.text != Element::Text::list || element.length < kShortText)
             return true;
         if (element.length > kMaxListBytes) {
-            found_.damage =
-                "the text " + hexTag(element.tag) + " is longer than " + std::to_string(kMaxListBytes >> 10) + " kB";
+            found_.damage = phrase("the text %1 is longer than %2 kB", hexTag(element.tag), kMaxListBytes >> 10);
             return false;
         }
         text_.resize(element.length);
@@ -53,8 +52,7 @@ class Allowance {
         const auto values = int(std::ranges::count(text_, '\\')) + 1;
         elements_ += values;
         if (values > kMaxListValues)
-            found_.damage =
-                "the text " + hexTag(element.tag) + " has more than " + std::to_string(kMaxListValues) + " values";
+            found_.damage = phrase("the text %1 has more than %2 values", hexTag(element.tag), kMaxListValues);
         else if (elements_ > kMaxElements)
             found_.damage = tooManyElements();
         return found_.damage.empty();
@@ -64,8 +62,8 @@ class Allowance {
     /// What is shorter has too few values to count.
     static constexpr std::uint32_t kShortText = 64;
 
-    static std::string tooManyElements() {
-        return "it holds more than " + std::to_string(kMaxElements) + " elements, items, fragments and values";
+    static Text tooManyElements() {
+        return phrase("it holds more than %1 elements, items, fragments and values", kMaxElements);
     }
 
     const GoOn& goOn_;
@@ -103,7 +101,7 @@ class Walk {
             return false;
         const std::optional<Element> element = readElement(source_, at_, levels_.back().encoding);
         if (!element)
-            return damaged("it ends in the middle of an element");
+            return damaged(phrase("it ends in the middle of an element"));
         if (!allowance_.take(*element))
             return false;
         at_ = element->value;
@@ -117,7 +115,7 @@ class Walk {
             return true;
         }
         if (element.tag != kItem)
-            return damaged("a sequence holds " + hexTag(element.tag) + " where an item should begin");
+            return damaged(phrase("a sequence holds %1 where an item should begin", hexTag(element.tag)));
         return open(element, false, sequence.encoding);
     }
 
@@ -128,7 +126,7 @@ class Walk {
             return true;
         }
         if (element.tag >> 16 == 0xFFFE)
-            return damaged("there is a stray delimiter " + hexTag(element.tag));
+            return damaged(phrase("there is a stray delimiter %1", hexTag(element.tag)));
         if (element.tag == kPixelData && levels_.size() == 1)
             found_.reachesPixels = true;
         if (element.tag == kPixelData && element.length == kUndefined)
@@ -143,7 +141,7 @@ class Walk {
 
     bool skip(const Element& element) {
         if (element.length == kUndefined)
-            return damaged("element " + hexTag(element.tag) + " has no length");
+            return damaged(phrase("element %1 has no length", hexTag(element.tag)));
         if (!fits(element))
             return false;
         if (!allowance_.takeText(source_, element))
@@ -156,7 +154,7 @@ class Walk {
 
     bool open(const Element& element, bool isSequence, Encoding encoding) {
         if (levels_.size() > 2 * kMaxNesting)
-            return damaged("its sequences are nested more than " + std::to_string(kMaxNesting) + " deep");
+            return damaged(phrase("its sequences are nested more than %1 deep", kMaxNesting));
         const bool openEnded = element.length == kUndefined;
         if (!openEnded && !fits(element))
             return false;
@@ -169,12 +167,12 @@ class Walk {
         for (;;) {
             const std::optional<Element> fragment = readElement(source_, at_, levels_.back().encoding);
             if (!fragment)
-                return damaged("it ends inside the compressed picture");
+                return damaged(phrase("it ends inside the compressed picture"));
             at_ = fragment->value;
             if (fragment->tag == kSequenceEnd)
                 break;
             if (fragment->tag != kItem || fragment->length == kUndefined)
-                return damaged("its compressed picture is not made of fragments");
+                return damaged(phrase("its compressed picture is not made of fragments"));
             if (!fits(*fragment) || !allowance_.take({.tag = fragment->tag, .length = kUndefined}))
                 return false;
             at_ += fragment->length;
@@ -188,12 +186,12 @@ class Walk {
         const std::uint64_t left = source_.size() - element.value;
         if (element.length <= left)
             return true;
-        return damaged("element " + hexTag(element.tag) + " should hold " + std::to_string(element.length) +
-                       " bytes, but only " + std::to_string(left) + " are left in the file");
+        return damaged(phrase("element %1 should hold %2 bytes, but only %3 are left in the file", hexTag(element.tag),
+                              element.length, left));
     }
 
-    bool damaged(std::string phrase) {
-        found_.damage = std::move(phrase);
+    bool damaged(Text damage) {
+        found_.damage = std::move(damage);
         return false;
     }
 
@@ -222,7 +220,7 @@ std::uint64_t readMeta(ByteSource& source, std::uint64_t at, Allowance& allowanc
         if (!allowance.take(*element))
             return at;
         if (element->length > source.size() - element->value) {
-            found.damage = "element " + hexTag(element->tag) + " is longer than the file";
+            found.damage = phrase("element %1 is longer than the file", hexTag(element->tag));
             return at;
         }
         if (!allowance.takeText(source, *element))
@@ -254,8 +252,7 @@ void walkDataSet(ByteSource& source, std::uint64_t start, const GoOn& goOn, Allo
     }
     ByteSource inflated(inflateFrom(source, start, kMaxInflatedBytes, goOn));
     if (inflated.size() == 0)
-        found.damage =
-            "its deflated content is damaged, or larger than " + std::to_string(kMaxInflatedBytes >> 20) + " MB";
+        found.damage = phrase("its deflated content is damaged, or larger than %1 MB", kMaxInflatedBytes >> 20);
     else
         Walk(inflated, 0, encoding, allowance, found).run();
 }
@@ -281,7 +278,7 @@ FileStructure checkStructure(const std::filesystem::path& file, const GoOn& goOn
     if (!found.damage.empty())
         return found;
     if (dataSet >= source.size())
-        found.damage = "it ends after its header";
+        found.damage = phrase("it ends after its header");
     else
         walkDataSet(source, dataSet, goOn, allowance, found);
     return found;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "dicom/go_on.h"
+#include "render/base/text.h"
 
 namespace pdr::dicom {
 
@@ -17,7 +18,7 @@ struct FileStructure {
     std::string transferSyntaxUid;  ///< of the data set: as stated, or as found where nothing is stated
     bool reachesPixels = false;     ///< everything before the pixel data is sound
     std::uint64_t pixelBytes = 0;   ///< length of the pixel data element as it lies in the file
-    std::string damage;             ///< empty: sound to the last byte; else a phrase ("ends 12 bytes into ...")
+    Text damage;                    ///< empty: sound to the last byte; else a phrase ("ends 12 bytes into ...")
 };
 
 /// Sequences nested deeper than this are refused. Real files stay below ten.

@@ -81,8 +81,9 @@ StackAnalysis analyseWithoutCopies(Headers& headers, const std::filesystem::path
     }
     headers = kept;
     analysis = analyseStack(planesOf(headers, root));
-    analysis.verdict.notes.push_back({"copies", counted(copies.size(), "copy of a slice", "copies of slices") +
-                                                    " left out (" + listed(names) + ")"});
+    analysis.verdict.notes.push_back(
+        {"copies", phrase(copies.size() == 1 ? "1 copy of a slice left out (%2)" : "%1 copies of slices left out (%2)",
+                          copies.size(), listed(names))});
     return analysis;
 }
 
@@ -98,10 +99,9 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
 Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::filesystem::path& root) {
     StackAnalysis analysis = analyseStack(planesOf(headers, root));
     analysis.geometry = {analysis.geometry.size, dmat4(1.0)};
-    const std::string subject = headers.size() == 1 ? shortName(headers.front()->file, root)
-                                                    : std::to_string(headers.size()) + " files (" +
-                                                          shortName(headers.front()->file, root) + " ...)";
-    analysis.verdict = {refusal.stack, subject + ": " + refusal.reason, {}};
+    const std::string first = shortName(headers.front()->file, root);
+    const Text subject = headers.size() == 1 ? Text(first) : phrase("%1 files (%2 ...)", headers.size(), first);
+    analysis.verdict = {refusal.stack, phrase("%1: %2", subject, refusal.reason), {}};
     return seriesOf(headers, analysis);
 }
 
@@ -112,11 +112,13 @@ struct Part {
     StackAnalysis analysis;
 };
 
-std::string pieceReason(const SlicePlane& here, const SlicePlane& there) {
-    const std::string how = here.size == there.size ? inMm(gridDeviationMm(here, there)) + " apart at a corner"
-                                                    : sizeText(here) + " here, " + sizeText(there) + " there";
-    return "this is one piece of a stack whose other piece lies on another grid (" + how + "): " + here.name +
-           " and so on here, " + there.name + " and so on there";
+Text pieceReason(const SlicePlane& here, const SlicePlane& there) {
+    const Text how = here.size == there.size ? phrase("%1 mm apart at a corner", inMm(gridDeviationMm(here, there)))
+                                             : phrase("%1 here, %2 there", sizeText(here), sizeText(there));
+    return phrase(
+        "this is one piece of a stack whose other piece lies on another grid (%1): %2 and so on here, %3 and so on "
+        "there",
+        how, here.name, there.name);
 }
 
 /// Half a patient must not pass for a whole one.
@@ -164,7 +166,9 @@ void addStacks(const Headers& headers, const std::filesystem::path& root, const 
         }
         if (parts.size() > 1)
             verdict.notes.push_back(
-                {"parts", counted(part.elsewhere, "slice", "slices") + " of this series on another grid listed apart"});
+                {"parts", phrase(part.elsewhere == 1 ? "1 slice of this series on another grid listed apart"
+                                                     : "%1 slices of this series on another grid listed apart",
+                                 part.elsewhere)});
         out.push_back(seriesOf(part.slices, part.analysis));
     }
 }
@@ -191,7 +195,7 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
     std::map<std::pair<std::string, std::string>, Kind> kinds;
     for (const SliceHeader& header : headers) {
         std::optional<Refusal> refusal = refuseSlice(header);
-        Kind& kind = kinds[{seriesKey(header), refusal ? refusal->reason : ""}];
+        Kind& kind = kinds[{seriesKey(header), refusal ? refusal->reason : Text()}];
         kind.headers.push_back(&header);
         kind.refusal = std::move(refusal);
     }

@@ -210,14 +210,14 @@ const char* scanDamage(const JpegStream& stream, const JpegScan& scan, std::vect
 
 }  // namespace
 
-std::string jpegDamage(const JpegStream& stream) {
+Text jpegDamage(const JpegStream& stream) {
     using Kind = JpegStream::Kind;
     if (!stream.damage.empty())
         return stream.damage;
     if (stream.kind == Kind::jpegLs || stream.kind == Kind::other || stream.components != 1)
         return {};
     if (stream.precision < 2 || stream.precision > 16)
-        return "it states an impossible precision";
+        return phrase("it states an impossible precision");
     std::vector<bool> changes;
     for (const JpegScan& scan : stream.scans) {
         if (const char* damage = scanDamage(stream, scan, changes))

@@ -3,14 +3,12 @@
 /// anything; here a code that does not exist, a run beyond the end of a block, a mean beyond what a sample can hold, a
 /// scan that is not used up exactly by its pixels, and long runs of zero bytes that stand for a change are damage.
 
-#include <string>
-
 #include "dicom/jpeg_stream.h"
 
 namespace pdr::dicom {
 
 /// A phrase that says what is wrong, or nothing. What cannot be told from the outside (the bits that refine a
 /// progressive picture, codings of no use in DICOM) is left to the decoder.
-std::string jpegDamage(const JpegStream& stream);
+Text jpegDamage(const JpegStream& stream);
 
 }  // namespace pdr::dicom

@@ -44,26 +44,26 @@ class Reader {
 
     JpegStream read() {
         if (stream_.size() < 2 || stream_[0] != 0xFF || stream_[1] != kStart)
-            return damaged("it does not begin as a JPEG picture"), found_;
+            return damaged(phrase("it does not begin as a JPEG picture")), found_;
         at_ = 2;
         while (found_.damage.empty() && !ended_)
             segment();
         if (found_.damage.empty() && found_.kind != JpegStream::Kind::jpegLs && found_.scans.empty())
-            damaged("it holds no picture");
+            damaged(phrase("it holds no picture"));
         return found_;
     }
 
   private:
-    void damaged(std::string phrase) {
+    void damaged(Text damage) {
         if (found_.damage.empty())
-            found_.damage = std::move(phrase);
+            found_.damage = std::move(damage);
     }
 
     void segment() {
         if (at_ + 2 > stream_.size())
-            return damaged("it ends without its end marker");
+            return damaged(phrase("it ends without its end marker"));
         if (stream_[at_] != 0xFF)
-            return damaged("between its segments lie bytes that belong to none");
+            return damaged(phrase("between its segments lie bytes that belong to none"));
         const std::uint8_t marker = stream_[at_ + 1];
         if (marker == 0xFF) {
             ++at_;  // fill bytes may stand before a marker
@@ -75,10 +75,10 @@ class Reader {
             return;
         }
         if (marker < 0xC0 || marker == kStart || isRestart(marker))
-            return damaged("it holds a marker where none belongs");
+            return damaged(phrase("it holds a marker where none belongs"));
         if (at_ + 2 > stream_.size() || word(stream_, at_) < 2 ||
             at_ + std::size_t(word(stream_, at_)) > stream_.size())
-            return damaged("one of its segments is longer than the picture");
+            return damaged(phrase("one of its segments is longer than the picture"));
         const Bytes content = stream_.subspan(at_ + 2, std::size_t(word(stream_, at_)) - 2);
         at_ += 2 + content.size();
         understand(marker, content);
@@ -99,9 +99,9 @@ class Reader {
 
     void frame(std::uint8_t marker, Bytes content) {
         if (found_.kind != JpegStream::Kind::none)
-            return damaged("it has two frame headers");
+            return damaged(phrase("it has two frame headers"));
         if (content.size() < 6)
-            return damaged("its frame header is too short");
+            return damaged(phrase("its frame header is too short"));
         found_.kind = kindOf(marker);
         found_.precision = content[0];
         found_.size = {word(content, 3), word(content, 1)};
@@ -114,7 +114,7 @@ class Reader {
     void huffman(Bytes content) {
         while (!content.empty()) {
             if (content.size() < 17 || (content[0] & 0x0F) > 3 || content[0] >> 4 > 1)
-                return damaged("one of its code tables is cut off");
+                return damaged(phrase("one of its code tables is cut off"));
             HuffmanCode code;
             std::size_t symbols = 0;
             unsigned room = 1u << 16;  // of codes of 16 bits
@@ -122,11 +122,11 @@ class Reader {
                 code.counts[length] = content[length];
                 symbols += content[length];
                 if (unsigned(content[length]) << (16 - length) > room)
-                    return damaged("one of its code tables has more codes than there can be");
+                    return damaged(phrase("one of its code tables has more codes than there can be"));
                 room -= unsigned(content[length]) << (16 - length);
             }
             if (content.size() < 17 + symbols)
-                return damaged("one of its code tables is cut off");
+                return damaged(phrase("one of its code tables is cut off"));
             const Bytes values = content.subspan(17, symbols);
             code.symbols.assign(values.begin(), values.end());
             codes_[content[0] >> 4][content[0] & 3] = std::move(code);
@@ -139,7 +139,7 @@ class Reader {
             const bool wide = content[0] >> 4 != 0;
             const std::size_t bytes = 1 + (wide ? 128 : 64);
             if (content.size() < bytes)
-                return damaged("one of its quantisation tables is cut off");
+                return damaged(phrase("one of its quantisation tables is cut off"));
             dcSteps_[content[0] & 3] = wide ? word(content, 1) : content[1];
             content = content.subspan(bytes);
         }
@@ -147,7 +147,7 @@ class Reader {
 
     void scan(Bytes content) {
         if (found_.kind == JpegStream::Kind::none || content.size() < 6 || content[0] != 1)
-            return damaged("a scan of it does not fit its frame");
+            return damaged(phrase("a scan of it does not fit its frame"));
         JpegScan scan;
         scan.dc = codes_[0][content[2] >> 4 & 3];
         scan.ac = codes_[1][content[2] & 3];
@@ -172,11 +172,11 @@ class Reader {
                 return;
             }
             if (stream_[at_ + 1] != 0xD0 + scan.parts.size() % 8)
-                return damaged("its restart markers are out of order");
+                return damaged(phrase("its restart markers are out of order"));
             scan.parts.push_back(stream_.subspan(start, at_ - start));
             start = ++at_ + 1;
         }
-        damaged("it ends without its end marker");
+        damaged(phrase("it ends without its end marker"));
     }
 
     Bytes stream_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/base/portable.h"
+#include "render/base/text.h"
 
 namespace pdr::dicom {
 
@@ -37,7 +38,7 @@ struct JpegStream {
     ivec2 size{0};           ///< columns, rows
     int components = 0;
     std::vector<JpegScan> scans;  ///< empty for JPEG-LS, whose decoder sees for itself
-    std::string damage;           ///< empty, or a phrase ("it ends without its end marker")
+    Text damage;                  ///< empty, or a phrase ("it ends without its end marker")
 };
 
 /// Never reads beyond `stream`, whatever it says.

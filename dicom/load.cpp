@@ -17,9 +17,10 @@ namespace {
 
 Error outOfMemory(const Series& series, std::uint64_t needed) {
     const std::uint64_t free = freeBytes();
-    return {"the volume needs " + bytesText(needed) + " of memory" +
-                (free != kNoMemoryLimit ? ", and " + bytesText(free) + " are free" : ", which could not be had"),
-            series.series.description, "Close other programs, or import fewer slices.", ErrorKind::memory};
+    return {free != kNoMemoryLimit
+                ? phrase("the volume needs %1 of memory, and %2 are free", bytesText(needed), bytesText(free))
+                : phrase("the volume needs %1 of memory, which could not be had", bytesText(needed)),
+            series.series.description, phrase("Close other programs, or import fewer slices."), ErrorKind::memory};
 }
 
 /// The voxels while they are being filled, one slice at a time and from several threads.
@@ -54,8 +55,11 @@ class Filling {
     std::vector<Note> notes() const {
         if (clipped_ == 0)
             return {};
-        const std::string count = clipped_ == 1 ? "1 voxel lies" : std::to_string(clipped_) + " voxels lie";
-        return {{"clipped", count + " beyond what 16 bits hold and were put at their end (-32768 or 32767 HU)"}};
+        return {{"clipped",
+                 phrase(clipped_ == 1
+                            ? "1 voxel lies beyond what 16 bits hold and was put at their end (-32768 or 32767 HU)"
+                            : "%1 voxels lie beyond what 16 bits hold and were put at their end (-32768 or 32767 HU)",
+                        clipped_.load())}};
     }
 
     Volume finish() {
@@ -123,9 +127,9 @@ Result<Volume> fill(const Series& series, Padding padding, const Progress& progr
 Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress, std::vector<Note>* notes) {
     const ivec3 size = series.geometry.size;
     if (padding == Padding::maskAsAir && !series.verdict.loadable())
-        return Error{series.verdict.reason, series.series.description, "Choose another series."};
+        return Error{series.verdict.reason, series.series.description, phrase("Choose another series.")};
     if (size.x < 1 || size.y < 1 || size.z < 1 || size.z != int(series.slices.size()))
-        return Error{"the slices differ in size: " + series.verdict.reason, series.series.description, ""};
+        return Error{phrase("the slices differ in size: %1", series.verdict.reason), series.series.description, ""};
     // Two bytes a voxel, one for its padding flag until the end, one bit after.
     const std::uint64_t needed = std::uint64_t(series.geometry.voxelCount()) * 3;
     if (needed > freeBytes())

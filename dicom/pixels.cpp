@@ -22,8 +22,8 @@ namespace {
 constexpr int kGeOutsideField = -2000;
 constexpr double kGeIntercept = -1024.0;
 
-Error damaged(const SliceRef& slice, std::string what) {
-    return {std::move(what), slice.file.string(), "Copy the file again from its source."};
+Error damaged(const SliceRef& slice, Text what) {
+    return {std::move(what), slice.file.string(), phrase("Copy the file again from its source.")};
 }
 
 /// Turns the raw bits of a pixel into the number that they store.
@@ -132,10 +132,10 @@ Result<DecodedSlice> decodePixels(const SliceRef& slice, const SliceHeader& head
         header.hasMetaHeader ? EXS_Unknown : DcmXfer(header.transferSyntaxUid.c_str()).getXfer();
     const E_FileReadMode mode = header.hasMetaHeader ? ERM_autoDetect : ERM_dataset;
     if (content.loadFile(slice.file.c_str(), coding, EGL_noChange, DCM_MaxReadLength, mode).bad())
-        return damaged(slice, "the file is damaged: it cannot be parsed to its end");
+        return damaged(slice, phrase("the file is damaged: it cannot be parsed to its end"));
     DcmDataset& data = *content.getDataset();
-    if (std::string damage = decompress(data, header); !damage.empty())
-        return damaged(slice, "the compressed picture " + damage);
+    if (const Text damage = decompress(data, header); !damage.empty())
+        return damaged(slice, damage);
 
     const unsigned long expected = static_cast<unsigned long>(header.columns) * static_cast<unsigned long>(header.rows);
     unsigned long count = 0;
@@ -148,17 +148,18 @@ Result<DecodedSlice> decodePixels(const SliceRef& slice, const SliceHeader& head
         if (data.findAndGetUint8Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
             return toHu(raw, header, padding);
     }
-    return damaged(slice, "the picture holds fewer pixels than its header says");
+    return damaged(slice, phrase("the picture holds fewer pixels than its header says"));
 }
 
 Result<DecodedSlice> decodeChecked(const SliceRef& slice, Padding padding) {
     const HeaderRead read = readSliceHeader(slice.file);
     if (read.kind != HeaderRead::Kind::object)
-        return damaged(slice, read.damage.empty() ? "this is no DICOM image" : "the file is damaged: " + read.damage);
+        return damaged(slice, read.damage.empty() ? phrase("this is no DICOM image")
+                                                  : phrase("the file is damaged: %1", read.damage));
     if (const std::optional<Refusal> refusal = refusePixels(read.header))
         return Error{refusal->reason, slice.file.string(), ""};
     if (read.header.meaning.rescaleIsBroken)
-        return damaged(slice, "its rescale slope or intercept is no usable number");
+        return damaged(slice, phrase("its rescale slope or intercept is no usable number"));
     Result<DecodedSlice> decoded = decodePixels(slice, read.header, padding);
     if (decoded)
         decoded->identity = identityOf(read.header);
@@ -170,13 +171,13 @@ Result<DecodedSlice> decodeChecked(const SliceRef& slice, Padding padding) {
 Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding) {
     std::error_code failure;
     if (!std::filesystem::exists(slice.file, failure))
-        return Error{"the file is no longer there", slice.file.string(), "Open the folder again."};
+        return Error{phrase("the file is no longer there"), slice.file.string(), phrase("Open the folder again.")};
     if (auto ok = checkPlainFile(slice.file); !ok)
         return ok.error();
     try {
         return decodeChecked(slice, padding);
     } catch (const std::bad_alloc&) {
-        return notEnoughMemory(" to decode it", slice.file.string(), "Close other programs.");
+        return notEnoughMemory(phrase("to decode it"), slice.file.string(), phrase("Close other programs."));
     }
 }
 

@@ -6,7 +6,7 @@ namespace pdr::dicom {
 
 namespace {
 
-Refusal unreadable(std::string reason) {
+Refusal unreadable(Text reason) {
     return {Stack::unreadable, std::move(reason)};
 }
 
@@ -16,47 +16,43 @@ bool soundFormat(const PixelFormat& format) {
            format.highBit >= format.bitsStored - 1 && format.highBit < bits;
 }
 
-std::string formatText(const PixelFormat& format) {
-    return std::to_string(format.bitsAllocated) + " bits allocated, " + std::to_string(format.bitsStored) +
-           " stored, high bit " + std::to_string(format.highBit);
-}
-
 }  // namespace
 
 std::optional<Refusal> refusePixels(const SliceHeader& header) {
     if (header.pixelBytes == 0)
-        return Refusal{Stack::notCt, "no image, but " + (header.series.modality.empty() ? "another kind of object"
-                                                                                        : header.series.modality)};
+        return Refusal{Stack::notCt, header.series.modality.empty()
+                                         ? phrase("no image, but another kind of object")
+                                         : phrase("no image, but %1", header.series.modality)};
     if (header.format.samplesPerPixel != 1 || header.format.photometric.rfind("MONOCHROME", 0) != 0)
-        return Refusal{Stack::notCt, "a colour picture (" + header.format.photometric + "), not a CT slice"};
+        return Refusal{Stack::notCt, phrase("a colour picture (%1), not a CT slice", header.format.photometric)};
     if (!canDecode(header.transferSyntaxUid))
-        return unreadable("its pixels are coded as " + transferSyntaxName(header.transferSyntaxUid) +
-                          ", which this version cannot read");
+        return unreadable(phrase("its pixels are coded as %1, which this version cannot read",
+                                 transferSyntaxName(header.transferSyntaxUid)));
     if (header.frames != 1)
-        return unreadable("it holds " + std::to_string(header.frames) +
-                          " frames in one file (enhanced or multi-frame), which this version cannot read");
+        return unreadable(phrase(
+            "it holds %1 frames in one file (enhanced or multi-frame), which this version cannot read", header.frames));
     if (header.columns < 1 || header.rows < 1 || header.columns > kMaxSide || header.rows > kMaxSide)
-        return unreadable("it states an impossible size of " + std::to_string(header.columns) + " x " +
-                          std::to_string(header.rows) + " pixels");
-    if (!soundFormat(header.format))
-        return unreadable("its pixel format cannot be read (" + formatText(header.format) + ")");
+        return unreadable(phrase("it states an impossible size of %1 x %2 pixels", header.columns, header.rows));
+    if (const PixelFormat& format = header.format; !soundFormat(format))
+        return unreadable(phrase("its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)",
+                                 format.bitsAllocated, format.bitsStored, format.highBit));
     const auto bytes = std::uint64_t(header.columns) * std::uint64_t(header.rows) * (header.format.bitsAllocated / 8);
     if (!isCompressed(header.transferSyntaxUid) && header.pixelBytes < bytes)
-        return unreadable("it holds fewer pixels than its size of " + std::to_string(header.columns) + " x " +
-                          std::to_string(header.rows) + " says");
+        return unreadable(phrase("it holds fewer pixels than its size of %1 x %2 says", header.columns, header.rows));
     return {};
 }
 
 std::optional<Refusal> refuseSlice(const SliceHeader& header) {
     const std::string& modality = header.series.modality;
     if (header.pixelBytes != 0 && modality != "CT")
-        return Refusal{Stack::notCt, modality.empty() ? "it does not say its modality" : modality + ", not CT"};
+        return Refusal{Stack::notCt,
+                       modality.empty() ? phrase("it does not say its modality") : phrase("%1, not CT", modality)};
     if (header.imageType.find("LOCALIZER") != std::string::npos)
-        return Refusal{Stack::notCt, "a localizer (scout view), not a CT slice"};
+        return Refusal{Stack::notCt, phrase("a localizer (scout view), not a CT slice")};
     if (std::optional<Refusal> refusal = refusePixels(header))
         return refusal;
     if (header.meaning.rescaleIsBroken)
-        return unreadable("its rescale slope or intercept is no usable number");
+        return unreadable(phrase("its rescale slope or intercept is no usable number"));
     return {};
 }
 

@@ -12,7 +12,7 @@ inline constexpr int kMaxSide = 8192;
 
 struct Refusal {
     Stack stack = Stack::notCt;  ///< notCt or unreadable
-    std::string reason;          ///< without the file's name: equal for all images of a kind
+    Text reason;                 ///< without the file's name: equal for all images of a kind
 };
 
 /// Why this image's pixels cannot be decoded into numbers; nothing if they can.

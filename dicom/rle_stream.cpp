@@ -60,15 +60,15 @@ bool isPadding(Bytes rest) {
 
 }  // namespace
 
-std::string rleDamage(Bytes stream, std::size_t pixels, int segments) {
+Text rleDamage(Bytes stream, std::size_t pixels, int segments) {
     if (stream.size() < kHeaderBytes)
-        return "it is shorter than its header";
+        return phrase("it is shorter than its header");
     if (number(stream, 0) != std::uint32_t(segments))
-        return "it holds " + std::to_string(number(stream, 0)) + " segments instead of " + std::to_string(segments);
+        return phrase("it holds %1 segments instead of %2", number(stream, 0), segments);
     for (int i = 0; i < segments; ++i) {
         const std::uint32_t start = number(stream, 4 + 4 * std::size_t(i));
         if (i == 0 ? start != kHeaderBytes : start <= number(stream, 4 * std::size_t(i)) || start >= stream.size())
-            return "its header places segments where none can be";
+            return phrase("its header places segments where none can be");
     }
     for (int i = 0; i < segments; ++i) {
         const std::size_t start = number(stream, 4 + 4 * std::size_t(i));
@@ -76,11 +76,11 @@ std::string rleDamage(Bytes stream, std::size_t pixels, int segments) {
         const Bytes coded = stream.subspan(start, end - start);
         const Segment seen = walk(coded, pixels);
         if (seen.cutOff || seen.decoded < pixels)
-            return "a segment of it ends before its last pixel";
+            return phrase("a segment of it ends before its last pixel");
         if (seen.decoded > pixels || !isPadding(coded.subspan(seen.used)))
-            return "a segment of it goes on behind its last pixel";
+            return phrase("a segment of it goes on behind its last pixel");
         if (seen.gathers && seen.spelledOut >= kSpelledOut)
-            return "a run of equal bytes is spelled out";
+            return phrase("a run of equal bytes is spelled out");
     }
     return {};
 }

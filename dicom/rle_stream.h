@@ -5,11 +5,12 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
+
+#include "render/base/text.h"
 
 namespace pdr::dicom {
 
 /// A phrase that says what is wrong, or nothing. `segments`: bytes a pixel.
-std::string rleDamage(std::span<const std::uint8_t> stream, std::size_t pixels, int segments);
+Text rleDamage(std::span<const std::uint8_t> stream, std::size_t pixels, int segments);
 
 }  // namespace pdr::dicom

@@ -25,16 +25,17 @@ std::optional<Error> refuseFolder(const fs::path& folder) {
     std::error_code failure;
     const fs::file_status status = fs::status(folder, failure);
     if (status.type() == fs::file_type::not_found)
-        return Error{"there is no such folder", folder.string(), "Check the spelling."};
+        return Error{phrase("there is no such folder"), folder.string(), phrase("Check the spelling.")};
     if (status.type() == fs::file_type::none)
-        return Error{"the folder cannot be looked into (" + failure.message() + ")", folder.string(),
-                     "Ask its owner for permission to read."};
+        return Error{phrase("the folder cannot be looked into (%1)", failure.message()), folder.string(),
+                     phrase("Ask its owner for permission to read.")};
     if (status.type() != fs::file_type::directory)
-        return Error{"this is a file, not a folder", folder.string(), "Give the folder that holds the DICOM files."};
+        return Error{phrase("this is a file, not a folder"), folder.string(),
+                     phrase("Give the folder that holds the DICOM files.")};
     const fs::directory_iterator opened(folder, failure);
     if (failure)
-        return Error{"the folder cannot be read (" + failure.message() + ")", folder.string(),
-                     "Ask its owner for permission to read."};
+        return Error{phrase("the folder cannot be read (%1)", failure.message()), folder.string(),
+                     phrase("Ask its owner for permission to read.")};
     return {};
 }
 
@@ -73,7 +74,7 @@ class FileList {
         std::error_code failure;
         const fs::file_status target = fs::status(link, failure);
         if (target.type() == fs::file_type::not_found)
-            result_.problems.push_back({link, "the link leads nowhere"});
+            result_.problems.push_back({link, phrase("the link leads nowhere")});
         else if (target.type() == fs::file_type::regular && isNew(link))
             files_.push_back(link);
         else if (target.type() == fs::file_type::directory && isNew(link))
@@ -98,7 +99,7 @@ class FileList {
                     files_.push_back(entry->path());
             }
             if (failure)
-                result_.problems.push_back({current, "the folder cannot be read (" + failure.message() + ")"});
+                result_.problems.push_back({current, phrase("the folder cannot be read (%1)", failure.message())});
             if (!progress_(0.0, "looking for files"))
                 return false;
         }
@@ -119,7 +120,7 @@ HeaderRead readWithinMemory(const fs::path& file, const GoOn& goOn) {
         HeaderRead read;
         read.kind = HeaderRead::Kind::damaged;
         read.header.file = file;
-        read.damage = "there is not enough memory to read its header";
+        read.damage = phrase("there is not enough memory to read its header");
         return read;
     }
 }
@@ -161,7 +162,8 @@ Result<ScanResult> scanFolder(const fs::path& folder, const Progress& progress) 
         return *error;
     prepareToolkit();
     if (!dictionaryIsThere())
-        return Error{"the DICOM dictionary is not there, so no file can be read", "", "Install libdcmtk17 again."};
+        return Error{phrase("the DICOM dictionary is not there, so no file can be read"), "",
+                     phrase("Install libdcmtk17 again.")};
     ScanResult result;
     FileList list(folder, progress, result);
     if (!list.isComplete())
@@ -175,10 +177,9 @@ Result<ScanResult> scanFolder(const fs::path& folder, const Progress& progress) 
     std::vector<SliceHeader> headers, damaged;
     sortOut(reads, headers, damaged, result);
     if (headers.empty() && result.problems.empty())
-        return Error{result.filesSeen == 0
-                         ? "the folder is empty"
-                         : "none of the " + std::to_string(result.filesSeen) + " files is a DICOM image",
-                     folder.string(), "Give the folder that holds the DICOM files."};
+        return Error{result.filesSeen == 0 ? phrase("the folder is empty")
+                                           : phrase("none of the %1 files is a DICOM image", result.filesSeen),
+                     folder.string(), phrase("Give the folder that holds the DICOM files.")};
     result.series = groupIntoSeries(headers, damaged, folder, progress);
     if (!progress(1.0, "sorting slices"))
         return cancelled();

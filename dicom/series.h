@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "render/base/text.h"
 #include "render/volume/volume.h"
 
 namespace pdr::dicom {
@@ -54,14 +55,14 @@ enum class Stack {
 /// A harmless remark about a series that loads.
 struct Note {
     std::string code;  ///< one word that pictures may carry: "lossy", "copies"
-    std::string text;  ///< a sentence for the screen; may name files
+    Text text;         ///< a sentence for the screen; may name files
 };
 
 struct GeometryVerdict {
     Stack stack = Stack::noGeometry;
     /// A sentence that names files and millimetres ("a.dcm and b.dcm are 10 mm apart, the others 5 mm"); empty for
     /// `even`.
-    std::string reason;
+    Text reason;
     std::vector<Note> notes;  ///< "1 copy of a slice left out"
 
     bool loadable() const { return stack == Stack::even; }
@@ -100,7 +101,7 @@ struct Series {
 /// A file that looked like DICOM but could not be used at all, with the reason.
 struct Problem {
     std::filesystem::path file;
-    std::string reason;
+    Text reason;
 };
 
 struct ScanResult {

@@ -197,7 +197,7 @@ HeaderRead readSliceHeader(const std::filesystem::path& file, const GoOn& goOn) 
         read.kind = HeaderRead::Kind::directory;
     } else if (!parsed && structure.damage.empty()) {
         read.kind = HeaderRead::Kind::damaged;
-        read.damage = "its header cannot be read";
+        read.damage = phrase("its header cannot be read");
     }
     return read;
 }

@@ -64,7 +64,7 @@ struct HeaderRead {
     };
     Kind kind = Kind::notDicom;
     SliceHeader header;
-    std::string damage;  ///< a phrase ("it ends inside the compressed picture")
+    Text damage;  ///< a phrase ("it ends inside the compressed picture")
 };
 
 /// Never throws for what is in the file, and never prints it. `goOn`: see checkStructure.

@@ -20,38 +20,36 @@ bool hasGeometry(const SlicePlane& slice) {
 
 }  // namespace
 
-std::string inMm(double value) {
+Text inMm(double value) {
     char text[64];
     std::snprintf(text, sizeof text, "%.3f", value);
     std::string result = text;
     result.erase(result.find_last_not_of('0') + 1);
     if (result.back() == '.')
         result.pop_back();
-    return (result == "-0" ? "0" : result) + " mm";
+    return Text::number(result == "-0" ? "0" : result);
 }
 
 /// Empty if the slice says all that is needed to place it; else a sentence.
-std::string missingGeometry(const SlicePlane& slice) {
-    std::string missing;
-    const auto name = [&](bool there, const char* what) {
+Text missingGeometry(const SlicePlane& slice) {
+    Text missing;
+    const auto name = [&](bool there, const Text& what) {
         if (!there)
-            missing += (missing.empty() ? "" : ", ") + std::string(what);
+            missing = missing.empty() ? what : phrase("%1, %2", missing, what);
     };
-    name(slice.position.has_value(), "position");
-    name(slice.rowDirection && slice.columnDirection, "orientation");
-    name(slice.spacingMm.has_value(), "pixel spacing");
+    name(slice.position.has_value(), phrase("position"));
+    name(slice.rowDirection && slice.columnDirection, phrase("orientation"));
+    name(slice.spacingMm.has_value(), phrase("pixel spacing"));
     if (!missing.empty())
-        return slice.name + " does not say its " + missing;
-    if (!(slice.spacingMm->x >= kLowestSpacingMm && slice.spacingMm->y >= kLowestSpacingMm)) {
-        char spacing[64];
-        std::snprintf(spacing, sizeof spacing, "%g mm x %g mm", slice.spacingMm->x, slice.spacingMm->y);
-        return slice.name + " states a pixel spacing of " + spacing;
-    }
+        return phrase("%1 does not say its %2", slice.name, missing);
+    if (!(slice.spacingMm->x >= kLowestSpacingMm && slice.spacingMm->y >= kLowestSpacingMm))
+        return phrase("%1 states a pixel spacing of %2 mm x %3 mm", slice.name, numberOf(slice.spacingMm->x),
+                      numberOf(slice.spacingMm->y));
     const double row = glm::length(*slice.rowDirection), column = glm::length(*slice.columnDirection);
     const double cosine = glm::dot(*slice.rowDirection, *slice.columnDirection);
     if (std::abs(row - 1) > kUnitTolerance || std::abs(column - 1) > kUnitTolerance ||
         std::abs(cosine) > kUnitTolerance)
-        return slice.name + " states an orientation that is no pair of perpendicular directions";
+        return phrase("%1 states an orientation that is no pair of perpendicular directions", slice.name);
     return {};
 }
 
@@ -79,11 +77,11 @@ bool sameGrid(const SlicePlane& a, const SlicePlane& b) {
     return !hasGeometry(a) || (sameSpacing(a, b) && sameDirection(a, b) && gridDeviationMm(a, b) <= kGridToleranceMm);
 }
 
-std::string sizeText(const SlicePlane& slice) {
-    std::string result = std::to_string(slice.size.x) + " x " + std::to_string(slice.size.y) + " pixels";
-    if (slice.spacingMm)
-        result += " of " + inMm(slice.spacingMm->x) + " x " + inMm(slice.spacingMm->y);
-    return result;
+Text sizeText(const SlicePlane& slice) {
+    if (!slice.spacingMm)
+        return phrase("%1 x %2 pixels", slice.size.x, slice.size.y);
+    return phrase("%1 x %2 pixels of %3 mm x %4 mm", slice.size.x, slice.size.y, inMm(slice.spacingMm->x),
+                  inMm(slice.spacingMm->y));
 }
 
 }  // namespace pdr::dicom

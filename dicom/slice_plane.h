@@ -5,6 +5,7 @@
 #include <string>
 
 #include "render/base/portable.h"
+#include "render/base/text.h"
 
 namespace pdr::dicom {
 
@@ -25,7 +26,7 @@ struct SlicePlane {
 };
 
 /// Empty if the slice says all that is needed to place it; else a sentence.
-std::string missingGeometry(const SlicePlane& slice);
+Text missingGeometry(const SlicePlane& slice);
 
 /// How far the pixel at the far corner of `b` lies from where `a`'s spacing and directions would put it, from the same
 /// first pixel [mm]. Both have geometry.
@@ -35,9 +36,9 @@ bool sameSpacing(const SlicePlane& a, const SlicePlane& b);
 /// Equal size, and within the tolerances above; two slices without geometry share a grid where their sizes agree.
 bool sameGrid(const SlicePlane& a, const SlicePlane& b);
 
-/// "0.793 mm", "5 mm": up to three decimals, no trailing zeros.
-std::string inMm(double value);
+/// "0.793", "5": up to three decimals, no trailing zeros.
+Text inMm(double value);
 /// "512 x 512 pixels of 0.7 mm x 0.7 mm"
-std::string sizeText(const SlicePlane& slice);
+Text sizeText(const SlicePlane& slice);
 
 }  // namespace pdr::dicom

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 namespace pdr::dicom {
@@ -19,7 +18,7 @@ std::vector<int> differentHeights(const SortedStack& stack) {
     return kept;
 }
 
-std::string doubledReason(const SortedStack& stack) {
+Text doubledReason(const SortedStack& stack) {
     int doubled = 0, example = 0;
     for (int k = 1; k < stack.count(); ++k) {
         if (stack.height(k) - stack.height(k - 1) > kPositionToleranceMm)
@@ -29,11 +28,9 @@ std::string doubledReason(const SortedStack& stack) {
     }
     if (doubled == 0)
         return {};
-    std::string reason = stack.name(example - 1) + " and " + stack.name(example) +
-                         " lie at the same height along the normal (" + inMm(stack.height(example)) + ") but differ";
-    if (doubled > 1)
-        reason += "; " + std::to_string(doubled) + " heights are taken twice";
-    return reason;
+    const Text reason = phrase("%1 and %2 lie at the same height along the normal (%3 mm) but differ",
+                               stack.name(example - 1), stack.name(example), inMm(stack.height(example)));
+    return doubled > 1 ? phrase("%1; %2 heights are taken twice", reason, doubled) : reason;
 }
 
 /// How far slice k lies beside the straight line from the first slice to the last [mm].
@@ -43,7 +40,7 @@ double besideTheLine(const SortedStack& stack, int k) {
     return glm::distance(stack.drift(k), stack.drift(last) * fraction);
 }
 
-std::string tiltReason(const SortedStack& stack) {
+Text tiltReason(const SortedStack& stack) {
     const int last = stack.count() - 1;
     int furthest = 0, crooked = 0;
     const auto beyond = [&](int k, double distance) {
@@ -59,16 +56,16 @@ std::string tiltReason(const SortedStack& stack) {
     if (furthest == 0)
         return {};
     if (crooked != 0)
-        return stack.name(crooked) + " lies " + inMm(besideTheLine(stack, crooked)) +
-               " sideways of the straight line from " + stack.name(0) + " to " + stack.name(last);
+        return phrase("%1 lies %2 mm sideways of the straight line from %3 to %4", stack.name(crooked),
+                      inMm(besideTheLine(stack, crooked)), stack.name(0), stack.name(last));
     const double drift = glm::length(stack.drift(last)), height = stack.height(last) - stack.height(0);
-    char degrees[32];
-    std::snprintf(degrees, sizeof degrees, "%.1f", std::atan2(drift, height) * 180.0 / 3.14159265358979);
-    return "the slices drift sideways by " + inMm(drift / last) + " for each " + inMm(stack.gap()) +
-           " of height (gantry tilt of " + degrees + " degrees), from " + stack.name(0) + " to " + stack.name(last);
+    const Text degrees = fixedNumber(std::atan2(drift, height) * 180.0 / 3.14159265358979, 1);
+    return phrase(
+        "the slices drift sideways by %1 mm for each %2 mm of height (gantry tilt of %3 degrees), from %4 to %5",
+        inMm(drift / last), inMm(stack.gap()), degrees, stack.name(0), stack.name(last));
 }
 
-std::string gapReason(const SortedStack& stack) {
+Text gapReason(const SortedStack& stack) {
     const std::vector<int> at = differentHeights(stack);
     const std::size_t last = at.size() - 1;
     if (last < 1)
@@ -92,16 +89,15 @@ std::string gapReason(const SortedStack& stack) {
     if (off(furthest) <= kPositionToleranceMm)
         return {};
     if (std::abs(gaps[worst] - usual) > kPositionToleranceMm)
-        return stack.name(at[worst]) + " and " + stack.name(at[worst + 1]) + " are " + inMm(gaps[worst]) +
-               " apart, the others " + inMm(usual);
-    return stack.name(at[furthest]) + " lies " + inMm(off(furthest)) + " from where slices every " + inMm(mean) +
-           " would put it";
+        return phrase("%1 and %2 are %3 mm apart, the others %4 mm", stack.name(at[worst]), stack.name(at[worst + 1]),
+                      inMm(gaps[worst]), inMm(usual));
+    return phrase("%1 lies %2 mm from where slices every %3 mm would put it", stack.name(at[furthest]),
+                  inMm(off(furthest)), inMm(mean));
 }
 
-std::string withGaps(std::string reason, const SortedStack& stack) {
-    if (const std::string gaps = gapReason(stack); !gaps.empty())
-        reason += "; besides, " + gaps;
-    return reason;
+Text withGaps(const Text& reason, const SortedStack& stack) {
+    const Text gaps = gapReason(stack);
+    return gaps.empty() ? reason : phrase("%1; besides, %2", reason, gaps);
 }
 
 }  // namespace
@@ -151,12 +147,12 @@ std::vector<std::pair<int, int>> findSamePlace(const SortedStack& stack) {
 
 GeometryVerdict judge(const SortedStack& stack) {
     if (stack.count() == 1)
-        return {Stack::singleSlice, stack.name(0) + " is one slice; a volume needs at least two", {}};
-    if (std::string reason = doubledReason(stack); !reason.empty())
-        return {Stack::doubled, withGaps(std::move(reason), stack), {}};
-    if (std::string reason = tiltReason(stack); !reason.empty())
-        return {Stack::tilted, withGaps(std::move(reason), stack), {}};
-    if (std::string reason = gapReason(stack); !reason.empty())
+        return {Stack::singleSlice, phrase("%1 is one slice; a volume needs at least two", stack.name(0)), {}};
+    if (const Text reason = doubledReason(stack); !reason.empty())
+        return {Stack::doubled, withGaps(reason, stack), {}};
+    if (const Text reason = tiltReason(stack); !reason.empty())
+        return {Stack::tilted, withGaps(reason, stack), {}};
+    if (const Text reason = gapReason(stack); !reason.empty())
         return {Stack::gap, reason, {}};
     return {Stack::even, "", {}};
 }

@@ -18,23 +18,24 @@ GeometryVerdict judgeAgreement(const std::vector<SlicePlane>& slices) {
     for (const SlicePlane& slice : slices) {
         if (slice.size != first.size)
             return {Stack::mixedSize,
-                    first.name + " has " + sizeText(first) + ", " + slice.name + " has " + sizeText(slice),
+                    phrase("%1 has %2, %3 has %4", first.name, sizeText(first), slice.name, sizeText(slice)),
                     {}};
     }
     for (const SlicePlane& slice : slices) {
-        if (std::string reason = missingGeometry(slice); !reason.empty())
+        if (const Text reason = missingGeometry(slice); !reason.empty())
             return {Stack::noGeometry, reason, {}};
     }
     for (const SlicePlane& slice : slices) {
         if (!sameSpacing(slice, first))
             return {Stack::mixedSize,
-                    first.name + " has " + sizeText(first) + ", " + slice.name + " has " + sizeText(slice),
+                    phrase("%1 has %2, %3 has %4", first.name, sizeText(first), slice.name, sizeText(slice)),
                     {}};
         if (!sameDirection(slice, first))
-            return {Stack::mixedOrientation, first.name + " and " + slice.name + " look in different directions", {}};
+            return {
+                Stack::mixedOrientation, phrase("%1 and %2 look in different directions", first.name, slice.name), {}};
         if (const double off = gridDeviationMm(first, slice); off > kGridToleranceMm)
             return {Stack::mixedSize,
-                    first.name + " and " + slice.name + " lie on different grids (" + inMm(off) + " at a corner)",
+                    phrase("%1 and %2 lie on different grids (%3 mm at a corner)", first.name, slice.name, inMm(off)),
                     {}};
     }
     return {Stack::even, "", {}};
@@ -63,8 +64,9 @@ StackAnalysis analyseStack(const std::vector<SlicePlane>& slices) {
         return analysis;
     analysis.geometry = stack.geometry();
     if (const double off = stack.gridDeviationMm(); off > kNotedDeviationMm)
-        analysis.verdict.notes.push_back({"grid", "spacing or direction changes on the way; a pixel lies up to " +
-                                                      inMm(off) + " from where the first slice would put it"});
+        analysis.verdict.notes.push_back({"grid", phrase("spacing or direction changes on the way; a pixel lies up to "
+                                                         "%1 mm from where the first slice would put it",
+                                                         inMm(off))});
     return analysis;
 }
 

@@ -1,7 +1,6 @@
 #include "dicom/stack_notes.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 #include "dicom/codecs.h"
@@ -21,16 +20,19 @@ void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
         units.insert(slice->meaning.unit);
     }
     if (withoutRescale > 0)
-        notes.push_back({"rescale", counted(withoutRescale, "slice states", "slices state") +
-                                        " no rescale; stored values are taken as HU"});
+        notes.push_back(
+            {"rescale", phrase(withoutRescale == 1 ? "1 slice states no rescale; stored values are taken as HU"
+                                                   : "%1 slices state no rescale; stored values are taken as HU",
+                               withoutRescale)});
     for (const std::string& unit : units) {
         if (!unit.empty() && unit != "HU")
-            notes.push_back({"unit", "the files say that their values are in \"" + unit + "\"; they are taken as HU"});
+            notes.push_back(
+                {"unit", phrase("the files say that their values are in \"%1\"; they are taken as HU", unit)});
     }
     // Some de-identifiers give every file a frame of its own; a true second frame would show as a broken stack.
     if (frames.size() > 1)
-        notes.push_back({"frames", "the files name " + std::to_string(frames.size()) +
-                                       " frames of reference; their positions are taken as one"});
+        notes.push_back({"frames", phrase("the files name %1 frames of reference; their positions are taken as one",
+                                          frames.size())});
 }
 
 void noteLoss(const Slices& slices, std::vector<Note>& notes) {
@@ -39,15 +41,16 @@ void noteLoss(const Slices& slices, std::vector<Note>& notes) {
     if (lossy == 0)
         return;
     const SliceHeader& first = **std::find_if(slices.begin(), slices.end(), isLossy);
-    std::string how =
-        codingIsLossy(first.transferSyntaxUid) ? transferSyntaxName(first.transferSyntaxUid) : "an earlier coding";
-    if (first.lossyRatio) {
-        char ratio[48];
-        std::snprintf(ratio, sizeof ratio, ", %.3g:1", *first.lossyRatio);
-        how += ratio;
-    }
-    notes.push_back({"lossy", counted(lossy, "slice was", "slices were") + " compressed with loss (" + how +
-                                  "): the HU are not those that were measured"});
+    Text how = codingIsLossy(first.transferSyntaxUid) ? Text(transferSyntaxName(first.transferSyntaxUid))
+                                                      : phrase("an earlier coding");
+    if (first.lossyRatio)
+        how = phrase("%1, %2:1", how, numberOf(*first.lossyRatio, 3));
+    notes.push_back(
+        {"lossy", phrase(lossy == 1 ? "1 slice was compressed with loss (%2): the HU are not those that were "
+                                      "measured"
+                                    : "%1 slices were compressed with loss (%2): the HU are not those that "
+                                      "were measured",
+                         lossy, how)});
 }
 
 /// Slices whose numbers count on along the stack, as scanners number them.
@@ -73,17 +76,16 @@ void noteMissingNumbers(const Slices& slices, const std::set<int>& numbers, std:
     int first = 1;
     while (numbers.contains(first))
         ++first;
-    notes.push_back({"incomplete", counted(missing, "slice", "slices") +
-                                       " may be missing: the files are numbered up to " +
-                                       std::to_string(*numbers.rbegin()) + ", and number " + std::to_string(first) +
-                                       (missing > 1 ? " and others are" : " is") + " not there"});
+    notes.push_back(
+        {"incomplete",
+         phrase(missing == 1 ? "1 slice may be missing: the files are numbered up to %2, and number %3 is not "
+                               "there"
+                             : "%1 slices may be missing: the files are numbered up to %2, and number %3 and "
+                               "others are not there",
+                missing, *numbers.rbegin(), first)});
 }
 
 }  // namespace
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
 
 std::string listed(const std::vector<std::string>& names) {
     std::string list;

@@ -14,9 +14,6 @@ namespace pdr::dicom {
 /// whatever became of them.
 std::vector<Note> notesOn(const std::vector<const SliceHeader*>& slices, const std::set<int>& numbers);
 
-/// "1 slice", "3 slices"
-std::string counted(std::size_t count, const char* one, const char* many);
-
 /// "a.dcm, b.dcm, c.dcm ...": the first three, and a sign that there are more.
 std::string listed(const std::vector<std::string>& names);
 

@@ -4,7 +4,7 @@
 #include <QStyle>
 #include <algorithm>
 
-#include "ui/to_qt.h"
+#include "ui/room_text.h"
 
 namespace pdr::ui {
 

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/room_text.h"
 #include "ui/series_delegate.h"
 #include "ui/series_text.h"
 #include "ui/to_qt.h"
@@ -57,7 +58,7 @@ QString fileNames(const std::vector<dicom::Problem>& problems) {
     constexpr std::size_t kAtMost = 20;
     QStringList lines;
     for (std::size_t i = 0; i < std::min(problems.size(), kAtMost); ++i)
-        lines << toQt(problems[i].file.filename()) + ": " + QString::fromStdString(problems[i].reason);
+        lines << toQt(problems[i].file.filename()) + ": " + inWords(problems[i].reason);
     if (problems.size() > kAtMost)
         lines << SeriesPanel::tr("and %n more", nullptr, int(problems.size() - kAtMost));
     return lines.join('\n');

@@ -50,7 +50,7 @@ Result<void> NodeContents::order(const wire::SceneOrder& order) {
     if (missing * kSceneOverhead <= double(freeMemory_()))
         return {};
     coming_.reset();
-    return notEnoughMemory(" for the scene: " + bytesText(std::size_t(missing)), "", "");
+    return notEnoughMemory(phrase("for the scene: %1", bytesText(std::size_t(missing))), "", "");
 }
 
 void NodeContents::beginNext() {
@@ -109,7 +109,7 @@ Result<void> NodeContents::keep(const wire::ContentAssembly& whole) {
             return insert(nodes::maskFrom(*order_->mask, whole.bytes()));
         return insert(nodes::environmentFrom(*order_->environment, whole.bytes()));
     } catch (const std::bad_alloc&) {
-        return notEnoughMemory(" for the scene", "", "");
+        return notEnoughMemory(phrase("for the scene"), "", "");
     }
 }
 
@@ -120,7 +120,7 @@ Result<Scene> NodeContents::scene() const {
     if (order_->environment)
         contents.environment = find<EnvironmentImage>(order_->environment->content);
     if (!contents.volume || (order_->mask && !contents.mask) || (order_->environment && !contents.environment))
-        return Error{"a content of the scene is not what the order says", "", ""};
+        return Error{phrase("a content of the scene is not what the order says"), "", ""};
     return nodes::sceneFrom(*order_, contents);
 }
 

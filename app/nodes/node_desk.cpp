@@ -53,8 +53,8 @@ Result<NodeId> NodeDesk::add(const QString& text) {
     if (!identity)
         return identity.error();
     if (std::ranges::any_of(nodes_, [&](const auto& node) { return node->address == *address; }))
-        return Error{"this render node is named already", address->text().toStdString(), "Name each node once.",
-                     ErrorKind::refused};
+        return Error{phrase("this render node is named already"), address->text().toStdString(),
+                     phrase("Name each node once."), ErrorKind::refused};
     auto node = std::make_unique<Node>();
     node->status.id = next_++;
     node->status.address = address->text();

@@ -196,7 +196,7 @@ void NodeLink::take(wire::Result& result) {
     if (!nonce)
         return;
     if (*nonce != result.nonce || result.revision != sent_) {
-        coordinator_.pool->quarantine(*worker_, "it answered a lease that it was not given");
+        coordinator_.pool->quarantine(*worker_, phrase("it answered a lease that it was not given"));
         return;
     }
     coordinator_.pool->deliver(

@@ -61,8 +61,8 @@ std::uint64_t voxelsIn(const ivec3& size) {
     return std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(size.z);
 }
 
-Error noContent(const char* what) {
-    return {std::string("the scene that was ordered cannot be rendered: ") + what, "", ""};
+Error noContent(const Text& what) {
+    return {phrase("the scene that was ordered cannot be rendered: %1", what), "", ""};
 }
 
 template <class T>
@@ -96,8 +96,8 @@ Result<OutgoingScene> outgoingScene(std::uint64_t number, const Scene& scene, co
     same.revision = number;
     const Result<Scene> read = sceneFrom(going.order, {scene.volume, scene.mask, scene.environment.image});
     if (!read || withoutUnused(*read) != withoutUnused(same))
-        return Error{"this scene cannot be sent to render nodes: they would read another one", "",
-                     "It is rendered on this machine alone."};
+        return Error{phrase("this scene cannot be sent to render nodes: they would read another one"), "",
+                     phrase("It is rendered on this machine alone.")};
     return going;
 }
 
@@ -122,7 +122,7 @@ Result<std::shared_ptr<const Volume>> volumeFrom(const wire::VolumeOrder& order,
         return spacing.error();
     Voxels voxels(geometry.voxelCount());
     if (!fill(voxels, bytes))
-        return noContent("its volume is of another size");
+        return noContent(phrase("its volume is of another size"));
     return std::make_shared<const Volume>(geometry, std::move(voxels));
 }
 
@@ -130,10 +130,10 @@ Result<std::shared_ptr<const Mask>> maskFrom(const wire::MaskOrder& order, std::
     const MaskGrid grid{order.voxels, order.shift};
     HugePageVector<std::int16_t> weights(voxelsIn(grid.size()));
     if (!fill(weights, bytes))
-        return noContent("its mask is of another size");
+        return noContent(phrase("its mask is of another size"));
     for (const std::int16_t weight : weights)
         if (weight < 0 || weight > kSeen)
-            return noContent("its mask holds what is no weight");
+            return noContent(phrase("its mask holds what is no weight"));
     return std::make_shared<const Mask>(grid, std::move(weights), "");
 }
 
@@ -143,7 +143,7 @@ Result<std::shared_ptr<const EnvironmentImage>> environmentFrom(const wire::Envi
     image->size = order.size;
     image->texels.resize(std::size_t(order.size.x) * std::size_t(order.size.y));
     if (!fill(image->texels, bytes))
-        return noContent("its surroundings are of another size");
+        return noContent(phrase("its surroundings are of another size"));
     if (const Result<void> checked = image->check(); !checked)
         return checked.error();
     return std::shared_ptr<const EnvironmentImage>(std::move(image));
@@ -159,7 +159,7 @@ Result<Scene> sceneFrom(const wire::SceneOrder& order, const SceneContents& cont
     scene.environment.image = contents.environment;
     scene.revision = order.revision;
     if (scene.mask && scene.mask->grid().voxels != scene.volume->size())
-        return noContent("its mask is of another volume");
+        return noContent(phrase("its mask is of another volume"));
     if (const Result<void> checked = scene.check(); !checked)
         return checked.error();
     return scene;

@@ -7,12 +7,13 @@ namespace pdr::remote {
 namespace {
 
 Error notAnAddress(const QString& text) {
-    return {"this is no address", text.toStdString(),
-            "Give HOST or HOST:PORT, with an IPv6 address in brackets: [::1]:4743.", ErrorKind::refused};
+    return {phrase("this is no address"), text.toStdString(),
+            phrase("Give HOST or HOST:PORT, with an IPv6 address in brackets: [::1]:4743."), ErrorKind::refused};
 }
 
 Error noSuchPort(const QString& text) {
-    return {"there is no such port", text.toStdString(), "Ports are numbers from 1 to 65535.", ErrorKind::refused};
+    return {phrase("there is no such port"), text.toStdString(), phrase("Ports are numbers from 1 to 65535."),
+            ErrorKind::refused};
 }
 
 /// Port 0 as well.

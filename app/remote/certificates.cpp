@@ -15,7 +15,7 @@ constexpr QFile::Permissions kOwnerFile = QFile::ReadOwner | QFile::WriteOwner;
 constexpr QFile::Permissions kOwnerFolder = kOwnerFile | QFile::ExeOwner;
 
 Error cannotWrite(const QString& path) {
-    return {"the certificates cannot be written", path.toStdString(), "Choose a folder of your own.",
+    return {phrase("the certificates cannot be written"), path.toStdString(), phrase("Choose a folder of your own."),
             ErrorKind::refused};
 }
 
@@ -82,10 +82,10 @@ Result<void> makeCertificates(const QString& folder, std::chrono::system_clock::
     const QDir bundle(folder);
     for (const Role role : {Role::coordinator, Role::node})
         if (bundle.exists(folderOf(role)))
-            return Error{
-                "there are certificates already", folder.toStdString(),
-                "Choose another folder, or delete this one first: nodes that have the old ones are strangers then.",
-                ErrorKind::refused};
+            return Error{phrase("there are certificates already"), folder.toStdString(),
+                         phrase("Choose another folder, or delete this one first: nodes that have the old ones are "
+                                "strangers then."),
+                         ErrorKind::refused};
     const bool isNew = !bundle.exists();
     if (!makeFolder(folder))
         return cannotWrite(folder);

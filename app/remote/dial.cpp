@@ -9,7 +9,7 @@ namespace pdr::remote {
 Dial::Dial(const Address& address, const Identity& identity, const DialLimits& limits, QObject* parent)
     : QObject(parent), address_(address), identity_(identity), limits_(limits) {
     patience_.setSingleShot(true);
-    connect(&patience_, &QTimer::timeout, this, [this] { fail("no answer", ErrorKind::failed); });
+    connect(&patience_, &QTimer::timeout, this, [this] { fail(phrase("no answer"), ErrorKind::failed); });
     patience_.start(limits.connecting);
     QTimer::singleShot(0, this, &Dial::begin);
 }
@@ -19,7 +19,8 @@ void Dial::begin() {
         beginTls();
     else
         socket_ = new QTcpSocket(this);
-    connect(socket_, &QTcpSocket::errorOccurred, this, [this] { fail(socket_->errorString(), ErrorKind::failed); });
+    connect(socket_, &QTcpSocket::errorOccurred, this,
+            [this] { fail(socket_->errorString().toStdString(), ErrorKind::failed); });
     socket_->setProxy(QNetworkProxy::NoProxy);
     if (auto* tls = qobject_cast<QSslSocket*>(socket_)) {
         tls->connectToHostEncrypted(address_.host, address_.port, nameIn(other(identity_.role)));
@@ -35,7 +36,8 @@ void Dial::beginTls() {
     tls->setSslConfiguration(*identity_.tls);
     connect(tls, &QSslSocket::encrypted, this, &Dial::arrived);
     connect(tls, &QSslSocket::sslErrors, this, [this](const QList<QSslError>& errors) {
-        fail("its certificate is not believed: " + errors.front().errorString(), ErrorKind::refused);
+        fail(phrase("its certificate is not believed: %1", errors.front().errorString().toStdString()),
+             ErrorKind::refused);
     });
 }
 
@@ -43,20 +45,20 @@ void Dial::arrived() {
     const auto* tls = qobject_cast<QSslSocket*>(socket_);
     const QString role = folderOf(other(identity_.role));
     if (tls && !isOf(tls->peerCertificate(), other(identity_.role)))
-        return fail("its certificate is not that of a " + role, ErrorKind::refused);
+        return fail(phrase("its certificate is not that of a %1", role.toStdString()), ErrorKind::refused);
     if (!tls && !socket_->peerAddress().isLoopback())
-        return fail("without certificates only this machine itself may be dialled", ErrorKind::refused);
+        return fail(phrase("without certificates only this machine itself may be dialled"), ErrorKind::refused);
     patience_.stop();
     socket_->disconnect(this);
     emit connected(new Channel(socket_, identity_.role, limits_.channel, this));
 }
 
 /// Not from within the socket's own doings: it may still be busy with what failed.
-void Dial::fail(const QString& what, ErrorKind kind) {
+void Dial::fail(const Text& what, ErrorKind kind) {
     patience_.stop();
     if (socket_)
         socket_->disconnect(this);
-    const Error error{"there is no connection: " + what.toStdString(), address_.text().toStdString(), "", kind};
+    const Error error{phrase("there is no connection: %1", what), address_.text().toStdString(), "", kind};
     QTimer::singleShot(0, this, [this, error] { emit failed(error); });
 }
 

@@ -35,7 +35,7 @@ class Dial : public QObject {
     void begin();
     void beginTls();
     void arrived();
-    void fail(const QString& what, ErrorKind kind);
+    void fail(const Text& what, ErrorKind kind);
 
     Address address_;
     Identity identity_;

@@ -45,11 +45,11 @@ Result<void> Listener::listen(const Address& address) {
                               : isName               ? QHostAddress(QHostAddress::LocalHost)
                                                      : QHostAddress(address.host);
     if (host.isNull())
-        return Error{"this program listens at IP addresses, not at names", address.text().toStdString(),
-                     "Give one of this machine's IP addresses, or the port alone.", ErrorKind::refused};
+        return Error{phrase("this program listens at IP addresses, not at names"), address.text().toStdString(),
+                     phrase("Give one of this machine's IP addresses, or the port alone."), ErrorKind::refused};
     if (!server_->listen(host, address.port))
-        return Error{"nobody can be listened to there: " + server_->errorString().toStdString(),
-                     address.text().toStdString(), "Choose another port."};
+        return Error{phrase("nobody can be listened to there: %1", server_->errorString().toStdString()),
+                     address.text().toStdString(), phrase("Choose another port.")};
     return {};
 }
 

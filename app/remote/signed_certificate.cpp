@@ -13,7 +13,8 @@ constexpr long kVersion3 = 2;
 
 Error failure() {
     const char* reason = ERR_reason_error_string(ERR_get_error());
-    return {std::string("a certificate cannot be made: ") + (reason ? reason : "no reason given"), "", ""};
+    return {phrase("a certificate cannot be made: %1", reason ? Text(std::string(reason)) : phrase("no reason given")),
+            "", ""};
 }
 
 QByteArray textOf(BIO* bio) {

@@ -14,16 +14,20 @@ namespace pdr::remote {
 namespace {
 
 constexpr std::uint64_t kMostBytes = 64 << 10;
-constexpr const char* kNewBundle = "Make new ones with --make-certificates, for the coordinator and all nodes.";
 
-Error refused(std::string what, const QString& where, std::string hint) {
+/// What to do about certificates that are of no use.
+Text makeNewOnes() {
+    return phrase("Make new ones with --make-certificates, for the coordinator and all nodes.");
+}
+
+Error refused(Text what, const QString& where, Text hint) {
     return {std::move(what), where.toStdString(), std::move(hint), ErrorKind::refused};
 }
 
 Result<QByteArray> readPem(const QString& path) {
     const Result<std::string> bytes = readPlainFile(QFile::encodeName(path).toStdString(), kMostBytes);
     if (!bytes)
-        return refused(bytes.error().what, path, "Give the folder that --make-certificates has made.");
+        return refused(bytes.error().what, path, phrase("Give the folder that --make-certificates has made."));
     return QByteArray::fromStdString(*bytes);
 }
 
@@ -33,30 +37,31 @@ Result<void> checkSecrecy(const QString& path) {
     const bool isHandedOut = file.ownerId() == 0 && geteuid() != 0;
     const auto group = isHandedOut ? QFile::Permissions(QFile::WriteGroup) : QFile::ReadGroup | QFile::WriteGroup;
     if (file.permissions() & (group | QFile::ReadOther | QFile::WriteOther))
-        return refused("others on this machine may read or change this key", path, "Make it yours alone: chmod 600.");
+        return refused(phrase("others on this machine may read or change this key"), path,
+                       phrase("Make it yours alone: chmod 600."));
     return {};
 }
 
 Result<void> checkCertificate(const QSslCertificate& certificate, Role role, const QString& path) {
     const QDateTime now = QDateTime::currentDateTimeUtc();
     if (certificate.isNull())
-        return refused("this is no certificate", path, kNewBundle);
+        return refused(phrase("this is no certificate"), path, makeNewOnes());
     if (!isOf(certificate, role))
-        return refused("this is not the certificate of a " + folderOf(role).toStdString(), path,
-                       "Give the part of the bundle named " + folderOf(role).toStdString() + ".");
+        return refused(phrase("this is not the certificate of a %1", folderOf(role).toStdString()), path,
+                       phrase("Give the part of the bundle named %1.", folderOf(role).toStdString()));
     if (now > certificate.expiryDate())
-        return refused("this certificate holds no longer", path, kNewBundle);
+        return refused(phrase("this certificate holds no longer"), path, makeNewOnes());
     if (now < certificate.effectiveDate())
-        return refused("this certificate does not hold yet", path, "Check this machine's clock.");
+        return refused(phrase("this certificate does not hold yet"), path, phrase("Check this machine's clock."));
     return {};
 }
 
 Result<void> checkKey(const QByteArray& pem, const QString& path) {
     if (pem.contains("ENCRYPTED"))
-        return refused("this key is encrypted, and nobody is there to ask for its password", path,
-                       "Give one without a password, which only you may read.");
+        return refused(phrase("this key is encrypted, and nobody is there to ask for its password"), path,
+                       phrase("Give one without a password, which only you may read."));
     if (QSslKey(pem, QSsl::Ec).isNull())
-        return refused("this is no key", path, kNewBundle);
+        return refused(phrase("this is no key"), path, makeNewOnes());
     return {};
 }
 
@@ -91,9 +96,9 @@ Result<Identity> readIdentity(const QString& folder, Role role) {
     if (auto right = checkKey(*key, part + "/key.pem"); !right)
         return right.error();
     if (QSslCertificate(*authority).isNull())
-        return refused("this is no certificate", part + "/ca.pem", kNewBundle);
+        return refused(phrase("this is no certificate"), part + "/ca.pem", makeNewOnes());
     if (!belongTogether(*key, *own, *authority))
-        return refused("these certificates do not belong together", part, kNewBundle);
+        return refused(phrase("these certificates do not belong together"), part, makeNewOnes());
     return Identity{role,
                     tlsConfiguration(QSslCertificate::fromData(*authority), {certificate}, QSslKey(*key, QSsl::Ec))};
 }
@@ -103,10 +108,10 @@ Result<Identity> identityFor(const Address& address, const QString& folder, Role
         return readIdentity(folder, role);
     if (address.isLoopback())
         return Identity{role, std::nullopt};
-    return refused(
-        "other machines are only talked to with certificates", address.text(),
-        "Make some with \"pdrender-node --make-certificates FOLDER\", and give them to both sides: --bundle, or the "
-        "window's Certificates.");
+    return refused(phrase("other machines are only talked to with certificates"), address.text(),
+                   phrase("Make some with \"pdrender-node --make-certificates FOLDER\", and give them to both sides: "
+                          "--bundle, or the "
+                          "window's Certificates."));
 }
 
 bool isOf(const QSslCertificate& certificate, Role role) {

@@ -82,7 +82,7 @@ pdr::Result<void> ContentAssembly::makeRoom() {
     try {
         bytes_.reserve(totalBytes_);
     } catch (const std::exception&) {
-        return Error{"there is too little memory", std::to_string(totalBytes_ >> 20) + " MiB of a scene", "",
+        return Error{phrase("there is too little memory"), std::to_string(totalBytes_ >> 20) + " MiB of a scene", "",
                      ErrorKind::memory};
     }
     return {};
@@ -92,14 +92,14 @@ pdr::Result<void> ContentAssembly::add(const Chunk& chunk) {
     const std::uint64_t begin = bytes_.size(), rest = totalBytes_ - begin;
     if (chunk.content != expected_ || chunk.index != nextChunk() ||
         chunk.rawBytes != std::min<std::uint64_t>(kChunkBytes, rest) || rest == 0)
-        return malformed("a piece of a scan that was not asked for", "Chunk");
+        return malformed(phrase("a piece of a scan that was not asked for"), "Chunk");
     if (!isFrameOf(chunk.packed, chunk.rawBytes))
-        return malformed("a damaged piece of a scan", "Chunk");
+        return malformed(phrase("a damaged piece of a scan"), "Chunk");
     if (auto room = makeRoom(); !room)
         return room;
     Scratch halves(chunk.rawBytes);
     if (!FrameUnpacker().unpack(chunk.packed, halves.all()))
-        return malformed("a damaged piece of a scan", "Chunk");
+        return malformed(phrase("a damaged piece of a scan"), "Chunk");
     bytes_.resize(begin + chunk.rawBytes);
     const auto part = std::span(bytes_).subspan(begin);
     join(halves.all(), part);
@@ -109,7 +109,7 @@ pdr::Result<void> ContentAssembly::add(const Chunk& chunk) {
 
 pdr::Result<void> ContentAssembly::finish() {
     if (!isWhole() || hash_.finish() != expected_)
-        return malformed("a scan that is not what it was said to be");
+        return malformed(phrase("a scan that is not what it was said to be"));
     return {};
 }
 

@@ -54,9 +54,9 @@ const MessageKind* kindOf(std::uint16_t type) {
     return type >= 1 && type <= std::size(kKinds) ? &kKinds[type - 1] : nullptr;
 }
 
-Error malformed(std::string_view reason, std::string_view where) {
-    return {"the other side sent what makes no sense: " + std::string(reason), std::string(where),
-            "Both programs should be of the same release.", ErrorKind::refused};
+Error malformed(const Text& reason, std::string_view where) {
+    return {phrase("the other side sent what makes no sense: %1", reason), std::string(where),
+            phrase("Both programs should be of the same release."), ErrorKind::refused};
 }
 
 std::array<std::byte, kHeaderBytes> bytesOf(const FrameHeader& header) {
@@ -72,7 +72,7 @@ std::array<std::byte, kHeaderBytes> bytesOf(const FrameHeader& header) {
 
 pdr::Result<FrameHeader> headerOf(Role reader, std::span<const std::byte, kHeaderBytes> bytes) {
     if (std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) != 0)
-        return malformed("it is no message of PD-Render's");
+        return malformed(phrase("it is no message of PD-Render's"));
     FrameHeader header;
     std::size_t place = kMagic.size();
     eachField(header, [&](auto& value) {
@@ -80,14 +80,14 @@ pdr::Result<FrameHeader> headerOf(Role reader, std::span<const std::byte, kHeade
         place += sizeof value;
     });
     if (header.version != kLayoutVersion || header.flags != 0)
-        return malformed("its messages are laid out in another way");
+        return malformed(phrase("its messages are laid out in another way"));
     const MessageKind* kind = kindOf(header.type);
     if (kind == nullptr && header.type >= kFirstCritical)
-        return malformed("a message of a kind that must be understood, but is not known here");
+        return malformed(phrase("a message of a kind that must be understood, but is not known here"));
     if (kind != nullptr && !(reader == Role::node ? kind->fromCoordinator : kind->fromNode))
-        return malformed("such a message goes the other way", kind->name);
+        return malformed(phrase("such a message goes the other way"), kind->name);
     if (header.mapBytes > kMostMapBytes || header.payloadBytes > (kind ? kind->mostPayload : kMostPayloadBytes))
-        return malformed("it is longer than such a message is", kind ? kind->name : "");
+        return malformed(phrase("it is longer than such a message is"), kind ? kind->name : "");
     return header;
 }
 

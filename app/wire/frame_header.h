@@ -54,6 +54,6 @@ std::array<std::byte, kHeaderBytes> bytesOf(const FrameHeader& header);
 pdr::Result<FrameHeader> headerOf(Role reader, std::span<const std::byte, kHeaderBytes> bytes);
 
 /// The error of malformed input; `where`: the message's name.
-Error malformed(std::string_view reason, std::string_view where = "");
+Error malformed(const Text& reason, std::string_view where = "");
 
 }  // namespace pdr::wire

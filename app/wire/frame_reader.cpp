@@ -25,7 +25,7 @@ pdr::Result<void> FrameReader::readHeader() {
     if (!header)
         return header.error();
     if (!admitted_ && header->bodyBytes() > limits_.beforeAdmission)
-        return malformed("it is too long from somebody who is not known yet");
+        return malformed(phrase("it is too long from somebody who is not known yet"));
     header_ = *header;
     if (kindOf(header->type) == nullptr)
         toSkip_ = header->bodyBytes();

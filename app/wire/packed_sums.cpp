@@ -149,7 +149,7 @@ Bytes packSums(std::span<const PixelSums> sums) {
 }
 
 pdr::Result<std::vector<PixelSums>> unpackSums(std::span<const std::byte> packed, std::size_t pixels) {
-    const Error noPack = malformed("sums of pixels that cannot be unpacked");
+    const Error noPack = malformed(phrase("sums of pixels that cannot be unpacked"));
     std::vector<PixelSums> sums;
     if (pixels == 0 && packed.empty())
         return sums;

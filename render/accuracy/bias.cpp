@@ -11,18 +11,18 @@ namespace {
 
 struct Shortcut {
     BiasCause cause;
-    const char* text;
+    Text text;
 };
 
 /// Those that are measured: nothing else tells what they do to a picture.
 std::vector<Shortcut> shortcuts(const BiasFacts& facts) {
     std::vector<Shortcut> all;
     if (facts.estimator == Estimator::kroesMarch)
-        all.push_back({BiasCause::march, "march of 3 voxels"});
+        all.push_back({BiasCause::march, phrase("march of 3 voxels")});
     if (facts.schedule.kind == Schedule::Kind::kroes && facts.schedule.filter)
-        all.push_back({BiasCause::blur, "each iteration blurred"});
+        all.push_back({BiasCause::blur, phrase("each iteration blurred")});
     if (facts.texturesFilter)
-        all.push_back({BiasCause::fastFilter, "fast filter"});
+        all.push_back({BiasCause::fastFilter, phrase("fast filter")});
     return all;
 }
 
@@ -42,47 +42,48 @@ BiasCause causeOf(Fault fault) {
 /// A sample that something happened to is one pixel's.
 Bias faultBias(Fault fault, const BiasFacts& facts) {
     const std::uint64_t count = facts.health.of(fault).count;
-    Bias bias{.cause = causeOf(fault), .text = std::to_string(count) + " " + faultText(fault), .fault = fault};
+    Bias bias{.cause = causeOf(fault), .text = phrase("%1 %2", count, faultText(fault)), .fault = fault};
     if (facts.tissuePixels > 0 && count < facts.tissuePixels) {
         bias.shareAtMost = double(count) / double(facts.tissuePixels);
-        bias.text += ": " + shareText(*bias.shareAtMost);
+        bias.text = phrase("%1: %2", bias.text, shareText(*bias.shareAtMost));
     }
     return bias;
 }
 
 Bias smoothingBias(const std::optional<SmoothedError>& error) {
     if (!error)
-        return {BiasCause::smoothing, "denoised: how much is not known yet"};
+        return {BiasCause::smoothing, phrase("denoised: how much is not known yet")};
     return {.cause = BiasCause::smoothing,
-            .text = "denoised: 95 % of the tissue within ±" + levelsText(error->levelsAtMost) +
-                    " levels, noise included",
+            .text = phrase("denoised: 95 % of the tissue within ±%1 levels, noise included",
+                           levelsText(error->levelsAtMost)),
             .levelsAtMost = error->levelsAtMost};
 }
 
-std::string sizeText(ivec2 size) {
-    return std::to_string(size.x) + " × " + std::to_string(size.y);
+Text sizeText(ivec2 size) {
+    return phrase("%1 × %2", size.x, size.y);
 }
 
-std::string measuredOr(const std::optional<MeasuredBias>& measured) {
-    return measured ? measuredText(*measured) : "how much is not known yet";
+Text measuredOr(const std::optional<MeasuredBias>& measured) {
+    return measured ? measuredText(*measured) : phrase("how much is not known yet");
 }
 
 Bias quadratureBias(const BiasFacts& facts) {
     const auto& measured = facts.measured.quadrature;
+    const Text atMost = phrase("sums along rays: at most ±%1 levels", levelsText(facts.toleranceLevels));
     return {.cause = BiasCause::quadrature,
-            .text = "sums along rays: at most ±" + levelsText(facts.toleranceLevels) + " levels" +
-                    (measured ? "; measured: " + measuredText(*measured) : ""),
+            .text = measured ? phrase("%1; measured: %2", atMost, measuredText(*measured)) : atMost,
             .measured = measured,
             .levelsAtMost = facts.toleranceLevels};
 }
 
 void addOfComputing(const BiasFacts& facts, std::vector<Bias>& all) {
     if (const std::vector<Shortcut> together = shortcuts(facts); !together.empty())  // they are off together
-        all.push_back({together.front().cause, shortcutNames(facts) + ": " + measuredOr(facts.measured.shortcuts),
+        all.push_back({together.front().cause,
+                       phrase("%1: %2", shortcutNames(facts), measuredOr(facts.measured.shortcuts)),
                        facts.measured.shortcuts});
     if (keepsRunningMean(facts))
         all.push_back({BiasCause::runningMean,
-                       "mean kept in single precision: " + measuredOr(facts.measured.runningMean),
+                       phrase("mean kept in single precision: %1", measuredOr(facts.measured.runningMean)),
                        facts.measured.runningMean});
     if (sumsToATolerance(facts))
         all.push_back(quadratureBias(facts));
@@ -108,10 +109,10 @@ bool isOfComputing(BiasCause cause) {
     return cause < BiasCause::resolution;
 }
 
-std::string shortcutNames(const BiasFacts& facts) {
-    std::string names;
+Text shortcutNames(const BiasFacts& facts) {
+    Text names;
     for (const Shortcut& shortcut : shortcuts(facts))
-        names += (names.empty() ? "" : ", ") + std::string(shortcut.text);
+        names = names.empty() ? shortcut.text : phrase("%1, %2", names, shortcut.text);
     return names;
 }
 
@@ -127,11 +128,11 @@ std::vector<Bias> biases(const BiasFacts& facts) {
     std::vector<Bias> all;
     addOfComputing(facts, all);
     if (facts.view != ivec2(0) && facts.picture != facts.view)
-        all.push_back(
-            {BiasCause::resolution, sizeText(facts.picture) + " pixels stretched to " + sizeText(facts.view)});
+        all.push_back({BiasCause::resolution,
+                       phrase("%1 pixels stretched to %2", sizeText(facts.picture), sizeText(facts.view))});
     if (facts.slicesInterpolated)
         all.push_back({BiasCause::interpolatedSlices,
-                       "slices between the scan's own are a cubic's: a choice, and no error of the computing"});
+                       phrase("slices between the scan's own are a cubic's: a choice, and no error of the computing")});
     return all;
 }
 

@@ -9,6 +9,7 @@
 
 #include "render/accuracy/bias_estimate.h"
 #include "render/base/health.h"
+#include "render/base/text.h"
 #include "render/film/smoothing_judgement.h"
 #include "render/scene/model.h"
 #include "render/scene/schedule.h"
@@ -41,7 +42,7 @@ bool isOfComputing(BiasCause cause);
 /// One cause, or, of those that were measured together, the first of them.
 struct Bias {
     BiasCause cause;
-    std::string text;  ///< for the user: "march of 3 voxels: +9.7 % bright, ..."
+    Text text;  ///< for the user: "march of 3 voxels: +9.7 % bright, ..."
     // How much; nothing where that is not known:
     std::optional<MeasuredBias> measured = {};  ///< against the exact picture
     std::optional<double> levelsAtMost = {};    ///< display levels of 255
@@ -63,7 +64,7 @@ struct BiasFacts {
     Schedule schedule;
     bool texturesFilter = false;  ///< texture units read the volume
     double toleranceLevels = 0;   ///< of projections
-    std::string denseWarning;     ///< empty: none
+    Text denseWarning;            ///< empty: none
     Health health;
     std::uint64_t tissuePixels = 0;  ///< 0: of all pixels nothing is known
     MeasuredBiases measured;
@@ -74,7 +75,7 @@ struct BiasFacts {
 };
 
 /// What only measuring tells the bias of: "march of 3 voxels, each iteration blurred". Empty: nothing.
-std::string shortcutNames(const BiasFacts& facts);
+Text shortcutNames(const BiasFacts& facts);
 bool keepsRunningMean(const BiasFacts& facts);
 bool sumsToATolerance(const BiasFacts& facts);
 inline bool needsMeasuring(const BiasFacts& facts) {

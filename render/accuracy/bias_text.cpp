@@ -8,28 +8,28 @@
 namespace pdr {
 namespace {
 
-std::string percentText(double fraction, const char* format) {
+Text percentText(double fraction, const char* format) {
     char text[32];
     std::snprintf(text, sizeof text, format, 100 * fraction);
-    return text;
+    return Text::number(text);
 }
 
 }  // namespace
 
-std::string measuredText(const MeasuredBias& bias) {
+Text measuredText(const MeasuredBias& bias) {
     const auto signedPercent = [](double fraction) { return percentText(fraction, "%+.1f"); };
     const auto& [brightness, levels] = std::pair(bias.brightness, bias.levels);
-    const std::string bright = signedPercent(brightness.value) + " % bright (" + signedPercent(brightness.low) +
-                               " to " + signedPercent(brightness.high) + "), ";
+    const Text bright = phrase("%1 % bright (%2 to %3)", signedPercent(brightness.value), signedPercent(brightness.low),
+                               signedPercent(brightness.high));
     if (levels.low <= 0)
-        return bright + "95 % of the tissue within ±" + levelsText(levels.high) +
-               " levels at most, by now not told from none";
-    return bright + "95 % of the tissue within ±" + levelsText(levels.value) + " levels (" + levelsText(levels.low) +
-           " to " + levelsText(levels.high) + ")";
+        return phrase("%1, 95 % of the tissue within ±%2 levels at most, by now not told from none", bright,
+                      levelsText(levels.high));
+    return phrase("%1, 95 % of the tissue within ±%2 levels (%3 to %4)", bright, levelsText(levels.value),
+                  levelsText(levels.low), levelsText(levels.high));
 }
 
-std::string shareText(double share) {
-    return "in at most " + percentText(share, "%.2g") + " % of the tissue";
+Text shareText(double share) {
+    return phrase("in at most %1 % of the tissue", percentText(share, "%.2g"));
 }
 
 }  // namespace pdr

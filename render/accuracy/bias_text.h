@@ -1,16 +1,15 @@
 #pragma once
 /// The size of a bias in words.
 
-#include <string>
-
 #include "render/accuracy/bias_estimate.h"
+#include "render/base/text.h"
 
 namespace pdr {
 
 /// "+9.7 % bright (+9.1 to +10.3), 95 % of the tissue within ±12 levels (10 to 14)"; of what may be none "... within
 /// ±0.4 levels at most, by now not told from none".
-std::string measuredText(const MeasuredBias& bias);
+Text measuredText(const MeasuredBias& bias);
 /// "in at most 0.02 % of the tissue"
-std::string shareText(double share);
+Text shareText(double share);
 
 }  // namespace pdr

@@ -33,11 +33,11 @@ class Descriptor {
 
 Error cannotBeRead(const std::filesystem::path& path) {
     const int reason = errno;
-    const char* hint = reason == ENOENT || reason == ENOTDIR ? "Check the path."
-                       : reason == EMFILE || reason == ENFILE
-                           ? "Close other programs, or raise the limit of open files (ulimit -n)."
-                           : "Check that you may read it.";
-    return {"the file cannot be read (" + std::string(std::strerror(reason)) + ")", path.string(), hint};
+    const Text hint = reason == ENOENT || reason == ENOTDIR ? phrase("Check the path.")
+                      : reason == EMFILE || reason == ENFILE
+                          ? phrase("Close other programs, or raise the limit of open files (ulimit -n).")
+                          : phrase("Check that you may read it.");
+    return {phrase("the file cannot be read (%1)", std::string(std::strerror(reason))), path.string(), hint};
 }
 
 /// Errors: it is none.
@@ -45,8 +45,9 @@ Result<void> checkKind(mode_t mode, const std::filesystem::path& path) {
     if (S_ISREG(mode))
         return {};
     if (S_ISDIR(mode))
-        return Error{"this is a folder, not a file", path.string(), "Give a file.", ErrorKind::refused};
-    return Error{"this is no plain file", path.string(), "Give a file, no pipe and no device.", ErrorKind::refused};
+        return Error{phrase("this is a folder, not a file"), path.string(), phrase("Give a file."), ErrorKind::refused};
+    return Error{phrase("this is no plain file"), path.string(), phrase("Give a file, no pipe and no device."),
+                 ErrorKind::refused};
 }
 
 Result<Descriptor> openPlainFile(const std::filesystem::path& path) {
@@ -85,7 +86,8 @@ Result<std::string> readPlainFile(const std::filesystem::path& path, std::uint64
             return cannotBeRead(path);
         bytes.resize(before + std::size_t(std::max<ssize_t>(count, 0)));
         if (bytes.size() > mostBytes)
-            return Error{"the file is larger than " + bytesText(mostBytes), path.string(), "", ErrorKind::refused};
+            return Error{phrase("the file is larger than %1", bytesText(mostBytes)), path.string(), "",
+                         ErrorKind::refused};
         if (count == 0)
             return bytes;
     }

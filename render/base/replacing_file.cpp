@@ -17,14 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 Error writeError(const fs::path& path, int code) {
-    const std::string what = "the file could not be written (" + std::string(std::strerror(code)) + ")";
+    const Text what = phrase("the file could not be written (%1)", std::string(std::strerror(code)));
     if (code == ENOSPC || code == EDQUOT || code == EFBIG)
-        return {what, path.string(), "Make room there, or choose another place."};
+        return {what, path.string(), phrase("Make room there, or choose another place.")};
     if (code == ENAMETOOLONG)
-        return {what, path.string(), "Choose a shorter name."};
+        return {what, path.string(), phrase("Choose a shorter name.")};
     if (code == ENOENT)
-        return {what, path.string(), "Create the folder first, or choose another place."};
-    return {what, path.string(), "Choose a folder that you may write to."};
+        return {what, path.string(), phrase("Create the folder first, or choose another place.")};
+    return {what, path.string(), phrase("Choose a folder that you may write to.")};
 }
 
 fs::path folderOf(const fs::path& path) {
@@ -42,7 +42,7 @@ Result<fs::path> behindLinks(const fs::path& path) {
             return place;  // no link, or nothing there
         place = folderOf(place) / target;
     }
-    return Error{"the symbolic links here lead in a circle", path.string(), "Choose another name."};
+    return Error{phrase("the symbolic links here lead in a circle"), path.string(), phrase("Choose another name.")};
 }
 
 /// What rename() would refuse only in the end, and what it would do without asking.
@@ -52,17 +52,18 @@ Result<void> checkReplaceable(const fs::path& path, const fs::path& place) {
     if (::lstat(place.c_str(), &file) != 0)
         return errno == ENAMETOOLONG ? writeError(path, errno) : Result<void>();
     if (S_ISDIR(file.st_mode))
-        return Error{"this is a folder, a file name is needed", path.string(),
-                     "Choose another name, or one within it."};
+        return Error{phrase("this is a folder, a file name is needed"), path.string(),
+                     phrase("Choose another name, or one within it.")};
     if (!S_ISREG(file.st_mode))
-        return Error{"this is no plain file", path.string(), "Choose another name."};
+        return Error{phrase("this is no plain file"), path.string(), phrase("Choose another name.")};
     if (::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0)
-        return Error{"this file may not be written", path.string(), "Change its permissions, or choose another name."};
+        return Error{phrase("this file may not be written"), path.string(),
+                     phrase("Change its permissions, or choose another name.")};
     const uid_t user = ::geteuid();
     const bool sticky = ::stat(folderOf(place).c_str(), &folder) == 0 && (folder.st_mode & S_ISVTX) != 0;
     if (sticky && user != 0 && user != file.st_uid && user != folder.st_uid)
-        return Error{"this file belongs to another user, and in this folder only they may replace it", path.string(),
-                     "Choose another name."};
+        return Error{phrase("this file belongs to another user, and in this folder only they may replace it"),
+                     path.string(), phrase("Choose another name.")};
     return {};
 }
 

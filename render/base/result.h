@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "render/base/text.h"
+
 namespace pdr {
 
 /// What a program can do about an Error.
@@ -16,14 +18,14 @@ enum class ErrorKind {
     cancelled    ///< it was asked to stop: nothing to tell
 };
 
-/// A failure in three short parts, each a plain sentence or phrase in the user's words.
+/// A failure in three short parts, each a plain sentence or phrase in the user's words. ui/ says it in other languages.
 ///   what    what went wrong                    "slices 41 and 42 are 6 mm apart, the others 2 mm"
 ///   where   the file, series or field          "/data/ct/series3"
 ///   hint    what to do next; may be empty      "Import the part above slice 41."
 struct Error {
-    std::string what;
+    Text what;
     std::string where;
-    std::string hint;
+    Text hint;
     ErrorKind kind = ErrorKind::failed;
 
     /// The same, in something that holds its `where`.
@@ -33,11 +35,11 @@ struct Error {
         return error;
     }
     /// One line: "where: what. hint"
-    std::string text() const {
-        std::string line = where.empty() ? what : where + ": " + what;
-        if (!hint.empty())
-            line += (line.empty() || line.back() == '.' ? " " : ". ") + hint;
-        return line;
+    Text text() const {
+        const Text line = where.empty() ? what : phrase("%1: %2", where, what);
+        if (hint.empty())
+            return line;
+        return phrase(line.empty() || line.back() == '.' ? "%1 %2" : "%1. %2", line, hint);
     }
 };
 

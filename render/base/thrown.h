@@ -14,11 +14,11 @@ inline Error thrownError() {
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        return notEnoughMemory("", "", "Close other programs, then try again.");
+        return notEnoughMemory("", "", phrase("Close other programs, then try again."));
     } catch (const std::exception& exception) {
-        return {std::string("something failed unexpectedly: ") + exception.what(), "", "Try again."};
+        return {phrase("something failed unexpectedly: %1", std::string(exception.what())), "", phrase("Try again.")};
     } catch (...) {
-        return {"something failed for an unknown reason", "", "Try again."};
+        return {phrase("something failed for an unknown reason"), "", phrase("Try again.")};
     }
 }
 

@@ -5,7 +5,7 @@
 namespace pdr {
 
 Result<void> Device::trace(const Tile&, SampleRange, TileSums, const std::stop_token&) {
-    return Error{"the device takes samples for films of its own only", info().name, ""};
+    return Error{phrase("the device takes samples for films of its own only"), info().name, ""};
 }
 
 Result<std::unique_ptr<Accumulator>> startFilm(Device& device, const Scene& scene) {

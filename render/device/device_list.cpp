@@ -16,8 +16,8 @@ namespace {
 #if !defined(PDR_HAS_CUDA)
 /// What there is without a CUDA compiler.
 Error withoutCuda() {
-    return {"this program was built without CUDA", "cuda", "Render on the CPU, or build it where the CUDA Toolkit is.",
-            ErrorKind::refused};
+    return {phrase("this program was built without CUDA"), "cuda",
+            phrase("Render on the CPU, or build it where the CUDA Toolkit is."), ErrorKind::refused};
 }
 Result<std::vector<DeviceInfo>> cudaDevices() {
     return withoutCuda();
@@ -73,7 +73,7 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads,
         error.where = name;
         return error;
     }
-    return Error{"there is no such device", name, "Choose auto, cpu, cuda or cuda:1."};
+    return Error{phrase("there is no such device"), name, phrase("Choose auto, cpu, cuda or cuda:1.")};
 }
 
 Result<std::unique_ptr<Device>> openDeviceToTheEnd(const std::string& name, int threads, const WhySpare& told) {

@@ -119,31 +119,31 @@ void Film::commit(const Tile& tile, SampleRange range) {
 }
 
 Result<void> Film::check(const TileResult& result) const {
-    const auto refused = [&](const char* why) {
+    const auto refused = [&](const Text& why) {
         const Tile& tile = result.tile;
-        return Error{std::string("a tile's result was refused: ") + why,
+        return Error{phrase("a tile's result was refused: %1", why),
                      std::to_string(tile.width) + " x " + std::to_string(tile.height) + " pixels at (" +
                          std::to_string(tile.x) + ", " + std::to_string(tile.y) + "), " +
                          std::to_string(result.samples.count) + " samples from number " +
                          std::to_string(result.samples.first),
-                     "Leave it; the tile is rendered again."};
+                     phrase("Leave it; the tile is rendered again.")};
     };
     if (result.revision != revision_)
-        return refused("it is of another scene");
+        return refused(phrase("it is of another scene"));
     const std::size_t pixels =
         std::size_t(std::max(result.tile.width, 0)) * std::size_t(std::max(result.tile.height, 0));
     if (pixels == 0 || !progress_.isWholeCells(result.tile) || result.sums.size() != pixels)
-        return refused("no such tile is asked for");
+        return refused(phrase("no such tile is asked for"));
     const std::vector<EvenTile> here = progress_.evenTiles(result.tile);
     const std::uint64_t next = here.front().next, block = next - next % kSamplesPerBlock;
     const SampleRange& samples = result.samples;
     if (here.size() == 1 && samples.end() <= next)
-        return refused("its samples are there already");
+        return refused(phrase("its samples are there already"));
     if (here.size() != 1 || samples.first != std::max(block, progress_.first()) ||
         samples != samplesInBlock(samples.first, samples.count))
-        return refused("its samples are not the next ones");
+        return refused(phrase("its samples are not the next ones"));
     if (!std::ranges::all_of(result.sums, [&](const PixelSums& sums) { return areSums(sums, samples.count); }))
-        return refused("its sums are none");
+        return refused(phrase("its sums are none"));
     return {};
 }
 

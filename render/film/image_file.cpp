@@ -203,7 +203,7 @@ Result<void> writePng(const Film& film, const Display& wanted, SmoothedView& vie
         image.texts.push_back(entry);
     }
     if (!encodePng(image, *file))
-        return Error{"the picture could not be encoded as PNG", path.string(), "Try OpenEXR (.exr)."};
+        return Error{phrase("the picture could not be encoded as PNG"), path.string(), phrase("Try OpenEXR (.exr).")};
     return commitUnlessStopped(*file, stop);
 }
 
@@ -217,8 +217,8 @@ Result<void> writeExr(const Film& film, const Provenance& provenance, const std:
     } catch (const std::exception& failure) {
         if (Result<void> state = file->state(); !state)  // the file knows better why it could not be written
             return state.error();
-        return Error{"the picture could not be encoded as OpenEXR (" + std::string(failure.what()) + ")", path.string(),
-                     ""};
+        return Error{phrase("the picture could not be encoded as OpenEXR (%1)", std::string(failure.what())),
+                     path.string(), ""};
     }
     return commitUnlessStopped(*file, stop);
 }
@@ -232,13 +232,13 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
         // Before anything is made of that size; in 64 bits, since a damaged header may hold anything.
         const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
         const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
-        const std::string most = std::to_string(kLongestSide);
         if (width < 1 || height < 1 || width > kLongestSide || height > kLongestSide)
-            return Error{"the picture is " + std::to_string(width) + " x " + std::to_string(height) +
-                             " pixels, at most " + most + " x " + most + " can be read",
-                         path.string(), "Make it smaller."};
+            return Error{
+                phrase("the picture is %1 x %2 pixels, at most %3 x %3 can be read", width, height, kLongestSide),
+                path.string(), phrase("Make it smaller.")};
         if (!file.isComplete())
-            return Error{"the picture is not complete", path.string(), "Copy the file again from its source."};
+            return Error{phrase("the picture is not complete"), path.string(),
+                         phrase("Copy the file again from its source.")};
         const Imf::ChannelList& channels = file.header().channels();
         const bool grey = channels.findChannel("Y") != nullptr && channels.findChannel("R") == nullptr;
         RadianceImage image{ivec2(width, height), std::vector<vec3>(std::size_t(width * height))};
@@ -246,8 +246,8 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
         for (int channel = 0; channel < 3; ++channel) {
             const char* name = grey ? "Y" : kChannels[channel];
             if (channels.findChannel(name) == nullptr)
-                return Error{"the picture has no channel " + std::string(name), path.string(),
-                             "It needs R, G and B, or Y."};
+                return Error{phrase("the picture has no channel %1", std::string(name)), path.string(),
+                             phrase("It needs R, G and B, or Y.")};
             frame.insert(name, Imf::Slice::Make(Imf::FLOAT, &image.pixels[0][channel], window, sizeof(vec3),
                                                 sizeof(vec3) * std::size_t(width)));
             if (grey)
@@ -265,8 +265,8 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
                 pixel = vec3(pixel.x);
         return image;
     } catch (const std::exception& failure) {
-        return Error{"the picture cannot be read as OpenEXR (" + std::string(failure.what()) + ")", path.string(),
-                     "Check the file."};
+        return Error{phrase("the picture cannot be read as OpenEXR (%1)", std::string(failure.what())), path.string(),
+                     phrase("Check the file.")};
     }
 }
 

@@ -5,13 +5,12 @@
 
 namespace pdr {
 
-std::string levelsText(double levels) {
+Text levelsText(double levels) {
     constexpr double kWholeFrom = 3;
     if (levels >= kWholeFrom)
-        return std::to_string(int(std::ceil(levels)));
+        return Text(int(std::ceil(levels)));
     const int tenths = std::max(1, int(std::ceil(10 * levels)));
-    return tenths % 10 == 0 ? std::to_string(tenths / 10)
-                            : std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+    return tenths % 10 == 0 ? Text(tenths / 10) : fixedNumber(tenths / 10.0, 1);
 }
 
 }  // namespace pdr

@@ -1,11 +1,11 @@
 #pragma once
 /// An error in display levels as people are told it.
 
-#include <string>
+#include "render/base/text.h"
 
 namespace pdr {
 
 /// Rounded up: "9", "2.4", "0.1" (and less). `levels`: finite.
-std::string levelsText(double levels);
+Text levelsText(double levels);
 
 }  // namespace pdr

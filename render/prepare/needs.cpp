@@ -241,7 +241,7 @@ Effect alongScatter(const Subject& subject) {
     Effect search = effect(kName, true, "highlights or directed scattering are sharper than the lights", "");
     search.couldBeLeftOut = std::fabs(scene.phaseG) < kSharpPhase && !highlights(subject).needed;
     if (search.couldBeLeftOut)
-        search.reason = "for highlights, which cannot show: could be left out";
+        search.reason = phrase("for highlights, which cannot show: could be left out");
     return search;
 }
 

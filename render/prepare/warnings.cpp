@@ -1,7 +1,6 @@
 #include "render/prepare/warnings.h"
 
 #include "render/prepare/met_tissue.h"
-#include "render/scene/range.h"
 #include "render/scene/scene.h"
 
 namespace pdr {
@@ -14,8 +13,8 @@ std::vector<Warning> warnings(const Scene& scene) {
                              glm::max(spacing.x, glm::max(spacing.y, spacing.z));
     if (freePaths <= kMostFreePathsPerVoxel)
         return {};
-    return {{"overDense", numberText(freePaths, 3) + " free paths between voxels, above " +
-                              numberText(kMostFreePathsPerVoxel) + " multiple scattering comes out wrong"}};
+    return {{"overDense", phrase("%1 free paths between voxels, above %2 multiple scattering comes out wrong",
+                                 numberOf(freePaths, 3), numberOf(kMostFreePathsPerVoxel))}};
 }
 
 std::string warningNames(const std::vector<Warning>& warnings) {

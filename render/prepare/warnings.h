@@ -5,13 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "render/base/text.h"
+
 namespace pdr {
 
 struct Scene;
 
 struct Warning {
     std::string name;  ///< its word in reports: "overDense"
-    std::string text;  ///< for the user: "2000 free paths between voxels: multiple scattering may be off"
+    Text text;         ///< for the user: "2000 free paths between voxels: multiple scattering may be off"
 };
 
 /// Up to so many free paths between neighbouring voxels multiple scattering is right to 0.1 %. Places are single

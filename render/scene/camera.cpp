@@ -33,9 +33,9 @@ Result<void> Camera::check() const {
     if (auto ok = FieldCheck::check(*this, "camera"); !ok)
         return ok;
     if (glm::length(targetMm - eyeMm) < kLeastMm)
-        return Error{"must differ from eyeMm", "camera.targetMm", ""};
+        return Error{phrase("must differ from eyeMm"), "camera.targetMm", ""};
     if (!(glm::length(glm::cross(forward(), up)) > 1e-9 * glm::length(up)))
-        return Error{"must not lie along the view", "camera.up", ""};
+        return Error{phrase("must not lie along the view"), "camera.up", ""};
     return {};
 }
 

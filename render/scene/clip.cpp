@@ -45,13 +45,13 @@ Result<void> Clip::check() const {
     if (auto ok = FieldCheck::check(*this); !ok)
         return ok;
     if (box && !glm::all(glm::lessThan(box->lowMm, box->highMm)))
-        return Error{"must lie above lowMm along every axis", "box.highMm", ""};
+        return Error{phrase("must lie above lowMm along every axis"), "box.highMm", ""};
     for (std::size_t i = 0; i < freehand.size(); ++i) {
         const std::string where = "freehand[" + std::to_string(i) + "]";
         if (auto ok = freehand[i].camera.check(); !ok)
             return below(where, ok.error());
         if (freehand[i].outline.size() < 3)
-            return Error{"must have three points at least", where + ".outline", ""};
+            return Error{phrase("must have three points at least"), where + ".outline", ""};
     }
     return {};
 }

@@ -26,7 +26,8 @@ class TwinGuard {
         else if (event == json::parse_event_t::object_end)
             open_.pop_back();
         else if (event == json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second)
-            throw FieldError{{"is written twice in the same object", parsed.get<std::string>(), "Remove one of them."}};
+            throw FieldError{{phrase("is written twice in the same object"), parsed.get<std::string>(),
+                              phrase("Remove one of them.")}};
         return true;
     }
 
@@ -54,9 +55,9 @@ Result<void> checkAmount(std::string_view text) {
         depth += (c == '[' || c == '{') - (c == ']' || c == '}');
         values += c == ',';
         if (depth > kDeepest)
-            return Error{"lists and objects lie in one another deeper than " + std::to_string(kDeepest), "", ""};
+            return Error{phrase("lists and objects lie in one another deeper than %1", kDeepest), "", ""};
         if (values > kMostValues)
-            return Error{"holds more than " + std::to_string(kMostValues) + " values", "", ""};
+            return Error{phrase("holds more than %1 values", kMostValues), "", ""};
     }
     return {};
 }
@@ -77,7 +78,7 @@ Error inFile(std::string_view file, Error error) {
 
 JsonFields::JsonFields(const json& value, std::string path) : value_(&value), path_(std::move(path)) {
     if (!value.is_object())
-        throw FieldError{{"must be an object { ... }", path_, ""}};
+        throw FieldError{{phrase("must be an object { ... }"), path_, ""}};
 }
 
 bool JsonFields::has(std::string_view name) {
@@ -89,7 +90,7 @@ std::string JsonFields::pathOf(std::string_view name) const {
     return path_.empty() ? std::string(name) : path_ + "." + std::string(name);
 }
 
-void JsonFields::fail(std::string_view name, const std::string& what, const std::string& hint) const {
+void JsonFields::fail(std::string_view name, const Text& what, const Text& hint) const {
     throw FieldError{{what, pathOf(name), hint}};
 }
 
@@ -97,14 +98,14 @@ const json& JsonFields::field(std::string_view name) {
     known_.emplace(name);
     const auto found = value_->find(name);
     if (found == value_->end())
-        fail(name, "is missing");
+        fail(name, phrase("is missing"));
     return *found;
 }
 
 void JsonFields::required(std::string_view name, double& value) {
     const json& found = field(name);
     if (!found.is_number())
-        fail(name, "must be a number");
+        fail(name, phrase("must be a number"));
     value = found.get<double>();
 }
 
@@ -117,36 +118,36 @@ void JsonFields::required(std::string_view name, float& value) {
 void JsonFields::required(std::string_view name, int& value) {
     const json& found = field(name);
     if (!found.is_number_integer())
-        fail(name, "must be a whole number");
+        fail(name, phrase("must be a whole number"));
     const double exact = found.get<double>();
     if (std::abs(exact) > std::numeric_limits<int>::max())
-        fail(name, "is too large a number");
+        fail(name, phrase("is too large a number"));
     value = int(exact);
 }
 
 void JsonFields::required(std::string_view name, std::uint64_t& value) {
     const json& found = field(name);
     if (!found.is_number_unsigned())
-        fail(name, "must be a whole number from 0 to 18446744073709551615");
+        fail(name, phrase("must be a whole number from 0 to 18446744073709551615"));
     value = found.get<std::uint64_t>();
 }
 
 void JsonFields::required(std::string_view name, bool& value) {
     const json& found = field(name);
     if (!found.is_boolean())
-        fail(name, "must be true or false");
+        fail(name, phrase("must be true or false"));
     value = found.get<bool>();
 }
 
 void JsonFields::required(std::string_view name, std::string& value) {
     const json& found = field(name);
     if (!found.is_string() || found.get_ref<const std::string&>().empty())
-        fail(name, "must be a text in quotes");
+        fail(name, phrase("must be a text in quotes"));
     value = found.get<std::string>();
 }
 
 void JsonFields::required(std::string_view name, ivec3& value) {
-    const std::string shape = "must be three whole numbers [x, y, z]";
+    const Text shape = phrase("must be three whole numbers [x, y, z]");
     const std::vector<double> read = numbers(name, 3, shape);
     for (int i = 0; i < 3; ++i) {
         if (read[i] != std::trunc(read[i]) || std::abs(read[i]) > std::numeric_limits<int>::max())
@@ -170,7 +171,7 @@ void JsonFields::required(std::string_view name, vec3& value) {
 }
 
 void JsonFields::required(std::string_view name, std::pair<int, int>& value) {
-    const std::string shape = "must be two whole numbers [lowest, highest]";
+    const Text shape = phrase("must be two whole numbers [lowest, highest]");
     const std::vector<double> read = numbers(name, 2, shape);
     for (double number : read)
         if (number != std::trunc(number) || std::abs(number) > std::numeric_limits<int>::max())
@@ -178,7 +179,7 @@ void JsonFields::required(std::string_view name, std::pair<int, int>& value) {
     value = {int(read[0]), int(read[1])};
 }
 
-std::vector<double> JsonFields::numbers(std::string_view name, std::size_t count, const std::string& shape) {
+std::vector<double> JsonFields::numbers(std::string_view name, std::size_t count, const Text& shape) {
     const json& found = field(name);
     if (!found.is_array() || found.size() != count)
         fail(name, shape);
@@ -199,7 +200,7 @@ std::size_t JsonFields::wordIndex(std::string_view name, const std::vector<std::
     std::string known;
     for (std::string_view word : words)
         known += (known.empty() ? "" : ", ") + std::string(word);
-    fail(name, "must be one of: " + known);
+    fail(name, phrase("must be one of: %1", known));
 }
 
 JsonFields JsonFields::object(std::string_view name) {
@@ -209,7 +210,7 @@ JsonFields JsonFields::object(std::string_view name) {
 std::vector<JsonFields> JsonFields::objects(std::string_view name) {
     const json& found = field(name);
     if (!found.is_array())
-        fail(name, "must be a list [ ... ]");
+        fail(name, phrase("must be a list [ ... ]"));
     std::vector<JsonFields> list;
     for (std::size_t i = 0; i < found.size(); ++i)
         list.emplace_back(found[i], pathOf(name) + "[" + std::to_string(i) + "]");
@@ -219,7 +220,7 @@ std::vector<JsonFields> JsonFields::objects(std::string_view name) {
 void JsonFields::finish() const {
     for (const auto& [name, value] : value_->items())
         if (!known_.contains(name))
-            fail(name, "is no field here", "Known here: " + listed(known_) + ".");
+            fail(name, phrase("is no field here"), phrase("Known here: %1.", listed(known_)));
 }
 
 Result<void> readForeignJson(std::string_view text, std::string_view where,
@@ -234,7 +235,7 @@ Result<void> readForeignJson(std::string_view text, std::string_view where,
     } catch (const FieldError& failure) {
         return inFile(where, failure.error);
     } catch (const json::exception& failure) {
-        return Error{"is no JSON that can be read (" + parserMessage(failure) + ")", std::string(where), ""};
+        return Error{phrase("is no JSON that can be read (%1)", parserMessage(failure)), std::string(where), ""};
     }
 }
 
@@ -245,10 +246,10 @@ Result<void> readJson(std::string_view text, std::string_view where, std::string
         int version = 0;
         fields.required("format", found);
         if (found != format)
-            fields.fail("format", "is \"" + found + "\", must be \"" + std::string(format) + "\"");
+            fields.fail("format", phrase("is \"%1\", must be \"%2\"", found, std::string(format)));
         fields.required("version", version);
         if (version != 1)
-            fields.fail("version", "is " + std::to_string(version) + ", this program reads version 1");
+            fields.fail("version", phrase("is %1, this program reads version 1", version));
         read(fields);
         fields.finish();
     });

@@ -60,11 +60,11 @@ class JsonFields {
 
     /// Call last: throws when the object holds a field that was never asked for.
     void finish() const;
-    [[noreturn]] void fail(std::string_view name, const std::string& what, const std::string& hint = "") const;
+    [[noreturn]] void fail(std::string_view name, const Text& what, const Text& hint = {}) const;
 
   private:
     const nlohmann::json& field(std::string_view name);
-    std::vector<double> numbers(std::string_view name, std::size_t count, const std::string& shape);
+    std::vector<double> numbers(std::string_view name, std::size_t count, const Text& shape);
     std::size_t wordIndex(std::string_view name, const std::vector<std::string_view>& words);
 
     const nlohmann::json* value_;

@@ -10,7 +10,7 @@ namespace {
 
 Result<void> checkRules(const RectangleLight& light) {
     if (glm::length(glm::cross(glm::normalize(light.normal), glm::normalize(light.up))) < 1e-6)
-        return Error{"must not point along the normal", "up", ""};
+        return Error{phrase("must not point along the normal"), "up", ""};
     return {};
 }
 Result<void> checkRules(const auto&) {
@@ -30,12 +30,13 @@ Result<void> check(const Light& light) {
 
 Result<void> check(const Environment& environment) {
     if (environment.image && environment.nadir)
-        return Error{"goes with a gradient only, not with a picture", "nadir", "Leave one of the two out."};
+        return Error{phrase("goes with a gradient only, not with a picture"), "nadir",
+                     phrase("Leave one of the two out.")};
     EnvironmentFields fields{environment, {}};
     if (auto ok = FieldCheck::check(fields); !ok)
         return ok;
     if (!std::isfinite(environment.rotationDegrees))
-        return Error{"must be a finite number", "rotationDegrees", ""};
+        return Error{phrase("must be a finite number"), "rotationDegrees", ""};
     return {};
 }
 

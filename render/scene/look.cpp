@@ -11,7 +11,7 @@ Result<void> check(const Look& look) {
     if (auto ok = FieldCheck::check(look); !ok)
         return ok;
     if (look.rig.panels.empty() || look.rig.panels.size() > LightRig::kMostPanels)
-        return Error{"must be a list of 1 to 64 panels", "lights.panels", "", ErrorKind::refused};
+        return Error{phrase("must be a list of 1 to 64 panels"), "lights.panels", "", ErrorKind::refused};
     if (auto ok = look.transferFunction.check(); !ok)
         return ok;
     return check(look.window);

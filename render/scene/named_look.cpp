@@ -19,7 +19,7 @@ Result<void> check(const NamedLook& named) {
     if (auto ok = FieldCheck::check(named); !ok)
         return ok;
     if (named.name.empty())
-        return Error{"must not be empty", "name", ""};
+        return Error{phrase("must not be empty"), "name", ""};
     return check(named.look);
 }
 
@@ -101,6 +101,7 @@ ClipPlane planeOf(const CutHint& cut, const VolumeGeometry& bodyBox) {
 PictureSetup withNamedLook(PictureSetup setup, const NamedLook& look, const VolumeGeometry& bodyBox) {
     setup.look = look.look;
     setup.lookName = look.name;
+    setup.lookChanged = false;
     setup.model = look.model;
     if (setup.model != Model::singleScattering)
         setup.estimator = Estimator::unbiased;  // the other knows no other model

@@ -28,6 +28,10 @@ Result<void> check(const PictureSetup& setup) {
     return {};
 }
 
+std::string lookTitle(const PictureSetup& setup) {
+    return setup.lookChanged ? setup.lookName + std::string(kChangedLook) : setup.lookName;
+}
+
 Scene sceneOf(const PictureSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film) {
     Scene scene;
     scene.volume = std::move(volume);
@@ -38,7 +42,7 @@ Scene sceneOf(const PictureSetup& setup, std::shared_ptr<const Volume> volume, i
     scene.estimator = setup.estimator;
     scene.schedule = setup.schedule;
     scene.film = film;
-    scene.lookName = setup.lookName;
+    scene.lookName = lookTitle(setup);
     return withLook(std::move(scene), setup.look);
 }
 

@@ -14,8 +14,9 @@ namespace pdr {
 
 struct PictureSetup {
     Look look;
-    std::string lookName;  ///< what the user calls it: the name of a look
-    double stops = 0;      ///< brightness against the look's; one more is twice as bright; [-64, 64]
+    std::string lookName;      ///< what the user calls it: the name of a look
+    bool lookChanged = false;  ///< it was that look, and has been changed since
+    double stops = 0;          ///< brightness against the look's; one more is twice as bright; [-64, 64]
     Camera camera;
     std::optional<vec3> background;  ///< as in Scene
     Clip clip;
@@ -28,6 +29,11 @@ struct PictureSetup {
 
 /// The ranges of all that it holds, with the field's name in `where`.
 Result<void> check(const PictureSetup& setup);
+
+/// What pictures and files say of its look, in every language of the window: "Bone", "Bone (changed)".
+std::string lookTitle(const PictureSetup& setup);
+/// What the title of a changed look ends with.
+inline constexpr std::string_view kChangedLook = " (changed)";
 
 /// The one place that joins a look, a camera and a volume. `volume` is not null, and the one without a table where that
 /// is hidden; `film`: pixels.

@@ -16,7 +16,7 @@ struct Range {
     bool highestIncluded = true;
 
     bool holds(double value) const;
-    std::string text() const;  ///< "from 0 to 1e+30", "above -1 and below 1"
+    Text text() const;  ///< "from 0 to 1e+30", "above -1 and below 1"
 };
 
 /// A number as a person would write it: "0.5", "1e+30".

@@ -26,14 +26,15 @@ Result<void> checkClip(const Clip& clip) {
 
 Result<void> checkEstimator(const Scene& scene) {
     if (scene.estimator == Estimator::kroesMarch && scene.model != Model::singleScattering)
-        return Error{"kroesMarch knows one event on a path, but the model is " + std::string(modelName(scene.model)),
-                     "estimator", "Take the model singleScattering, or the estimator unbiased."};
+        return Error{
+            phrase("kroesMarch knows one event on a path, but the model is %1", std::string(modelName(scene.model))),
+            "estimator", phrase("Take the model singleScattering, or the estimator unbiased.")};
     return {};
 }
 
 Result<void> checkMask(const Scene& scene) {
     if (scene.mask && scene.volume && scene.mask->grid().voxels != scene.volume->size())
-        return Error{"belongs to a volume of another size", "mask", "Make it of this volume."};
+        return Error{phrase("belongs to a volume of another size"), "mask", phrase("Make it of this volume.")};
     return {};
 }
 
@@ -64,7 +65,7 @@ Result<void> check(const HuWindow& window) {
     if (auto ok = FieldCheck::check(window, "window"); !ok)
         return ok;
     if (!(window.highHu > window.lowHu))
-        return Error{"highHu must lie above lowHu", "window.highHu", ""};
+        return Error{phrase("highHu must lie above lowHu"), "window.highHu", ""};
     return {};
 }
 

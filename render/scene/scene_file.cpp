@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kFormat = "pdrender-scene";
 constexpr std::uint64_t kLargestFile = 16u << 20;  ///< a scene is text; what is larger is something else
 
-[[noreturn]] void fail(const std::string& field, const std::string& what) {
+[[noreturn]] void fail(const std::string& field, const Text& what) {
     throw FieldError{{what, field, ""}};
 }
 
@@ -33,7 +33,7 @@ void orFail(const Result<void>& checked) {
 VolumeSource sourceOf(const VolumeFields& fields, const std::filesystem::path& folder) {
     VolumeSource source;
     if (fields.dicom.has_value() == fields.raw.has_value())
-        fail("volume.dicom", "needs either a DICOM folder (dicom) or a raw file (raw)");
+        fail("volume.dicom", phrase("needs either a DICOM folder (dicom) or a raw file (raw)"));
     orFail(FieldCheck::check(fields, "volume"));
     if (fields.raw) {
         source.raw = fields.file;
@@ -46,7 +46,7 @@ VolumeSource sourceOf(const VolumeFields& fields, const std::filesystem::path& f
     source.table = fields.table;
     source.reconstruction = fields.reconstruction;
     if (source.clampHu && source.clampHu->first > source.clampHu->second)
-        fail("volume.clampHu", "must begin with the lower value");
+        fail("volume.clampHu", phrase("must begin with the lower value"));
     return source;
 }
 
@@ -72,7 +72,7 @@ void takeLights(const std::vector<LightFields>& entries, const std::filesystem::
         const std::string where = "lights[" + std::to_string(i) + "]";
         if (const auto* around = std::get_if<EnvironmentFields>(&entries[i])) {
             if (std::exchange(environmentSeen, true))
-                fail(where + ".type", "is the second environment, a scene has at most one");
+                fail(where + ".type", phrase("is the second environment, a scene has at most one"));
             file.scene.environment = around->environment;
             if (around->image) {
                 file.environmentImage = folder / *around->image;

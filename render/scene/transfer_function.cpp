@@ -57,16 +57,15 @@ float TransferFunction::opacityAt(float hu) const {
 
 Result<void> TransferFunction::check() const {
     if (nodes.empty())
-        return Error{"at least one node is needed", "transferFunction.nodes", ""};
+        return Error{phrase("at least one node is needed"), "transferFunction.nodes", ""};
     if (nodes.size() > kMostNodes)
-        return Error{"there are " + std::to_string(nodes.size()) + " nodes, at most " + std::to_string(kMostNodes) +
-                         " are taken",
-                     "transferFunction.nodes", "Leave out nodes that lie on a line between their neighbours."};
+        return Error{phrase("there are %1 nodes, at most %2 are taken", nodes.size(), kMostNodes),
+                     "transferFunction.nodes", phrase("Leave out nodes that lie on a line between their neighbours.")};
     if (auto ok = FieldCheck::check(*this, "transferFunction"); !ok)
         return ok;
     for (std::size_t i = 1; i < nodes.size(); ++i)
         if (nodes[i].hu < nodes[i - 1].hu)
-            return Error{"nodes must ascend in hu", "transferFunction.nodes[" + std::to_string(i) + "].hu", ""};
+            return Error{phrase("must ascend from one to the next"), "transferFunction.nodes[" + std::to_string(i) + "].hu", ""};
     return {};
 }
 

@@ -34,7 +34,8 @@ segment::PartMask visibleMask(const segment::BodyParts& parts, const Visible& vi
         const segment::PartMask within = parts.peeled(visible.peelMm, on, partOf(progress, half, 1));
         return within ? combined(*part, *within) : within;
     } catch (const std::bad_alloc&) {
-        return notEnoughMemory(" to tell parts of the body apart", "", "Close other programs, or show everything.");
+        return notEnoughMemory(phrase("to tell parts of the body apart"), "",
+                               phrase("Close other programs, or show everything."));
     }
 }
 

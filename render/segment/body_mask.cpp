@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/base/errors.h"
+#include "render/base/text.h"
 #include "render/segment/cell_values.h"
 #include "render/segment/checkpoint.h"
 #include "render/segment/contact.h"
@@ -16,8 +17,8 @@ namespace {
 
 constexpr std::string_view kStep = "looking for the table";
 
-Error undecided(const std::string& why) {
-    return {why, "", "", ErrorKind::refused};
+Error undecided(Text why) {
+    return {std::move(why), "", "", ErrorKind::refused};
 }
 
 std::size_t countOf(const Cells& cells) {
@@ -62,7 +63,7 @@ Cells shownOf(const Cells& outline, const Cells& solid, const CellGrid& grid) {
 Result<BodyMask> findBody(const Volume& volume, const Progress& progress) {
     const dvec3 spacing = volume.geometry().spacingMm();
     if (glm::max(spacing.x, glm::max(spacing.y, spacing.z)) > kCoarsestMm)
-        return undecided("voxels lie more than 5 mm apart");
+        return undecided(phrase("voxels lie more than 5 mm apart"));
     BodyMask mask;
     const CellGrid& grid = mask.grid = CellGrid::over(volume.geometry());
     const Cells solid = cellsAbove(kSolidHu, cellSums(volume, grid, checkpointOf(progress, 0, kStep)), grid);
@@ -71,9 +72,9 @@ Result<BodyMask> findBody(const Volume& volume, const Progress& progress) {
     atDepths();
     ThickPieces bodies = thickPieces(solid, squaredDepths, grid, kBallMm);
     if (bodies.count == 0)
-        return undecided("nothing is as thick as 20 mm");
+        return undecided(phrase("nothing is as thick as 20 mm"));
     if (double(countOf(bodies.cells)) < kLeastBody * double(countOf(solid)))
-        return undecided("more than half of what is solid is thinner than 20 mm");
+        return undecided(phrase("more than half of what is solid is thinner than 20 mm"));
     const Checkpoint atContact = checkpointOf(progress, 0.5, kStep), atOutline = checkpointOf(progress, 0.8, kStep);
     Cells& body = bodies.cells;
     mask.cut = foreignIn(body, squaredDepths, grid, atContact);

@@ -1,12 +1,12 @@
 #include "render/segment/body_parts.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "render/base/errors.h"
+#include "render/base/text.h"
 #include "render/segment/bone_cells.h"
 #include "render/segment/distance.h"
 #include "render/segment/for_each_slice.h"
@@ -24,23 +24,17 @@ constexpr double kVesselMm = 8;      ///< radius of the vessels that belong to a
 constexpr double kPleuraMm = 5;      ///< not shown
 constexpr double kAroundBoneMm = 2;  ///< the skin of a bone, which is half as dense as bone
 
-Error refused(const std::string& what, const std::string& why) {
-    return {what + ", because " + why, "", "Show everything, or another part.", ErrorKind::refused};
+Error refused(const Text& what, const Text& why) {
+    return {phrase("%1, because %2", what, why), "", phrase("Show everything, or another part."), ErrorKind::refused};
 }
 
 /// Why a body that cannot be told keeps `what` from being done.
-Error without(const Error& error, const std::string& what) {
+Error without(const Error& error, const Text& what) {
     return error.kind == ErrorKind::refused ? refused(what, error.what) : error;
 }
 
 bool none(const Cells& cells) {
     return std::find(cells.begin(), cells.end(), 1) == cells.end();
-}
-
-std::string lengthText(double mm) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%g mm", mm);
-    return text;
 }
 
 /// What `find` finds, or what was found before.
@@ -102,10 +96,11 @@ BodyParts::Distance BodyParts::inLungs(const Progress& progress) const {
     return knownOr(inLungs_, [&]() -> Result<SmoothDistance> {
         const auto whole = body(partOf(progress, 0, 0.6));
         if (!whole)
-            return without(whole.error(), "the lungs cannot be told from the rest");
+            return without(whole.error(), phrase("the lungs cannot be told from the rest"));
         const Cells lungs = lungCells(*volume_, **whole, checkpointOf(progress, 0.6, kStep));
         if (none(lungs))
-            return refused("the lungs cannot be shown", "there is no air of 150 ml in the body that looks like a lung");
+            return refused(phrase("the lungs cannot be shown"),
+                           phrase("there is no air of 150 ml in the body that looks like a lung"));
         const CellGrid& grid = (*whole)->grid;
         const Cells wide = widened(lungs, grid, kVesselMm, checkpointOf(progress, 0.8, kStep));
         return SmoothDistance(wide, 0, grid, kVesselMm + kPleuraMm + kRoomMm, checkpointOf(progress, 0.9, kStep));
@@ -117,15 +112,16 @@ BodyParts::Distance BodyParts::fromBones(const Progress& progress) const {
         const CellGrid grid = CellGrid::over(volume_->geometry());
         const Cells bone = boneCells(*volume_, grid, checkpointOf(progress, 0, kStep));
         if (none(bone))
-            return refused("bones cannot be told from the rest", "nothing in the scan is as dense as bone");
+            return refused(phrase("bones cannot be told from the rest"),
+                           phrase("nothing in the scan is as dense as bone"));
         return SmoothDistance(bone, 1, grid, kAroundBoneMm + kRoomMm, checkpointOf(progress, 0.8, kStep));
     });
 }
 
 /// Seen is what weightOf(distance [mm]) says.
 template <typename WeightOf>
-PartMask BodyParts::maskOn(const VolumeGeometry& on, const Distance& distance, std::string hidden,
-                           const Progress& progress, const WeightOf& weightOf) const {
+PartMask BodyParts::maskOn(const VolumeGeometry& on, const Distance& distance, Text hidden, const Progress& progress,
+                           const WeightOf& weightOf) const {
     if (!distance)
         return distance.error();
     const MaskGrid grid = MaskGrid::over(on);
@@ -148,24 +144,25 @@ PartMask BodyParts::maskOn(const VolumeGeometry& on, const Distance& distance, s
 PartMask BodyParts::peeled(double depthMm, const VolumeGeometry& on, const Progress& progress) const {
     const Distance distance = belowSkin(depthMm, partOf(progress, 0, 0.8));
     if (!distance)
-        return without(distance.error(), "nothing can be peeled off");
-    return maskOn(on, distance, "Peeled " + lengthText(depthMm) + ": skin and what lies less deep is not shown.",
+        return without(distance.error(), phrase("nothing can be peeled off"));
+    return maskOn(on, distance, phrase("Peeled %1 mm: skin and what lies less deep is not shown.", numberOf(depthMm)),
                   progress, [&](double mm) { return edgeWeight(mm - depthMm); });
 }
 
 PartMask BodyParts::lungs(const VolumeGeometry& on, const Progress& progress) const {
     return maskOn(on, inLungs(partOf(progress, 0, 0.8)),
-                  "Only the lungs are shown; " + lengthText(kPleuraMm) + " at the pleura are missing.", progress,
+                  phrase("Only the lungs are shown; %1 mm at the pleura are missing.", numberOf(kPleuraMm)), progress,
                   [](double mm) { return edgeWeight(mm - kVesselMm - kPleuraMm); });
 }
 
 PartMask BodyParts::bones(Bones wanted, const VolumeGeometry& on, const Progress& progress) const {
     const Distance distance = fromBones(partOf(progress, 0, 0.8));
     if (wanted == Bones::shown)
-        return maskOn(on, distance, "Only bones are shown, as far as they hold dense bone.", progress,
+        return maskOn(on, distance, phrase("Only bones are shown, as far as they hold dense bone."), progress,
                       [](double mm) { return edgeWeight(kAroundBoneMm - mm); });
     return maskOn(on, distance,
-                  "Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with them.",
+                  phrase("Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with "
+                         "them."),
                   progress, [](double mm) { return edgeWeight(mm - kAroundBoneMm); });
 }
 

@@ -58,7 +58,7 @@ class BodyParts {
     /// From the bones outwards.
     Distance fromBones(const Progress& progress) const;
     template <typename WeightOf>
-    PartMask maskOn(const VolumeGeometry& on, const Distance& distance, std::string hidden, const Progress& progress,
+    PartMask maskOn(const VolumeGeometry& on, const Distance& distance, Text hidden, const Progress& progress,
                     const WeightOf& weightOf) const;
 
     std::shared_ptr<const Volume> volume_;

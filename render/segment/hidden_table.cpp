@@ -19,13 +19,11 @@ constexpr double kLeastMl = 1;
 constexpr std::string_view kStep = "hiding the table";
 
 /// "884 ml", from 10 l on "16.8 l".
-std::string volumeText(double ml) {
-    char text[40];
-    std::snprintf(text, sizeof text, ml < 9999.5 ? "%.0f ml" : "%.1f l", ml < 9999.5 ? ml : ml / 1000);
-    return text;
+Text volumeText(double ml) {
+    return ml < 9999.5 ? phrase("%1 ml", fixedNumber(ml, 0)) : phrase("%1 l", fixedNumber(ml / 1000, 1));
 }
 
-HiddenTable undecided(const Volume& volume, const std::string& why) {
+HiddenTable undecided(const Volume& volume, const Text& why) {
     HiddenTable table;
     table.bodyBox = volume.geometry();
     table.undecided = why;
@@ -125,25 +123,23 @@ Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress) {
             return table;
         });
     } catch (const std::bad_alloc&) {
-        return undecided(volume, "there is not enough memory to look for it");
+        return undecided(volume, phrase("there is not enough memory to look for it"));
     }
 }
 
-std::string tableText(const HiddenTable& table) {
-    std::string text;
+Text tableText(const HiddenTable& table) {
+    Text text;
     if (!table.undecided.empty())
-        text.append("No table was hidden, because ").append(table.undecided).append(".");
+        text = joined(text, phrase("No table was hidden, because %1.", table.undecided));
     if (table.body)
-        text.append("Table and holder hidden: ").append(volumeText(table.hiddenMl)).append(" outside the body.");
+        text = joined(text, phrase("Table and holder hidden: %1 outside the body.", volumeText(table.hiddenMl)));
     if (table.body && table.cutMl >= kLeastMl)
-        text.append(" ").append(volumeText(table.cutMl)).append(" of it touched the skin: check the edge.");
+        text = joined(text, phrase("%1 of it touched the skin: check the edge.", volumeText(table.cutMl)));
     if (table.body && table.parts > 1)
-        text.append(" ").append(std::to_string(table.parts)).append(" separate parts are kept.");
+        text = joined(text, phrase("%1 separate parts are kept.", table.parts));
     if (table.metalMl > 0)
-        text.append(text.empty() ? "" : " ")
-            .append("Metal outside the body is kept, with what it touches: ")
-            .append(table.metalMl < kLeastMl ? "less than 1 ml" : volumeText(table.metalMl))
-            .append(".");
+        text = joined(text, phrase("Metal outside the body is kept, with what it touches: %1.",
+                                   table.metalMl < kLeastMl ? phrase("less than 1 ml") : volumeText(table.metalMl)));
     return text;
 }
 

@@ -4,8 +4,8 @@
 
 namespace pdr {
 
-std::string deviceLabel(const DeviceInfo& device) {
-    return device.hostMemory ? "the CPU" : "the GPU " + device.name;
+Text deviceLabel(const DeviceInfo& device) {
+    return device.hostMemory ? phrase("the CPU") : phrase("the GPU %1", device.name);
 }
 
 Result<void> FilmOnDevice::begin(const Scene& scene) {

@@ -11,7 +11,7 @@
 namespace pdr {
 
 /// A device in a sentence: "the CPU", "the GPU cuda:1".
-std::string deviceLabel(const DeviceInfo& device);
+Text deviceLabel(const DeviceInfo& device);
 
 class FilmOnDevice {
   public:

@@ -9,10 +9,10 @@
 namespace pdr {
 namespace {
 
-std::string denseWarning(const Scene& scene) {
-    std::string text;
+Text denseWarning(const Scene& scene) {
+    Text text;
     for (const Warning& warning : warnings(scene))
-        text += (text.empty() ? "" : "; ") + warning.text;
+        text = text.empty() ? warning.text : phrase("%1; %2", text, warning.text);
     return text;
 }
 

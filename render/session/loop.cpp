@@ -13,17 +13,8 @@ namespace pdr {
 
 namespace {
 
-std::string capitalized(std::string text) {
-    if (!text.empty())
-        text.front() = char(std::toupper(static_cast<unsigned char>(text.front())));
-    return text;
-}
-
-/// With a full stop at its end.
-std::string withFullStop(std::string text) {
-    if (!text.empty() && text.back() != '.')
-        text += '.';
-    return text;
+Text goesOnOn(const Text& device) {
+    return phrase("The picture goes on on %1.", device);
 }
 
 }  // namespace
@@ -91,10 +82,11 @@ void Session::Loop::clear() {
 /// To those who ask for a film that is not there.
 void Session::Loop::answer(const RenderCommands::Iteration& step) const {
     const Error reason =
-        step.clear ? Error{"the picture was closed", "", "Open the series again."}
+        step.clear ? Error{phrase("the picture was closed"), "", phrase("Open the series again.")}
         : step.order || place_.film() != nullptr
-            ? Error{"another picture has taken its place", "", "Wait until the picture that you want is there."}
-            : Error{"the picture could not be made", "", "Change the view or the look first."};
+            ? Error{phrase("another picture has taken its place"), "",
+                    phrase("Wait until the picture that you want is there.")}
+            : Error{phrase("the picture could not be made"), "", phrase("Change the view or the look first.")};
     for (const RenderCommands::SnapshotRequest& order : step.unanswerable)
         order.look(reason);
 }
@@ -147,7 +139,7 @@ Scene Session::Loop::dividedScene() const {
 }
 
 void Session::Loop::switchTo(const DeviceOpener& open) {
-    const std::string old = deviceLabel(place_.info());
+    const Text old = deviceLabel(place_.info());
     std::shared_ptr<const Film> from = checkpoint_;
     std::optional<Error> lost;  // when the old device does not hand out its film
     if (place_.film() != nullptr && sweep_.samples().least > 0) {
@@ -164,8 +156,7 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
     }
     if (lost)
         return failedOnDevice(*lost);
-    notify("The other device cannot be used: " + withFullStop(moved.error().text()) + " The picture goes on on " + old +
-           ".");
+    notify(joined(Text::sentence(phrase("the other device cannot be used: %1", moved.error().text())), goesOnOn(old)));
 }
 
 /// Of another scene, or the same from its beginning.
@@ -206,21 +197,21 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
 
 void Session::Loop::failedOnDevice(const Error& error) {
     const bool lost = error.kind == ErrorKind::deviceLost;
-    recover(deviceLabel(place_.info()) + (lost ? " stopped answering: " : " cannot make this picture: ") +
-            error.text());
+    recover(phrase(lost ? "%1 stopped answering: %2" : "%1 cannot make this picture: %2", deviceLabel(place_.info()),
+                   error.text()));
 }
 
-void Session::Loop::recover(const std::string& reason) {
-    const std::string what = withFullStop(capitalized(reason));
+void Session::Loop::recover(const Text& reason) {
+    const Text what = Text::sentence(reason);
     if (onFallback_ || !fallback_)
         return fail(what);
     Result<std::unique_ptr<Device>> device = fallback_();
     const Result<void> moved = device ? place_.moveTo(*std::move(device), checkpoint_.get()) : device.error();
     if (!moved)
-        return fail(what + " Nor can the picture go on elsewhere: " + moved.error().text());
+        return fail(joined(what, phrase("Nor can the picture go on elsewhere: %1", moved.error().text())));
     onFallback_ = true;
     goOnFrom(std::exchange(checkpoint_, nullptr));
-    notify(what + " The picture goes on on " + deviceLabel(place_.info()) + ".");
+    notify(joined(what, goesOnOn(deviceLabel(place_.info()))));
 }
 
 /// In a catch block: ends as any other fault does. The film's memory is given back first; should there be too little to
@@ -229,7 +220,7 @@ void Session::Loop::threw() noexcept {
     for (const bool elsewhere : {!place_.info().hostMemory, false}) {
         try {
             place_.dropFilm();
-            const std::string sentence = "This picture cannot be made: " + thrownError().text();
+            const Text sentence = phrase("This picture cannot be made: %1", thrownError().text());
             return elsewhere ? recover(sentence) : fail(sentence);
         } catch (...) {
             continue;
@@ -237,7 +228,7 @@ void Session::Loop::threw() noexcept {
     }
 }
 
-void Session::Loop::fail(const std::string& sentence) {
+void Session::Loop::fail(const Text& sentence) {
     place_.dropFilm();
     coarser_.reset();
     auto frame = std::make_shared<Frame>();
@@ -246,7 +237,7 @@ void Session::Loop::fail(const std::string& sentence) {
     sink_(std::move(frame));
 }
 
-void Session::Loop::notify(const std::string& sentences) {
+void Session::Loop::notify(const Text& sentences) {
     auto frame = std::make_shared<Frame>();
     frame->revision = revision_;
     frame->notice = sentences;

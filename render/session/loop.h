@@ -79,11 +79,11 @@ class Session::Loop {
     Scene dividedScene() const;
 
     // When a device fails or refuses.
-    void recover(const std::string& reason);
+    void recover(const Text& reason);
     void failedOnDevice(const Error& error);
     void threw() noexcept;
-    void fail(const std::string& sentence);
-    void notify(const std::string& sentences);
+    void fail(const Text& sentence);
+    void notify(const Text& sentences);
 
     std::uint32_t wanted(const FrameBudget& pace) const;
     std::uint32_t launch(std::uint32_t wanted) const;

@@ -153,7 +153,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->camera = scene_.camera;
     frame->lookName = scene_.lookName;
     frame->maskAwaited = scene_.maskAwaited;
-    frame->notShown = scene_.mask ? scene_.mask->hidden() : std::string();
+    frame->notShown = scene_.mask ? scene_.mask->hidden() : Text();
     frame->clip = scene_.clip;
     frame->estimator = scene_.estimator;
     frame->coarse = coarse();

@@ -35,7 +35,7 @@ struct Frame {
     Camera camera;
     std::string lookName;
     bool maskAwaited = false;
-    std::string notShown;  ///< what its mask hides, in sentences
+    Text notShown;  ///< what its mask hides, in sentences
     Clip clip;
     Estimator estimator = Estimator::unbiased;
     bool coarse = false;             ///< a first picture, or one during interaction; better ones follow when it ends
@@ -56,8 +56,8 @@ struct Frame {
     Schedule schedule;
     StopRule stop;                    ///< when rendering holds
     bool reached = false;             ///< it does, until more is asked for
-    std::string error;                ///< for the user, when rendering failed and holds
-    std::string notice;               ///< for the user, when it goes on, but not as was asked: whole sentences
+    Text error;                       ///< for the user, when rendering failed and holds
+    Text notice;                      ///< for the user, when it goes on, but not as was asked: whole sentences
     std::vector<ErrorPoint> history;  ///< see ErrorHistory::points()
     /// Of the film, of no more samples than it has; null: not wanted, or coarse.
     std::shared_ptr<const LevelErrorMap> errorMap;

@@ -28,14 +28,14 @@ Result<void> checkEnough(const std::vector<TimedFrame>& frames) {
     std::set<std::uint32_t> counts;
     for (const TimedFrame& frame : frames) {
         if (!(frame.seconds > 0) || !std::isfinite(frame.seconds))
-            return Error{"a frame took no time", "", "Measure for longer."};
+            return Error{phrase("a frame took no time"), "", phrase("Measure for longer.")};
         sizes.insert(frame.work.pixels);
         counts.insert(frame.work.iterations);
     }
     if (sizes.size() < kFitSizes || counts.size() < kFitCounts)
-        return Error{"too few measurements: " + std::to_string(sizes.size()) + " sizes with " +
-                         std::to_string(counts.size()) + " numbers of iterations",
-                     "", "Measure at least 5 sizes with 3 numbers of iterations."};
+        return Error{
+            phrase("too few measurements: %1 sizes with %2 numbers of iterations", sizes.size(), counts.size()), "",
+            phrase("Measure at least 5 sizes with 3 numbers of iterations.")};
     return {};
 }
 
@@ -63,8 +63,8 @@ Result<FrameTimeFit> FrameTimeFit::of(const std::vector<TimedFrame>& frames) {
         const std::optional<Solution> bounded = nonNegativeLeastSquares(equations, used);
         const std::optional<Solution> free = leastSquares(equations, used);
         if (!bounded || !free)
-            return Error{"the measurements do not tell the parts of a frame's time apart", "",
-                         "Measure more sizes and more numbers of iterations."};
+            return Error{phrase("the measurements do not tell the parts of a frame's time apart"), "",
+                         phrase("Measure more sizes and more numbers of iterations.")};
         fit.model_ = modelOf(*bounded);
         fit.free_ = *free;
     }

@@ -22,10 +22,6 @@ struct NodePair {
     }
 };
 
-std::string joined(const std::string& a, const std::string& b) {
-    return a.empty() || b.empty() ? a + b : a + " " + b;
-}
-
 }  // namespace
 
 MaskGrid MaskGrid::over(const VolumeGeometry& geometry, double nodeMm) {
@@ -37,7 +33,7 @@ MaskGrid MaskGrid::over(const VolumeGeometry& geometry, double nodeMm) {
     return grid;
 }
 
-Mask::Mask(MaskGrid grid, HugePageVector<std::int16_t> weights, std::string hidden)
+Mask::Mask(MaskGrid grid, HugePageVector<std::int16_t> weights, Text hidden)
     : grid_(grid), weights_(std::move(weights)), hidden_(std::move(hidden)) {
     assert(weights_.size() == std::size_t(grid.size().x) * std::size_t(grid.size().y) * std::size_t(grid.size().z));
 }
@@ -57,7 +53,7 @@ double Mask::at(dvec3 place) const {
     return sum / kSeen;
 }
 
-std::shared_ptr<const Mask> maskOf(const MaskGrid& grid, std::string hidden,
+std::shared_ptr<const Mask> maskOf(const MaskGrid& grid, Text hidden,
                                    const std::function<std::int16_t(dvec3 place)>& weightAt) {
     const ivec3 size = grid.size();
     HugePageVector<std::int16_t> weights(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));

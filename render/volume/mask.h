@@ -12,10 +12,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
 
 #include "render/base/huge_pages.h"
 #include "render/base/seen.h"
+#include "render/base/text.h"
 #include "render/volume/volume.h"
 
 namespace pdr {
@@ -42,19 +42,19 @@ class Mask {
     static constexpr double kEdgeMm = 2.5;
 
     /// One weight per node. `hidden`: see hidden().
-    Mask(MaskGrid grid, HugePageVector<std::int16_t> weights, std::string hidden);
+    Mask(MaskGrid grid, HugePageVector<std::int16_t> weights, Text hidden);
 
     const MaskGrid& grid() const { return grid_; }
     const HugePageVector<std::int16_t>& weights() const { return weights_; }
     /// The weight at a place of the volume (index space), in [0, 1]; outside, that of the nearest place inside.
     double at(dvec3 place) const;
     /// What is not seen, as sentences for pictures and users: "Peeled 7 mm: skin is not shown."
-    const std::string& hidden() const { return hidden_; }
+    const Text& hidden() const { return hidden_; }
 
   private:
     MaskGrid grid_;
     HugePageVector<std::int16_t> weights_;
-    std::string hidden_;
+    Text hidden_;
 };
 
 /// The weight where the edge of what is seen lies `depthMm` away: positive inside, negative in what is hidden. Half way
@@ -65,7 +65,7 @@ inline std::int16_t edgeWeight(double depthMm, double edgeMm = Mask::kEdgeMm) {
 
 /// The mask whose weight at each place (index space of the volume) is weightAt(place), in [0, kSeen]. It is called from
 /// many threads at once.
-std::shared_ptr<const Mask> maskOf(const MaskGrid& grid, std::string hidden,
+std::shared_ptr<const Mask> maskOf(const MaskGrid& grid, Text hidden,
                                    const std::function<std::int16_t(dvec3 place)>& weightAt);
 
 /// What is seen by both: the product of their weights, on the finer grid of the two along each axis. Null stands for

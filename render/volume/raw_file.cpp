@@ -28,26 +28,27 @@ std::size_t bytesPerVoxel(RawFile::Type type) {
     return 2;
 }
 
-std::string count(ivec3 size) {
-    return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
+Text count(ivec3 size) {
+    return phrase("%1 x %2 x %3", size.x, size.y, size.z);
 }
 
 Result<void> checkBytes(const RawFile& file) {
     std::error_code failure;
     const std::uintmax_t found = std::filesystem::file_size(file.path, failure);
     if (failure)
-        return Error{"the file cannot be read (" + failure.message() + ")", file.path.string(), "Check the path."};
+        return Error{phrase("the file cannot be read (%1)", failure.message()), file.path.string(),
+                     phrase("Check the path.")};
     const std::uintmax_t needed = std::uintmax_t(file.size.x) * std::uintmax_t(file.size.y) *
                                   std::uintmax_t(file.size.z) * bytesPerVoxel(file.type);
     if (found == needed)
         return {};
-    return Error{"the file holds " + std::to_string(found) + " bytes, " + count(file.size) +
-                     " voxels of this type are " + std::to_string(needed),
-                 file.path.string(), "Check size and type."};
+    return Error{phrase("the file holds %1 bytes, %2 voxels of this type are %3", found, count(file.size), needed),
+                 file.path.string(), phrase("Check size and type.")};
 }
 
 Error readError(const RawFile& file) {
-    return {"the file could not be read to its end", file.path.string(), "Check the disk that it lies on."};
+    return {phrase("the file could not be read to its end"), file.path.string(),
+            phrase("Check the disk that it lies on.")};
 }
 
 template <class T>
@@ -55,7 +56,7 @@ Result<HugePageVector<T>> readAll(const RawFile& file, std::size_t voxels) {
     HugePageVector<T> values(voxels);
     std::ifstream stream(file.path, std::ios::binary);
     if (!stream)
-        return Error{"the file cannot be opened", file.path.string(), "Check that you may read it."};
+        return Error{phrase("the file cannot be opened"), file.path.string(), phrase("Check that you may read it.")};
     stream.read(reinterpret_cast<char*>(values.data()), std::streamsize(voxels * sizeof(T)));
     if (!stream)
         return readError(file);
@@ -72,9 +73,9 @@ Result<Voxels> readAs(const RawFile& file, std::size_t voxels) {
     for (std::size_t i = 0; i < voxels; ++i) {
         const double rounded = std::nearbyint(double((*values)[i]));
         if (!(rounded >= INT16_MIN && rounded <= INT16_MAX))
-            return Error{"voxel " + std::to_string(i) + " holds " + std::to_string((*values)[i]) +
-                             ", Hounsfield units end at 32767 and begin at -32768",
-                         file.path.string(), "Check the type, and that the file is little endian."};
+            return Error{phrase("voxel %1 holds %2, Hounsfield units end at 32767 and begin at -32768", i,
+                                numberOf(double((*values)[i]))),
+                         file.path.string(), phrase("Check the type, and that the file is little endian.")};
         hu[i] = std::int16_t(rounded);
     }
     return hu;
@@ -109,8 +110,8 @@ Result<Volume> loadRaw(const RawFile& file) {
             return voxels.error();
         return Volume(geometry, *std::move(voxels));
     } catch (const std::bad_alloc&) {
-        return notEnoughMemory(" for " + count(file.size) + " voxels (" + bytesText(geometry.voxelCount() * 2) + ")",
-                               file.path.string(), "Close other programs, or take a smaller volume.");
+        return notEnoughMemory(phrase("for %1 voxels (%2)", count(file.size), bytesText(geometry.voxelCount() * 2)),
+                               file.path.string(), phrase("Close other programs, or take a smaller volume."));
     }
 }
 

@@ -23,7 +23,7 @@ struct Ranges {
     }
 };
 
-Ranges joined(Ranges a, const Ranges& b) {
+Ranges united(Ranges a, const Ranges& b) {
     a.include(b);
     return a;
 }
@@ -81,10 +81,9 @@ VolumeGeometry VolumeGeometry::aligned(ivec3 size, dvec3 spacingMm, dvec3 origin
 Result<void> checkSpacing(dvec3 spacingMm) {
     for (int axis = 0; axis < 3; ++axis)
         if (!(spacingMm[axis] >= kLowestSpacingMm && spacingMm[axis] <= kHighestSpacingMm)) {
-            std::ostringstream what;
-            what << "voxels lie " << spacingMm[axis] << " mm apart, must be from " << kLowestSpacingMm << " to "
-                 << kHighestSpacingMm;
-            return Error{what.str(), "", "Check the unit: it is millimetres."};
+            return Error{phrase("voxels lie %1 mm apart, must be from %2 to %3", numberOf(spacingMm[axis]),
+                                numberOf(kLowestSpacingMm), numberOf(kHighestSpacingMm)),
+                         "", phrase("Check the unit: it is millimetres.")};
         }
     return {};
 }
@@ -117,9 +116,9 @@ void Volume::findRanges() {
     const Ranges all = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, voxels_.size(), kTogether), Ranges(),
         [&](const tbb::blocked_range<std::size_t>& part, const Ranges& before) {
-            return joined(before, rangesOf(voxels_, padding_, part.begin(), part.end()));
+            return united(before, rangesOf(voxels_, padding_, part.begin(), part.end()));
         },
-        joined);
+        united);
     storedRange_ = all.stored;
     paddingCount_ = all.padding;
     const bool measured = all.measured.lowest <= all.measured.highest;

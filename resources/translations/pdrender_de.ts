@@ -4,10 +4,6 @@
 <context>
     <name>PD-Render</name>
     <message>
-        <source> (changed)</source>
-        <translation> (geändert)</translation>
-    </message>
-    <message>
         <source> /mm</source>
         <translation> /mm</translation>
     </message>
@@ -48,8 +44,20 @@
         <translation>„%1“ ist kein Port: Ports sind Zahlen von 1 bis 65535.</translation>
     </message>
     <message>
+        <source>"pdrender-cli info FOLDER" lists all of them.</source>
+        <translation>„pdrender-cli info ORDNER“ listet alle auf.</translation>
+    </message>
+    <message>
+        <source>"pdrender-cli info FOLDER" lists those that there are.</source>
+        <translation>„pdrender-cli info ORDNER“ listet auf, welche es gibt.</translation>
+    </message>
+    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 % bright (%2 to %3)</source>
+        <translation>%1 % hell (%2 bis %3)</translation>
     </message>
     <message>
         <source>%1 % of the picture's samples</source>
@@ -60,12 +68,24 @@
         <translation>%1 % der Voxel liegen darunter</translation>
     </message>
     <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (geändert)</translation>
+    </message>
+    <message>
         <source>%1 (the picture changes by %2 levels on average, 95 % of it by less than %3</source>
         <translation>%1 (das Bild ändert sich im Mittel um %2 Stufen, 95 % davon um weniger als %3</translation>
     </message>
     <message>
         <source>%1 (the rest is not yet removed)</source>
         <translation>%1 (der Rest ist noch nicht entfernt)</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
     </message>
     <message>
         <source>%1 HU: %2</source>
@@ -82,6 +102,26 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 HU: %2 %3</translation>
     </message>
     <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are %3 mm apart, the others %4 mm</source>
+        <translation>%1 und %2 liegen %3 mm auseinander, die anderen %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie at the same height along the normal (%3 mm) but differ</source>
+        <translation>%1 und %2 liegen auf gleicher Höhe entlang der Normalen (%3 mm), sind aber verschieden</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie on different grids (%3 mm at a corner)</source>
+        <translation>%1 und %2 liegen auf verschiedenen Gittern (%3 mm an einer Ecke)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 look in different directions</source>
+        <translation>%1 und %2 sind verschieden ausgerichtet</translation>
+    </message>
+    <message>
         <source>%1 belongs to "%2". Give that another key first.</source>
         <translation>%1 gehört zu „%2“. Geben Sie dem zuerst eine andere Taste.</translation>
     </message>
@@ -90,16 +130,52 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 kann nicht vergeben werden: Die Taste bewegt die Ansicht oder den Tastaturfokus.</translation>
     </message>
     <message>
+        <source>%1 cannot make this picture: %2</source>
+        <translation>%1 kann dieses Bild nicht rechnen: %2</translation>
+    </message>
+    <message>
+        <source>%1 copies of slices left out (%2)</source>
+        <translation>%1 Kopien von Schichten weggelassen (%2)</translation>
+    </message>
+    <message>
+        <source>%1 damaged files of this series left out (%2)</source>
+        <translation>%1 beschädigte Dateien dieser Serie weggelassen (%2)</translation>
+    </message>
+    <message>
         <source>%1 damaged files were left out</source>
         <translation>%1 beschädigte Dateien wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 does not say its %2</source>
+        <translation>%1 nennt nicht: %2</translation>
     </message>
     <message>
         <source>%1 drawn</source>
         <translation>%1 gezeichnet</translation>
     </message>
     <message>
+        <source>%1 files (%2 ...)</source>
+        <translation>%1 Dateien (%2 ...)</translation>
+    </message>
+    <message>
+        <source>%1 files could not be read, and slices of this series may be missing (%2)</source>
+        <translation>%1 Dateien konnten nicht gelesen werden, und Schichten dieser Serie fehlen vielleicht (%2)</translation>
+    </message>
+    <message>
+        <source>%1 free paths between voxels, above %2 multiple scattering comes out wrong</source>
+        <translation>%1 freie Wege zwischen Voxeln, über %2 wird Mehrfachstreuung falsch</translation>
+    </message>
+    <message>
         <source>%1 h</source>
         <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 has %2, %3 has %4</source>
+        <translation>%1 hat %2, %3 hat %4</translation>
+    </message>
+    <message>
+        <source>%1 here, %2 there</source>
+        <translation>%1 hier, %2 dort</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -114,6 +190,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 steht schon in der Liste.</translation>
     </message>
     <message>
+        <source>%1 is one slice; a volume needs at least two</source>
+        <translation>%1 ist eine Schicht; ein Volumen braucht mindestens zwei</translation>
+    </message>
+    <message>
         <source>%1 iterations per frame on %2</source>
         <translation>%1 Iterationen je Bild auf %2</translation>
     </message>
@@ -126,16 +206,36 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 kam dazu</translation>
     </message>
     <message>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
+    </message>
+    <message>
         <source>%1 leaves</source>
         <translation>%1 verabschiedet sich</translation>
+    </message>
+    <message>
+        <source>%1 lies %2 mm from where slices every %3 mm would put it</source>
+        <translation>%1 liegt %2 mm von der Stelle, an die Schichten im Abstand von %3 mm es setzen würden</translation>
+    </message>
+    <message>
+        <source>%1 lies %2 mm sideways of the straight line from %3 to %4</source>
+        <translation>%1 liegt %2 mm seitlich der geraden Linie von %3 nach %4</translation>
     </message>
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
     <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm apart at a corner</source>
+        <translation>%1 mm auseinander an einer Ecke</translation>
     </message>
     <message>
         <source>%1 mm at the centre's depth</source>
@@ -150,6 +250,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 Render-Rechner rechnen andere Bits als dieser Rechner und wirken nicht mit</translation>
     </message>
     <message>
+        <source>%1 of it touched the skin: check the edge.</source>
+        <translation>%1 davon lagen an der Haut an: Den Rand prüfen.</translation>
+    </message>
+    <message>
         <source>%1 of the curve</source>
         <translation>%1 der Kurve</translation>
     </message>
@@ -162,6 +266,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 über Hounsfield-Einheiten</translation>
     </message>
     <message>
+        <source>%1 pixels stretched to %2</source>
+        <translation>%1 Pixel, gestreckt auf %2</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -170,12 +278,48 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 Abtastungen</translation>
     </message>
     <message>
+        <source>%1 separate parts are kept.</source>
+        <translation>%1 getrennte Teile bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 slices may be missing: the files are numbered up to %2, and number %3 and others are not there</source>
+        <translation>%1 Schichten fehlen vielleicht: Die Dateien sind bis %2 nummeriert, und Nummer %3 und weitere sind nicht da</translation>
+    </message>
+    <message>
+        <source>%1 slices of this series on another grid listed apart</source>
+        <translation>%1 Schichten dieser Serie auf einem anderen Gitter getrennt aufgeführt</translation>
+    </message>
+    <message>
+        <source>%1 slices state no rescale; stored values are taken as HU</source>
+        <translation>%1 Schichten nennen keine HU-Umrechnung; gespeicherte Werte werden als HU genommen</translation>
+    </message>
+    <message>
+        <source>%1 slices were compressed with loss (%2): the HU are not those that were measured</source>
+        <translation>%1 Schichten wurden mit Verlust komprimiert (%2): Die HU sind nicht die gemessenen</translation>
+    </message>
+    <message>
+        <source>%1 states a pixel spacing of %2 mm x %3 mm</source>
+        <translation>%1 nennt einen Pixelabstand von %2 mm x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 states an orientation that is no pair of perpendicular directions</source>
+        <translation>%1 nennt eine Ausrichtung, die kein Paar senkrechter Richtungen ist</translation>
+    </message>
+    <message>
+        <source>%1 stopped answering: %2</source>
+        <translation>%1 antwortet nicht mehr: %2</translation>
+    </message>
+    <message>
         <source>%1 thin line hidden by denoising: E shows where</source>
         <translation>%1 dünne Linie durch das Entrauschen verdeckt: E zeigt, wo</translation>
     </message>
     <message>
         <source>%1 thin lines hidden by denoising: E shows where</source>
         <translation>%1 dünne Linien durch das Entrauschen verdeckt: E zeigt, wo</translation>
+    </message>
+    <message>
+        <source>%1 voxels lie beyond what 16 bits hold and were put at their end (-32768 or 32767 HU)</source>
+        <translation>%1 Voxel liegen jenseits dessen, was 16 Bit fassen, und wurden an deren Ende gesetzt (-32768 oder 32767 HU)</translation>
     </message>
     <message>
         <source>%1 waits for the scan</source>
@@ -198,6 +342,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 wurde entfernt</translation>
     </message>
     <message>
+        <source>%1 x %2 pixels</source>
+        <translation>%1 x %2 Pixel</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels of %3 mm x %4 mm</source>
+        <translation>%1 x %2 Pixel zu %3 mm x %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3</source>
+        <translation>%1 x %2 x %3</translation>
+    </message>
+    <message>
         <source>%1 · all that is on is called for</source>
         <translation>%1 · alles, was an ist, wird gebraucht</translation>
     </message>
@@ -210,20 +366,52 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 · ±%2 dauerte letztes Mal %3</translation>
     </message>
     <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
         <source>%1 × %2 pixels stretched to %3 × %4</source>
         <translation>%1 × %2 Pixel, gestreckt auf %3 × %4</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>%1, %2 iterations/s, %3</source>
         <translation>%1, %2 Iterationen/s, %3</translation>
     </message>
     <message>
+        <source>%1, %2:1</source>
+        <translation>%1, %2:1</translation>
+    </message>
+    <message>
+        <source>%1, 95 % of the tissue within ±%2 levels (%3 to %4)</source>
+        <translation>%1, 95 % des Gewebes innerhalb ±%2 Stufen (%3 bis %4)</translation>
+    </message>
+    <message>
+        <source>%1, 95 % of the tissue within ±%2 levels at most, by now not told from none</source>
+        <translation>%1, 95 % des Gewebes innerhalb höchstens ±%2 Stufen, noch nicht von keinem zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>%1, because %2</source>
+        <translation>%1, denn %2</translation>
+    </message>
+    <message>
         <source>%1, before smoothing</source>
         <translation>%1, vor dem Glätten</translation>
     </message>
     <message>
+        <source>%1, not CT</source>
+        <translation>%1, kein CT</translation>
+    </message>
+    <message>
         <source>%1, tilted by %2°</source>
         <translation>%1, um %2° gekippt</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -236,6 +424,22 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1: %2 from the middle</source>
         <translation>%1: %2 von der Mitte</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1; %2 heights are taken twice</source>
+        <translation>%1; %2 Höhen sind doppelt belegt</translation>
+    </message>
+    <message>
+        <source>%1; besides, %2</source>
+        <translation>%1; außerdem: %2</translation>
+    </message>
+    <message>
+        <source>%1; measured: %2</source>
+        <translation>%1; gemessen: %2</translation>
     </message>
     <message>
         <source>%1° from above</source>
@@ -262,20 +466,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Alle Vorgaben</translation>
     </message>
     <message>
-        <source>Apert&amp;ure</source>
-        <translation>Bl&amp;ende</translation>
-    </message>
-    <message>
         <source>&amp;Box first</source>
         <translation>Rahmen &amp;zuerst</translation>
     </message>
     <message>
         <source>&amp;Brightness</source>
         <translation>Helligkei&amp;t</translation>
-    </message>
-    <message>
-        <source>Camer&amp;a...</source>
-        <translation>&amp;Kamera...</translation>
     </message>
     <message>
         <source>&amp;Colours of the window</source>
@@ -326,16 +522,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>Focus o&amp;n...</source>
-        <translation>Schar&amp;f auf...</translation>
-    </message>
-    <message>
         <source>&amp;Forget these folders</source>
         <translation>Diese Ordner &amp;vergessen</translation>
-    </message>
-    <message>
-        <source>Frame &amp;rate</source>
-        <translation>Bild&amp;rate</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
@@ -430,10 +618,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Tisch und Halterung</translation>
     </message>
     <message>
-        <source>Thi&amp;s tissue...</source>
-        <translation>Dieses Ge&amp;webe...</translation>
-    </message>
-    <message>
         <source>&amp;Tissue...</source>
         <translation>&amp;Gewebe...</translation>
     </message>
@@ -462,8 +646,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>/mm</translation>
     </message>
     <message>
+        <source>1 copy of a slice left out (%2)</source>
+        <translation>1 Kopie einer Schicht weggelassen (%2)</translation>
+    </message>
+    <message>
+        <source>1 damaged file of this series left out (%2)</source>
+        <translation>1 beschädigte Datei dieser Serie weggelassen (%2)</translation>
+    </message>
+    <message>
         <source>1 damaged file was left out</source>
         <translation>1 beschädigte Datei wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>1 file could not be read, and slices of this series may be missing (%2)</source>
+        <translation>1 Datei konnte nicht gelesen werden, und Schichten dieser Serie fehlen vielleicht (%2)</translation>
     </message>
     <message>
         <source>1 iteration per frame on %1</source>
@@ -476,6 +672,26 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>1 sample</source>
         <translation>1 Abtastung</translation>
+    </message>
+    <message>
+        <source>1 slice may be missing: the files are numbered up to %2, and number %3 is not there</source>
+        <translation>1 Schicht fehlt vielleicht: Die Dateien sind bis %2 nummeriert, und Nummer %3 ist nicht da</translation>
+    </message>
+    <message>
+        <source>1 slice of this series on another grid listed apart</source>
+        <translation>1 Schicht dieser Serie auf einem anderen Gitter getrennt aufgeführt</translation>
+    </message>
+    <message>
+        <source>1 slice states no rescale; stored values are taken as HU</source>
+        <translation>1 Schicht nennt keine HU-Umrechnung; gespeicherte Werte werden als HU genommen</translation>
+    </message>
+    <message>
+        <source>1 slice was compressed with loss (%2): the HU are not those that were measured</source>
+        <translation>1 Schicht wurde mit Verlust komprimiert (%2): Die HU sind nicht die gemessenen</translation>
+    </message>
+    <message>
+        <source>1 voxel lies beyond what 16 bits hold and was put at their end (-32768 or 32767 HU)</source>
+        <translation>1 Voxel liegt jenseits dessen, was 16 Bit fassen, und wurde an deren Ende gesetzt (-32768 oder 32767 HU)</translation>
     </message>
     <message>
         <source>1/√t</source>
@@ -622,6 +838,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Alle Render-Rechner rechnen bitgleich mit diesem Rechner</translation>
     </message>
     <message>
+        <source>All of the message</source>
+        <translation>Die ganze Meldung</translation>
+    </message>
+    <message>
         <source>All panels in numbers</source>
         <translation>Alle Leuchtflächen in Zahlen</translation>
     </message>
@@ -654,6 +874,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Anderes</translation>
     </message>
     <message>
+        <source>Apert&amp;ure</source>
+        <translation>Bl&amp;ende</translation>
+    </message>
+    <message>
         <source>Aperture</source>
         <translation>Blende</translation>
     </message>
@@ -678,6 +902,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wie das &amp;System</translation>
     </message>
     <message>
+        <source>Ask its owner for permission to read.</source>
+        <translation>Den Eigentümer um Leserechte bitten.</translation>
+    </message>
+    <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
     </message>
@@ -700,6 +928,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Background</source>
         <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Begins the image anew with as many pixels as it is shown with; the next edit does so as well.</source>
+        <translation>Beginnt das Bild neu mit so vielen Pixeln, wie es gezeigt wird; die nächste Änderung tut es ebenso.</translation>
     </message>
     <message>
         <source>Bell</source>
@@ -742,6 +974,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nur Knochen</translation>
     </message>
     <message>
+        <source>Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with them.</source>
+        <translation>Knochen sind nicht zu sehen, auch nichts im Umkreis von 2 mm; dichte Gefäße fehlen vielleicht mit ihnen.</translation>
+    </message>
+    <message>
+        <source>Both programs should be of the same release.</source>
+        <translation>Beide Programme sollten dieselbe Version haben.</translation>
+    </message>
+    <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
         <translation>Nach rechts heller. Das ändert, was gezeigt wird, nicht, was berechnet wird.</translation>
     </message>
@@ -766,6 +1006,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>CT-Serie %1</translation>
     </message>
     <message>
+        <source>Camer&amp;a...</source>
+        <translation>&amp;Kamera...</translation>
+    </message>
+    <message>
         <source>Camera</source>
         <translation>Kamera</translation>
     </message>
@@ -786,20 +1030,176 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Zertifikate...</translation>
     </message>
     <message>
+        <source>Change its permissions, or choose another name.</source>
+        <translation>Ihre Zugriffsrechte ändern oder einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Change that.</source>
+        <translation>Das ändern.</translation>
+    </message>
+    <message>
+        <source>Change the view or the look first.</source>
+        <translation>Erst die Ansicht oder die Darstellung ändern.</translation>
+    </message>
+    <message>
+        <source>Check its permissions.</source>
+        <translation>Ihre Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>Check size and type.</source>
+        <translation>Größe und Typ prüfen.</translation>
+    </message>
+    <message>
+        <source>Check that you may read it.</source>
+        <translation>Prüfen, ob Sie sie lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>Check the disk that it lies on.</source>
+        <translation>Die Platte prüfen, auf der sie liegt.</translation>
+    </message>
+    <message>
+        <source>Check the file.</source>
+        <translation>Die Datei prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the path.</source>
+        <translation>Den Pfad prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the spelling.</source>
+        <translation>Die Schreibweise prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the type, and that the file is little endian.</source>
+        <translation>Den Typ prüfen, und ob die Datei little endian ist.</translation>
+    </message>
+    <message>
+        <source>Check the unit: it is millimetres.</source>
+        <translation>Die Einheit prüfen: Es sind Millimeter.</translation>
+    </message>
+    <message>
+        <source>Check this machine's clock.</source>
+        <translation>Die Uhr dieses Rechners prüfen.</translation>
+    </message>
+    <message>
         <source>Chest</source>
         <translation>Brustkorb</translation>
+    </message>
+    <message>
+        <source>Choose a folder of your own.</source>
+        <translation>Einen eigenen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that you may write to.</source>
+        <translation>Einen Ordner wählen, in den Sie schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>Choose a name that ends in .png or .exr.</source>
+        <translation>Einen Namen wählen, der auf .png oder .exr endet.</translation>
     </message>
     <message>
         <source>Choose a series from the list on the left.</source>
         <translation>Wählen Sie links in der Liste eine Serie.</translation>
     </message>
     <message>
+        <source>Choose a shorter name.</source>
+        <translation>Einen kürzeren Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a smaller size.</source>
+        <translation>Eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
         <source>Choose an action, click below, and press its new key.</source>
         <translation>Wählen Sie einen Befehl, klicken Sie unten hinein und drücken Sie die neue Taste.</translation>
     </message>
     <message>
+        <source>Choose an empty or a new folder.</source>
+        <translation>Einen leeren oder neuen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another device; this one cannot be trusted.</source>
+        <translation>Ein anderes Gerät wählen; diesem ist nicht zu trauen.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or delete this one first: nodes that have the old ones are strangers then.</source>
+        <translation>Einen anderen Ordner wählen oder diesen erst löschen: Render-Rechner mit den alten sind dann fremd.</translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
+        <translation>Einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another name, or one within it.</source>
+        <translation>Einen anderen Namen wählen oder einen darin.</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another one.</source>
+        <translation>Ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another picture.</source>
+        <translation>Ein anderes Bild wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another port.</source>
+        <translation>Einen anderen Port wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another series.</source>
+        <translation>Eine andere Serie wählen.</translation>
+    </message>
+    <message>
+        <source>Choose auto, cpu, cuda or cuda:1.</source>
+        <translation>auto, cpu, cuda oder cuda:1 wählen.</translation>
+    </message>
+    <message>
+        <source>Choose exact filtering, which needs less, import a part of the series, close programs that use the device, or render on the CPU.</source>
+        <translation>Genaues Filtern wählen, das weniger braucht, einen Teil der Serie laden, Programme schließen, die das Gerät benutzen, oder auf der CPU rechnen.</translation>
+    </message>
+    <message>
+        <source>Choose exact filtering.</source>
+        <translation>Genaues Filtern wählen.</translation>
+    </message>
+    <message>
         <source>Choose the colour of the selected stop</source>
         <translation>Die Farbe der gewählten Marke wählen</translation>
+    </message>
+    <message>
+        <source>Choose the schedule of PD-Render.</source>
+        <translation>Den Ablauf von PD-Render wählen.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or import fewer slices.</source>
+        <translation>Andere Programme schließen oder weniger Schichten laden.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or raise the limit of open files (ulimit -n).</source>
+        <translation>Andere Programme schließen oder mehr offene Dateien erlauben (ulimit -n).</translation>
+    </message>
+    <message>
+        <source>Close other programs, or show everything.</source>
+        <translation>Andere Programme schließen oder alles zeigen.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or take a smaller volume.</source>
+        <translation>Andere Programme schließen oder ein kleineres Volumen nehmen.</translation>
+    </message>
+    <message>
+        <source>Close other programs, then try again.</source>
+        <translation>Andere Programme schließen, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Close other programs.</source>
+        <translation>Andere Programme schließen.</translation>
     </message>
     <message>
         <source>Close the message</source>
@@ -850,8 +1250,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Kopiert das Bild in die Zwischenablage, mit seiner Beschriftung und ohne Namen.</translation>
     </message>
     <message>
+        <source>Copy the file again from its source.</source>
+        <translation>Die Datei noch einmal von ihrer Quelle kopieren.</translation>
+    </message>
+    <message>
         <source>Coronal</source>
         <translation>Koronar</translation>
+    </message>
+    <message>
+        <source>Create the folder first, or choose another place.</source>
+        <translation>Den Ordner erst anlegen oder einen anderen Ort wählen.</translation>
     </message>
     <message>
         <source>Ctrl+click on the picture</source>
@@ -924,6 +1332,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Depth is not shown: what lies behind one another adds up.</source>
         <translation>Tiefe ist nicht zu sehen: Was hintereinander liegt, addiert sich.</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
     </message>
     <message>
         <source>Device</source>
@@ -1050,6 +1462,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ablauf %1 von Exposure Render</translation>
     </message>
     <message>
+        <source>Exposure Render's schedule takes whole pictures only</source>
+        <translation>der Ablauf von Exposure Render nimmt nur ganze Bilder</translation>
+    </message>
+    <message>
         <source>Exposure Render, K0</source>
         <translation>Exposure Render, K0</translation>
     </message>
@@ -1094,6 +1510,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Durchleuchtung</translation>
     </message>
     <message>
+        <source>Focus o&amp;n...</source>
+        <translation>Schar&amp;f auf...</translation>
+    </message>
+    <message>
         <source>Focus on what is clicked</source>
         <translation>Scharf auf die angeklickte Stelle</translation>
     </message>
@@ -1120,6 +1540,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>For the picture that is being saved. %1</source>
         <translation>Für das Bild, das gerade gespeichert wird. %1</translation>
+    </message>
+    <message>
+        <source>Frame &amp;rate</source>
+        <translation>Bild&amp;rate</translation>
     </message>
     <message>
         <source>Frame rate</source>
@@ -1180,6 +1604,38 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Front</source>
         <translation>Vorne</translation>
+    </message>
+    <message>
+        <source>Give HOST or HOST:PORT, with an IPv6 address in brackets: [::1]:4743.</source>
+        <translation>HOST oder HOST:PORT angeben, eine IPv6-Adresse in Klammern: [::1]:4743.</translation>
+    </message>
+    <message>
+        <source>Give a file, no pipe and no device.</source>
+        <translation>Eine Datei angeben, keine Pipe und kein Gerät.</translation>
+    </message>
+    <message>
+        <source>Give a file.</source>
+        <translation>Eine Datei angeben.</translation>
+    </message>
+    <message>
+        <source>Give one of this machine's IP addresses, or the port alone.</source>
+        <translation>Eine IP-Adresse dieses Rechners angeben oder nur den Port.</translation>
+    </message>
+    <message>
+        <source>Give one without a password, which only you may read.</source>
+        <translation>Einen ohne Kennwort angeben, den nur Sie lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>Give the folder that --make-certificates has made.</source>
+        <translation>Den Ordner angeben, den --make-certificates gemacht hat.</translation>
+    </message>
+    <message>
+        <source>Give the folder that holds the DICOM files.</source>
+        <translation>Den Ordner angeben, der die DICOM-Dateien enthält.</translation>
+    </message>
+    <message>
+        <source>Give the part of the bundle named %1.</source>
+        <translation>Den Teil des Bündels namens %1 angeben.</translation>
     </message>
     <message>
         <source>Gives actions other keys.</source>
@@ -1274,6 +1730,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Hält die Berechnung an oder setzt sie fort, auch über das Ziel hinaus.</translation>
     </message>
     <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
         <source>How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its own, and may lack fine detail: S shows the raw one. A click tells more.</source>
         <translation>Wie weit die Graustufen auf dem Bildschirm höchstens von denen des fertigen Bildes abweichen, für 95 % der Pixel, die Gewebe zeigen. Viermal so viele Abtastungen halbieren das mindestens. Ein geglättetes Bild hat einen eigenen Fehler, und feine Einzelheiten können fehlen: S zeigt das rohe. Ein Klick sagt mehr.</translation>
     </message>
@@ -1350,8 +1810,40 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Darstellung importieren</translation>
     </message>
     <message>
+        <source>Import a part of the series, close programs that use the device, or render on the CPU.</source>
+        <translation>Einen Teil der Serie laden, Programme schließen, die das Gerät benutzen, oder auf der CPU rechnen.</translation>
+    </message>
+    <message>
         <source>In the box: %1</source>
         <translation>Im Rahmen: %1</translation>
+    </message>
+    <message>
+        <source>Install a newer driver, or render on the CPU.</source>
+        <translation>Einen neueren Treiber installieren oder auf der CPU rechnen.</translation>
+    </message>
+    <message>
+        <source>Install libdcmtk17 again.</source>
+        <translation>libdcmtk17 neu installieren.</translation>
+    </message>
+    <message>
+        <source>Install one, or render on the CPU.</source>
+        <translation>Einen installieren oder auf der CPU rechnen.</translation>
+    </message>
+    <message>
+        <source>Is the disk full, or the folder write-protected?</source>
+        <translation>Ist die Platte voll oder der Ordner schreibgeschützt?</translation>
+    </message>
+    <message>
+        <source>It is rendered on this machine alone.</source>
+        <translation>Sie wird nur auf diesem Rechner gerechnet.</translation>
+    </message>
+    <message>
+        <source>It needs R, G and B, or Y.</source>
+        <translation>Es braucht R, G und B, oder Y.</translation>
+    </message>
+    <message>
+        <source>It was refused, or the device failed before.</source>
+        <translation>Sie wurde abgelehnt, oder das Gerät hat vorher versagt.</translation>
     </message>
     <message>
         <source>Iterations per picture</source>
@@ -1382,6 +1874,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Tasten</translation>
     </message>
     <message>
+        <source>Known here: %1.</source>
+        <translation>Hier bekannt: %1.</translation>
+    </message>
+    <message>
         <source>Lamp</source>
         <translation>Lampe</translation>
     </message>
@@ -1398,8 +1894,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Latenz</translation>
     </message>
     <message>
+        <source>Leave it; the tile is rendered again.</source>
+        <translation>So lassen; die Kachel wird noch einmal gerechnet.</translation>
+    </message>
+    <message>
+        <source>Leave one of the two out.</source>
+        <translation>Eines von beiden weglassen.</translation>
+    </message>
+    <message>
         <source>Leave out</source>
         <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>Leave out nodes that lie on a line between their neighbours.</source>
+        <translation>Stützstellen weglassen, die auf einer Linie zwischen ihren Nachbarn liegen.</translation>
     </message>
     <message>
         <source>Leaves out %1.</source>
@@ -1542,12 +2050,52 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Berechnet von</translation>
     </message>
     <message>
+        <source>Make it of this volume.</source>
+        <translation>Für dieses Volumen machen.</translation>
+    </message>
+    <message>
+        <source>Make it smaller.</source>
+        <translation>Es kleiner machen.</translation>
+    </message>
+    <message>
+        <source>Make it yours alone: chmod 600.</source>
+        <translation>Ihn nur sich selbst zugänglich machen: chmod 600.</translation>
+    </message>
+    <message>
+        <source>Make new ones with --make-certificates, for the coordinator and all nodes.</source>
+        <translation>Mit --make-certificates neue machen, für Koordinator und alle Render-Rechner.</translation>
+    </message>
+    <message>
+        <source>Make room there, or choose another place.</source>
+        <translation>Dort Platz schaffen oder einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>Make some with "pdrender-node --make-certificates FOLDER", and give them to both sides: --bundle, or the window's Certificates.</source>
+        <translation>Mit „pdrender-node --make-certificates ORDNER“ welche machen und beiden Seiten geben: --bundle, oder „Zertifikate“ im Fenster.</translation>
+    </message>
+    <message>
+        <source>Make the picture smaller, close programs that use the device, or choose another device.</source>
+        <translation>Das Bild kleiner machen, Programme schließen, die das Gerät benutzen, oder ein anderes Gerät wählen.</translation>
+    </message>
+    <message>
         <source>March of 3 voxels (biased)</source>
         <translation>Schritte von 3 Voxeln (verzerrt)</translation>
     </message>
     <message>
         <source>Maximum intensity</source>
         <translation>Maximale Intensität</translation>
+    </message>
+    <message>
+        <source>Measure at least 5 sizes with 3 numbers of iterations.</source>
+        <translation>Mindestens 5 Größen mit 3 Anzahlen von Durchgängen messen.</translation>
+    </message>
+    <message>
+        <source>Measure for longer.</source>
+        <translation>Länger messen.</translation>
+    </message>
+    <message>
+        <source>Measure more sizes and more numbers of iterations.</source>
+        <translation>Mehr Größen und mehr Anzahlen von Durchgängen messen.</translation>
     </message>
     <message>
         <source>Measured %1, %2 s of calibration</source>
@@ -1564,6 +2112,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Message</source>
         <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Metal outside the body is kept, with what it touches: %1.</source>
+        <translation>Metall außerhalb des Körpers bleibt, mit allem, was es berührt: %1.</translation>
     </message>
     <message>
         <source>Middle or Shift+left drag</source>
@@ -1592,6 +2144,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>My looks</source>
         <translation>Eigene Darstellungen</translation>
+    </message>
+    <message>
+        <source>Name each node once.</source>
+        <translation>Jeden Render-Rechner einmal nennen.</translation>
     </message>
     <message>
         <source>Name not given</source>
@@ -1626,6 +2182,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Keine Serie hier kann gezeigt werden. Die Liste sagt, warum.</translation>
     </message>
     <message>
+        <source>No table was hidden, because %1.</source>
+        <translation>Kein Tisch wurde ausgeblendet, denn %1.</translation>
+    </message>
+    <message>
         <source>No tissue is in view</source>
         <translation>Kein Gewebe im Bild</translation>
     </message>
@@ -1636,6 +2196,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>None</source>
         <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Nor can the picture go on elsewhere: %1</source>
+        <translation>Auch anderswo kann das Bild nicht weiterlaufen: %1</translation>
     </message>
     <message>
         <source>Not for diagnostic use</source>
@@ -1678,6 +2242,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Eine große Fläche: weiche Schatten</translation>
     </message>
     <message>
+        <source>Only bones are shown, as far as they hold dense bone.</source>
+        <translation>Nur Knochen sind zu sehen, soweit sie dichten Knochen enthalten.</translation>
+    </message>
+    <message>
+        <source>Only the first of the folders that were dropped is opened.</source>
+        <translation>Nur der erste der abgelegten Ordner wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>Only the lungs are shown; %1 mm at the pleura are missing.</source>
+        <translation>Nur die Lungen sind zu sehen; %1 mm am Rippenfell fehlen.</translation>
+    </message>
+    <message>
         <source>Only what is taken for bone is shown: thin or porous bone may be missing, dense contrast may be left over.</source>
         <translation>Nur was für Knochen gehalten wird, ist zu sehen: Dünner oder poröser Knochen kann fehlen, dichtes Kontrastmittel übrig bleiben.</translation>
     </message>
@@ -1716,12 +2292,28 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Einen Ordner mit einem CT öffnen</translation>
     </message>
     <message>
+        <source>Open a folder with a CT series.</source>
+        <translation>Einen Ordner mit einer CT-Serie öffnen.</translation>
+    </message>
+    <message>
         <source>Open the e&amp;xample</source>
         <translation>Beis&amp;piel öffnen</translation>
     </message>
     <message>
         <source>Open the example</source>
         <translation>Das Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>Open the folder again.</source>
+        <translation>Den Ordner noch einmal öffnen.</translation>
+    </message>
+    <message>
+        <source>Open the series again, or start the program anew.</source>
+        <translation>Die Serie noch einmal öffnen oder das Programm neu starten.</translation>
+    </message>
+    <message>
+        <source>Open the series again.</source>
+        <translation>Die Serie noch einmal öffnen.</translation>
     </message>
     <message>
         <source>OpenEXR with the error of every pixel (*.exr)</source>
@@ -1800,6 +2392,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Pausiert</translation>
     </message>
     <message>
+        <source>Peeled %1 mm: skin and what lies less deep is not shown.</source>
+        <translation>%1 mm abgeschält: Haut und was weniger tief liegt, ist nicht zu sehen.</translation>
+    </message>
+    <message>
         <source>Peeled off</source>
         <translation>Abgeschält</translation>
     </message>
@@ -1836,6 +2432,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Port</source>
         <translation>Port</translation>
+    </message>
+    <message>
+        <source>Ports are numbers from 1 to 65535.</source>
+        <translation>Ports sind Zahlen von 1 bis 65535.</translation>
     </message>
     <message>
         <source>Preparing the volume of %1...</source>
@@ -1978,6 +2578,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Inneres entfernen</translation>
     </message>
     <message>
+        <source>Remove one of them.</source>
+        <translation>Eines davon entfernen.</translation>
+    </message>
+    <message>
         <source>Remove picture</source>
         <translation>Bild entfernen</translation>
     </message>
@@ -2010,6 +2614,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Darstellung umbenennen</translation>
     </message>
     <message>
+        <source>Render at the window's si&amp;ze</source>
+        <translation>In &amp;Größe des Fensters rendern</translation>
+    </message>
+    <message>
         <source>Render node</source>
         <translation>Render-Rechner</translation>
     </message>
@@ -2022,6 +2630,18 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Render-Rechner dürfen sich melden: „pdrender-node --coordinator“ mit dem Namen dieses Rechners und diesem Port.</translation>
     </message>
     <message>
+        <source>Render on the CPU, or build it where the CUDA Toolkit is.</source>
+        <translation>Auf der CPU rechnen oder dort bauen, wo das CUDA-Toolkit ist.</translation>
+    </message>
+    <message>
+        <source>Render on the CPU, or start the program anew; a newer driver or a restart of the computer may help.</source>
+        <translation>Auf der CPU rechnen oder das Programm neu starten; ein neuerer Treiber oder ein Neustart des Rechners kann helfen.</translation>
+    </message>
+    <message>
+        <source>Render on the CPU.</source>
+        <translation>Auf der CPU rechnen.</translation>
+    </message>
+    <message>
         <source>Rendering</source>
         <translation>Berechnung</translation>
     </message>
@@ -2030,8 +2650,24 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die Berechnung hält bei %1: Ziehen Sie den Knopf nach links für früher, nach rechts für genauer.</translation>
     </message>
     <message>
+        <source>Rendering rests on battery: Space goes on</source>
+        <translation>Im Akkubetrieb ruht das Rendern: Leertaste setzt fort</translation>
+    </message>
+    <message>
+        <source>Resample it first.</source>
+        <translation>Erst umrechnen.</translation>
+    </message>
+    <message>
+        <source>Reset the view</source>
+        <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
         <source>Right</source>
         <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Rechter Klick</translation>
     </message>
     <message>
         <source>Right°</source>
@@ -2048,10 +2684,6 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Roughness</source>
         <translation>Rauheit</translation>
-    </message>
-    <message>
-        <source>Sho&amp;w</source>
-        <translation>&amp;Zeigen</translation>
     </message>
     <message>
         <source>Sagittal</source>
@@ -2138,8 +2770,16 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Umschalt+Ziehen mit rechts im Bild</translation>
     </message>
     <message>
+        <source>Sho&amp;w</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
         <source>Show</source>
         <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show everything, or another part.</source>
+        <translation>Alles zeigen oder einen anderen Teil.</translation>
     </message>
     <message>
         <source>Show the tissue that is clicked</source>
@@ -2152,6 +2792,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Shows all keys and what they do.</source>
         <translation>Zeigt alle Tasten und was sie tun.</translation>
+    </message>
+    <message>
+        <source>Shows all of the message</source>
+        <translation>Zeigt die ganze Meldung</translation>
     </message>
     <message>
         <source>Shows all that was cut away; one step to undo.</source>
@@ -2210,6 +2854,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Größe:</translation>
     </message>
     <message>
+        <source>Sk&amp;y turned</source>
+        <translation>&amp;Winkel des Himmels</translation>
+    </message>
+    <message>
         <source>Skin</source>
         <translation>Haut</translation>
     </message>
@@ -2228,10 +2876,6 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Sky picture...</source>
         <translation>Himmelsbild...</translation>
-    </message>
-    <message>
-        <source>Sk&amp;y turned</source>
-        <translation>&amp;Winkel des Himmels</translation>
     </message>
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
@@ -2270,8 +2914,28 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Stärke der gewählten Lampe</translation>
     </message>
     <message>
+        <source>T&amp;urns with</source>
+        <translation>Dreht &amp;mit</translation>
+    </message>
+    <message>
         <source>Tab</source>
         <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Table and holder hidden: %1 outside the body.</source>
+        <translation>Tisch und Halterung ausgeblendet: %1 außerhalb des Körpers.</translation>
+    </message>
+    <message>
+        <source>Take another.</source>
+        <translation>Einen anderen nehmen.</translation>
+    </message>
+    <message>
+        <source>Take one of at most 60 letters.</source>
+        <translation>Einen mit höchstens 60 Buchstaben nehmen.</translation>
+    </message>
+    <message>
+        <source>Take the model singleScattering, or the estimator unbiased.</source>
+        <translation>Das Modell singleScattering nehmen oder den Schätzer unbiased.</translation>
     </message>
     <message>
         <source>Target: how accurate the picture is to become</source>
@@ -2314,6 +2978,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die Höhe des Histogramms wächst mit dem Logarithmus der Voxel</translation>
     </message>
     <message>
+        <source>The last one is cuda:%1.</source>
+        <translation>Die letzte ist cuda:%1.</translation>
+    </message>
+    <message>
         <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
         <translation>Die äußersten 5 mm und Fett sind nicht zu sehen. Das Gehirn liegt hinter dem Schädel.</translation>
     </message>
@@ -2328,6 +2996,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>The patient's side that one looks at (%1)</source>
         <translation>Die Seite des Patienten, die man ansieht (%1)</translation>
+    </message>
+    <message>
+        <source>The picture goes on on %1.</source>
+        <translation>Weitergerechnet wird auf: %1.</translation>
     </message>
     <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
@@ -2352,6 +3024,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Dann auf die Anatomie klicken: Eine Glocke bei ihren Hounsfield-Einheiten wird hinzugefügt (Strg und Klick tut dasselbe)</translation>
     </message>
     <message>
+        <source>Then save again.</source>
+        <translation>Dann noch einmal sichern.</translation>
+    </message>
+    <message>
+        <source>Thi&amp;s tissue...</source>
+        <translation>Dieses Ge&amp;webe...</translation>
+    </message>
+    <message>
         <source>Thin bone</source>
         <translation>Dünner Knochen</translation>
     </message>
@@ -2362,6 +3042,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>This language is spoken from the next start on</source>
         <translation>Diese Sprache gilt ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>This picture cannot be made: %1</source>
+        <translation>Dieses Bild kann nicht gemacht werden: %1</translation>
     </message>
     <message>
         <source>Three points</source>
@@ -2388,6 +3072,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Gewebe in seinen eigenen Farben, ohne Licht und Schatten.</translation>
     </message>
     <message>
+        <source>Try OpenEXR (.exr).</source>
+        <translation>OpenEXR (.exr) versuchen.</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>Noch einmal versuchen.</translation>
+    </message>
+    <message>
         <source>Turn of the sky picture</source>
         <translation>Drehung des Himmelsbildes</translation>
     </message>
@@ -2402,10 +3094,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Turns the sky picture about the patient's axis [degrees]</source>
         <translation>Dreht das Himmelsbild um die Körperachse [Grad]</translation>
-    </message>
-    <message>
-        <source>T&amp;urns with</source>
-        <translation>Dreht &amp;mit</translation>
     </message>
     <message>
         <source>Two lamps behind: bright outlines</source>
@@ -2524,6 +3212,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Ansicht von: %1</translation>
     </message>
     <message>
+        <source>Wait for it, or cancel it.</source>
+        <translation>Darauf warten oder es abbrechen.</translation>
+    </message>
+    <message>
+        <source>Wait until the picture that you want is there.</source>
+        <translation>Warten, bis das gewünschte Bild da ist.</translation>
+    </message>
+    <message>
+        <source>Wait until there is one.</source>
+        <translation>Warten, bis es eines gibt.</translation>
+    </message>
+    <message>
         <source>What can be done</source>
         <translation>Was getan werden kann</translation>
     </message>
@@ -2582,6 +3282,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>What lights it</source>
         <translation>Was es beleuchtet</translation>
+    </message>
+    <message>
+        <source>What one does most</source>
+        <translation>Was man am häufigsten tut</translation>
     </message>
     <message>
         <source>What stands behind the volume. A plain colour lights nothing</source>
@@ -2680,12 +3384,120 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Zoomen</translation>
     </message>
     <message>
+        <source>a certificate cannot be made: %1</source>
+        <translation>ein Zertifikat kann nicht gemacht werden: %1</translation>
+    </message>
+    <message>
+        <source>a code table is missing</source>
+        <translation>eine Codetabelle fehlt</translation>
+    </message>
+    <message>
+        <source>a colour picture (%1), not a CT slice</source>
+        <translation>ein farbiges Bild (%1), keine CT-Schicht</translation>
+    </message>
+    <message>
+        <source>a content of the scene is not what the order says</source>
+        <translation>ein Inhalt der Szene ist nicht, was der Auftrag sagt</translation>
+    </message>
+    <message>
+        <source>a damaged piece of a scan</source>
+        <translation>ein beschädigtes Stück eines Scans</translation>
+    </message>
+    <message>
+        <source>a file of this name is in the way</source>
+        <translation>eine Datei dieses Namens ist im Weg</translation>
+    </message>
+    <message>
+        <source>a frame took no time</source>
+        <translation>ein Durchgang hat keine Zeit gebraucht</translation>
+    </message>
+    <message>
+        <source>a key of its map is there twice, or out of its place</source>
+        <translation>ein Schlüssel ihrer Tabelle ist doppelt oder am falschen Platz</translation>
+    </message>
+    <message>
+        <source>a list in it has another length</source>
+        <translation>eine Liste darin hat eine andere Länge</translation>
+    </message>
+    <message>
+        <source>a localizer (scout view), not a CT slice</source>
+        <translation>ein Localizer (Übersichtsaufnahme), keine CT-Schicht</translation>
+    </message>
+    <message>
+        <source>a look needs a name</source>
+        <translation>eine Darstellung braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>a look of the program has this name</source>
+        <translation>eine Darstellung des Programms hat diesen Namen</translation>
+    </message>
+    <message>
+        <source>a message of a kind that must be understood, but is not known here</source>
+        <translation>eine Nachricht, die verstanden werden muss, hier aber unbekannt ist</translation>
+    </message>
+    <message>
+        <source>a number in it is none</source>
+        <translation>eine Zahl darin ist keine</translation>
+    </message>
+    <message>
+        <source>a number in it is out of its range</source>
+        <translation>eine Zahl darin liegt außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>a picture of %1 x %2 pixels needs %3 of memory, %4 are free</source>
+        <translation>ein Bild von %1 x %2 Pixeln braucht %3 Speicher, %4 sind frei</translation>
+    </message>
+    <message>
+        <source>a picture was torn on its way from the device</source>
+        <translation>ein Bild ist auf dem Weg vom Gerät zerrissen</translation>
+    </message>
+    <message>
+        <source>a piece of a scan that was not asked for</source>
+        <translation>ein Stück eines Scans, um das nicht gebeten war</translation>
+    </message>
+    <message>
         <source>a render node joined</source>
         <translation>ein Render-Rechner kam dazu</translation>
     </message>
     <message>
         <source>a render node was lost</source>
         <translation>ein Render-Rechner ging verloren</translation>
+    </message>
+    <message>
+        <source>a run of equal bytes is spelled out</source>
+        <translation>eine Folge gleicher Bytes ist ausgeschrieben</translation>
+    </message>
+    <message>
+        <source>a run of it goes beyond its block</source>
+        <translation>ein Lauf darin reicht über seinen Block hinaus</translation>
+    </message>
+    <message>
+        <source>a run of zeros stands where tissue changes</source>
+        <translation>eine Folge von Nullen steht, wo sich das Gewebe ändert</translation>
+    </message>
+    <message>
+        <source>a scan of it does not fit its frame</source>
+        <translation>ein Durchgang darin passt nicht zum Bild</translation>
+    </message>
+    <message>
+        <source>a scan that is not what it was said to be</source>
+        <translation>ein Scan, der nicht ist, was gesagt war</translation>
+    </message>
+    <message>
+        <source>a segment of it ends before its last pixel</source>
+        <translation>ein Segment darin endet vor seinem letzten Pixel</translation>
+    </message>
+    <message>
+        <source>a segment of it goes on behind its last pixel</source>
+        <translation>ein Segment darin geht hinter seinem letzten Pixel weiter</translation>
+    </message>
+    <message>
+        <source>a sequence holds %1 where an item should begin</source>
+        <translation>eine Sequenz enthält %1, wo ein Element beginnen sollte</translation>
+    </message>
+    <message>
+        <source>a sequence of bytes is too short</source>
+        <translation>eine Folge von Bytes ist zu kurz</translation>
     </message>
     <message>
         <source>a single slice</source>
@@ -2696,16 +3508,56 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Schicht fehlt</translation>
     </message>
     <message>
+        <source>a slice of more than 65535 pixels has no place in a DICOM file</source>
+        <translation>eine Schicht von mehr als 65535 Pixeln hat in einer DICOM-Datei keinen Platz</translation>
+    </message>
+    <message>
+        <source>a text in it is no line</source>
+        <translation>ein Text darin ist keine Zeile</translation>
+    </message>
+    <message>
+        <source>a text or a sequence of bytes in it is too long, or none</source>
+        <translation>ein Text oder eine Folge von Bytes darin ist zu lang oder fehlt</translation>
+    </message>
+    <message>
+        <source>a tile of it was not what this machine found when it did it again</source>
+        <translation>eine seiner Kacheln war nicht, was dieser Rechner beim Nachrechnen fand</translation>
+    </message>
+    <message>
+        <source>a tile's result was refused: %1</source>
+        <translation>das Ergebnis einer Kachel wurde abgelehnt: %1</translation>
+    </message>
+    <message>
         <source>about %1 to ±%2</source>
         <translation>etwa %1 bis ±%2</translation>
+    </message>
+    <message>
+        <source>above %1 and at most %2</source>
+        <translation>über %1 und höchstens %2</translation>
+    </message>
+    <message>
+        <source>above %1 and below %2</source>
+        <translation>über %1 und unter %2</translation>
     </message>
     <message>
         <source>air</source>
         <translation>Luft</translation>
     </message>
+    <message>
+        <source>an earlier coding</source>
+        <translation>eine frühere Kodierung</translation>
+    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation><numerusform>und %n weitere</numerusform><numerusform>und %n weitere</numerusform></translation>
+    </message>
+    <message>
+        <source>another picture has taken its place</source>
+        <translation>ein anderes Bild ist an seine Stelle getreten</translation>
+    </message>
+    <message>
+        <source>another picture is being made</source>
+        <translation>ein anderes Bild wird gerade gemacht</translation>
     </message>
     <message>
         <source>any number</source>
@@ -2720,12 +3572,28 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>wie gewünscht; Leertaste: weiter</translation>
     </message>
     <message>
+        <source>at least %1 and below %2</source>
+        <translation>mindestens %1 und unter %2</translation>
+    </message>
+    <message>
+        <source>at least one node is needed</source>
+        <translation>mindestens eine Stützstelle ist nötig</translation>
+    </message>
+    <message>
         <source>back</source>
         <translation>hinten</translation>
     </message>
     <message>
+        <source>belongs to a volume of another size</source>
+        <translation>gehört zu einem Volumen anderer Größe</translation>
+    </message>
+    <message>
         <source>beside the eye</source>
         <translation>neben dem Auge</translation>
+    </message>
+    <message>
+        <source>between its segments lie bytes that belong to none</source>
+        <translation>zwischen seinen Segmenten liegen Bytes, die zu keinem gehören</translation>
     </message>
     <message>
         <source>biased</source>
@@ -2740,6 +3608,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Knochen</translation>
     </message>
     <message>
+        <source>bones cannot be told from the rest</source>
+        <translation>Knochen sind nicht vom Übrigen zu unterscheiden</translation>
+    </message>
+    <message>
         <source>born %1</source>
         <translation>geb. %1</translation>
     </message>
@@ -2748,8 +3620,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Quader von %1 x %2 x %3 mm</translation>
     </message>
     <message>
+        <source>bytes are left over behind its last pixel</source>
+        <translation>hinter dem letzten Pixel sind Bytes übrig</translation>
+    </message>
+    <message>
         <source>can be shown</source>
         <translation>kann gezeigt werden</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
     </message>
     <message>
         <source>cancelled, no picture was saved</source>
@@ -2780,6 +3660,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schnitt: %1</translation>
     </message>
     <message>
+        <source>denoised: 95 % of the tissue within ±%1 levels, noise included</source>
+        <translation>entrauscht: 95 % des Gewebes innerhalb ±%1 Stufen, Rauschen inbegriffen</translation>
+    </message>
+    <message>
         <source>denoised: 95 % of the tissue within ±%1 of 255 grey levels</source>
         <translation>entrauscht: 95 % des Gewebes innerhalb ±%1 von 255 Graustufen</translation>
     </message>
@@ -2792,8 +3676,32 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>entrauscht: Fehler noch nicht bekannt</translation>
     </message>
     <message>
+        <source>denoised: how much is not known yet</source>
+        <translation>entrauscht: wie sehr ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>each iteration blurred</source>
+        <translation>jeder Durchgang verwischt</translation>
+    </message>
+    <message>
         <source>efficiency %1 %</source>
         <translation>Wirkungsgrad %1 %</translation>
+    </message>
+    <message>
+        <source>element %1 has no length</source>
+        <translation>Element %1 hat keine Länge</translation>
+    </message>
+    <message>
+        <source>element %1 is longer than the file</source>
+        <translation>Element %1 ist länger als die Datei</translation>
+    </message>
+    <message>
+        <source>element %1 should hold %2 bytes, but only %3 are left in the file</source>
+        <translation>Element %1 soll %2 Bytes enthalten, aber in der Datei sind nur noch %3</translation>
+    </message>
+    <message>
+        <source>fast filter</source>
+        <translation>schneller Filter</translation>
     </message>
     <message>
         <source>fat</source>
@@ -2812,8 +3720,28 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>feine Einzelheiten werden noch nicht gezeigt</translation>
     </message>
     <message>
+        <source>for %1 voxels (%2)</source>
+        <translation>für %1 Voxel (%2)</translation>
+    </message>
+    <message>
+        <source>for highlights, which cannot show: could be left out</source>
+        <translation>für Glanzlichter, die nicht zu sehen sein können: könnte wegbleiben</translation>
+    </message>
+    <message>
+        <source>for the scene</source>
+        <translation>für die Szene</translation>
+    </message>
+    <message>
+        <source>for the scene: %1</source>
+        <translation>für die Szene: %1</translation>
+    </message>
+    <message>
         <source>from %1</source>
         <translation>von %1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
     </message>
     <message>
         <source>from behind</source>
@@ -2822,6 +3750,22 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>front</source>
         <translation>vorn</translation>
+    </message>
+    <message>
+        <source>goes with a gradient only, not with a picture</source>
+        <translation>passt nur zu einem Verlauf, nicht zu einem Bild</translation>
+    </message>
+    <message>
+        <source>has more than 1000 points</source>
+        <translation>hat mehr als 1000 Punkte</translation>
+    </message>
+    <message>
+        <source>has no points</source>
+        <translation>hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>has points that do not ascend</source>
+        <translation>hat Punkte, die nicht aufsteigen</translation>
     </message>
     <message>
         <source>head</source>
@@ -2848,6 +3792,30 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>hier: noch nicht bekannt</translation>
     </message>
     <message>
+        <source>highHu must lie above lowHu</source>
+        <translation>highHu muss über lowHu liegen</translation>
+    </message>
+    <message>
+        <source>holds "%1", which is no number</source>
+        <translation>enthält „%1“, was keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>holds %1, each number must be %2</source>
+        <translation>enthält %1, erlaubt ist für jede Zahl: %2</translation>
+    </message>
+    <message>
+        <source>holds more than %1 values</source>
+        <translation>enthält mehr als %1 Werte</translation>
+    </message>
+    <message>
+        <source>holds points of %1 numbers, and one is not whole</source>
+        <translation>enthält Punkte zu %1 Zahlen, und einer ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>holds too few numbers</source>
+        <translation>enthält zu wenige Zahlen</translation>
+    </message>
+    <message>
         <source>host or host:port</source>
         <translation>Rechner oder Rechner:Port</translation>
     </message>
@@ -2856,12 +3824,316 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>wie lange es dauert, ist noch nicht bekannt</translation>
     </message>
     <message>
+        <source>how much is not known yet</source>
+        <translation>wie viel, ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>in at most %1 % of the tissue</source>
+        <translation>in höchstens %1 % des Gewebes</translation>
+    </message>
+    <message>
         <source>in the box 95 % of the tissue within ±%1</source>
         <translation>im Rahmen 95 % des Gewebes innerhalb ±%1</translation>
     </message>
     <message>
+        <source>is "%1", must be "%2"</source>
+        <translation>ist „%1“, muss „%2“ sein</translation>
+    </message>
+    <message>
+        <source>is %1, must be %2</source>
+        <translation>ist %1, erlaubt ist: %2</translation>
+    </message>
+    <message>
+        <source>is %1, this program reads version 1</source>
+        <translation>ist %1, dieses Programm liest Version 1</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is no JSON that can be read (%1)</source>
+        <translation>ist kein lesbares JSON (%1)</translation>
+    </message>
+    <message>
+        <source>is no direction: it has no length</source>
+        <translation>ist keine Richtung: Sie hat keine Länge</translation>
+    </message>
+    <message>
+        <source>is no direction: it needs three finite numbers</source>
+        <translation>ist keine Richtung: Sie braucht drei endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>is no direction: its length must be from 1e-100 to 1e+100</source>
+        <translation>ist keine Richtung: Ihre Länge muss von 1e-100 bis 1e+100 sein</translation>
+    </message>
+    <message>
+        <source>is no field here</source>
+        <translation>ist hier kein Feld</translation>
+    </message>
+    <message>
+        <source>is the second environment, a scene has at most one</source>
+        <translation>ist die zweite Umgebung, eine Szene hat höchstens eine</translation>
+    </message>
+    <message>
+        <source>is too large a number</source>
+        <translation>ist eine zu große Zahl</translation>
+    </message>
+    <message>
+        <source>is too long for a volume property</source>
+        <translation>ist zu lang für eine Volumeneigenschaft</translation>
+    </message>
+    <message>
+        <source>is written twice in the same object</source>
+        <translation>steht zweimal in demselben Objekt</translation>
+    </message>
+    <message>
+        <source>it answered a lease that it was not given</source>
+        <translation>er hat Arbeit beantwortet, die ihm nicht gegeben war</translation>
+    </message>
+    <message>
+        <source>it does not begin as a JPEG picture</source>
+        <translation>es beginnt nicht wie ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>it does not say how much memory it has, and is broken or lost</source>
+        <translation>es nennt seinen Speicher nicht und ist defekt oder verloren</translation>
+    </message>
+    <message>
+        <source>it does not say its modality</source>
+        <translation>sie nennt ihre Modalität nicht</translation>
+    </message>
+    <message>
+        <source>it ends after its header</source>
+        <translation>sie endet nach ihrem Kopf</translation>
+    </message>
+    <message>
+        <source>it ends before its last pixel</source>
+        <translation>es endet vor seinem letzten Pixel</translation>
+    </message>
+    <message>
+        <source>it ends in the middle of an element</source>
+        <translation>sie endet mitten in einem Element</translation>
+    </message>
+    <message>
+        <source>it ends inside the compressed picture</source>
+        <translation>sie endet innerhalb des komprimierten Bildes</translation>
+    </message>
+    <message>
+        <source>it ends without its end marker</source>
+        <translation>es endet ohne Endemarke</translation>
+    </message>
+    <message>
+        <source>it has two frame headers</source>
+        <translation>es hat zwei Bildköpfe</translation>
+    </message>
+    <message>
+        <source>it holds %1 frames in one file (enhanced or multi-frame), which this version cannot read</source>
+        <translation>sie enthält %1 Bilder in einer Datei (enhanced oder multi-frame), was diese Version nicht lesen kann</translation>
+    </message>
+    <message>
+        <source>it holds %1 segments instead of %2</source>
+        <translation>es enthält %1 Segmente statt %2</translation>
+    </message>
+    <message>
+        <source>it holds a marker where none belongs</source>
+        <translation>es enthält eine Marke, wo keine hingehört</translation>
+    </message>
+    <message>
+        <source>it holds a value that its samples cannot have</source>
+        <translation>es enthält einen Wert, den seine Abtastungen nicht haben können</translation>
+    </message>
+    <message>
+        <source>it holds bits that are no code</source>
+        <translation>es enthält Bits, die kein Code sind</translation>
+    </message>
+    <message>
+        <source>it holds fewer pixels than its size of %1 x %2 says</source>
+        <translation>sie enthält weniger Pixel, als ihre Größe von %1 x %2 besagt</translation>
+    </message>
+    <message>
+        <source>it holds more restart markers than pixels</source>
+        <translation>es enthält mehr Neustartmarken als Pixel</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 elements, items, fragments and values</source>
+        <translation>sie enthält mehr als %1 Elemente, Einträge, Stücke und Werte</translation>
+    </message>
+    <message>
+        <source>it holds no map</source>
+        <translation>sie enthält keine Tabelle</translation>
+    </message>
+    <message>
+        <source>it holds no picture</source>
+        <translation>es enthält kein Bild</translation>
+    </message>
+    <message>
+        <source>it is called as the slices beside it, but holds no DICOM</source>
+        <translation>sie heißt wie die Schichten daneben, enthält aber kein DICOM</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>sie ist leer</translation>
+    </message>
+    <message>
+        <source>it is longer than such a message is</source>
+        <translation>sie ist länger, als eine solche Nachricht ist</translation>
+    </message>
+    <message>
+        <source>it is no message of PD-Render's</source>
+        <translation>das ist keine Nachricht von PD-Render</translation>
+    </message>
+    <message>
+        <source>it is not of the size that the file's header says</source>
+        <translation>es hat nicht die Größe, die der Kopf der Datei nennt</translation>
+    </message>
+    <message>
+        <source>it is of another scene</source>
+        <translation>es gehört zu einer anderen Szene</translation>
+    </message>
+    <message>
+        <source>it is shorter than its header</source>
+        <translation>es ist kürzer als sein Kopf</translation>
+    </message>
+    <message>
+        <source>it is too long from somebody who is not known yet</source>
+        <translation>sie ist zu lang von jemandem, der noch nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>it states an impossible precision</source>
+        <translation>es nennt eine unmögliche Genauigkeit</translation>
+    </message>
+    <message>
+        <source>it states an impossible size of %1 x %2 pixels</source>
+        <translation>sie nennt eine unmögliche Größe von %1 x %2 Pixeln</translation>
+    </message>
+    <message>
+        <source>its certificate is not believed: %1</source>
+        <translation>seinem Zertifikat wird nicht geglaubt: %1</translation>
+    </message>
+    <message>
+        <source>its certificate is not that of a %1</source>
+        <translation>sein Zertifikat ist nicht das eines %1</translation>
+    </message>
+    <message>
+        <source>its compressed picture is not made of fragments</source>
+        <translation>ihr komprimiertes Bild besteht nicht aus Stücken</translation>
+    </message>
+    <message>
+        <source>its deflated content is damaged, or larger than %1 MB</source>
+        <translation>ihr gepackter Inhalt ist beschädigt oder größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>its frame header is too short</source>
+        <translation>sein Bildkopf ist zu kurz</translation>
+    </message>
+    <message>
+        <source>its header cannot be read</source>
+        <translation>ihr Kopf kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its header places segments where none can be</source>
+        <translation>sein Kopf legt Segmente dorthin, wo keine sein können</translation>
+    </message>
+    <message>
+        <source>its header takes more than %1 MB</source>
+        <translation>ihr Kopf umfasst mehr als %1 MB</translation>
+    </message>
+    <message>
+        <source>its map has keys that are no numbers, or too many</source>
+        <translation>ihre Tabelle hat Schlüssel, die keine Zahlen sind, oder zu viele</translation>
+    </message>
+    <message>
+        <source>its map is damaged, or too deep</source>
+        <translation>ihre Tabelle ist beschädigt oder zu tief</translation>
+    </message>
+    <message>
+        <source>its mask holds what is no weight</source>
+        <translation>ihre Maske enthält, was kein Gewicht ist</translation>
+    </message>
+    <message>
+        <source>its mask is of another size</source>
+        <translation>ihre Maske hat eine andere Größe</translation>
+    </message>
+    <message>
+        <source>its mask is of another volume</source>
+        <translation>ihre Maske gehört zu einem anderen Volumen</translation>
+    </message>
+    <message>
+        <source>its memory is too small: %1 are needed at a time, %2 are free</source>
+        <translation>sein Speicher ist zu klein: %1 werden auf einmal gebraucht, %2 sind frei</translation>
+    </message>
+    <message>
+        <source>its messages are laid out in another way</source>
+        <translation>seine Nachrichten sind anders aufgebaut</translation>
+    </message>
+    <message>
+        <source>its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)</source>
+        <translation>ihr Pixelformat kann nicht gelesen werden (%1 Bit belegt, %2 gespeichert, höchstes Bit %3)</translation>
+    </message>
+    <message>
+        <source>its pixels are coded as %1, which this version cannot read</source>
+        <translation>ihre Pixel sind als %1 kodiert, was diese Version nicht lesen kann</translation>
+    </message>
+    <message>
+        <source>its rescale slope or intercept is no usable number</source>
+        <translation>Steigung oder Achsenabschnitt ihrer HU-Umrechnung ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>its restart markers are out of order</source>
+        <translation>seine Neustartmarken sind nicht in der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>its samples are not the next ones</source>
+        <translation>seine Abtastungen sind nicht die nächsten</translation>
+    </message>
+    <message>
+        <source>its samples are there already</source>
+        <translation>seine Abtastungen sind schon da</translation>
+    </message>
+    <message>
+        <source>its sequences are nested more than %1 deep</source>
+        <translation>ihre Sequenzen sind tiefer als %1-mal verschachtelt</translation>
+    </message>
+    <message>
+        <source>its sums are none</source>
+        <translation>seine Summen sind keine</translation>
+    </message>
+    <message>
+        <source>its surroundings are of another size</source>
+        <translation>ihre Umgebung hat eine andere Größe</translation>
+    </message>
+    <message>
+        <source>its text is no UTF-8</source>
+        <translation>sein Text ist kein UTF-8</translation>
+    </message>
+    <message>
+        <source>its volume is of another size</source>
+        <translation>ihr Volumen hat eine andere Größe</translation>
+    </message>
+    <message>
+        <source>kroesMarch knows one event on a path, but the model is %1</source>
+        <translation>kroesMarch kennt ein Ereignis je Weg, aber das Modell ist %1</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>links</translation>
+    </message>
+    <message>
+        <source>less than 1 ml</source>
+        <translation>weniger als 1 ml</translation>
+    </message>
+    <message>
+        <source>light paths cut off at their last allowed event</source>
+        <translation>Lichtwege, die an ihrem letzten erlaubten Ereignis endeten</translation>
+    </message>
+    <message>
+        <source>lists and objects lie in one another deeper than %1</source>
+        <translation>Listen und Objekte liegen tiefer als %1 ineinander</translation>
     </message>
     <message>
         <source>lung</source>
@@ -2884,6 +4156,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schritte von 3 Voxeln</translation>
     </message>
     <message>
+        <source>mean kept in single precision: %1</source>
+        <translation>Mittelwert in einfacher Genauigkeit geführt: %1</translation>
+    </message>
+    <message>
+        <source>meetings with tissue above its bound</source>
+        <translation>Treffen auf Gewebe über seiner Schranke</translation>
+    </message>
+    <message>
         <source>metal</source>
         <translation>Metall</translation>
     </message>
@@ -2892,8 +4172,100 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>in diesem Körper ist Metall</translation>
     </message>
     <message>
+        <source>more than half of what is solid is thinner than 20 mm</source>
+        <translation>mehr als die Hälfte von allem Festen ist dünner als 20 mm</translation>
+    </message>
+    <message>
         <source>muscle</source>
         <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>must ascend from one to the next</source>
+        <translation>muss von einem zum nächsten steigen</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a list [ ... ]</source>
+        <translation>muss eine Liste [ ... ] sein</translation>
+    </message>
+    <message>
+        <source>must be a list of 1 to 64 panels</source>
+        <translation>muss eine Liste von 1 bis 64 Leuchtflächen sein</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes</source>
+        <translation>muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to 18446744073709551615</source>
+        <translation>muss eine ganze Zahl von 0 bis 18446744073709551615 sein</translation>
+    </message>
+    <message>
+        <source>must be an object { ... }</source>
+        <translation>muss ein Objekt { ... } sein</translation>
+    </message>
+    <message>
+        <source>must be one of: %1</source>
+        <translation>muss eines davon sein: %1</translation>
+    </message>
+    <message>
+        <source>must be three whole numbers [x, y, z]</source>
+        <translation>müssen drei ganze Zahlen [x, y, z] sein</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>must be two whole numbers [lowest, highest]</source>
+        <translation>müssen zwei ganze Zahlen [niedrigste, höchste] sein</translation>
+    </message>
+    <message>
+        <source>must begin with the lower value</source>
+        <translation>muss mit dem kleineren Wert beginnen</translation>
+    </message>
+    <message>
+        <source>must differ from eyeMm</source>
+        <translation>muss sich von eyeMm unterscheiden</translation>
+    </message>
+    <message>
+        <source>must have three points at least</source>
+        <translation>muss mindestens drei Punkte haben</translation>
+    </message>
+    <message>
+        <source>must lie above lowMm along every axis</source>
+        <translation>muss entlang jeder Achse über lowMm liegen</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>must not lie along the view</source>
+        <translation>darf nicht entlang der Blickrichtung liegen</translation>
+    </message>
+    <message>
+        <source>must not point along the normal</source>
+        <translation>darf nicht entlang der Normalen zeigen</translation>
+    </message>
+    <message>
+        <source>needs either a DICOM folder (dicom) or a raw file (raw)</source>
+        <translation>braucht entweder einen DICOM-Ordner (dicom) oder eine Rohdatei (raw)</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
     </message>
     <message>
         <source>no contrast was found in the blood</source>
@@ -2902,6 +4274,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>no geometry</source>
         <translation>keine Geometrie</translation>
+    </message>
+    <message>
+        <source>no image, but %1</source>
+        <translation>kein Bild, sondern %1</translation>
+    </message>
+    <message>
+        <source>no image, but another kind of object</source>
+        <translation>kein Bild, sondern ein anderes Objekt</translation>
     </message>
     <message>
         <source>no light was seen in the box</source>
@@ -2916,6 +4296,30 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>in diesem Körper ist kein Metall</translation>
     </message>
     <message>
+        <source>no reason given</source>
+        <translation>kein Grund genannt</translation>
+    </message>
+    <message>
+        <source>no series here can be loaded</source>
+        <translation>keine Serie hier kann geladen werden</translation>
+    </message>
+    <message>
+        <source>no series here can be loaded: %1</source>
+        <translation>keine Serie hier kann geladen werden: %1</translation>
+    </message>
+    <message>
+        <source>no such tile is asked for</source>
+        <translation>nach dieser Kachel ist nicht gefragt</translation>
+    </message>
+    <message>
+        <source>nobody can be listened to there: %1</source>
+        <translation>dort kann nicht auf andere gewartet werden: %1</translation>
+    </message>
+    <message>
+        <source>none of the %1 files is a DICOM image</source>
+        <translation>keine der %1 Dateien ist ein DICOM-Bild</translation>
+    </message>
+    <message>
         <source>not a CT volume</source>
         <translation>kein CT-Volumen</translation>
     </message>
@@ -2928,6 +4332,22 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>noch nicht bekannt</translation>
     </message>
     <message>
+        <source>not saved, because %1</source>
+        <translation>nicht gesichert, denn %1</translation>
+    </message>
+    <message>
+        <source>nothing can be peeled off</source>
+        <translation>nichts kann abgeschält werden</translation>
+    </message>
+    <message>
+        <source>nothing in the scan is as dense as bone</source>
+        <translation>nichts im Scan ist so dicht wie Knochen</translation>
+    </message>
+    <message>
+        <source>nothing is as thick as 20 mm</source>
+        <translation>nichts ist 20 mm dick</translation>
+    </message>
+    <message>
         <source>now, %1</source>
         <translation>jetzt, %1</translation>
     </message>
@@ -2936,8 +4356,48 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>an einem Bild von %1 × %2 Pixeln auf der CPU (%3)</translation>
     </message>
     <message>
+        <source>one of its code tables has more codes than there can be</source>
+        <translation>eine seiner Codetabellen hat mehr Codes, als es geben kann</translation>
+    </message>
+    <message>
+        <source>one of its code tables is cut off</source>
+        <translation>eine seiner Codetabellen ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>one of its quantisation tables is cut off</source>
+        <translation>eine seiner Quantisierungstabellen ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>one of its segments is longer than the picture</source>
+        <translation>eines seiner Segmente ist länger als das Bild</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>other machines are only talked to with certificates</source>
+        <translation>mit anderen Rechnern wird nur mit Zertifikaten gesprochen</translation>
+    </message>
+    <message>
+        <source>others on this machine may read or change this key</source>
+        <translation>andere auf diesem Rechner dürfen diesen Schlüssel lesen oder ändern</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>pixel spacing</source>
+        <translation>Pixelabstand</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>rays less exact than asked for</source>
+        <translation>Strahlen, die weniger genau sind als verlangt</translation>
     </message>
     <message>
         <source>results that never came: %1</source>
@@ -2948,8 +4408,24 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>rechts</translation>
     </message>
     <message>
+        <source>samples left out: infinitely bright</source>
+        <translation>Abtastungen weggelassen: unendlich hell</translation>
+    </message>
+    <message>
+        <source>samples left out: negative light</source>
+        <translation>Abtastungen weggelassen: negatives Licht</translation>
+    </message>
+    <message>
+        <source>samples left out: not a number</source>
+        <translation>Abtastungen weggelassen: keine Zahl</translation>
+    </message>
+    <message>
         <source>saved as %1</source>
         <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>says it holds %1 values and holds %2</source>
+        <translation>nennt %1 Werte und enthält %2</translation>
     </message>
     <message>
         <source>selected, %1</source>
@@ -2960,12 +4436,52 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ausgewählt, %1 HU: %2</translation>
     </message>
     <message>
+        <source>slice %1 cannot be written</source>
+        <translation>Schicht %1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>slices between the scan's own are a cubic's: a choice, and no error of the computing</source>
+        <translation>Schichten zwischen denen des Scans sind kubisch interpoliert: eine Wahl, kein Fehler des Rechnens</translation>
+    </message>
+    <message>
         <source>slices look in different directions</source>
         <translation>Schichten verschiedener Ausrichtung</translation>
     </message>
     <message>
         <source>slices of different size</source>
         <translation>Schichten verschiedener Größe</translation>
+    </message>
+    <message>
+        <source>something failed for an unknown reason</source>
+        <translation>etwas ist aus unbekanntem Grund fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>something failed unexpectedly: %1</source>
+        <translation>etwas ist unerwartet fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>something is missing in it</source>
+        <translation>etwas fehlt darin</translation>
+    </message>
+    <message>
+        <source>spacing or direction changes on the way; a pixel lies up to %1 mm from where the first slice would put it</source>
+        <translation>Abstand oder Richtung ändert sich unterwegs; ein Pixel liegt bis zu %1 mm von der Stelle, an die die erste Schicht es setzen würde</translation>
+    </message>
+    <message>
+        <source>such a message goes the other way</source>
+        <translation>eine solche Nachricht geht in die andere Richtung</translation>
+    </message>
+    <message>
+        <source>sums along rays: at most ±%1 levels</source>
+        <translation>Summen entlang von Strahlen: höchstens ±%1 Stufen</translation>
+    </message>
+    <message>
+        <source>sums of pixels that cannot be unpacked</source>
+        <translation>Summen von Pixeln, die nicht entpackt werden können</translation>
+    </message>
+    <message>
+        <source>sums of samples before the first one of a block</source>
+        <translation>Summen von Abtastungen vor der ersten eines Blocks</translation>
     </message>
     <message>
         <source>target</source>
@@ -2980,8 +4496,204 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der CPU</translation>
     </message>
     <message>
+        <source>the DICOM dictionary is not there, so no file can be read</source>
+        <translation>das DICOM-Verzeichnis der Elemente fehlt, so dass keine Datei gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>the GPU %1</source>
+        <translation>die GPU %1</translation>
+    </message>
+    <message>
+        <source>the GPU cannot be used (%1)</source>
+        <translation>die GPU kann nicht benutzt werden (%1)</translation>
+    </message>
+    <message>
+        <source>the GPU failed at %1 (%2)</source>
+        <translation>die GPU hat versagt bei: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>the GPU is too old for this program: it is of compute capability %1.%2, 7.5 or later is needed</source>
+        <translation>die GPU ist zu alt für dieses Programm: Sie hat Compute Capability %1.%2, 7.5 oder neuer ist nötig</translation>
+    </message>
+    <message>
+        <source>the axes of the volume are not at right angles</source>
+        <translation>die Achsen des Volumens stehen nicht im rechten Winkel</translation>
+    </message>
+    <message>
+        <source>the certificates cannot be written</source>
+        <translation>die Zertifikate können nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the compressed picture cannot be decoded</source>
+        <translation>das komprimierte Bild kann nicht dekodiert werden</translation>
+    </message>
+    <message>
+        <source>the compressed picture is damaged: %1</source>
+        <translation>das komprimierte Bild ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>the compressed picture is damaged: %1 of its pixels hold numbers that %2 bits cannot</source>
+        <translation>das komprimierte Bild ist beschädigt: %1 seiner Pixel enthalten Zahlen, für die %2 Bit nicht reichen</translation>
+    </message>
+    <message>
+        <source>the compressed picture is damaged: its decoder says "%1"</source>
+        <translation>das komprimierte Bild ist beschädigt: Sein Dekoder meldet „%1“</translation>
+    </message>
+    <message>
+        <source>the device takes samples for films of its own only</source>
+        <translation>das Gerät tastet nur für eigene Filme ab</translation>
+    </message>
+    <message>
+        <source>the driver is too old: it knows CUDA %1, %2 is needed</source>
+        <translation>der Treiber ist zu alt: Er kennt CUDA %1, gebraucht wird %2</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>die Datei kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the file cannot be read (%1)</source>
+        <translation>die Datei kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the file could not be read to its end</source>
+        <translation>die Datei konnte nicht bis zu ihrem Ende gelesen werden</translation>
+    </message>
+    <message>
+        <source>the file could not be written (%1)</source>
+        <translation>die Datei konnte nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>the file holds %1 bytes, %2 voxels of this type are %3</source>
+        <translation>die Datei enthält %1 Bytes, %2 Voxel dieses Typs sind %3</translation>
+    </message>
+    <message>
+        <source>the file is damaged: %1</source>
+        <translation>die Datei ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>the file is damaged: it cannot be parsed to its end</source>
+        <translation>die Datei ist beschädigt: Sie lässt sich nicht bis zu ihrem Ende lesen</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1</source>
+        <translation>die Datei ist größer als %1</translation>
+    </message>
+    <message>
+        <source>the file is no longer there</source>
+        <translation>die Datei ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>the files name %1 frames of reference; their positions are taken as one</source>
+        <translation>die Dateien nennen %1 Bezugssysteme; ihre Lagen werden als die eines einzigen genommen</translation>
+    </message>
+    <message>
+        <source>the files say that their values are in "%1"; they are taken as HU</source>
+        <translation>die Dateien nennen als Einheit ihrer Werte „%1“; sie werden als HU genommen</translation>
+    </message>
+    <message>
+        <source>the folder cannot be looked into (%1)</source>
+        <translation>in den Ordner kann nicht gesehen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made (%1)</source>
+        <translation>der Ordner kann nicht angelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read (%1)</source>
+        <translation>der Ordner kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the folder for your looks cannot be made</source>
+        <translation>der Ordner für Ihre Darstellungen kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>the folder is empty</source>
+        <translation>der Ordner ist leer</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>der Ordner ist nicht leer</translation>
+    </message>
+    <message>
+        <source>the link leads nowhere</source>
+        <translation>der Verweis führt ins Leere</translation>
+    </message>
+    <message>
+        <source>the lungs cannot be shown</source>
+        <translation>die Lungen können nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>the lungs cannot be told from the rest</source>
+        <translation>die Lungen sind nicht vom Übrigen zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>the measurements do not tell the parts of a frame's time apart</source>
+        <translation>die Messungen trennen die Teile der Zeit eines Bildes nicht</translation>
+    </message>
+    <message>
+        <source>the name says no format that pictures are saved in</source>
+        <translation>der Name nennt kein Format, in dem Bilder gesichert werden</translation>
+    </message>
+    <message>
+        <source>the other device cannot be used: %1</source>
+        <translation>das andere Gerät kann nicht benutzt werden: %1</translation>
+    </message>
+    <message>
+        <source>the other side sent what makes no sense: %1</source>
+        <translation>die andere Seite hat Unsinniges gesendet: %1</translation>
+    </message>
+    <message>
         <source>the patient</source>
         <translation>dem Patienten</translation>
+    </message>
+    <message>
+        <source>the picture cannot be read as OpenEXR (%1)</source>
+        <translation>das Bild kann nicht als OpenEXR gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded as OpenEXR (%1)</source>
+        <translation>das Bild konnte nicht als OpenEXR kodiert werden (%1)</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded as PNG</source>
+        <translation>das Bild konnte nicht als PNG kodiert werden</translation>
+    </message>
+    <message>
+        <source>the picture could not be made</source>
+        <translation>das Bild konnte nicht gemacht werden</translation>
+    </message>
+    <message>
+        <source>the picture has no channel %1</source>
+        <translation>das Bild hat keinen Kanal %1</translation>
+    </message>
+    <message>
+        <source>the picture holds fewer pixels than its header says</source>
+        <translation>das Bild enthält weniger Pixel, als sein Kopf sagt</translation>
+    </message>
+    <message>
+        <source>the picture is %1 x %2 pixels, at most %3 x %3 can be read</source>
+        <translation>das Bild hat %1 x %2 Pixel, höchstens %3 x %3 können gelesen werden</translation>
+    </message>
+    <message>
+        <source>the picture is black and lights nothing</source>
+        <translation>das Bild ist schwarz und beleuchtet nichts</translation>
+    </message>
+    <message>
+        <source>the picture is not complete</source>
+        <translation>das Bild ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>the picture of the surroundings is not complete</source>
+        <translation>das Bild der Umgebung ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>the picture was closed</source>
+        <translation>das Bild wurde geschlossen</translation>
     </message>
     <message>
         <source>the rest of the picture waits for the box</source>
@@ -2992,6 +4704,38 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Abtastungen kommen zuerst: %3 in %2, innerhalb ±%1</translation>
     </message>
     <message>
+        <source>the scene that was ordered cannot be rendered: %1</source>
+        <translation>die bestellte Szene kann nicht gerechnet werden: %1</translation>
+    </message>
+    <message>
+        <source>the series before is still held in memory</source>
+        <translation>die vorige Serie liegt noch im Speicher</translation>
+    </message>
+    <message>
+        <source>the slices differ in size: %1</source>
+        <translation>die Schichten sind verschieden groß: %1</translation>
+    </message>
+    <message>
+        <source>the slices drift sideways by %1 mm for each %2 mm of height (gantry tilt of %3 degrees), from %4 to %5</source>
+        <translation>die Schichten rücken um %1 mm je %2 mm Höhe zur Seite (Gantry um %3 Grad gekippt), von %4 bis %5</translation>
+    </message>
+    <message>
+        <source>the symbolic links here lead in a circle</source>
+        <translation>die symbolischen Verweise hier führen im Kreis</translation>
+    </message>
+    <message>
+        <source>the system has no thread or no memory left for this</source>
+        <translation>das System hat dafür keinen Thread oder keinen Speicher mehr</translation>
+    </message>
+    <message>
+        <source>the text %1 has more than %2 values</source>
+        <translation>der Text %1 hat mehr als %2 Werte</translation>
+    </message>
+    <message>
+        <source>the text %1 is longer than %2 kB</source>
+        <translation>der Text %1 ist länger als %2 kB</translation>
+    </message>
+    <message>
         <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
         <translation>die Zeit kommt zuerst: in %2, innerhalb ±%1 und mit %3 Abtastungen</translation>
     </message>
@@ -3000,20 +4744,120 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Ansicht</translation>
     </message>
     <message>
+        <source>the volume does not fit into its memory: %1 are needed, %2 are free</source>
+        <translation>das Volumen passt nicht in seinen Speicher: %1 werden gebraucht, %2 sind frei</translation>
+    </message>
+    <message>
+        <source>the volume is too large for fast filtering: it has %1 voxels, textures may have %2</source>
+        <translation>das Volumen ist zu groß für schnelles Filtern: Es hat %1 Voxel, Texturen dürfen %2 haben</translation>
+    </message>
+    <message>
+        <source>the volume needs %1 of memory, and %2 are free</source>
+        <translation>das Volumen braucht %1 Speicher, und %2 sind frei</translation>
+    </message>
+    <message>
+        <source>the volume needs %1 of memory, which could not be had</source>
+        <translation>das Volumen braucht %1 Speicher, der nicht zu bekommen war</translation>
+    </message>
+    <message>
         <source>the whole picture, which waits for the box: 95 % of the tissue within ±%1</source>
         <translation>das ganze Bild, das auf den Rahmen wartet: 95 % des Gewebes innerhalb ±%1</translation>
+    </message>
+    <message>
+        <source>there are %1 nodes, at most %2 are taken</source>
+        <translation>es sind %1 Stützstellen, höchstens %2 werden genommen</translation>
+    </message>
+    <message>
+        <source>there are certificates already</source>
+        <translation>es gibt schon Zertifikate</translation>
+    </message>
+    <message>
+        <source>there is a stray delimiter %1</source>
+        <translation>ein Endezeichen %1 steht, wo keines hingehört</translation>
     </message>
     <message>
         <source>there is contrast in the blood</source>
         <translation>im Blut ist Kontrastmittel</translation>
     </message>
     <message>
+        <source>there is no GPU of NVIDIA's</source>
+        <translation>es gibt keine GPU von NVIDIA</translation>
+    </message>
+    <message>
+        <source>there is no air of 150 ml in the body that looks like a lung</source>
+        <translation>im Körper ist keine Luft von 150 ml, die nach einer Lunge aussieht</translation>
+    </message>
+    <message>
+        <source>there is no connection: %1</source>
+        <translation>es gibt keine Verbindung: %1</translation>
+    </message>
+    <message>
+        <source>there is no driver for a GPU of NVIDIA's</source>
+        <translation>es gibt keinen Treiber für eine GPU von NVIDIA</translation>
+    </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>es gibt kein Bild</translation>
+    </message>
+    <message>
+        <source>there is no scene on the device</source>
+        <translation>auf dem Gerät ist keine Szene</translation>
+    </message>
+    <message>
+        <source>there is no series %1 here</source>
+        <translation>die Serie %1 gibt es hier nicht</translation>
+    </message>
+    <message>
+        <source>there is no such GPU</source>
+        <translation>diese GPU gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such device</source>
+        <translation>dieses Gerät gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such port</source>
+        <translation>diesen Port gibt es nicht</translation>
+    </message>
+    <message>
         <source>there is no tissue in the box</source>
         <translation>im Rahmen ist kein Gewebe</translation>
     </message>
     <message>
+        <source>there is not enough memory</source>
+        <translation>es ist nicht genug Speicher da</translation>
+    </message>
+    <message>
+        <source>there is not enough memory %1</source>
+        <translation>es ist nicht genug Speicher da %1</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to look for it</source>
+        <translation>es ist nicht genug Speicher da, um danach zu suchen</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to read its header</source>
+        <translation>es ist nicht genug Speicher da, um ihren Kopf zu lesen</translation>
+    </message>
+    <message>
+        <source>there is something behind its map</source>
+        <translation>hinter ihrer Tabelle steht noch etwas</translation>
+    </message>
+    <message>
+        <source>there is too little memory</source>
+        <translation>es ist zu wenig Speicher da</translation>
+    </message>
+    <message>
         <source>there is too little tissue at that place</source>
         <translation>An dieser Stelle ist zu wenig Gewebe</translation>
+    </message>
+    <message>
+        <source>these certificates do not belong together</source>
+        <translation>diese Zertifikate gehören nicht zusammen</translation>
     </message>
     <message>
         <source>this body is no wider than a head</source>
@@ -3024,12 +4868,124 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>dieser Körper ist breiter als ein Kopf</translation>
     </message>
     <message>
+        <source>this certificate does not hold yet</source>
+        <translation>dieses Zertifikat gilt noch nicht</translation>
+    </message>
+    <message>
+        <source>this certificate holds no longer</source>
+        <translation>dieses Zertifikat gilt nicht mehr</translation>
+    </message>
+    <message>
+        <source>this file belongs to another user, and in this folder only they may replace it</source>
+        <translation>diese Datei gehört jemand anderem, und in diesem Ordner darf nur er sie ersetzen</translation>
+    </message>
+    <message>
+        <source>this file may not be written</source>
+        <translation>diese Datei darf nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>this is a file, not a folder</source>
+        <translation>das ist eine Datei, kein Ordner</translation>
+    </message>
+    <message>
+        <source>this is a folder, a file name is needed</source>
+        <translation>dies ist ein Ordner, ein Dateiname ist nötig</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file</source>
+        <translation>das ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>this is no DICOM image</source>
+        <translation>das ist kein DICOM-Bild</translation>
+    </message>
+    <message>
+        <source>this is no address</source>
+        <translation>das ist keine Adresse</translation>
+    </message>
+    <message>
+        <source>this is no certificate</source>
+        <translation>das ist kein Zertifikat</translation>
+    </message>
+    <message>
+        <source>this is no key</source>
+        <translation>das ist kein Schlüssel</translation>
+    </message>
+    <message>
+        <source>this is no plain file</source>
+        <translation>dies ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>this is not the certificate of a %1</source>
+        <translation>das ist nicht das Zertifikat eines %1</translation>
+    </message>
+    <message>
+        <source>this is one piece of a stack whose other piece lies on another grid (%1): %2 and so on here, %3 and so on there</source>
+        <translation>dies ist ein Stück eines Stapels, dessen anderes Stück auf einem anderen Gitter liegt (%1): %2 und folgende hier, %3 und folgende dort</translation>
+    </message>
+    <message>
+        <source>this key is encrypted, and nobody is there to ask for its password</source>
+        <translation>dieser Schlüssel ist verschlüsselt, und niemand kann nach dem Kennwort gefragt werden</translation>
+    </message>
+    <message>
+        <source>this look cannot be deleted: %1</source>
+        <translation>diese Darstellung kann nicht gelöscht werden: %1</translation>
+    </message>
+    <message>
+        <source>this look cannot be written: %1</source>
+        <translation>diese Darstellung kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>this name is too long</source>
+        <translation>dieser Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>this program listens at IP addresses, not at names</source>
+        <translation>dieses Programm wartet an IP-Adressen, nicht an Namen</translation>
+    </message>
+    <message>
+        <source>this program was built without CUDA</source>
+        <translation>dieses Programm wurde ohne CUDA gebaut</translation>
+    </message>
+    <message>
+        <source>this render node is named already</source>
+        <translation>dieser Render-Rechner ist schon genannt</translation>
+    </message>
+    <message>
+        <source>this scene cannot be sent to render nodes: they would read another one</source>
+        <translation>diese Szene kann nicht an Render-Rechner gesendet werden: Sie läsen eine andere</translation>
+    </message>
+    <message>
         <source>tilted stack</source>
         <translation>gekippter Stapel</translation>
     </message>
     <message>
+        <source>to decode it</source>
+        <translation>um sie zu dekodieren</translation>
+    </message>
+    <message>
+        <source>to tell parts of the body apart</source>
+        <translation>um Teile des Körpers zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>too few measurements: %1 sizes with %2 numbers of iterations</source>
+        <translation>zu wenige Messungen: %1 Größen mit %2 Anzahlen von Durchgängen</translation>
+    </message>
+    <message>
         <source>two slices at one place</source>
         <translation>zwei Schichten an einer Stelle</translation>
+    </message>
+    <message>
+        <source>voxel %1 holds %2, Hounsfield units end at 32767 and begin at -32768</source>
+        <translation>Voxel %1 enthält %2, HU reichen von -32768 bis 32767</translation>
+    </message>
+    <message>
+        <source>voxels lie %1 mm apart, must be from %2 to %3</source>
+        <translation>Voxel liegen %1 mm auseinander, erlaubt ist %2 bis %3</translation>
+    </message>
+    <message>
+        <source>voxels lie more than 5 mm apart</source>
+        <translation>Voxel liegen mehr als 5 mm auseinander</translation>
     </message>
     <message>
         <source>water</source>
@@ -3038,6 +4994,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>which of them comes first is not known yet</source>
         <translation>was davon zuerst kommt, ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>without certificates only this machine itself may be dialled</source>
+        <translation>ohne Zertifikate darf nur dieser Rechner selbst angewählt werden</translation>
     </message>
     <message>
         <source>writing the picture</source>
@@ -3082,50 +5042,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>±%1 since %2 of rendering</source>
         <translation>±%1 seit %2 Rechenzeit</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Einzelheiten</translation>
-    </message>
-    <message>
-        <source>All of the message</source>
-        <translation>Die ganze Meldung</translation>
-    </message>
-    <message>
-        <source>Shows all of the message</source>
-        <translation>Zeigt die ganze Meldung</translation>
-    </message>
-    <message>
-        <source>Render at the window's si&amp;ze</source>
-        <translation>In &amp;Größe des Fensters rendern</translation>
-    </message>
-    <message>
-        <source>Begins the image anew with as many pixels as it is shown with; the next edit does so as well.</source>
-        <translation>Beginnt das Bild neu mit so vielen Pixeln, wie es gezeigt wird; die nächste Änderung tut es ebenso.</translation>
-    </message>
-    <message>
-        <source>Rendering rests on battery: Space goes on</source>
-        <translation>Im Akkubetrieb ruht das Rendern: Leertaste setzt fort</translation>
-    </message>
-    <message>
-        <source>Only the first of the folders that were dropped is opened.</source>
-        <translation>Nur der erste der abgelegten Ordner wird geöffnet.</translation>
-    </message>
-    <message>
-        <source>Right click</source>
-        <translation>Rechter Klick</translation>
-    </message>
-    <message>
-        <source>What one does most</source>
-        <translation>Was man am häufigsten tut</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Pos1</translation>
-    </message>
-    <message>
-        <source>Reset the view</source>
-        <translation>Ansicht zurücksetzen</translation>
     </message>
 </context>
 </TS>

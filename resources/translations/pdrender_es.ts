@@ -4,10 +4,6 @@
 <context>
     <name>PD-Render</name>
     <message>
-        <source> (changed)</source>
-        <translation> (modificado)</translation>
-    </message>
-    <message>
         <source> /mm</source>
         <translation> /mm</translation>
     </message>
@@ -48,8 +44,20 @@
         <translation>«%1» no es un puerto: los puertos son números del 1 al 65535.</translation>
     </message>
     <message>
+        <source>"pdrender-cli info FOLDER" lists all of them.</source>
+        <translation>«pdrender-cli info CARPETA» las muestra todas.</translation>
+    </message>
+    <message>
+        <source>"pdrender-cli info FOLDER" lists those that there are.</source>
+        <translation>«pdrender-cli info CARPETA» muestra las que hay.</translation>
+    </message>
+    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 % bright (%2 to %3)</source>
+        <translation>%1 % de brillo (%2 a %3)</translation>
     </message>
     <message>
         <source>%1 % of the picture's samples</source>
@@ -60,12 +68,24 @@
         <translation>%1 % de los vóxeles están por debajo</translation>
     </message>
     <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (modificado)</translation>
+    </message>
+    <message>
         <source>%1 (the picture changes by %2 levels on average, 95 % of it by less than %3</source>
         <translation>%1 (la imagen cambia %2 niveles de media, el 95 % de ella menos de %3</translation>
     </message>
     <message>
         <source>%1 (the rest is not yet removed)</source>
         <translation>%1 (el resto aún no se ha quitado)</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
     </message>
     <message>
         <source>%1 HU: %2</source>
@@ -82,6 +102,26 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 UH: %2 %3</translation>
     </message>
     <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are %3 mm apart, the others %4 mm</source>
+        <translation>%1 y %2 están a %3 mm, los demás a %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie at the same height along the normal (%3 mm) but differ</source>
+        <translation>%1 y %2 están a la misma altura a lo largo de la normal (%3 mm), pero son distintos</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie on different grids (%3 mm at a corner)</source>
+        <translation>%1 y %2 están en rejillas distintas (%3 mm en una esquina)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 look in different directions</source>
+        <translation>%1 y %2 tienen orientaciones distintas</translation>
+    </message>
+    <message>
         <source>%1 belongs to "%2". Give that another key first.</source>
         <translation>%1 pertenece a «%2». Asigne primero otra tecla a esa acción.</translation>
     </message>
@@ -90,16 +130,52 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 no se puede asignar: mueve la vista o el foco del teclado.</translation>
     </message>
     <message>
+        <source>%1 cannot make this picture: %2</source>
+        <translation>%1 no puede calcular esta imagen: %2</translation>
+    </message>
+    <message>
+        <source>%1 copies of slices left out (%2)</source>
+        <translation>%1 copias de cortes omitidas (%2)</translation>
+    </message>
+    <message>
+        <source>%1 damaged files of this series left out (%2)</source>
+        <translation>%1 archivos dañados de esta serie omitidos (%2)</translation>
+    </message>
+    <message>
         <source>%1 damaged files were left out</source>
         <translation>Se omitieron %1 archivos dañados</translation>
+    </message>
+    <message>
+        <source>%1 does not say its %2</source>
+        <translation>%1 no indica: %2</translation>
     </message>
     <message>
         <source>%1 drawn</source>
         <translation>%1 a mano</translation>
     </message>
     <message>
+        <source>%1 files (%2 ...)</source>
+        <translation>%1 archivos (%2 ...)</translation>
+    </message>
+    <message>
+        <source>%1 files could not be read, and slices of this series may be missing (%2)</source>
+        <translation>%1 archivos no se pudieron leer y pueden faltar cortes de esta serie (%2)</translation>
+    </message>
+    <message>
+        <source>%1 free paths between voxels, above %2 multiple scattering comes out wrong</source>
+        <translation>%1 recorridos libres entre vóxeles; por encima de %2 la dispersión múltiple sale mal</translation>
+    </message>
+    <message>
         <source>%1 h</source>
         <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 has %2, %3 has %4</source>
+        <translation>%1 tiene %2, %3 tiene %4</translation>
+    </message>
+    <message>
+        <source>%1 here, %2 there</source>
+        <translation>%1 aquí, %2 allí</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -114,6 +190,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 ya está en la lista.</translation>
     </message>
     <message>
+        <source>%1 is one slice; a volume needs at least two</source>
+        <translation>%1 es un corte; un volumen necesita al menos dos</translation>
+    </message>
+    <message>
         <source>%1 iterations per frame on %2</source>
         <translation>%1 iteraciones por imagen en %2</translation>
     </message>
@@ -126,16 +206,36 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 se unió</translation>
     </message>
     <message>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
+    </message>
+    <message>
         <source>%1 leaves</source>
         <translation>%1 se despide</translation>
+    </message>
+    <message>
+        <source>%1 lies %2 mm from where slices every %3 mm would put it</source>
+        <translation>%1 está a %2 mm de donde lo pondrían cortes cada %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 lies %2 mm sideways of the straight line from %3 to %4</source>
+        <translation>%1 está a %2 mm al lado de la línea recta de %3 a %4</translation>
     </message>
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
     <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm apart at a corner</source>
+        <translation>%1 mm de diferencia en una esquina</translation>
     </message>
     <message>
         <source>%1 mm at the centre's depth</source>
@@ -150,6 +250,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 equipos de render calculan otros bits que este equipo y no participan</translation>
     </message>
     <message>
+        <source>%1 of it touched the skin: check the edge.</source>
+        <translation>%1 de ello tocaban la piel: revise el borde.</translation>
+    </message>
+    <message>
         <source>%1 of the curve</source>
         <translation>%1 de la curva</translation>
     </message>
@@ -162,6 +266,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 sobre unidades Hounsfield</translation>
     </message>
     <message>
+        <source>%1 pixels stretched to %2</source>
+        <translation>%1 píxeles, estirados a %2</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -170,12 +278,48 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 muestras</translation>
     </message>
     <message>
+        <source>%1 separate parts are kept.</source>
+        <translation>Se conservan %1 partes separadas.</translation>
+    </message>
+    <message>
+        <source>%1 slices may be missing: the files are numbered up to %2, and number %3 and others are not there</source>
+        <translation>pueden faltar %1 cortes: los archivos están numerados hasta %2, y faltan el número %3 y otros</translation>
+    </message>
+    <message>
+        <source>%1 slices of this series on another grid listed apart</source>
+        <translation>%1 cortes de esta serie en otra rejilla se listan aparte</translation>
+    </message>
+    <message>
+        <source>%1 slices state no rescale; stored values are taken as HU</source>
+        <translation>%1 cortes no indican reescalado; los valores guardados se toman como HU</translation>
+    </message>
+    <message>
+        <source>%1 slices were compressed with loss (%2): the HU are not those that were measured</source>
+        <translation>%1 cortes se comprimieron con pérdida (%2): los HU no son los medidos</translation>
+    </message>
+    <message>
+        <source>%1 states a pixel spacing of %2 mm x %3 mm</source>
+        <translation>%1 indica un espaciado de píxel de %2 mm x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 states an orientation that is no pair of perpendicular directions</source>
+        <translation>%1 indica una orientación que no es un par de direcciones perpendiculares</translation>
+    </message>
+    <message>
+        <source>%1 stopped answering: %2</source>
+        <translation>%1 dejó de responder: %2</translation>
+    </message>
+    <message>
         <source>%1 thin line hidden by denoising: E shows where</source>
         <translation>%1 línea fina oculta al eliminar el ruido: E muestra dónde</translation>
     </message>
     <message>
         <source>%1 thin lines hidden by denoising: E shows where</source>
         <translation>%1 líneas finas ocultas al eliminar el ruido: E muestra dónde</translation>
+    </message>
+    <message>
+        <source>%1 voxels lie beyond what 16 bits hold and were put at their end (-32768 or 32767 HU)</source>
+        <translation>%1 vóxeles están más allá de lo que cabe en 16 bits y se pusieron en su extremo (-32768 o 32767 HU)</translation>
     </message>
     <message>
         <source>%1 waits for the scan</source>
@@ -198,6 +342,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 se quitó</translation>
     </message>
     <message>
+        <source>%1 x %2 pixels</source>
+        <translation>%1 x %2 píxeles</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels of %3 mm x %4 mm</source>
+        <translation>%1 x %2 píxeles de %3 mm x %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3</source>
+        <translation>%1 x %2 x %3</translation>
+    </message>
+    <message>
         <source>%1 · all that is on is called for</source>
         <translation>%1 · todo lo activado es necesario</translation>
     </message>
@@ -210,20 +366,52 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 · ±%2 tardó %3 la última vez</translation>
     </message>
     <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
         <source>%1 × %2 pixels stretched to %3 × %4</source>
         <translation>%1 × %2 píxeles ampliados a %3 × %4</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>%1, %2 iterations/s, %3</source>
         <translation>%1, %2 iteraciones/s, %3</translation>
     </message>
     <message>
+        <source>%1, %2:1</source>
+        <translation>%1, %2:1</translation>
+    </message>
+    <message>
+        <source>%1, 95 % of the tissue within ±%2 levels (%3 to %4)</source>
+        <translation>%1, 95 % del tejido dentro de ±%2 niveles (%3 a %4)</translation>
+    </message>
+    <message>
+        <source>%1, 95 % of the tissue within ±%2 levels at most, by now not told from none</source>
+        <translation>%1, 95 % del tejido dentro de ±%2 niveles como máximo, por ahora indistinguible de ninguno</translation>
+    </message>
+    <message>
+        <source>%1, because %2</source>
+        <translation>%1, porque %2</translation>
+    </message>
+    <message>
         <source>%1, before smoothing</source>
         <translation>%1, antes de suavizar</translation>
     </message>
     <message>
+        <source>%1, not CT</source>
+        <translation>%1, no TC</translation>
+    </message>
+    <message>
         <source>%1, tilted by %2°</source>
         <translation>%1, inclinado %2°</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -236,6 +424,22 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1: %2 from the middle</source>
         <translation>%1: a %2 del centro</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1; %2 heights are taken twice</source>
+        <translation>%1; %2 alturas están ocupadas dos veces</translation>
+    </message>
+    <message>
+        <source>%1; besides, %2</source>
+        <translation>%1; además, %2</translation>
+    </message>
+    <message>
+        <source>%1; measured: %2</source>
+        <translation>%1; medido: %2</translation>
     </message>
     <message>
         <source>%1° from above</source>
@@ -262,20 +466,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Todas las predeterminadas</translation>
     </message>
     <message>
-        <source>Apert&amp;ure</source>
-        <translation>Apert&amp;ura</translation>
-    </message>
-    <message>
         <source>&amp;Box first</source>
         <translation>Re&amp;cuadro primero</translation>
     </message>
     <message>
         <source>&amp;Brightness</source>
         <translation>&amp;Brillo</translation>
-    </message>
-    <message>
-        <source>Camer&amp;a...</source>
-        <translation>Cáma&amp;ra...</translation>
     </message>
     <message>
         <source>&amp;Colours of the window</source>
@@ -326,16 +522,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Archivo</translation>
     </message>
     <message>
-        <source>Focus o&amp;n...</source>
-        <translation>En&amp;focar...</translation>
-    </message>
-    <message>
         <source>&amp;Forget these folders</source>
         <translation>&amp;Olvidar estas carpetas</translation>
-    </message>
-    <message>
-        <source>Frame &amp;rate</source>
-        <translation>&amp;Imágenes por segundo</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
@@ -430,10 +618,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Mesa y soporte</translation>
     </message>
     <message>
-        <source>Thi&amp;s tissue...</source>
-        <translation>Este teji&amp;do...</translation>
-    </message>
-    <message>
         <source>&amp;Tissue...</source>
         <translation>&amp;Tejido...</translation>
     </message>
@@ -462,8 +646,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>/mm</translation>
     </message>
     <message>
+        <source>1 copy of a slice left out (%2)</source>
+        <translation>1 copia de un corte omitida (%2)</translation>
+    </message>
+    <message>
+        <source>1 damaged file of this series left out (%2)</source>
+        <translation>1 archivo dañado de esta serie omitido (%2)</translation>
+    </message>
+    <message>
         <source>1 damaged file was left out</source>
         <translation>Se omitió 1 archivo dañado</translation>
+    </message>
+    <message>
+        <source>1 file could not be read, and slices of this series may be missing (%2)</source>
+        <translation>1 archivo no se pudo leer y pueden faltar cortes de esta serie (%2)</translation>
     </message>
     <message>
         <source>1 iteration per frame on %1</source>
@@ -476,6 +672,26 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>1 sample</source>
         <translation>1 muestra</translation>
+    </message>
+    <message>
+        <source>1 slice may be missing: the files are numbered up to %2, and number %3 is not there</source>
+        <translation>puede faltar 1 corte: los archivos están numerados hasta %2, y falta el número %3</translation>
+    </message>
+    <message>
+        <source>1 slice of this series on another grid listed apart</source>
+        <translation>1 corte de esta serie en otra rejilla se lista aparte</translation>
+    </message>
+    <message>
+        <source>1 slice states no rescale; stored values are taken as HU</source>
+        <translation>1 corte no indica reescalado; los valores guardados se toman como HU</translation>
+    </message>
+    <message>
+        <source>1 slice was compressed with loss (%2): the HU are not those that were measured</source>
+        <translation>1 corte se comprimió con pérdida (%2): los HU no son los medidos</translation>
+    </message>
+    <message>
+        <source>1 voxel lies beyond what 16 bits hold and was put at their end (-32768 or 32767 HU)</source>
+        <translation>1 vóxel está más allá de lo que cabe en 16 bits y se puso en su extremo (-32768 o 32767 HU)</translation>
     </message>
     <message>
         <source>1/√t</source>
@@ -622,6 +838,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Todos los equipos de render calculan los mismos bits que este equipo</translation>
     </message>
     <message>
+        <source>All of the message</source>
+        <translation>Todo el mensaje</translation>
+    </message>
+    <message>
         <source>All panels in numbers</source>
         <translation>Todos los paneles en números</translation>
     </message>
@@ -654,6 +874,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Otro</translation>
     </message>
     <message>
+        <source>Apert&amp;ure</source>
+        <translation>Apert&amp;ura</translation>
+    </message>
+    <message>
         <source>Aperture</source>
         <translation>Apertura</translation>
     </message>
@@ -678,6 +902,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Como el &amp;sistema</translation>
     </message>
     <message>
+        <source>Ask its owner for permission to read.</source>
+        <translation>Pida permiso de lectura a su propietario.</translation>
+    </message>
+    <message>
         <source>Automatic</source>
         <translation>Automático</translation>
     </message>
@@ -700,6 +928,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Background</source>
         <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Begins the image anew with as many pixels as it is shown with; the next edit does so as well.</source>
+        <translation>Empieza la imagen de nuevo con tantos píxeles como se muestran; el próximo cambio también lo hace.</translation>
     </message>
     <message>
         <source>Bell</source>
@@ -742,6 +974,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Solo huesos</translation>
     </message>
     <message>
+        <source>Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with them.</source>
+        <translation>No se muestran los huesos ni lo que está a menos de 2 mm de ellos; con ellos pueden faltar vasos densos.</translation>
+    </message>
+    <message>
+        <source>Both programs should be of the same release.</source>
+        <translation>Ambos programas deben ser de la misma versión.</translation>
+    </message>
+    <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
         <translation>Más claro hacia la derecha. Cambia lo que se muestra, no lo que se calcula.</translation>
     </message>
@@ -766,6 +1006,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Serie de TC %1</translation>
     </message>
     <message>
+        <source>Camer&amp;a...</source>
+        <translation>Cáma&amp;ra...</translation>
+    </message>
+    <message>
         <source>Camera</source>
         <translation>Cámara</translation>
     </message>
@@ -786,20 +1030,176 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Certificados...</translation>
     </message>
     <message>
+        <source>Change its permissions, or choose another name.</source>
+        <translation>Cambie sus permisos o elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Change that.</source>
+        <translation>Cambie eso.</translation>
+    </message>
+    <message>
+        <source>Change the view or the look first.</source>
+        <translation>Cambie antes la vista o el aspecto.</translation>
+    </message>
+    <message>
+        <source>Check its permissions.</source>
+        <translation>Compruebe sus permisos.</translation>
+    </message>
+    <message>
+        <source>Check size and type.</source>
+        <translation>Compruebe el tamaño y el tipo.</translation>
+    </message>
+    <message>
+        <source>Check that you may read it.</source>
+        <translation>Compruebe que puede leerlo.</translation>
+    </message>
+    <message>
+        <source>Check the disk that it lies on.</source>
+        <translation>Compruebe el disco en el que está.</translation>
+    </message>
+    <message>
+        <source>Check the file.</source>
+        <translation>Compruebe el archivo.</translation>
+    </message>
+    <message>
+        <source>Check the path.</source>
+        <translation>Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <source>Check the spelling.</source>
+        <translation>Compruebe cómo está escrito.</translation>
+    </message>
+    <message>
+        <source>Check the type, and that the file is little endian.</source>
+        <translation>Compruebe el tipo y que el archivo sea little endian.</translation>
+    </message>
+    <message>
+        <source>Check the unit: it is millimetres.</source>
+        <translation>Compruebe la unidad: son milímetros.</translation>
+    </message>
+    <message>
+        <source>Check this machine's clock.</source>
+        <translation>Compruebe el reloj de este equipo.</translation>
+    </message>
+    <message>
         <source>Chest</source>
         <translation>Tórax</translation>
+    </message>
+    <message>
+        <source>Choose a folder of your own.</source>
+        <translation>Elija una carpeta propia.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that you may write to.</source>
+        <translation>Elija una carpeta en la que pueda escribir.</translation>
+    </message>
+    <message>
+        <source>Choose a name that ends in .png or .exr.</source>
+        <translation>Elija un nombre que termine en .png o .exr.</translation>
     </message>
     <message>
         <source>Choose a series from the list on the left.</source>
         <translation>Elija una serie de la lista de la izquierda.</translation>
     </message>
     <message>
+        <source>Choose a shorter name.</source>
+        <translation>Elija un nombre más corto.</translation>
+    </message>
+    <message>
+        <source>Choose a smaller size.</source>
+        <translation>Elija un tamaño menor.</translation>
+    </message>
+    <message>
         <source>Choose an action, click below, and press its new key.</source>
         <translation>Elija una acción, haga clic abajo y pulse su nueva tecla.</translation>
     </message>
     <message>
+        <source>Choose an empty or a new folder.</source>
+        <translation>Elija una carpeta vacía o nueva.</translation>
+    </message>
+    <message>
+        <source>Choose another device; this one cannot be trusted.</source>
+        <translation>Elija otro dispositivo; este no es de fiar.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or delete this one first: nodes that have the old ones are strangers then.</source>
+        <translation>Elija otra carpeta o borre antes esta: los equipos de render que tengan los antiguos serán entonces extraños.</translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
+        <translation>Elija otra carpeta.</translation>
+    </message>
+    <message>
+        <source>Choose another name, or one within it.</source>
+        <translation>Elija otro nombre, o uno dentro de ella.</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Choose another one.</source>
+        <translation>Elija otra.</translation>
+    </message>
+    <message>
+        <source>Choose another picture.</source>
+        <translation>Elija otra imagen.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Elija otro lugar.</translation>
+    </message>
+    <message>
+        <source>Choose another port.</source>
+        <translation>Elija otro puerto.</translation>
+    </message>
+    <message>
+        <source>Choose another series.</source>
+        <translation>Elija otra serie.</translation>
+    </message>
+    <message>
+        <source>Choose auto, cpu, cuda or cuda:1.</source>
+        <translation>Elija auto, cpu, cuda o cuda:1.</translation>
+    </message>
+    <message>
+        <source>Choose exact filtering, which needs less, import a part of the series, close programs that use the device, or render on the CPU.</source>
+        <translation>Elija el filtrado exacto, que necesita menos, importe una parte de la serie, cierre programas que usen el dispositivo o calcule en la CPU.</translation>
+    </message>
+    <message>
+        <source>Choose exact filtering.</source>
+        <translation>Elija el filtrado exacto.</translation>
+    </message>
+    <message>
         <source>Choose the colour of the selected stop</source>
         <translation>Elegir el color de la marca elegida</translation>
+    </message>
+    <message>
+        <source>Choose the schedule of PD-Render.</source>
+        <translation>Elija el orden de trabajo de PD-Render.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or import fewer slices.</source>
+        <translation>Cierre otros programas o importe menos cortes.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or raise the limit of open files (ulimit -n).</source>
+        <translation>Cierre otros programas o aumente el límite de archivos abiertos (ulimit -n).</translation>
+    </message>
+    <message>
+        <source>Close other programs, or show everything.</source>
+        <translation>Cierre otros programas o muéstrelo todo.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or take a smaller volume.</source>
+        <translation>Cierre otros programas o use un volumen menor.</translation>
+    </message>
+    <message>
+        <source>Close other programs, then try again.</source>
+        <translation>Cierre otros programas y vuelva a intentarlo.</translation>
+    </message>
+    <message>
+        <source>Close other programs.</source>
+        <translation>Cierre otros programas.</translation>
     </message>
     <message>
         <source>Close the message</source>
@@ -850,8 +1250,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Copia la imagen al portapapeles, con su leyenda y sin nombre.</translation>
     </message>
     <message>
+        <source>Copy the file again from its source.</source>
+        <translation>Copie de nuevo el archivo desde su origen.</translation>
+    </message>
+    <message>
         <source>Coronal</source>
         <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Create the folder first, or choose another place.</source>
+        <translation>Cree antes la carpeta o elija otro lugar.</translation>
     </message>
     <message>
         <source>Ctrl+click on the picture</source>
@@ -924,6 +1332,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Depth is not shown: what lies behind one another adds up.</source>
         <translation>No se ve la profundidad: lo que está uno tras otro se suma.</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detalles</translation>
     </message>
     <message>
         <source>Device</source>
@@ -1050,6 +1462,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>esquema %1 de Exposure Render</translation>
     </message>
     <message>
+        <source>Exposure Render's schedule takes whole pictures only</source>
+        <translation>el orden de trabajo de Exposure Render solo admite imágenes enteras</translation>
+    </message>
+    <message>
         <source>Exposure Render, K0</source>
         <translation>Exposure Render, K0</translation>
     </message>
@@ -1094,6 +1510,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Fluoroscopia</translation>
     </message>
     <message>
+        <source>Focus o&amp;n...</source>
+        <translation>En&amp;focar...</translation>
+    </message>
+    <message>
         <source>Focus on what is clicked</source>
         <translation>Enfocar donde se haga clic</translation>
     </message>
@@ -1120,6 +1540,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>For the picture that is being saved. %1</source>
         <translation>Para la imagen que se está guardando. %1</translation>
+    </message>
+    <message>
+        <source>Frame &amp;rate</source>
+        <translation>&amp;Imágenes por segundo</translation>
     </message>
     <message>
         <source>Frame rate</source>
@@ -1180,6 +1604,38 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Front</source>
         <translation>Delante</translation>
+    </message>
+    <message>
+        <source>Give HOST or HOST:PORT, with an IPv6 address in brackets: [::1]:4743.</source>
+        <translation>Indique HOST o HOST:PUERTO, con una dirección IPv6 entre corchetes: [::1]:4743.</translation>
+    </message>
+    <message>
+        <source>Give a file, no pipe and no device.</source>
+        <translation>Indique un archivo, no una tubería ni un dispositivo.</translation>
+    </message>
+    <message>
+        <source>Give a file.</source>
+        <translation>Indique un archivo.</translation>
+    </message>
+    <message>
+        <source>Give one of this machine's IP addresses, or the port alone.</source>
+        <translation>Indique una dirección IP de este equipo o solo el puerto.</translation>
+    </message>
+    <message>
+        <source>Give one without a password, which only you may read.</source>
+        <translation>Indique una sin contraseña que solo usted pueda leer.</translation>
+    </message>
+    <message>
+        <source>Give the folder that --make-certificates has made.</source>
+        <translation>Indique la carpeta que hizo --make-certificates.</translation>
+    </message>
+    <message>
+        <source>Give the folder that holds the DICOM files.</source>
+        <translation>Indique la carpeta que contiene los archivos DICOM.</translation>
+    </message>
+    <message>
+        <source>Give the part of the bundle named %1.</source>
+        <translation>Indique la parte del paquete llamada %1.</translation>
     </message>
     <message>
         <source>Gives actions other keys.</source>
@@ -1274,6 +1730,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Detiene el cálculo o lo continúa, también más allá del objetivo.</translation>
     </message>
     <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
         <source>How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its own, and may lack fine detail: S shows the raw one. A click tells more.</source>
         <translation>Cuánto distan como máximo los niveles de gris de la pantalla de los de la imagen terminada, para el 95 % de los píxeles que muestran tejido. Cuatro veces más muestras lo reducen al menos a la mitad. Una imagen suavizada tiene un error propio y puede carecer de detalles finos: S muestra la imagen sin suavizar. Un clic dice más.</translation>
     </message>
@@ -1350,8 +1810,40 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Importar un aspecto</translation>
     </message>
     <message>
+        <source>Import a part of the series, close programs that use the device, or render on the CPU.</source>
+        <translation>Importe una parte de la serie, cierre programas que usen el dispositivo o calcule en la CPU.</translation>
+    </message>
+    <message>
         <source>In the box: %1</source>
         <translation>En el recuadro: %1</translation>
+    </message>
+    <message>
+        <source>Install a newer driver, or render on the CPU.</source>
+        <translation>Instale un controlador más nuevo o calcule en la CPU.</translation>
+    </message>
+    <message>
+        <source>Install libdcmtk17 again.</source>
+        <translation>Vuelva a instalar libdcmtk17.</translation>
+    </message>
+    <message>
+        <source>Install one, or render on the CPU.</source>
+        <translation>Instale uno o calcule en la CPU.</translation>
+    </message>
+    <message>
+        <source>Is the disk full, or the folder write-protected?</source>
+        <translation>¿Está lleno el disco o protegida la carpeta contra escritura?</translation>
+    </message>
+    <message>
+        <source>It is rendered on this machine alone.</source>
+        <translation>Se calcula solo en este equipo.</translation>
+    </message>
+    <message>
+        <source>It needs R, G and B, or Y.</source>
+        <translation>Necesita R, G y B, o Y.</translation>
+    </message>
+    <message>
+        <source>It was refused, or the device failed before.</source>
+        <translation>Se rechazó o el dispositivo falló antes.</translation>
     </message>
     <message>
         <source>Iterations per picture</source>
@@ -1382,6 +1874,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Teclas</translation>
     </message>
     <message>
+        <source>Known here: %1.</source>
+        <translation>Conocidos aquí: %1.</translation>
+    </message>
+    <message>
         <source>Lamp</source>
         <translation>Lámpara</translation>
     </message>
@@ -1398,8 +1894,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Latencia</translation>
     </message>
     <message>
+        <source>Leave it; the tile is rendered again.</source>
+        <translation>Déjelo; la tesela se calcula de nuevo.</translation>
+    </message>
+    <message>
+        <source>Leave one of the two out.</source>
+        <translation>Omita uno de los dos.</translation>
+    </message>
+    <message>
         <source>Leave out</source>
         <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>Leave out nodes that lie on a line between their neighbours.</source>
+        <translation>Omita los puntos que estén en línea entre sus vecinos.</translation>
     </message>
     <message>
         <source>Leaves out %1.</source>
@@ -1542,12 +2050,52 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Calculado por</translation>
     </message>
     <message>
+        <source>Make it of this volume.</source>
+        <translation>Hágala de este volumen.</translation>
+    </message>
+    <message>
+        <source>Make it smaller.</source>
+        <translation>Hágala más pequeña.</translation>
+    </message>
+    <message>
+        <source>Make it yours alone: chmod 600.</source>
+        <translation>Hágala solo suya: chmod 600.</translation>
+    </message>
+    <message>
+        <source>Make new ones with --make-certificates, for the coordinator and all nodes.</source>
+        <translation>Haga otros nuevos con --make-certificates, para el coordinador y todos los equipos de render.</translation>
+    </message>
+    <message>
+        <source>Make room there, or choose another place.</source>
+        <translation>Haga sitio ahí o elija otro lugar.</translation>
+    </message>
+    <message>
+        <source>Make some with "pdrender-node --make-certificates FOLDER", and give them to both sides: --bundle, or the window's Certificates.</source>
+        <translation>Haga unos con «pdrender-node --make-certificates CARPETA» y délos a ambas partes: --bundle, o «Certificados» en la ventana.</translation>
+    </message>
+    <message>
+        <source>Make the picture smaller, close programs that use the device, or choose another device.</source>
+        <translation>Haga la imagen más pequeña, cierre programas que usen el dispositivo o elija otro dispositivo.</translation>
+    </message>
+    <message>
         <source>March of 3 voxels (biased)</source>
         <translation>Pasos de 3 vóxeles (sesgado)</translation>
     </message>
     <message>
         <source>Maximum intensity</source>
         <translation>Intensidad máxima</translation>
+    </message>
+    <message>
+        <source>Measure at least 5 sizes with 3 numbers of iterations.</source>
+        <translation>Mida al menos 5 tamaños con 3 números de iteraciones.</translation>
+    </message>
+    <message>
+        <source>Measure for longer.</source>
+        <translation>Mida durante más tiempo.</translation>
+    </message>
+    <message>
+        <source>Measure more sizes and more numbers of iterations.</source>
+        <translation>Mida más tamaños y más números de iteraciones.</translation>
     </message>
     <message>
         <source>Measured %1, %2 s of calibration</source>
@@ -1564,6 +2112,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Message</source>
         <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>Metal outside the body is kept, with what it touches: %1.</source>
+        <translation>Se conserva el metal fuera del cuerpo, con lo que toca: %1.</translation>
     </message>
     <message>
         <source>Middle or Shift+left drag</source>
@@ -1592,6 +2144,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>My looks</source>
         <translation>Mis aspectos</translation>
+    </message>
+    <message>
+        <source>Name each node once.</source>
+        <translation>Nombre cada equipo de render una sola vez.</translation>
     </message>
     <message>
         <source>Name not given</source>
@@ -1626,6 +2182,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Ninguna serie de aquí se puede mostrar. La lista dice por qué.</translation>
     </message>
     <message>
+        <source>No table was hidden, because %1.</source>
+        <translation>No se ocultó ninguna mesa, porque %1.</translation>
+    </message>
+    <message>
         <source>No tissue is in view</source>
         <translation>No hay tejido a la vista</translation>
     </message>
@@ -1636,6 +2196,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>None</source>
         <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Nor can the picture go on elsewhere: %1</source>
+        <translation>La imagen tampoco puede seguir en otro lugar: %1</translation>
     </message>
     <message>
         <source>Not for diagnostic use</source>
@@ -1678,6 +2242,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Un panel grande: sombras suaves</translation>
     </message>
     <message>
+        <source>Only bones are shown, as far as they hold dense bone.</source>
+        <translation>Solo se muestran los huesos, en la medida en que contienen hueso denso.</translation>
+    </message>
+    <message>
+        <source>Only the first of the folders that were dropped is opened.</source>
+        <translation>Solo se abre la primera de las carpetas soltadas.</translation>
+    </message>
+    <message>
+        <source>Only the lungs are shown; %1 mm at the pleura are missing.</source>
+        <translation>Solo se muestran los pulmones; faltan %1 mm junto a la pleura.</translation>
+    </message>
+    <message>
         <source>Only what is taken for bone is shown: thin or porous bone may be missing, dense contrast may be left over.</source>
         <translation>Solo se ve lo que se toma por hueso: puede faltar hueso fino o poroso y quedar contraste denso.</translation>
     </message>
@@ -1716,12 +2292,28 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abrir una carpeta con una TC</translation>
     </message>
     <message>
+        <source>Open a folder with a CT series.</source>
+        <translation>Abra una carpeta con una serie de TC.</translation>
+    </message>
+    <message>
         <source>Open the e&amp;xample</source>
         <translation>Abrir el e&amp;jemplo</translation>
     </message>
     <message>
         <source>Open the example</source>
         <translation>Abrir el ejemplo</translation>
+    </message>
+    <message>
+        <source>Open the folder again.</source>
+        <translation>Abra de nuevo la carpeta.</translation>
+    </message>
+    <message>
+        <source>Open the series again, or start the program anew.</source>
+        <translation>Abra de nuevo la serie o reinicie el programa.</translation>
+    </message>
+    <message>
+        <source>Open the series again.</source>
+        <translation>Abra de nuevo la serie.</translation>
     </message>
     <message>
         <source>OpenEXR with the error of every pixel (*.exr)</source>
@@ -1800,6 +2392,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>En pausa</translation>
     </message>
     <message>
+        <source>Peeled %1 mm: skin and what lies less deep is not shown.</source>
+        <translation>Pelado %1 mm: no se muestran la piel ni lo menos profundo.</translation>
+    </message>
+    <message>
         <source>Peeled off</source>
         <translation>Pelado</translation>
     </message>
@@ -1836,6 +2432,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Port</source>
         <translation>Puerto</translation>
+    </message>
+    <message>
+        <source>Ports are numbers from 1 to 65535.</source>
+        <translation>Los puertos son números de 1 a 65535.</translation>
     </message>
     <message>
         <source>Preparing the volume of %1...</source>
@@ -1978,6 +2578,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Quitar el interior</translation>
     </message>
     <message>
+        <source>Remove one of them.</source>
+        <translation>Quite uno de ellos.</translation>
+    </message>
+    <message>
         <source>Remove picture</source>
         <translation>Quitar imagen</translation>
     </message>
@@ -2010,6 +2614,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Renombrar el aspecto</translation>
     </message>
     <message>
+        <source>Render at the window's si&amp;ze</source>
+        <translation>Renderizar al tamaño de la &amp;ventana</translation>
+    </message>
+    <message>
         <source>Render node</source>
         <translation>Equipo de render</translation>
     </message>
@@ -2022,6 +2630,18 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Los equipos de render pueden llamar: «pdrender-node --coordinator» con el nombre de este equipo y este puerto.</translation>
     </message>
     <message>
+        <source>Render on the CPU, or build it where the CUDA Toolkit is.</source>
+        <translation>Calcule en la CPU o compile donde esté el CUDA Toolkit.</translation>
+    </message>
+    <message>
+        <source>Render on the CPU, or start the program anew; a newer driver or a restart of the computer may help.</source>
+        <translation>Calcule en la CPU o reinicie el programa; puede ayudar un controlador más nuevo o reiniciar el equipo.</translation>
+    </message>
+    <message>
+        <source>Render on the CPU.</source>
+        <translation>Calcule en la CPU.</translation>
+    </message>
+    <message>
         <source>Rendering</source>
         <translation>Cálculo</translation>
     </message>
@@ -2030,8 +2650,24 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>El cálculo se detiene en %1: arrastre el control, a la izquierda para antes, a la derecha para más exacto.</translation>
     </message>
     <message>
+        <source>Rendering rests on battery: Space goes on</source>
+        <translation>Con batería el renderizado descansa: Espacio continúa</translation>
+    </message>
+    <message>
+        <source>Resample it first.</source>
+        <translation>Remuestréelo antes.</translation>
+    </message>
+    <message>
+        <source>Reset the view</source>
+        <translation>Restablecer la vista</translation>
+    </message>
+    <message>
         <source>Right</source>
         <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Clic derecho</translation>
     </message>
     <message>
         <source>Right°</source>
@@ -2048,10 +2684,6 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Roughness</source>
         <translation>Rugosidad</translation>
-    </message>
-    <message>
-        <source>Sho&amp;w</source>
-        <translation>Mo&amp;strar</translation>
     </message>
     <message>
         <source>Sagittal</source>
@@ -2138,8 +2770,16 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Mayús+arrastrar con el derecho en la imagen</translation>
     </message>
     <message>
+        <source>Sho&amp;w</source>
+        <translation>Mo&amp;strar</translation>
+    </message>
+    <message>
         <source>Show</source>
         <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Show everything, or another part.</source>
+        <translation>Muestre todo u otra parte.</translation>
     </message>
     <message>
         <source>Show the tissue that is clicked</source>
@@ -2152,6 +2792,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Shows all keys and what they do.</source>
         <translation>Muestra todas las teclas y lo que hacen.</translation>
+    </message>
+    <message>
+        <source>Shows all of the message</source>
+        <translation>Muestra todo el mensaje</translation>
     </message>
     <message>
         <source>Shows all that was cut away; one step to undo.</source>
@@ -2210,6 +2854,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Tamaño:</translation>
     </message>
     <message>
+        <source>Sk&amp;y turned</source>
+        <translation>Cie&amp;lo girado</translation>
+    </message>
+    <message>
         <source>Skin</source>
         <translation>Piel</translation>
     </message>
@@ -2228,10 +2876,6 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Sky picture...</source>
         <translation>Imagen de cielo...</translation>
-    </message>
-    <message>
-        <source>Sk&amp;y turned</source>
-        <translation>Cie&amp;lo girado</translation>
     </message>
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
@@ -2270,8 +2914,28 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Intensidad de la lámpara elegida</translation>
     </message>
     <message>
+        <source>T&amp;urns with</source>
+        <translation>Gira c&amp;on</translation>
+    </message>
+    <message>
         <source>Tab</source>
         <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Table and holder hidden: %1 outside the body.</source>
+        <translation>Mesa y soporte ocultos: %1 fuera del cuerpo.</translation>
+    </message>
+    <message>
+        <source>Take another.</source>
+        <translation>Elija otro.</translation>
+    </message>
+    <message>
+        <source>Take one of at most 60 letters.</source>
+        <translation>Elija uno de 60 letras como máximo.</translation>
+    </message>
+    <message>
+        <source>Take the model singleScattering, or the estimator unbiased.</source>
+        <translation>Elija el modelo singleScattering o el estimador unbiased.</translation>
     </message>
     <message>
         <source>Target: how accurate the picture is to become</source>
@@ -2314,6 +2978,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>La altura del histograma crece con el logaritmo de los vóxeles</translation>
     </message>
     <message>
+        <source>The last one is cuda:%1.</source>
+        <translation>La última es cuda:%1.</translation>
+    </message>
+    <message>
         <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
         <translation>No se ven los 5 mm exteriores ni la grasa. El cerebro queda detrás del cráneo.</translation>
     </message>
@@ -2328,6 +2996,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>The patient's side that one looks at (%1)</source>
         <translation>El lado del paciente que se mira (%1)</translation>
+    </message>
+    <message>
+        <source>The picture goes on on %1.</source>
+        <translation>La imagen sigue en: %1.</translation>
     </message>
     <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
@@ -2352,6 +3024,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Después haga clic en la anatomía: se añade una campana en sus unidades Hounsfield (Ctrl y clic hace lo mismo)</translation>
     </message>
     <message>
+        <source>Then save again.</source>
+        <translation>Después guarde de nuevo.</translation>
+    </message>
+    <message>
+        <source>Thi&amp;s tissue...</source>
+        <translation>Este teji&amp;do...</translation>
+    </message>
+    <message>
         <source>Thin bone</source>
         <translation>Hueso fino</translation>
     </message>
@@ -2362,6 +3042,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>This language is spoken from the next start on</source>
         <translation>Este idioma se usará a partir del próximo inicio</translation>
+    </message>
+    <message>
+        <source>This picture cannot be made: %1</source>
+        <translation>Esta imagen no se puede hacer: %1</translation>
     </message>
     <message>
         <source>Three points</source>
@@ -2388,6 +3072,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Tejido con sus propios colores, sin luz ni sombra.</translation>
     </message>
     <message>
+        <source>Try OpenEXR (.exr).</source>
+        <translation>Pruebe OpenEXR (.exr).</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>Vuelva a intentarlo.</translation>
+    </message>
+    <message>
         <source>Turn of the sky picture</source>
         <translation>Giro de la imagen de cielo</translation>
     </message>
@@ -2402,10 +3094,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Turns the sky picture about the patient's axis [degrees]</source>
         <translation>Gira la imagen de cielo alrededor del eje del paciente [grados]</translation>
-    </message>
-    <message>
-        <source>T&amp;urns with</source>
-        <translation>Gira c&amp;on</translation>
     </message>
     <message>
         <source>Two lamps behind: bright outlines</source>
@@ -2524,6 +3212,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Vista desde: %1</translation>
     </message>
     <message>
+        <source>Wait for it, or cancel it.</source>
+        <translation>Espere a que termine o cancélela.</translation>
+    </message>
+    <message>
+        <source>Wait until the picture that you want is there.</source>
+        <translation>Espere a que esté la imagen que desea.</translation>
+    </message>
+    <message>
+        <source>Wait until there is one.</source>
+        <translation>Espere a que haya una.</translation>
+    </message>
+    <message>
         <source>What can be done</source>
         <translation>Qué se puede hacer</translation>
     </message>
@@ -2582,6 +3282,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>What lights it</source>
         <translation>Lo que lo ilumina</translation>
+    </message>
+    <message>
+        <source>What one does most</source>
+        <translation>Lo más habitual</translation>
     </message>
     <message>
         <source>What stands behind the volume. A plain colour lights nothing</source>
@@ -2680,12 +3384,120 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Zoom</translation>
     </message>
     <message>
+        <source>a certificate cannot be made: %1</source>
+        <translation>no se puede hacer un certificado: %1</translation>
+    </message>
+    <message>
+        <source>a code table is missing</source>
+        <translation>falta una tabla de códigos</translation>
+    </message>
+    <message>
+        <source>a colour picture (%1), not a CT slice</source>
+        <translation>una imagen en color (%1), no un corte de TC</translation>
+    </message>
+    <message>
+        <source>a content of the scene is not what the order says</source>
+        <translation>un contenido de la escena no es lo que dice la orden</translation>
+    </message>
+    <message>
+        <source>a damaged piece of a scan</source>
+        <translation>un trozo dañado de un estudio</translation>
+    </message>
+    <message>
+        <source>a file of this name is in the way</source>
+        <translation>un archivo con este nombre estorba</translation>
+    </message>
+    <message>
+        <source>a frame took no time</source>
+        <translation>una iteración no tardó nada</translation>
+    </message>
+    <message>
+        <source>a key of its map is there twice, or out of its place</source>
+        <translation>una clave de su tabla está repetida o fuera de lugar</translation>
+    </message>
+    <message>
+        <source>a list in it has another length</source>
+        <translation>una lista en él tiene otra longitud</translation>
+    </message>
+    <message>
+        <source>a localizer (scout view), not a CT slice</source>
+        <translation>un localizador (topograma), no un corte de TC</translation>
+    </message>
+    <message>
+        <source>a look needs a name</source>
+        <translation>un aspecto necesita un nombre</translation>
+    </message>
+    <message>
+        <source>a look of the program has this name</source>
+        <translation>un aspecto del programa tiene este nombre</translation>
+    </message>
+    <message>
+        <source>a message of a kind that must be understood, but is not known here</source>
+        <translation>un mensaje de un tipo que hay que entender, pero que aquí no se conoce</translation>
+    </message>
+    <message>
+        <source>a number in it is none</source>
+        <translation>un número en él no lo es</translation>
+    </message>
+    <message>
+        <source>a number in it is out of its range</source>
+        <translation>un número en él está fuera de su rango</translation>
+    </message>
+    <message>
+        <source>a picture of %1 x %2 pixels needs %3 of memory, %4 are free</source>
+        <translation>una imagen de %1 x %2 píxeles necesita %3 de memoria; hay %4 libres</translation>
+    </message>
+    <message>
+        <source>a picture was torn on its way from the device</source>
+        <translation>una imagen se rompió en el camino desde el dispositivo</translation>
+    </message>
+    <message>
+        <source>a piece of a scan that was not asked for</source>
+        <translation>un trozo de un estudio que no se pidió</translation>
+    </message>
+    <message>
         <source>a render node joined</source>
         <translation>se unió un equipo de render</translation>
     </message>
     <message>
         <source>a render node was lost</source>
         <translation>se perdió un equipo de render</translation>
+    </message>
+    <message>
+        <source>a run of equal bytes is spelled out</source>
+        <translation>una serie de bytes iguales está escrita entera</translation>
+    </message>
+    <message>
+        <source>a run of it goes beyond its block</source>
+        <translation>una serie sobrepasa su bloque</translation>
+    </message>
+    <message>
+        <source>a run of zeros stands where tissue changes</source>
+        <translation>hay una serie de ceros donde el tejido cambia</translation>
+    </message>
+    <message>
+        <source>a scan of it does not fit its frame</source>
+        <translation>una pasada no encaja en su marco</translation>
+    </message>
+    <message>
+        <source>a scan that is not what it was said to be</source>
+        <translation>un estudio que no es lo que se dijo</translation>
+    </message>
+    <message>
+        <source>a segment of it ends before its last pixel</source>
+        <translation>un segmento termina antes de su último píxel</translation>
+    </message>
+    <message>
+        <source>a segment of it goes on behind its last pixel</source>
+        <translation>un segmento sigue detrás de su último píxel</translation>
+    </message>
+    <message>
+        <source>a sequence holds %1 where an item should begin</source>
+        <translation>una secuencia contiene %1 donde debería empezar un elemento</translation>
+    </message>
+    <message>
+        <source>a sequence of bytes is too short</source>
+        <translation>una secuencia de bytes es demasiado corta</translation>
     </message>
     <message>
         <source>a single slice</source>
@@ -2696,16 +3508,56 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>falta un corte</translation>
     </message>
     <message>
+        <source>a slice of more than 65535 pixels has no place in a DICOM file</source>
+        <translation>un corte de más de 65535 píxeles no cabe en un archivo DICOM</translation>
+    </message>
+    <message>
+        <source>a text in it is no line</source>
+        <translation>un texto en él no es una línea</translation>
+    </message>
+    <message>
+        <source>a text or a sequence of bytes in it is too long, or none</source>
+        <translation>un texto o una secuencia de bytes en él es demasiado largo o falta</translation>
+    </message>
+    <message>
+        <source>a tile of it was not what this machine found when it did it again</source>
+        <translation>una de sus teselas no era lo que este equipo halló al repetirla</translation>
+    </message>
+    <message>
+        <source>a tile's result was refused: %1</source>
+        <translation>se rechazó el resultado de una tesela: %1</translation>
+    </message>
+    <message>
         <source>about %1 to ±%2</source>
         <translation>unos %1 hasta ±%2</translation>
+    </message>
+    <message>
+        <source>above %1 and at most %2</source>
+        <translation>más de %1 y como máximo %2</translation>
+    </message>
+    <message>
+        <source>above %1 and below %2</source>
+        <translation>más de %1 y menos de %2</translation>
     </message>
     <message>
         <source>air</source>
         <translation>aire</translation>
     </message>
+    <message>
+        <source>an earlier coding</source>
+        <translation>una codificación anterior</translation>
+    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation><numerusform>y %n más</numerusform><numerusform>y %n más</numerusform></translation>
+    </message>
+    <message>
+        <source>another picture has taken its place</source>
+        <translation>otra imagen ha ocupado su lugar</translation>
+    </message>
+    <message>
+        <source>another picture is being made</source>
+        <translation>se está haciendo otra imagen</translation>
     </message>
     <message>
         <source>any number</source>
@@ -2720,12 +3572,28 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>según lo deseado; Espacio continúa</translation>
     </message>
     <message>
+        <source>at least %1 and below %2</source>
+        <translation>al menos %1 y menos de %2</translation>
+    </message>
+    <message>
+        <source>at least one node is needed</source>
+        <translation>hace falta al menos un punto</translation>
+    </message>
+    <message>
         <source>back</source>
         <translation>detrás</translation>
     </message>
     <message>
+        <source>belongs to a volume of another size</source>
+        <translation>es de un volumen de otro tamaño</translation>
+    </message>
+    <message>
         <source>beside the eye</source>
         <translation>junto al ojo</translation>
+    </message>
+    <message>
+        <source>between its segments lie bytes that belong to none</source>
+        <translation>entre sus segmentos hay bytes que no son de ninguno</translation>
     </message>
     <message>
         <source>biased</source>
@@ -2740,6 +3608,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>hueso</translation>
     </message>
     <message>
+        <source>bones cannot be told from the rest</source>
+        <translation>los huesos no se distinguen del resto</translation>
+    </message>
+    <message>
         <source>born %1</source>
         <translation>nac. %1</translation>
     </message>
@@ -2748,8 +3620,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>caja de %1 x %2 x %3 mm</translation>
     </message>
     <message>
+        <source>bytes are left over behind its last pixel</source>
+        <translation>sobran bytes detrás de su último píxel</translation>
+    </message>
+    <message>
         <source>can be shown</source>
         <translation>se puede mostrar</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>cancelado</translation>
     </message>
     <message>
         <source>cancelled, no picture was saved</source>
@@ -2780,6 +3660,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>corte: %1</translation>
     </message>
     <message>
+        <source>denoised: 95 % of the tissue within ±%1 levels, noise included</source>
+        <translation>sin ruido: el 95 % del tejido dentro de ±%1 niveles, ruido incluido</translation>
+    </message>
+    <message>
         <source>denoised: 95 % of the tissue within ±%1 of 255 grey levels</source>
         <translation>sin ruido: 95 % del tejido dentro de ±%1 de 255 niveles de gris</translation>
     </message>
@@ -2792,8 +3676,32 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>sin ruido: error aún no conocido</translation>
     </message>
     <message>
+        <source>denoised: how much is not known yet</source>
+        <translation>sin ruido: aún no se sabe cuánto</translation>
+    </message>
+    <message>
+        <source>each iteration blurred</source>
+        <translation>cada iteración, desenfocada</translation>
+    </message>
+    <message>
         <source>efficiency %1 %</source>
         <translation>rendimiento %1 %</translation>
+    </message>
+    <message>
+        <source>element %1 has no length</source>
+        <translation>el elemento %1 no tiene longitud</translation>
+    </message>
+    <message>
+        <source>element %1 is longer than the file</source>
+        <translation>el elemento %1 es más largo que el archivo</translation>
+    </message>
+    <message>
+        <source>element %1 should hold %2 bytes, but only %3 are left in the file</source>
+        <translation>el elemento %1 debería contener %2 bytes, pero en el archivo solo quedan %3</translation>
+    </message>
+    <message>
+        <source>fast filter</source>
+        <translation>filtro rápido</translation>
     </message>
     <message>
         <source>fat</source>
@@ -2812,8 +3720,28 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el detalle fino aún no se muestra</translation>
     </message>
     <message>
+        <source>for %1 voxels (%2)</source>
+        <translation>para %1 vóxeles (%2)</translation>
+    </message>
+    <message>
+        <source>for highlights, which cannot show: could be left out</source>
+        <translation>para brillos que no se pueden ver: se podría omitir</translation>
+    </message>
+    <message>
+        <source>for the scene</source>
+        <translation>para la escena</translation>
+    </message>
+    <message>
+        <source>for the scene: %1</source>
+        <translation>para la escena: %1</translation>
+    </message>
+    <message>
         <source>from %1</source>
         <translation>desde %1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>de %1 a %2</translation>
     </message>
     <message>
         <source>from behind</source>
@@ -2822,6 +3750,22 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>front</source>
         <translation>delante</translation>
+    </message>
+    <message>
+        <source>goes with a gradient only, not with a picture</source>
+        <translation>va solo con un degradado, no con una imagen</translation>
+    </message>
+    <message>
+        <source>has more than 1000 points</source>
+        <translation>tiene más de 1000 puntos</translation>
+    </message>
+    <message>
+        <source>has no points</source>
+        <translation>no tiene puntos</translation>
+    </message>
+    <message>
+        <source>has points that do not ascend</source>
+        <translation>tiene puntos que no ascienden</translation>
     </message>
     <message>
         <source>head</source>
@@ -2848,6 +3792,30 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>aquí: aún no se conoce</translation>
     </message>
     <message>
+        <source>highHu must lie above lowHu</source>
+        <translation>highHu debe estar por encima de lowHu</translation>
+    </message>
+    <message>
+        <source>holds "%1", which is no number</source>
+        <translation>contiene «%1», que no es un número</translation>
+    </message>
+    <message>
+        <source>holds %1, each number must be %2</source>
+        <translation>contiene %1; para cada número se admite: %2</translation>
+    </message>
+    <message>
+        <source>holds more than %1 values</source>
+        <translation>contiene más de %1 valores</translation>
+    </message>
+    <message>
+        <source>holds points of %1 numbers, and one is not whole</source>
+        <translation>contiene puntos de %1 números, y uno no está completo</translation>
+    </message>
+    <message>
+        <source>holds too few numbers</source>
+        <translation>contiene muy pocos números</translation>
+    </message>
+    <message>
         <source>host or host:port</source>
         <translation>equipo o equipo:puerto</translation>
     </message>
@@ -2856,12 +3824,316 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>aún no se sabe cuánto tarda</translation>
     </message>
     <message>
+        <source>how much is not known yet</source>
+        <translation>aún no se sabe cuánto</translation>
+    </message>
+    <message>
+        <source>in at most %1 % of the tissue</source>
+        <translation>en un %1 % del tejido como máximo</translation>
+    </message>
+    <message>
         <source>in the box 95 % of the tissue within ±%1</source>
         <translation>en el recuadro, 95 % del tejido dentro de ±%1</translation>
     </message>
     <message>
+        <source>is "%1", must be "%2"</source>
+        <translation>es «%1», debe ser «%2»</translation>
+    </message>
+    <message>
+        <source>is %1, must be %2</source>
+        <translation>es %1; se admite: %2</translation>
+    </message>
+    <message>
+        <source>is %1, this program reads version 1</source>
+        <translation>es %1, este programa lee la versión 1</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>está vacío</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>is no JSON that can be read (%1)</source>
+        <translation>no es JSON que se pueda leer (%1)</translation>
+    </message>
+    <message>
+        <source>is no direction: it has no length</source>
+        <translation>no es una dirección: no tiene longitud</translation>
+    </message>
+    <message>
+        <source>is no direction: it needs three finite numbers</source>
+        <translation>no es una dirección: necesita tres números finitos</translation>
+    </message>
+    <message>
+        <source>is no direction: its length must be from 1e-100 to 1e+100</source>
+        <translation>no es una dirección: su longitud debe ser de 1e-100 a 1e+100</translation>
+    </message>
+    <message>
+        <source>is no field here</source>
+        <translation>no es un campo aquí</translation>
+    </message>
+    <message>
+        <source>is the second environment, a scene has at most one</source>
+        <translation>es el segundo entorno; una escena tiene uno como máximo</translation>
+    </message>
+    <message>
+        <source>is too large a number</source>
+        <translation>es un número demasiado grande</translation>
+    </message>
+    <message>
+        <source>is too long for a volume property</source>
+        <translation>es demasiado largo para una propiedad de volumen</translation>
+    </message>
+    <message>
+        <source>is written twice in the same object</source>
+        <translation>está escrito dos veces en el mismo objeto</translation>
+    </message>
+    <message>
+        <source>it answered a lease that it was not given</source>
+        <translation>respondió a un trabajo que no se le había dado</translation>
+    </message>
+    <message>
+        <source>it does not begin as a JPEG picture</source>
+        <translation>no empieza como una imagen JPEG</translation>
+    </message>
+    <message>
+        <source>it does not say how much memory it has, and is broken or lost</source>
+        <translation>no dice cuánta memoria tiene, y está averiado o perdido</translation>
+    </message>
+    <message>
+        <source>it does not say its modality</source>
+        <translation>no indica su modalidad</translation>
+    </message>
+    <message>
+        <source>it ends after its header</source>
+        <translation>termina después de su cabecera</translation>
+    </message>
+    <message>
+        <source>it ends before its last pixel</source>
+        <translation>termina antes de su último píxel</translation>
+    </message>
+    <message>
+        <source>it ends in the middle of an element</source>
+        <translation>termina en medio de un elemento</translation>
+    </message>
+    <message>
+        <source>it ends inside the compressed picture</source>
+        <translation>termina dentro de la imagen comprimida</translation>
+    </message>
+    <message>
+        <source>it ends without its end marker</source>
+        <translation>termina sin su marca final</translation>
+    </message>
+    <message>
+        <source>it has two frame headers</source>
+        <translation>tiene dos cabeceras de imagen</translation>
+    </message>
+    <message>
+        <source>it holds %1 frames in one file (enhanced or multi-frame), which this version cannot read</source>
+        <translation>contiene %1 imágenes en un archivo (enhanced o multi-frame), que esta versión no puede leer</translation>
+    </message>
+    <message>
+        <source>it holds %1 segments instead of %2</source>
+        <translation>contiene %1 segmentos en vez de %2</translation>
+    </message>
+    <message>
+        <source>it holds a marker where none belongs</source>
+        <translation>contiene una marca donde no debe haberla</translation>
+    </message>
+    <message>
+        <source>it holds a value that its samples cannot have</source>
+        <translation>contiene un valor que sus muestras no pueden tener</translation>
+    </message>
+    <message>
+        <source>it holds bits that are no code</source>
+        <translation>contiene bits que no son ningún código</translation>
+    </message>
+    <message>
+        <source>it holds fewer pixels than its size of %1 x %2 says</source>
+        <translation>contiene menos píxeles de los que dice su tamaño de %1 x %2</translation>
+    </message>
+    <message>
+        <source>it holds more restart markers than pixels</source>
+        <translation>contiene más marcas de reinicio que píxeles</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 elements, items, fragments and values</source>
+        <translation>contiene más de %1 elementos, ítems, fragmentos y valores</translation>
+    </message>
+    <message>
+        <source>it holds no map</source>
+        <translation>no contiene ninguna tabla</translation>
+    </message>
+    <message>
+        <source>it holds no picture</source>
+        <translation>no contiene ninguna imagen</translation>
+    </message>
+    <message>
+        <source>it is called as the slices beside it, but holds no DICOM</source>
+        <translation>se llama como los cortes de al lado, pero no contiene DICOM</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>está vacío</translation>
+    </message>
+    <message>
+        <source>it is longer than such a message is</source>
+        <translation>es más largo de lo que es un mensaje así</translation>
+    </message>
+    <message>
+        <source>it is no message of PD-Render's</source>
+        <translation>no es un mensaje de PD-Render</translation>
+    </message>
+    <message>
+        <source>it is not of the size that the file's header says</source>
+        <translation>no tiene el tamaño que dice la cabecera del archivo</translation>
+    </message>
+    <message>
+        <source>it is of another scene</source>
+        <translation>es de otra escena</translation>
+    </message>
+    <message>
+        <source>it is shorter than its header</source>
+        <translation>es más corta que su cabecera</translation>
+    </message>
+    <message>
+        <source>it is too long from somebody who is not known yet</source>
+        <translation>es demasiado largo de alguien que aún no se conoce</translation>
+    </message>
+    <message>
+        <source>it states an impossible precision</source>
+        <translation>indica una precisión imposible</translation>
+    </message>
+    <message>
+        <source>it states an impossible size of %1 x %2 pixels</source>
+        <translation>indica un tamaño imposible de %1 x %2 píxeles</translation>
+    </message>
+    <message>
+        <source>its certificate is not believed: %1</source>
+        <translation>no se acepta su certificado: %1</translation>
+    </message>
+    <message>
+        <source>its certificate is not that of a %1</source>
+        <translation>su certificado no es el de un %1</translation>
+    </message>
+    <message>
+        <source>its compressed picture is not made of fragments</source>
+        <translation>su imagen comprimida no está hecha de fragmentos</translation>
+    </message>
+    <message>
+        <source>its deflated content is damaged, or larger than %1 MB</source>
+        <translation>su contenido comprimido está dañado o supera %1 MB</translation>
+    </message>
+    <message>
+        <source>its frame header is too short</source>
+        <translation>su cabecera de imagen es demasiado corta</translation>
+    </message>
+    <message>
+        <source>its header cannot be read</source>
+        <translation>no se puede leer su cabecera</translation>
+    </message>
+    <message>
+        <source>its header places segments where none can be</source>
+        <translation>su cabecera sitúa segmentos donde no puede haberlos</translation>
+    </message>
+    <message>
+        <source>its header takes more than %1 MB</source>
+        <translation>su cabecera ocupa más de %1 MB</translation>
+    </message>
+    <message>
+        <source>its map has keys that are no numbers, or too many</source>
+        <translation>su tabla tiene claves que no son números, o demasiadas</translation>
+    </message>
+    <message>
+        <source>its map is damaged, or too deep</source>
+        <translation>su tabla está dañada o es demasiado profunda</translation>
+    </message>
+    <message>
+        <source>its mask holds what is no weight</source>
+        <translation>su máscara contiene lo que no es un peso</translation>
+    </message>
+    <message>
+        <source>its mask is of another size</source>
+        <translation>su máscara tiene otro tamaño</translation>
+    </message>
+    <message>
+        <source>its mask is of another volume</source>
+        <translation>su máscara es de otro volumen</translation>
+    </message>
+    <message>
+        <source>its memory is too small: %1 are needed at a time, %2 are free</source>
+        <translation>su memoria es demasiado pequeña: se necesitan %1 a la vez y hay %2 libres</translation>
+    </message>
+    <message>
+        <source>its messages are laid out in another way</source>
+        <translation>sus mensajes están dispuestos de otro modo</translation>
+    </message>
+    <message>
+        <source>its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)</source>
+        <translation>su formato de píxel no se puede leer (%1 bits asignados, %2 guardados, bit alto %3)</translation>
+    </message>
+    <message>
+        <source>its pixels are coded as %1, which this version cannot read</source>
+        <translation>sus píxeles están codificados como %1, que esta versión no puede leer</translation>
+    </message>
+    <message>
+        <source>its rescale slope or intercept is no usable number</source>
+        <translation>su pendiente u ordenada de reescalado no es un número utilizable</translation>
+    </message>
+    <message>
+        <source>its restart markers are out of order</source>
+        <translation>sus marcas de reinicio no están en orden</translation>
+    </message>
+    <message>
+        <source>its samples are not the next ones</source>
+        <translation>sus muestras no son las siguientes</translation>
+    </message>
+    <message>
+        <source>its samples are there already</source>
+        <translation>sus muestras ya están</translation>
+    </message>
+    <message>
+        <source>its sequences are nested more than %1 deep</source>
+        <translation>sus secuencias están anidadas en más de %1 niveles</translation>
+    </message>
+    <message>
+        <source>its sums are none</source>
+        <translation>sus sumas no lo son</translation>
+    </message>
+    <message>
+        <source>its surroundings are of another size</source>
+        <translation>su entorno tiene otro tamaño</translation>
+    </message>
+    <message>
+        <source>its text is no UTF-8</source>
+        <translation>su texto no es UTF-8</translation>
+    </message>
+    <message>
+        <source>its volume is of another size</source>
+        <translation>su volumen tiene otro tamaño</translation>
+    </message>
+    <message>
+        <source>kroesMarch knows one event on a path, but the model is %1</source>
+        <translation>kroesMarch conoce un suceso por camino, pero el modelo es %1</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>less than 1 ml</source>
+        <translation>menos de 1 ml</translation>
+    </message>
+    <message>
+        <source>light paths cut off at their last allowed event</source>
+        <translation>caminos de luz cortados en su último suceso permitido</translation>
+    </message>
+    <message>
+        <source>lists and objects lie in one another deeper than %1</source>
+        <translation>listas y objetos están anidados en más de %1 niveles</translation>
     </message>
     <message>
         <source>lung</source>
@@ -2884,6 +4156,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>pasos de 3 vóxeles</translation>
     </message>
     <message>
+        <source>mean kept in single precision: %1</source>
+        <translation>media guardada en precisión simple: %1</translation>
+    </message>
+    <message>
+        <source>meetings with tissue above its bound</source>
+        <translation>encuentros con tejido por encima de su cota</translation>
+    </message>
+    <message>
         <source>metal</source>
         <translation>metal</translation>
     </message>
@@ -2892,8 +4172,100 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>hay metal en este cuerpo</translation>
     </message>
     <message>
+        <source>more than half of what is solid is thinner than 20 mm</source>
+        <translation>más de la mitad de lo sólido tiene menos de 20 mm de grosor</translation>
+    </message>
+    <message>
         <source>muscle</source>
         <translation>músculo</translation>
+    </message>
+    <message>
+        <source>must ascend from one to the next</source>
+        <translation>debe ascender de uno al siguiente</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>debe ser un número finito</translation>
+    </message>
+    <message>
+        <source>must be a list [ ... ]</source>
+        <translation>debe ser una lista [ ... ]</translation>
+    </message>
+    <message>
+        <source>must be a list of 1 to 64 panels</source>
+        <translation>debe ser una lista de 1 a 64 paneles</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>debe ser un número</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes</source>
+        <translation>debe ser un texto entre comillas</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>debe ser un número entero</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to 18446744073709551615</source>
+        <translation>debe ser un número entero de 0 a 18446744073709551615</translation>
+    </message>
+    <message>
+        <source>must be an object { ... }</source>
+        <translation>debe ser un objeto { ... }</translation>
+    </message>
+    <message>
+        <source>must be one of: %1</source>
+        <translation>debe ser uno de: %1</translation>
+    </message>
+    <message>
+        <source>must be three whole numbers [x, y, z]</source>
+        <translation>deben ser tres números enteros [x, y, z]</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>debe ser true o false</translation>
+    </message>
+    <message>
+        <source>must be two whole numbers [lowest, highest]</source>
+        <translation>deben ser dos números enteros [menor, mayor]</translation>
+    </message>
+    <message>
+        <source>must begin with the lower value</source>
+        <translation>debe empezar por el valor menor</translation>
+    </message>
+    <message>
+        <source>must differ from eyeMm</source>
+        <translation>debe ser distinto de eyeMm</translation>
+    </message>
+    <message>
+        <source>must have three points at least</source>
+        <translation>debe tener al menos tres puntos</translation>
+    </message>
+    <message>
+        <source>must lie above lowMm along every axis</source>
+        <translation>debe estar por encima de lowMm en cada eje</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>no debe estar vacío</translation>
+    </message>
+    <message>
+        <source>must not lie along the view</source>
+        <translation>no debe estar en la dirección de la vista</translation>
+    </message>
+    <message>
+        <source>must not point along the normal</source>
+        <translation>no debe apuntar a lo largo de la normal</translation>
+    </message>
+    <message>
+        <source>needs either a DICOM folder (dicom) or a raw file (raw)</source>
+        <translation>necesita una carpeta DICOM (dicom) o un archivo en bruto (raw)</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>sin respuesta</translation>
     </message>
     <message>
         <source>no contrast was found in the blood</source>
@@ -2902,6 +4274,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>no geometry</source>
         <translation>sin geometría</translation>
+    </message>
+    <message>
+        <source>no image, but %1</source>
+        <translation>no es una imagen, sino %1</translation>
+    </message>
+    <message>
+        <source>no image, but another kind of object</source>
+        <translation>no es una imagen, sino otro tipo de objeto</translation>
     </message>
     <message>
         <source>no light was seen in the box</source>
@@ -2916,6 +4296,30 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no hay metal en este cuerpo</translation>
     </message>
     <message>
+        <source>no reason given</source>
+        <translation>sin motivo indicado</translation>
+    </message>
+    <message>
+        <source>no series here can be loaded</source>
+        <translation>aquí no se puede cargar ninguna serie</translation>
+    </message>
+    <message>
+        <source>no series here can be loaded: %1</source>
+        <translation>aquí no se puede cargar ninguna serie: %1</translation>
+    </message>
+    <message>
+        <source>no such tile is asked for</source>
+        <translation>no se pide esa tesela</translation>
+    </message>
+    <message>
+        <source>nobody can be listened to there: %1</source>
+        <translation>no se puede escuchar ahí: %1</translation>
+    </message>
+    <message>
+        <source>none of the %1 files is a DICOM image</source>
+        <translation>ninguno de los %1 archivos es una imagen DICOM</translation>
+    </message>
+    <message>
         <source>not a CT volume</source>
         <translation>no es un volumen de TC</translation>
     </message>
@@ -2928,6 +4332,22 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>aún no se conoce</translation>
     </message>
     <message>
+        <source>not saved, because %1</source>
+        <translation>no se ha guardado, porque %1</translation>
+    </message>
+    <message>
+        <source>nothing can be peeled off</source>
+        <translation>no se puede pelar nada</translation>
+    </message>
+    <message>
+        <source>nothing in the scan is as dense as bone</source>
+        <translation>nada en el estudio es tan denso como el hueso</translation>
+    </message>
+    <message>
+        <source>nothing is as thick as 20 mm</source>
+        <translation>nada alcanza 20 mm de grosor</translation>
+    </message>
+    <message>
         <source>now, %1</source>
         <translation>ahora, %1</translation>
     </message>
@@ -2936,8 +4356,48 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>en una imagen de %1 × %2 píxeles en la CPU (%3)</translation>
     </message>
     <message>
+        <source>one of its code tables has more codes than there can be</source>
+        <translation>una de sus tablas de códigos tiene más códigos de los posibles</translation>
+    </message>
+    <message>
+        <source>one of its code tables is cut off</source>
+        <translation>una de sus tablas de códigos está cortada</translation>
+    </message>
+    <message>
+        <source>one of its quantisation tables is cut off</source>
+        <translation>una de sus tablas de cuantización está cortada</translation>
+    </message>
+    <message>
+        <source>one of its segments is longer than the picture</source>
+        <translation>uno de sus segmentos es más largo que la imagen</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>orientación</translation>
+    </message>
+    <message>
+        <source>other machines are only talked to with certificates</source>
+        <translation>con otros equipos solo se habla con certificados</translation>
+    </message>
+    <message>
+        <source>others on this machine may read or change this key</source>
+        <translation>otros en este equipo pueden leer o cambiar esta clave</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>en pausa</translation>
+    </message>
+    <message>
+        <source>pixel spacing</source>
+        <translation>espaciado de píxel</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>rays less exact than asked for</source>
+        <translation>rayos menos exactos de lo pedido</translation>
     </message>
     <message>
         <source>results that never came: %1</source>
@@ -2948,8 +4408,24 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>derecha</translation>
     </message>
     <message>
+        <source>samples left out: infinitely bright</source>
+        <translation>muestras omitidas: brillo infinito</translation>
+    </message>
+    <message>
+        <source>samples left out: negative light</source>
+        <translation>muestras omitidas: luz negativa</translation>
+    </message>
+    <message>
+        <source>samples left out: not a number</source>
+        <translation>muestras omitidas: no son un número</translation>
+    </message>
+    <message>
         <source>saved as %1</source>
         <translation>Guardado como %1</translation>
+    </message>
+    <message>
+        <source>says it holds %1 values and holds %2</source>
+        <translation>dice que contiene %1 valores y contiene %2</translation>
     </message>
     <message>
         <source>selected, %1</source>
@@ -2960,12 +4436,52 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>elegido, %1 UH: %2</translation>
     </message>
     <message>
+        <source>slice %1 cannot be written</source>
+        <translation>no se puede escribir el corte %1</translation>
+    </message>
+    <message>
+        <source>slices between the scan's own are a cubic's: a choice, and no error of the computing</source>
+        <translation>los cortes entre los del estudio son de una interpolación cúbica: una elección, no un error del cálculo</translation>
+    </message>
+    <message>
         <source>slices look in different directions</source>
         <translation>cortes con orientaciones distintas</translation>
     </message>
     <message>
         <source>slices of different size</source>
         <translation>cortes de tamaño distinto</translation>
+    </message>
+    <message>
+        <source>something failed for an unknown reason</source>
+        <translation>algo falló por un motivo desconocido</translation>
+    </message>
+    <message>
+        <source>something failed unexpectedly: %1</source>
+        <translation>algo falló inesperadamente: %1</translation>
+    </message>
+    <message>
+        <source>something is missing in it</source>
+        <translation>falta algo en él</translation>
+    </message>
+    <message>
+        <source>spacing or direction changes on the way; a pixel lies up to %1 mm from where the first slice would put it</source>
+        <translation>el espaciado o la dirección cambia en el camino; un píxel está hasta a %1 mm de donde lo pondría el primer corte</translation>
+    </message>
+    <message>
+        <source>such a message goes the other way</source>
+        <translation>un mensaje así va en la otra dirección</translation>
+    </message>
+    <message>
+        <source>sums along rays: at most ±%1 levels</source>
+        <translation>sumas a lo largo de rayos: como máximo ±%1 niveles</translation>
+    </message>
+    <message>
+        <source>sums of pixels that cannot be unpacked</source>
+        <translation>sumas de píxeles que no se pueden desempaquetar</translation>
+    </message>
+    <message>
+        <source>sums of samples before the first one of a block</source>
+        <translation>sumas de muestras anteriores a la primera de un bloque</translation>
     </message>
     <message>
         <source>target</source>
@@ -2980,8 +4496,204 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la CPU</translation>
     </message>
     <message>
+        <source>the DICOM dictionary is not there, so no file can be read</source>
+        <translation>falta el diccionario DICOM, así que no se puede leer ningún archivo</translation>
+    </message>
+    <message>
+        <source>the GPU %1</source>
+        <translation>la GPU %1</translation>
+    </message>
+    <message>
+        <source>the GPU cannot be used (%1)</source>
+        <translation>no se puede usar la GPU (%1)</translation>
+    </message>
+    <message>
+        <source>the GPU failed at %1 (%2)</source>
+        <translation>la GPU falló en: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>the GPU is too old for this program: it is of compute capability %1.%2, 7.5 or later is needed</source>
+        <translation>la GPU es demasiado antigua para este programa: es de compute capability %1.%2 y se necesita 7.5 o posterior</translation>
+    </message>
+    <message>
+        <source>the axes of the volume are not at right angles</source>
+        <translation>los ejes del volumen no forman ángulos rectos</translation>
+    </message>
+    <message>
+        <source>the certificates cannot be written</source>
+        <translation>no se pueden escribir los certificados</translation>
+    </message>
+    <message>
+        <source>the compressed picture cannot be decoded</source>
+        <translation>la imagen comprimida no se puede descodificar</translation>
+    </message>
+    <message>
+        <source>the compressed picture is damaged: %1</source>
+        <translation>la imagen comprimida está dañada: %1</translation>
+    </message>
+    <message>
+        <source>the compressed picture is damaged: %1 of its pixels hold numbers that %2 bits cannot</source>
+        <translation>la imagen comprimida está dañada: %1 de sus píxeles contienen números que no caben en %2 bits</translation>
+    </message>
+    <message>
+        <source>the compressed picture is damaged: its decoder says "%1"</source>
+        <translation>la imagen comprimida está dañada: su descodificador dice «%1»</translation>
+    </message>
+    <message>
+        <source>the device takes samples for films of its own only</source>
+        <translation>el dispositivo solo toma muestras para sus propias películas</translation>
+    </message>
+    <message>
+        <source>the driver is too old: it knows CUDA %1, %2 is needed</source>
+        <translation>el controlador es demasiado antiguo: conoce CUDA %1 y se necesita %2</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>no se puede abrir el archivo</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>no se puede leer el archivo</translation>
+    </message>
+    <message>
+        <source>the file cannot be read (%1)</source>
+        <translation>no se puede leer el archivo (%1)</translation>
+    </message>
+    <message>
+        <source>the file could not be read to its end</source>
+        <translation>no se pudo leer el archivo hasta el final</translation>
+    </message>
+    <message>
+        <source>the file could not be written (%1)</source>
+        <translation>no se pudo escribir el archivo (%1)</translation>
+    </message>
+    <message>
+        <source>the file holds %1 bytes, %2 voxels of this type are %3</source>
+        <translation>el archivo contiene %1 bytes; %2 vóxeles de este tipo son %3</translation>
+    </message>
+    <message>
+        <source>the file is damaged: %1</source>
+        <translation>el archivo está dañado: %1</translation>
+    </message>
+    <message>
+        <source>the file is damaged: it cannot be parsed to its end</source>
+        <translation>el archivo está dañado: no se puede leer hasta el final</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1</source>
+        <translation>el archivo supera %1</translation>
+    </message>
+    <message>
+        <source>the file is no longer there</source>
+        <translation>el archivo ya no está</translation>
+    </message>
+    <message>
+        <source>the files name %1 frames of reference; their positions are taken as one</source>
+        <translation>los archivos nombran %1 sistemas de referencia; sus posiciones se toman como de uno solo</translation>
+    </message>
+    <message>
+        <source>the files say that their values are in "%1"; they are taken as HU</source>
+        <translation>los archivos dicen que sus valores están en «%1»; se toman como HU</translation>
+    </message>
+    <message>
+        <source>the folder cannot be looked into (%1)</source>
+        <translation>no se puede mirar en la carpeta (%1)</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made (%1)</source>
+        <translation>no se puede crear la carpeta (%1)</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read (%1)</source>
+        <translation>no se puede leer la carpeta (%1)</translation>
+    </message>
+    <message>
+        <source>the folder for your looks cannot be made</source>
+        <translation>no se puede crear la carpeta de sus aspectos</translation>
+    </message>
+    <message>
+        <source>the folder is empty</source>
+        <translation>la carpeta está vacía</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>la carpeta no está vacía</translation>
+    </message>
+    <message>
+        <source>the link leads nowhere</source>
+        <translation>el enlace no lleva a ninguna parte</translation>
+    </message>
+    <message>
+        <source>the lungs cannot be shown</source>
+        <translation>no se pueden mostrar los pulmones</translation>
+    </message>
+    <message>
+        <source>the lungs cannot be told from the rest</source>
+        <translation>los pulmones no se distinguen del resto</translation>
+    </message>
+    <message>
+        <source>the measurements do not tell the parts of a frame's time apart</source>
+        <translation>las mediciones no distinguen las partes del tiempo de una imagen</translation>
+    </message>
+    <message>
+        <source>the name says no format that pictures are saved in</source>
+        <translation>el nombre no indica un formato en el que se guarden imágenes</translation>
+    </message>
+    <message>
+        <source>the other device cannot be used: %1</source>
+        <translation>no se puede usar el otro dispositivo: %1</translation>
+    </message>
+    <message>
+        <source>the other side sent what makes no sense: %1</source>
+        <translation>la otra parte envió algo sin sentido: %1</translation>
+    </message>
+    <message>
         <source>the patient</source>
         <translation>el paciente</translation>
+    </message>
+    <message>
+        <source>the picture cannot be read as OpenEXR (%1)</source>
+        <translation>la imagen no se puede leer como OpenEXR (%1)</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded as OpenEXR (%1)</source>
+        <translation>la imagen no se pudo codificar como OpenEXR (%1)</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded as PNG</source>
+        <translation>la imagen no se pudo codificar como PNG</translation>
+    </message>
+    <message>
+        <source>the picture could not be made</source>
+        <translation>no se pudo hacer la imagen</translation>
+    </message>
+    <message>
+        <source>the picture has no channel %1</source>
+        <translation>la imagen no tiene canal %1</translation>
+    </message>
+    <message>
+        <source>the picture holds fewer pixels than its header says</source>
+        <translation>la imagen contiene menos píxeles de los que dice su cabecera</translation>
+    </message>
+    <message>
+        <source>the picture is %1 x %2 pixels, at most %3 x %3 can be read</source>
+        <translation>la imagen tiene %1 x %2 píxeles; se pueden leer %3 x %3 como máximo</translation>
+    </message>
+    <message>
+        <source>the picture is black and lights nothing</source>
+        <translation>la imagen es negra y no ilumina nada</translation>
+    </message>
+    <message>
+        <source>the picture is not complete</source>
+        <translation>la imagen no está completa</translation>
+    </message>
+    <message>
+        <source>the picture of the surroundings is not complete</source>
+        <translation>la imagen del entorno no está completa</translation>
+    </message>
+    <message>
+        <source>the picture was closed</source>
+        <translation>se cerró la imagen</translation>
     </message>
     <message>
         <source>the rest of the picture waits for the box</source>
@@ -2992,6 +4704,38 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>las muestras llegan primero: %3 en %2, dentro de ±%1</translation>
     </message>
     <message>
+        <source>the scene that was ordered cannot be rendered: %1</source>
+        <translation>la escena pedida no se puede calcular: %1</translation>
+    </message>
+    <message>
+        <source>the series before is still held in memory</source>
+        <translation>la serie anterior sigue en memoria</translation>
+    </message>
+    <message>
+        <source>the slices differ in size: %1</source>
+        <translation>los cortes tienen distinto tamaño: %1</translation>
+    </message>
+    <message>
+        <source>the slices drift sideways by %1 mm for each %2 mm of height (gantry tilt of %3 degrees), from %4 to %5</source>
+        <translation>los cortes se desplazan lateralmente %1 mm por cada %2 mm de altura (inclinación del gantry de %3 grados), de %4 a %5</translation>
+    </message>
+    <message>
+        <source>the symbolic links here lead in a circle</source>
+        <translation>los enlaces simbólicos forman aquí un círculo</translation>
+    </message>
+    <message>
+        <source>the system has no thread or no memory left for this</source>
+        <translation>al sistema no le quedan hilos o memoria para esto</translation>
+    </message>
+    <message>
+        <source>the text %1 has more than %2 values</source>
+        <translation>el texto %1 tiene más de %2 valores</translation>
+    </message>
+    <message>
+        <source>the text %1 is longer than %2 kB</source>
+        <translation>el texto %1 supera %2 kB</translation>
+    </message>
+    <message>
         <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
         <translation>el tiempo llega primero: en %2, dentro de ±%1 y con %3 muestras</translation>
     </message>
@@ -3000,20 +4744,120 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la vista</translation>
     </message>
     <message>
+        <source>the volume does not fit into its memory: %1 are needed, %2 are free</source>
+        <translation>el volumen no cabe en su memoria: se necesitan %1 y hay %2 libres</translation>
+    </message>
+    <message>
+        <source>the volume is too large for fast filtering: it has %1 voxels, textures may have %2</source>
+        <translation>el volumen es demasiado grande para el filtrado rápido: tiene %1 vóxeles y las texturas admiten %2</translation>
+    </message>
+    <message>
+        <source>the volume needs %1 of memory, and %2 are free</source>
+        <translation>el volumen necesita %1 de memoria y hay %2 libres</translation>
+    </message>
+    <message>
+        <source>the volume needs %1 of memory, which could not be had</source>
+        <translation>el volumen necesita %1 de memoria, que no se pudo obtener</translation>
+    </message>
+    <message>
         <source>the whole picture, which waits for the box: 95 % of the tissue within ±%1</source>
         <translation>la imagen entera, que espera al recuadro: 95 % del tejido dentro de ±%1</translation>
+    </message>
+    <message>
+        <source>there are %1 nodes, at most %2 are taken</source>
+        <translation>hay %1 puntos; se admiten %2 como máximo</translation>
+    </message>
+    <message>
+        <source>there are certificates already</source>
+        <translation>ya hay certificados</translation>
+    </message>
+    <message>
+        <source>there is a stray delimiter %1</source>
+        <translation>hay un delimitador suelto %1</translation>
     </message>
     <message>
         <source>there is contrast in the blood</source>
         <translation>hay contraste en la sangre</translation>
     </message>
     <message>
+        <source>there is no GPU of NVIDIA's</source>
+        <translation>no hay ninguna GPU de NVIDIA</translation>
+    </message>
+    <message>
+        <source>there is no air of 150 ml in the body that looks like a lung</source>
+        <translation>en el cuerpo no hay 150 ml de aire que parezcan un pulmón</translation>
+    </message>
+    <message>
+        <source>there is no connection: %1</source>
+        <translation>no hay conexión: %1</translation>
+    </message>
+    <message>
+        <source>there is no driver for a GPU of NVIDIA's</source>
+        <translation>no hay controlador para una GPU de NVIDIA</translation>
+    </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>no hay imagen</translation>
+    </message>
+    <message>
+        <source>there is no scene on the device</source>
+        <translation>no hay ninguna escena en el dispositivo</translation>
+    </message>
+    <message>
+        <source>there is no series %1 here</source>
+        <translation>aquí no hay ninguna serie %1</translation>
+    </message>
+    <message>
+        <source>there is no such GPU</source>
+        <translation>no existe esa GPU</translation>
+    </message>
+    <message>
+        <source>there is no such device</source>
+        <translation>no existe ese dispositivo</translation>
+    </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>no existe esa carpeta</translation>
+    </message>
+    <message>
+        <source>there is no such port</source>
+        <translation>no existe ese puerto</translation>
+    </message>
+    <message>
         <source>there is no tissue in the box</source>
         <translation>no hay tejido en el recuadro</translation>
     </message>
     <message>
+        <source>there is not enough memory</source>
+        <translation>no hay memoria suficiente</translation>
+    </message>
+    <message>
+        <source>there is not enough memory %1</source>
+        <translation>no hay memoria suficiente %1</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to look for it</source>
+        <translation>no hay memoria suficiente para buscarla</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to read its header</source>
+        <translation>no hay memoria suficiente para leer su cabecera</translation>
+    </message>
+    <message>
+        <source>there is something behind its map</source>
+        <translation>hay algo detrás de su tabla</translation>
+    </message>
+    <message>
+        <source>there is too little memory</source>
+        <translation>hay muy poca memoria</translation>
+    </message>
+    <message>
         <source>there is too little tissue at that place</source>
         <translation>Hay demasiado poco tejido en ese lugar</translation>
+    </message>
+    <message>
+        <source>these certificates do not belong together</source>
+        <translation>estos certificados no van juntos</translation>
     </message>
     <message>
         <source>this body is no wider than a head</source>
@@ -3024,12 +4868,124 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>este cuerpo es más ancho que una cabeza</translation>
     </message>
     <message>
+        <source>this certificate does not hold yet</source>
+        <translation>este certificado aún no es válido</translation>
+    </message>
+    <message>
+        <source>this certificate holds no longer</source>
+        <translation>este certificado ya no es válido</translation>
+    </message>
+    <message>
+        <source>this file belongs to another user, and in this folder only they may replace it</source>
+        <translation>este archivo es de otro usuario, y en esta carpeta solo él puede reemplazarlo</translation>
+    </message>
+    <message>
+        <source>this file may not be written</source>
+        <translation>no está permitido escribir este archivo</translation>
+    </message>
+    <message>
+        <source>this is a file, not a folder</source>
+        <translation>esto es un archivo, no una carpeta</translation>
+    </message>
+    <message>
+        <source>this is a folder, a file name is needed</source>
+        <translation>esto es una carpeta, hace falta un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file</source>
+        <translation>esto es una carpeta, no un archivo</translation>
+    </message>
+    <message>
+        <source>this is no DICOM image</source>
+        <translation>esto no es una imagen DICOM</translation>
+    </message>
+    <message>
+        <source>this is no address</source>
+        <translation>esto no es una dirección</translation>
+    </message>
+    <message>
+        <source>this is no certificate</source>
+        <translation>esto no es un certificado</translation>
+    </message>
+    <message>
+        <source>this is no key</source>
+        <translation>esto no es una clave</translation>
+    </message>
+    <message>
+        <source>this is no plain file</source>
+        <translation>esto no es un archivo corriente</translation>
+    </message>
+    <message>
+        <source>this is not the certificate of a %1</source>
+        <translation>este no es el certificado de un %1</translation>
+    </message>
+    <message>
+        <source>this is one piece of a stack whose other piece lies on another grid (%1): %2 and so on here, %3 and so on there</source>
+        <translation>es una parte de una pila cuya otra parte está en otra rejilla (%1): %2 y siguientes aquí, %3 y siguientes allí</translation>
+    </message>
+    <message>
+        <source>this key is encrypted, and nobody is there to ask for its password</source>
+        <translation>esta clave está cifrada y no hay nadie a quien pedir la contraseña</translation>
+    </message>
+    <message>
+        <source>this look cannot be deleted: %1</source>
+        <translation>no se puede borrar este aspecto: %1</translation>
+    </message>
+    <message>
+        <source>this look cannot be written: %1</source>
+        <translation>no se puede escribir este aspecto: %1</translation>
+    </message>
+    <message>
+        <source>this name is too long</source>
+        <translation>este nombre es demasiado largo</translation>
+    </message>
+    <message>
+        <source>this program listens at IP addresses, not at names</source>
+        <translation>este programa escucha en direcciones IP, no en nombres</translation>
+    </message>
+    <message>
+        <source>this program was built without CUDA</source>
+        <translation>este programa se compiló sin CUDA</translation>
+    </message>
+    <message>
+        <source>this render node is named already</source>
+        <translation>este equipo de render ya está nombrado</translation>
+    </message>
+    <message>
+        <source>this scene cannot be sent to render nodes: they would read another one</source>
+        <translation>esta escena no se puede enviar a los equipos de render: leerían otra</translation>
+    </message>
+    <message>
         <source>tilted stack</source>
         <translation>pila inclinada</translation>
     </message>
     <message>
+        <source>to decode it</source>
+        <translation>para descodificarlo</translation>
+    </message>
+    <message>
+        <source>to tell parts of the body apart</source>
+        <translation>para distinguir partes del cuerpo</translation>
+    </message>
+    <message>
+        <source>too few measurements: %1 sizes with %2 numbers of iterations</source>
+        <translation>muy pocas mediciones: %1 tamaños con %2 números de iteraciones</translation>
+    </message>
+    <message>
         <source>two slices at one place</source>
         <translation>dos cortes en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>voxel %1 holds %2, Hounsfield units end at 32767 and begin at -32768</source>
+        <translation>el vóxel %1 contiene %2; las unidades Hounsfield van de -32768 a 32767</translation>
+    </message>
+    <message>
+        <source>voxels lie %1 mm apart, must be from %2 to %3</source>
+        <translation>los vóxeles están a %1 mm; se admite de %2 a %3</translation>
+    </message>
+    <message>
+        <source>voxels lie more than 5 mm apart</source>
+        <translation>los vóxeles están a más de 5 mm</translation>
     </message>
     <message>
         <source>water</source>
@@ -3038,6 +4994,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>which of them comes first is not known yet</source>
         <translation>aún no se sabe cuál de ellos llega primero</translation>
+    </message>
+    <message>
+        <source>without certificates only this machine itself may be dialled</source>
+        <translation>sin certificados solo se puede llamar a este mismo equipo</translation>
     </message>
     <message>
         <source>writing the picture</source>
@@ -3082,50 +5042,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>±%1 since %2 of rendering</source>
         <translation>±%1 desde %2 de cálculo</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Detalles</translation>
-    </message>
-    <message>
-        <source>All of the message</source>
-        <translation>Todo el mensaje</translation>
-    </message>
-    <message>
-        <source>Shows all of the message</source>
-        <translation>Muestra todo el mensaje</translation>
-    </message>
-    <message>
-        <source>Render at the window's si&amp;ze</source>
-        <translation>Renderizar al tamaño de la &amp;ventana</translation>
-    </message>
-    <message>
-        <source>Begins the image anew with as many pixels as it is shown with; the next edit does so as well.</source>
-        <translation>Empieza la imagen de nuevo con tantos píxeles como se muestran; el próximo cambio también lo hace.</translation>
-    </message>
-    <message>
-        <source>Rendering rests on battery: Space goes on</source>
-        <translation>Con batería el renderizado descansa: Espacio continúa</translation>
-    </message>
-    <message>
-        <source>Only the first of the folders that were dropped is opened.</source>
-        <translation>Solo se abre la primera de las carpetas soltadas.</translation>
-    </message>
-    <message>
-        <source>Right click</source>
-        <translation>Clic derecho</translation>
-    </message>
-    <message>
-        <source>What one does most</source>
-        <translation>Lo más habitual</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Inicio</translation>
-    </message>
-    <message>
-        <source>Reset the view</source>
-        <translation>Restablecer la vista</translation>
     </message>
 </context>
 </TS>

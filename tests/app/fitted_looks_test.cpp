@@ -2,7 +2,6 @@
 
 #include <QTest>
 
-#include "app/changed_look.h"
 #include "app/fitted_looks.h"
 
 namespace pdr::app {
@@ -33,29 +32,40 @@ void TestFittedLooks::aChangedLookIsKnownByItsName() {
     const FittedLooks looks = bones();
     PictureSetup setup;
     setup.look = looks[1].look;
-    QCOMPARE(looks.nameOf(setup, "Bone"), std::string("Bones alone"));
+    setup = looks.named(setup, "Bone");
+    QCOMPARE(lookTitle(setup), std::string("Bones alone"));
+    QVERIFY(!setup.lookChanged);
     setup.look.phaseG = 0.9f;
-    QCOMPARE(looks.nameOf(setup, "Bone"), std::string("Bone (changed)"));
+    QCOMPARE(lookTitle(looks.named(setup, "Bone")), std::string("Bone (changed)"));
     setup.lookName = "Bone";
     QCOMPARE(looks.indexOf(setup), -1);
 }
 
 void TestFittedLooks::aLookIsChangedOnce() {
-    QCOMPARE(changedName("Bone"), std::string("Bone (changed)"));
-    QCOMPARE(changedName(changedName("Bone")), std::string("Bone (changed)"));
-    QCOMPARE(unchangedName("Bone (changed)"), std::string("Bone"));
-    QCOMPARE(unchangedName("Bone"), std::string("Bone"));
+    const FittedLooks looks = bones();
+    PictureSetup setup;
+    for (int i = 1; i <= 2; ++i) {
+        setup.look.phaseG = 0.1f * float(i);
+        setup = looks.named(setup, i == 1 ? "Bone" : setup.lookName);
+        QVERIFY(setup.lookChanged);
+        QCOMPARE(setup.lookName, std::string("Bone"));
+        QCOMPARE(lookTitle(setup), std::string("Bone (changed)"));
+    }
 }
 
 void TestFittedLooks::theBeginningIsTheLookOfThatNameAlone() {
     const FittedLooks looks = bones();
+    PictureSetup setup;
     for (int i = 0; looks.holds(i); ++i) {
-        QCOMPARE(looks.beginningOf(looks[i].name), &looks[i]);
-        QCOMPARE(looks.beginningOf(changedName(looks[i].name)), &looks[i]);
+        setup.lookName = looks[i].name;
+        for (const bool changed : {false, true}) {
+            setup.lookChanged = changed;
+            QCOMPARE(looks.beginningOf(setup), &looks[i]);
+        }
     }
-    QVERIFY(!looks.beginningOf("Bones"));
-    QVERIFY(!looks.beginningOf("Bone beside contrast"));
-    QVERIFY(!looks.beginningOf(""));
+    QVERIFY(!looks.lookCalled("Bones"));
+    QVERIFY(!looks.lookCalled("Bone beside contrast"));
+    QVERIFY(!looks.lookCalled(""));
 }
 
 void TestFittedLooks::aBrightnessOfTheUserStays() {

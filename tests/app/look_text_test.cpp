@@ -60,12 +60,15 @@ class LookTextTest : public QObject {
         looks.push_back(own);
         Document document(looks);
         document.open(cube());
-        QCOMPARE(nameText(document.looks(), document.setup().lookName), nameText(looks[0]));
+        QCOMPARE(nameText(document.looks(), lookTitle(document.setup())), nameText(looks[0]));
         Look edited = document.setup().look;
         edited.gradientFactor += 1;
         document.setLook(edited);
-        QVERIFY(document.setup().lookName.starts_with(looks[0].name));  // for files
-        QCOMPARE(nameText(document.looks(), document.setup().lookName), nameText(looks[0]) + Document::tr(" (changed)"));
+        QCOMPARE(document.setup().lookName, looks[0].name);
+        QVERIFY(document.setup().lookChanged);
+        QCOMPARE(lookTitle(document.setup()), looks[0].name + " (changed)");  // for files, in any language
+        QCOMPARE(nameText(document.looks(), lookTitle(document.setup())),
+                 Document::tr("%1 (changed)").arg(nameText(looks[0])));
         QCOMPARE(nameText(document.looks(), "Bones"), QString("Bones"));
         QCOMPARE(nameText(document.looks(), "Bones of nobody"), QString("Bones of nobody"));
     }

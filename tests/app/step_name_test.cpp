@@ -138,7 +138,7 @@ void TestStepName::namesThatBeginAlikeAreTwoLooks() {
     QCOMPARE(changeOf(bone, alone), Change::lookChosen);
     QCOMPARE(changeOf(alone, bone), Change::lookChosen);
     PictureSetup changed = bone;
-    changed.lookName = "Bone (changed)";
+    changed.lookChanged = true;
     changed.look.visible.part = BodyPart::bones;
     QCOMPARE(changeOf(bone, changed), Change::visible);
 }

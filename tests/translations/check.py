@@ -21,6 +21,11 @@ def file_of(root, language):
     return root / "resources" / "translations" / f"pdrender_{language}.ts"
 
 
+def same_everywhere(pattern):
+    """Whether it has no words, but for the name of a unit."""
+    return not re.sub(r"%\d|\b(?:MB|GB|ml|l|x)\b|[^A-Za-z]", "", pattern)
+
+
 def complaints(root, language):
     said, translated = texts.in_sources(root), texts.in_translation(file_of(root, language))
     for text, where in said.items():
@@ -28,6 +33,9 @@ def complaints(root, language):
             yield f"{where}: reads as a nodule, say render node: {text!r}"
         if translated.get(text) is None:
             yield f"{where}: not translated: {text!r}"
+    for text, where in texts.in_rooms_below(root).items():
+        if translated.get(text) == [text] and not same_everywhere(text):
+            yield f"{where}: English is no translation: {text!r}"
     for text, forms in translated.items():
         if text not in said:
             yield f"nobody says any more: {text!r}"
@@ -71,7 +79,8 @@ def main():
     options = parser.parse_args()
     if options.write:
         return write(options.source, *options.write)
-    found = [f"{language}: {complaint}" for language in LANGUAGES for complaint in complaints(options.source, language)]
+    found = [f"{where}: is no phrase(...), so stays English: {text!r}" for where, text in texts.unmarked(options.source)]
+    found += [f"{language}: {complaint}" for language in LANGUAGES for complaint in complaints(options.source, language)]
     print("\n".join(found))
     return 1 if found else 0
 

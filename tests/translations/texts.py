@@ -6,8 +6,15 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 ROOMS = ("ui/**/*.cpp", "ui/**/*.h", "app/*.cpp", "app/*.h", "app/desktop/*.cpp", "app/desktop/*.h")
-# Words of rooms that know no Qt, which the window translates: file, and where in it they stand.
-WORDS = (("render/scene/tissue_bands.h", r'\{"([^"]+)"'), ("render/scene/named_look.cpp", r'[?:] "([^"]+)"'))
+# Sentences of rooms that know no Qt: the patterns of phrase(...), see render/base/text.h.
+ROOMS_BELOW = ("render/**/*.cpp", "render/**/*.h", "render/**/*.cu", "dicom/*.cpp", "dicom/*.h", "app/*.cpp", "app/nodes/*.cpp",
+               "app/remote/*.cpp", "app/node/*.cpp", "app/wire/*.cpp")
+PHRASE = re.compile(r"\bphrase\s*\(")
+UNMARKED = re.compile(r'\b(?:Error|FieldError\{|VpError\{)\s*\{\s*"([^"]+ [^"]*)"')
+# Other words of theirs: file, and where in it they stand.
+WORDS = (("render/scene/tissue_bands.h", r'\{"([^"]+)"'), ("render/scene/named_look.cpp", r'[?:] "([^"]+)"'),
+         ("render/film/health_text.cpp", r'return "([^"]+)"'), ("dicom/jpeg_scan.cpp", r'(?:return|[?=]) "([^"]+)"'),
+         ("app/wire/map_reader.cpp", r'"(\w+ [^"]+)"'), ("app/wire/payload.cpp", r'(?:return|\?) "([^"]+)"'))
 # What the window says of the looks that the program carries.
 LOOKS, SAID_OF_LOOKS = "resources/looks/*.json", ("name", "doesNotShow")
 CALL = re.compile(r"\b(?:(QT_TRANSLATE_NOOP|QCoreApplication::translate)|tr|translated)\s*\(")
@@ -48,9 +55,28 @@ def arguments(source, begin):
     return [[unescaped(text) for text in texts] for texts in lists]
 
 
+def in_rooms_below(root):
+    """{pattern: the first file that says it}"""
+    found = {}
+    for path in sorted({path for pattern in ROOMS_BELOW for path in root.glob(pattern)}):
+        source = re.sub(r"//[^\n]*", "", path.read_text(encoding="utf-8"))
+        for call in PHRASE.finditer(source):
+            for text in arguments(source, call.end())[0]:
+                found.setdefault(text, path.relative_to(root))
+    return found
+
+
+def unmarked(root):
+    """What would stay English: (file, text) of errors whose sentence is no phrase(...)."""
+    for path in sorted({path for pattern in ROOMS_BELOW for path in root.glob(pattern)}):
+        source = re.sub(r"//[^\n]*", "", path.read_text(encoding="utf-8"))
+        for error in UNMARKED.finditer(source):
+            yield path.relative_to(root), error[1]
+
+
 def in_sources(root):
     """{text: the first file that says it}"""
-    found = {}
+    found = in_rooms_below(root)
     files = sorted({path for pattern in ROOMS for path in root.glob(pattern)})
     for path in files:
         source = re.sub(r"//[^\n]*", "", path.read_text(encoding="utf-8"))

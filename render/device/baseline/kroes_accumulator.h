@@ -71,8 +71,8 @@ class KroesAccumulator final : public Accumulator {
 
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
         if (!(region == area_))
-            return Error{"Exposure Render's schedule takes whole pictures only", "",
-                         "Choose the schedule of PD-Render.", ErrorKind::refused};
+            return Error{phrase("Exposure Render's schedule takes whole pictures only"), "",
+                         phrase("Choose the schedule of PD-Render."), ErrorKind::refused};
         for (; n > 0 && !stop.stop_requested(); --n)
             if (Result<void> done = iterateOnce(stop); !done)
                 return done;

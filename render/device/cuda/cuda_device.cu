@@ -44,15 +44,15 @@ Error noGpu(cudaError_t status) {
     cudaDriverGetVersion(&driver);
     cudaRuntimeGetVersion(&runtime);
     if (status == cudaErrorInsufficientDriver && driver == 0)
-        return {"there is no driver for a GPU of NVIDIA's", kName, "Install one, or render on the CPU.",
+        return {phrase("there is no driver for a GPU of NVIDIA's"), kName, phrase("Install one, or render on the CPU."),
                 ErrorKind::refused};
     if (status == cudaErrorInsufficientDriver)
         return {
-            "the driver is too old: it knows CUDA " + versionText(driver) + ", " + versionText(runtime) + " is needed",
-            kName, "Install a newer driver, or render on the CPU."};
+            phrase("the driver is too old: it knows CUDA %1, %2 is needed", versionText(driver), versionText(runtime)),
+            kName, phrase("Install a newer driver, or render on the CPU.")};
     if (status == cudaErrorNoDevice)
-        return {"there is no GPU of NVIDIA's", kName, "Render on the CPU.", ErrorKind::refused};
-    return {std::string("the GPU cannot be used (") + cudaGetErrorString(status) + ")", kName, "Render on the CPU."};
+        return {phrase("there is no GPU of NVIDIA's"), kName, phrase("Render on the CPU."), ErrorKind::refused};
+    return {phrase("the GPU cannot be used (%1)", std::string(cudaGetErrorString(status))), kName, phrase("Render on the CPU.")};
 }
 
 /// The first generation that nvcc compiles for: 7.5, Turing.
@@ -67,9 +67,9 @@ Result<void> checkAge(int index) {
     const bool isKnown = status[0] == cudaSuccess && status[1] == cudaSuccess;
     if (!isKnown || 10 * major + minor >= kOldest)
         return {};
-    return Error{"the GPU is too old for this program: it is of compute capability " + std::to_string(major) + "." +
-                     std::to_string(minor) + ", 7.5 or later is needed",
-                 kName, "Render on the CPU."};
+    return Error{phrase("the GPU is too old for this program: it is of compute capability %1.%2, 7.5 or later is needed",
+                        major, minor),
+                 kName, phrase("Render on the CPU.")};
 }
 
 DeviceInfo infoOf(int index) {
@@ -99,8 +99,8 @@ Result<std::unique_ptr<Device>> makeCudaDevice(int index) {
     if (!known)
         return known.error();
     if (index < 0 || std::size_t(index) >= known->size())
-        return Error{"there is no such GPU", "cuda:" + std::to_string(index),
-                     "The last one is cuda:" + std::to_string(known->size() - 1) + "."};
+        return Error{phrase("there is no such GPU"), "cuda:" + std::to_string(index),
+                     phrase("The last one is cuda:%1.", known->size() - 1)};
     if (Result<void> isNew = checkAge(index); !isNew)
         return isNew.error();
     auto device = std::make_unique<GpuDevice<CudaGpu>>((*known)[std::size_t(index)], index);

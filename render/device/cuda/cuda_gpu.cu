@@ -44,10 +44,11 @@ bool CudaGpu::check(cudaError_t status, const char* doing) {
     if (status == cudaSuccess)
         return true;
     if (!error_)
-        error_ =
-            Error{std::string("the GPU failed at ") + doing + " (" + cudaGetErrorString(status) + ")", name_,
-                  "Render on the CPU, or start the program anew; a newer driver or a restart of the computer may help.",
-                  ErrorKind::deviceLost};
+        error_ = Error{
+            phrase("the GPU failed at %1 (%2)", doing, std::string(cudaGetErrorString(status))), name_,
+            phrase(
+                "Render on the CPU, or start the program anew; a newer driver or a restart of the computer may help."),
+            ErrorKind::deviceLost};
     return false;
 }
 
@@ -103,14 +104,12 @@ bool CudaGpu::textureFits(ivec3 size) {
     for (int axis = 0; axis < 3; ++axis)
         if (!check(cudaDeviceGetAttribute(&most[axis], limits[axis], index_), "asking how large textures may be"))
             return false;
-    const auto text = [](ivec3 voxels) {
-        return std::to_string(voxels.x) + " x " + std::to_string(voxels.y) + " x " + std::to_string(voxels.z);
-    };
+    const auto text = [](ivec3 voxels) { return phrase("%1 x %2 x %3", voxels.x, voxels.y, voxels.z); };
     if (size.x <= most.x && size.y <= most.y && size.z <= most.z)
         return true;
-    error_ = Error{
-        "the volume is too large for fast filtering: it has " + text(size) + " voxels, textures may have " + text(most),
-        name_, "Choose exact filtering.", ErrorKind::refused};
+    error_ = Error{phrase("the volume is too large for fast filtering: it has %1 voxels, textures may have %2",
+                          text(size), text(most)),
+                   name_, phrase("Choose exact filtering."), ErrorKind::refused};
     return false;
 }
 

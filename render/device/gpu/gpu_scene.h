@@ -31,7 +31,8 @@ class GpuScene {
     Result<void> isThere() const {
         if (scene_)
             return {};
-        return Error{"there is no scene on the device", gpu_.name(), "It was refused, or the device failed before."};
+        return Error{phrase("there is no scene on the device"), gpu_.name(),
+                     phrase("It was refused, or the device failed before.")};
     }
     /// The scene with all its pointers into the GPU's memory.
     const FlatScene& flat() const { return flat_; }
@@ -135,13 +136,15 @@ Result<void> GpuScene<G>::room(const PreparedScene& scene, std::size_t needed) c
     if (needed <= free)
         return {};
     if (total == 0)
-        return Error{"it does not say how much memory it has, and is broken or lost", gpu_.name(), "Render on the CPU.",
-                     ErrorKind::deviceLost};
-    return Error{"the volume does not fit into its memory: " + bytesText(needed) + " are needed, " + bytesText(free) +
-                     " are free",
+        return Error{phrase("it does not say how much memory it has, and is broken or lost"), gpu_.name(),
+                     phrase("Render on the CPU."), ErrorKind::deviceLost};
+    return Error{phrase("the volume does not fit into its memory: %1 are needed, %2 are free", bytesText(needed),
+                        bytesText(free)),
                  gpu_.name(),
-                 std::string(wantsTexture(scene) ? "Choose exact filtering, which needs less, import" : "Import") +
-                     " a part of the series, close programs that use the device, or render on the CPU.",
+                 wantsTexture(scene) ? phrase("Choose exact filtering, which needs less, import a part of the series, "
+                                              "close programs that use the device, or render on the CPU.")
+                                     : phrase("Import a part of the series, close programs that use the device, or "
+                                              "render on the CPU."),
                  ErrorKind::memory};
 }
 

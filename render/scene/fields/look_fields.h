@@ -26,6 +26,7 @@ template <class Visit>
 void describe(Visit& visit, PictureSetup& setup) {
     visit.object({"look", "how tissue looks", {}, kRequired}, setup.look);
     visit({"lookName", "what the user calls it"}, setup.lookName);
+    visit({"lookChanged", "whether it was that look, and has been changed since"}, setup.lookChanged);
     visit({"stops", "brightness against the look's; one more is twice as bright", {-64, 64}}, setup.stops);
     visit.object({"camera", "from where it is seen", {}, kRequired}, setup.camera);
     visit({"background", "colour: radiance behind the volume instead of the environment; it lights nothing", kRadiance},

@@ -17,14 +17,14 @@ constexpr double kDielectric = 0.2;    ///< reflectance of Slicer's specular 1: 
 Result<void> checkAscending(const auto& points, const char* what) {
     const std::string where(what);
     if (points.empty())
-        return Error{"has no points", where, ""};
+        return Error{phrase("has no points"), where, ""};
     if (points.size() > 1000)
-        return Error{"has more than 1000 points", where, ""};
+        return Error{phrase("has more than 1000 points"), where, ""};
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (auto ok = checkRange(double(points[i].hu), {kLowestHu, kHighestHu}, where); !ok)
             return ok;
         if (i > 0 && points[i].hu < points[i - 1].hu)
-            return Error{"has points that do not ascend", where, ""};
+            return Error{phrase("has points that do not ascend"), where, ""};
     }
     return {};
 }

@@ -70,7 +70,7 @@ void readComponent(JsonFields component, VolumeProperty& property) {
 JsonFields firstOf(JsonFields& fields, std::string_view name) {
     const std::vector<JsonFields> list = fields.objects(name);
     if (list.empty())
-        fields.fail(name, "is empty");
+        fields.fail(name, phrase("is empty"));
     return list.front();
 }
 

@@ -25,7 +25,7 @@ class Lines {
         std::string_view line;
         do {
             if (rest_.empty())
-                throw VpError{{"is missing", what, ""}};
+                throw VpError{{phrase("is missing"), what, ""}};
             const std::size_t end = std::min(rest_.find('\n'), rest_.size());
             line = withoutRemark(rest_.substr(0, end));
             rest_.remove_prefix(std::min(end + 1, rest_.size()));
@@ -37,7 +37,7 @@ class Lines {
             line = trimmed(line.substr(end));
         }
         if (numbers.size() < least)
-            throw VpError{{"holds too few numbers", what, ""}};
+            throw VpError{{phrase("holds too few numbers"), what, ""}};
         return numbers;
     }
     double number(const std::string& what) { return numbers(what, 1)[0]; }
@@ -48,9 +48,10 @@ class Lines {
         values.erase(values.begin());
         if (told != double(values.size()))
             throw VpError{
-                {"says it holds " + numberText(told) + " values and holds " + std::to_string(values.size()), what, ""}};
+                {phrase("says it holds %1 values and holds %2", Text::number(numberText(told)), values.size()), what,
+                 ""}};
         if (values.size() % width != 0)
-            throw VpError{{"holds points of " + std::to_string(width) + " numbers, and one is not whole", what, ""}};
+            throw VpError{{phrase("holds points of %1 numbers, and one is not whole", width), what, ""}};
         return values;
     }
 
@@ -68,7 +69,7 @@ class Lines {
         double value = 0;
         const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (problem != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-            throw VpError{{"holds \"" + std::string(word.substr(0, 40)) + "\", which is no number", what, ""}};
+            throw VpError{{phrase("holds \"%1\", which is no number", std::string(word.substr(0, 40))), what, ""}};
         return value;
     }
 
@@ -98,7 +99,7 @@ VolumeProperty read(Lines lines) {
 
 Result<VolumeProperty> propertyFromText(std::string_view text, std::string_view where) {
     if (text.size() > kMostBytes)
-        return Error{"is too long for a volume property", std::string(where), ""};
+        return Error{phrase("is too long for a volume property"), std::string(where), ""};
     try {
         return read(Lines(text));
     } catch (const VpError& failure) {

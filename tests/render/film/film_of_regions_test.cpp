@@ -241,7 +241,7 @@ class FilmOfRegionsTest : public QObject {
             const Result<void> merged = film.merge(result);
             if (!sameBits(before, film.content()))
                 return std::string("the film changed");
-            return merged ? std::string() : merged.error().what;
+            return std::string(merged ? Text() : merged.error().what);
         };
         const auto changed = [&](auto&& change) {
             TileResult result = good;

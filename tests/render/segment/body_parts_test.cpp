@@ -49,7 +49,7 @@ double at(const Mask& mask, dvec3 place) {
 }
 
 std::string refusal(const segment::PartMask& mask) {
-    return !mask && mask.error().kind == ErrorKind::refused ? mask.error().what : std::string();
+    return !mask && mask.error().kind == ErrorKind::refused ? mask.error().what : Text();
 }
 
 }  // namespace

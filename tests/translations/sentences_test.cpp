@@ -1,0 +1,229 @@
+/// What rooms without Qt say is said in every language of the window: notes, refusals, findings, errors.
+
+#include <QTest>
+
+#include <algorithm>
+
+#include "dicom/refusal.h"
+#include "dicom/stack_geometry.h"
+#include "dicom/stack_notes.h"
+#include "render/base/errors.h"
+#include "render/scene/picture_setup.h"
+#include "render/segment/body_parts.h"
+#include "render/segment/hidden_table.h"
+#include "tests/support/scenes.h"
+#include "ui/language.h"
+#include "ui/room_text.h"
+
+namespace pdr {
+namespace {
+
+using dicom::SliceHeader;
+using dicom::SlicePlane;
+
+SlicePlane planeAt(const char* name, double z) {
+    return {name, {512, 512}, dvec3(0, 0, z), dvec3(1, 0, 0), dvec3(0, 1, 0), dvec2(0.5, 0.7)};
+}
+
+/// Reasons of stacks that are not even.
+void addVerdicts(std::vector<Text>& texts) {
+    const auto add = [&](std::vector<SlicePlane> slices) {
+        texts.push_back(dicom::analyseStack(slices).verdict.reason);
+    };
+    const auto with = [](const auto& change) {
+        std::vector<SlicePlane> slices{planeAt("a.dcm", 0), planeAt("b.dcm", 5), planeAt("c.dcm", 10)};
+        change(slices[1]);
+        return slices;
+    };
+    add({planeAt("a.dcm", 0)});
+    add({planeAt("a.dcm", 0), planeAt("b.dcm", 5.5), planeAt("c.dcm", 20)});
+    add(with([](SlicePlane& slice) { slice.size.x = 256; }));
+    add(with([](SlicePlane& slice) { slice.position.reset(); }));
+    add(with([](SlicePlane& slice) { slice.spacingMm = dvec2(0, 1); }));
+    add(with([](SlicePlane& slice) { slice.columnDirection = dvec3(1, 0, 0); }));
+    add(with([](SlicePlane& slice) { slice.rowDirection = dvec3(0, 0, 1); }));
+    add(with([](SlicePlane& slice) { slice.position->x = 3; }));
+    add({planeAt("a.dcm", 0), planeAt("b.dcm", 0.01), planeAt("c.dcm", 10)});
+    std::vector<SlicePlane> tilted = with([](SlicePlane&) {});
+    for (int k = 0; k < 3; ++k)
+        tilted[std::size_t(k)].position->y = k;
+    add(tilted);
+}
+
+/// Reasons of images that are no slices.
+void addRefusals(std::vector<Text>& texts) {
+    const auto add = [&](const auto& change) {
+        SliceHeader header;
+        header.series.modality = "CT";
+        header.transferSyntaxUid = "1.2.840.10008.1.2.1";
+        header.pixelBytes = 8;
+        header.columns = header.rows = 2;
+        header.format = {16, 16, 15, false, 1, "MONOCHROME2"};
+        change(header);
+        if (const auto refusal = dicom::refuseSlice(header))
+            texts.push_back(refusal->reason);
+    };
+    add([](SliceHeader& header) { header.pixelBytes = 0; });
+    add([](SliceHeader& header) { header.pixelBytes = 0, header.series.modality = "SR"; });
+    add([](SliceHeader& header) { header.series.modality.clear(); });
+    add([](SliceHeader& header) { header.series.modality = "MR"; });
+    add([](SliceHeader& header) { header.imageType = "ORIGINAL\\PRIMARY\\LOCALIZER"; });
+    add([](SliceHeader& header) { header.format.photometric = "RGB"; });
+    add([](SliceHeader& header) { header.transferSyntaxUid = "1.2.840.10008.1.2.4.90"; });
+    add([](SliceHeader& header) { header.frames = 7; });
+    add([](SliceHeader& header) { header.columns = 0; });
+    add([](SliceHeader& header) { header.format.bitsStored = 17; });
+    add([](SliceHeader& header) { header.pixelBytes = 6; });
+    add([](SliceHeader& header) { header.meaning.rescaleIsBroken = true; });
+}
+
+/// Of stacks that load all the same.
+void addNotes(std::vector<Text>& texts) {
+    for (const std::size_t odd : {std::size_t(1), std::size_t(2)}) {
+        std::vector<SliceHeader> headers(3);
+        for (std::size_t k = 0; k < 3; ++k) {
+            headers[k].instanceNumber = int(k) + 1 + (k == 2 ? int(odd) : 0);
+            headers[k].meaning.slope = 1;
+            if (k >= odd)
+                headers[k].meaning.intercept = 0;
+            headers[k].meaning.unit = k == 0 ? "OD" : "HU";
+            headers[k].frameOfReferenceUid = std::to_string(k);
+            headers[k].isLossy = k < odd;
+            headers[k].lossyRatio = 8.5;
+        }
+        std::vector<const SliceHeader*> slices;
+        for (const SliceHeader& header : headers)
+            slices.push_back(&header);
+        for (const dicom::Note& note :
+             dicom::notesOn(slices, odd == 1 ? std::set<int>{1, 2, 4} : std::set<int>{1, 2, 5}))
+            texts.push_back(note.text);
+    }
+}
+
+void addFindings(std::vector<Text>& texts) {
+    segment::HiddenTable table;
+    table.undecided = phrase("nothing is as thick as 20 mm");
+    texts.push_back(segment::tableText(table));
+    table = {};
+    table.body = std::make_shared<const Volume>(VolumeGeometry::aligned({1, 1, 1}, dvec3(1), dvec3(0)), Voxels(1));
+    table.hiddenMl = 16800;
+    table.cutMl = 33.7;
+    table.parts = 2;
+    table.metalMl = 0.5;
+    texts.push_back(segment::tableText(table));
+}
+
+/// Of a volume of air, which has none, and of one that is all bone.
+void addParts(std::vector<Text>& texts) {
+    for (const int hu : {-1000, 40, 1200}) {
+        const auto volume = test::makeVolume({24, 24, 24}, dvec3(2), [&](int i, int j, int k) {
+            return i % 23 && j % 23 && k % 23 ? hu + (i + j + k) % 2 : -1000;
+        });
+        const segment::BodyParts parts(volume);
+        for (const segment::PartMask& mask :
+             {parts.peeled(7.5, volume->geometry(), noProgress), parts.lungs(volume->geometry(), noProgress),
+              parts.bones(segment::Bones::shown, volume->geometry(), noProgress),
+              parts.bones(segment::Bones::hidden, volume->geometry(), noProgress)})
+            texts.push_back(mask ? (*mask)->hidden() : mask.error().text());
+    }
+}
+
+void addErrors(std::vector<Text>& texts) {
+    texts.push_back(notEnoughMemory(phrase("to decode it"), "", "").what);
+    texts.push_back(memoryTooSmall("cuda", 3'000'000'000, 20'000'000).what);
+    PictureSetup setup;
+    setup.stops = 100;
+    texts.push_back(check(setup).error().what);
+    for (const char* json : {"[", "{}", R"({"format": "x"})", R"({"format": "pdrender-session", "version": 2})",
+                             R"({"format": "pdrender-session", "version": 1, "look": {}})"})
+        texts.push_back(setupFromJson(json, "plan.json").error().what);
+}
+
+std::vector<Text> everything() {
+    std::vector<Text> texts;
+    addVerdicts(texts);
+    addRefusals(texts);
+    addNotes(texts);
+    addFindings(texts);
+    addParts(texts);
+    addErrors(texts);
+    return texts;
+}
+
+/// Names and numbers that a text is made of, at any depth.
+void collect(const Text& text, QStringList& names) {
+    if (text.kind() == Text::Kind::words && !text.empty())
+        names << QString::fromStdString(text);
+    if (text.kind() == Text::Kind::number)
+        names << ui::localNumber(text);
+    for (const Text& argument : text.arguments())
+        collect(argument, names);
+}
+
+/// Whether a text has no words that would be the same in every language.
+bool isTranslated(const Text& text) {
+    if (text.kind() == Text::Kind::pattern &&
+        ui::inWords(text.pattern().c_str()) == QString::fromStdString(text.pattern()) &&
+        std::ranges::count_if(text.pattern(), [](unsigned char c) { return std::isalpha(c); }) > 2)
+        return false;
+    return std::ranges::all_of(text.arguments(), isTranslated);
+}
+
+}  // namespace
+
+class SentencesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void cleanup() { ui::speak(*qApp, "en"); }
+
+    void theWindowSaysInEnglishWhatTheRoomSays() {
+        ui::speak(*qApp, "en");
+        const std::vector<Text> texts = everything();
+        QVERIFY(texts.size() > 40);
+        for (const Text& text : texts) {
+            QVERIFY(!text.empty());
+            QCOMPARE(ui::inWords(text), QString::fromStdString(text));
+        }
+    }
+
+    void everySentenceIsSaidInTheWindowsLanguage_data() {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("de") << "de";
+        QTest::newRow("es") << "es";
+    }
+
+    void everySentenceIsSaidInTheWindowsLanguage() {
+        QFETCH(QString, language);
+        ui::speak(*qApp, language);
+        for (const Text& text : everything()) {
+            const QString said = ui::inWords(text);
+            QVERIFY2(said != QString::fromStdString(text), text.c_str());
+            QVERIFY2(isTranslated(text), text.c_str());
+            QStringList names;
+            collect(text, names);
+            for (const QString& name : names)
+                QVERIFY2(said.contains(name), qPrintable(said + ": " + name));
+            QVERIFY2(ui::sentence(text).endsWith('.'), text.c_str());
+        }
+    }
+
+    void namesStayAsTheyAre() {
+        ui::speak(*qApp, "de");
+        const Text text = phrase("%1 is one slice; a volume needs at least two", std::string("position"));
+        QVERIFY(ui::inWords(text).startsWith("position "));
+        QCOMPARE(ui::inWords(phrase("%1 %2", std::string("%2"), fixedNumber(1.5, 1))), QString("%2 1,5"));
+    }
+
+    void sentencesKeepTheirForm() {
+        ui::speak(*qApp, "de");
+        const Text text = joined(Text::sentence(phrase("the file cannot be opened")), phrase("Try again."));
+        QCOMPARE(ui::inWords(text), QString("Die Datei kann nicht geöffnet werden. Noch einmal versuchen."));
+        QVERIFY(!isTranslated(phrase("a sentence that nobody has translated")));
+    }
+};
+
+}  // namespace pdr
+
+QTEST_GUILESS_MAIN(pdr::SentencesTest)
+#include "sentences_test.moc"
