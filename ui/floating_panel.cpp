@@ -21,17 +21,13 @@ FloatingPanel::FloatingPanel(QWidget* picture, const QString& title, QWidget* pa
     hide();
 }
 
-/// Right of the texts in the lower left corner, left of the cube, above the letter.
+/// Above what stands in the lower corners, between the letters at the sides.
 QRect FloatingPanel::placeIn(QSize view) {
-    constexpr int kTexts = 290, kCube = 88, kLetter = 40, kMargin = 12, kMost = 900;
-    const QSize least = minimumSizeHint();
-    const int height = std::min(std::max(least.height(), view.height() * 36 / 100), view.height() - 2 * kMargin);
-    int width = view.width() - kTexts - kCube, left = kTexts;
-    if (width < least.width()) {
-        width = view.width() - 2 * kMargin;
-        left = kMargin;
-    }
-    return {left, view.height() - height - kLetter, std::min(width, kMost), height};
+    constexpr int kCorners = 104, kLetters = 40, kMost = 800;
+    const int height = std::min(std::max(minimumSizeHint().height(), view.height() * 36 / 100), view.height());
+    const int width = std::min(view.width() - 2 * kLetters, kMost);
+    const int bottom = std::max(view.height() - kCorners, height);
+    return {view.width() - kLetters - width, bottom - height, width, height};
 }
 
 }  // namespace pdr::ui

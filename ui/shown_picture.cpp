@@ -1,11 +1,13 @@
 #include "ui/shown_picture.h"
 
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/annotation/annotations.h"
 #include "ui/error_legend.h"
 #include "ui/picture_layer.h"
+#include "ui/upsampled.h"
 
 namespace pdr::ui {
 namespace {
@@ -29,6 +31,15 @@ bool isPixelByPixel(const QSize& image, const PictureView& view) {
 QPoint cornerInPixels(const QSize& image, const PictureView& view) {
     const QSize beside = sizeInPixels(view) - image;
     return {beside.width() / 2, beside.height() / 2};
+}
+
+/// An image that moves has few pixels; what it takes to smooth more than a million would be felt by the hand.
+QImage withoutBlocks(const QImage& image, QSizeF shown) {
+    constexpr double kMostPixels = 1e6;
+    if (image.depth() != 32 || shown.height() < 2 * image.height())
+        return image;
+    const double scale = std::min(1.0, std::sqrt(kMostPixels / (shown.width() * shown.height())));
+    return upsampled(image, (shown * scale).toSize().expandedTo(image.size()));
 }
 
 /// One at each end, open towards the other.
@@ -70,7 +81,7 @@ void Painting::paintImage(const QImage& image) const {
         return painter.resetTransform();
     }
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(area(), image);
+    painter.drawImage(area(), withoutBlocks(image, area().size() * view.pixelRatio));
 }
 
 void Painting::paintErrorMap() const {
