@@ -52,7 +52,8 @@ Error noGpu(cudaError_t status) {
             kName, phrase("Install a newer driver, or render on the CPU.")};
     if (status == cudaErrorNoDevice)
         return {phrase("there is no GPU of NVIDIA's"), kName, phrase("Render on the CPU."), ErrorKind::refused};
-    return {phrase("the GPU cannot be used (%1)", std::string(cudaGetErrorString(status))), kName, phrase("Render on the CPU.")};
+    return {phrase("the GPU cannot be used (%1)", std::string(cudaGetErrorString(status))), kName,
+            phrase("Render on the CPU.")};
 }
 
 /// The first generation that nvcc compiles for: 7.5, Turing.
