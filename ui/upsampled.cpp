@@ -59,9 +59,11 @@ QImage upsampled(const QImage& image, QSize size) {
         for (std::size_t i = 0; i < kTaps; ++i)
             rows[i] = &wide[width * std::size_t(tap.from[i])];
         uchar* out = result.scanLine(y);
-        for (std::size_t x = 0; x < width; ++x)
-            out[x] = uchar(tap.weight[0] * rows[0][x] + tap.weight[1] * rows[1][x] + tap.weight[2] * rows[2][x] +
-                           tap.weight[3] * rows[3][x] + 0.5F);
+        for (std::size_t x = 0; x < width; ++x) {
+            const float rounded = tap.weight[0] * rows[0][x] + tap.weight[1] * rows[1][x] + tap.weight[2] * rows[2][x] +
+                                  tap.weight[3] * rows[3][x] + 0.5F;
+            out[x] = uchar(rounded);
+        }
     }
     return result;
 }

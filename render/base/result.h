@@ -36,7 +36,7 @@ struct Error {
     }
     /// One line: "where: what. hint"
     Text text() const {
-        const Text line = where.empty() ? what : phrase("%1: %2", where, what);
+        Text line = where.empty() ? what : phrase("%1: %2", where, what);
         if (hint.empty())
             return line;
         return phrase(line.empty() || line.back() == '.' ? "%1 %2" : "%1. %2", line, hint);

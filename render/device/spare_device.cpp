@@ -96,9 +96,10 @@ class SpareFilm final : public Accumulator {
         if (!device_.takeOver(error))
             return false;
         auto film = device_.device().film(area, revision_, schedule_);
-        if (film)
-            film_ = *std::move(film);
-        return bool(film);
+        if (!film)
+            return false;
+        film_ = *std::move(film);
+        return true;
     }
 
     SpareDevice& device_;

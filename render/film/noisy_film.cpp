@@ -64,10 +64,14 @@ void lendNoise(const Tissue& tissue, NoisyFilm& film) {
     const auto times = [](float a, float b) { return a * b; };
     const denoise::Plane sums = denoise::boxed(denoise::combined(times, film.all.variance, tissue.met), kLendRadius);
     const denoise::Plane counts = denoise::boxed(tissue.met, kLendRadius);
-    for (const auto& [part, share] : {std::pair(&film.all, 1.0f), {&film.even, 2.0f}, {&film.odd, 2.0f}})
-        part->variance = denoise::combined(
+    const auto lend = [&](NoisyFilm::Part& part, float share) {
+        part.variance = denoise::combined(
             [share](float own, float unlit, float sum, float count) { return unlit > 0 ? share * sum / count : own; },
-            part->variance, tissue.unlit, sums, counts);
+            part.variance, tissue.unlit, sums, counts);
+    };
+    lend(film.all, 1.0f);
+    lend(film.even, 2.0f);
+    lend(film.odd, 2.0f);
 }
 
 denoise::Plane ratioOf(const NoisyFilm& film) {

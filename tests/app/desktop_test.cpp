@@ -69,7 +69,6 @@ class TestDesktop : public QObject {
     void oneKeyShowsWhereThePictureIsStillRough();
     void whereTheMouseRestsItIsSaidHowGoodThePictureIsThere();
     void pauseHoldsTheSamples();
-    void theFilmFollowsTheWindow();
     void undoBringsTheFirstViewBack();
     void thePictureIsSaved_data();
     void thePictureIsSaved();
@@ -281,18 +280,6 @@ void TestDesktop::pauseHoldsTheSamples() {
     QCOMPARE(trial.frames.back()->status.samplesPerPixel, held);
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel > held, test::kPatience);
-}
-
-void TestDesktop::theFilmFollowsTheWindow() {
-    Trial trial;
-    trial.openAndWait(series_);
-    trial.desktop.window().resize(1500, 640);
-    const auto seen = [&] {
-        const QSize view = trial.desktop.window().viewport().sizeInPixels();
-        return trial.frames.back()->size == ivec2(view.width(), view.height());
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(seen(), test::kPatience);
-    QVERIFY(!trial.frames.back()->coarse);
 }
 
 void TestDesktop::undoBringsTheFirstViewBack() {

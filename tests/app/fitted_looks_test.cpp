@@ -45,7 +45,7 @@ void TestFittedLooks::aLookIsChangedOnce() {
     const FittedLooks looks = bones();
     PictureSetup setup;
     for (int i = 1; i <= 2; ++i) {
-        setup.look.phaseG = 0.1f * float(i);
+        setup.look.phaseG = 0.5f + 0.1f * float(i);
         setup = looks.named(setup, i == 1 ? "Bone" : setup.lookName);
         QVERIFY(setup.lookChanged);
         QCOMPARE(setup.lookName, std::string("Bone"));
