@@ -12,37 +12,22 @@
 
 #include "app/picture_writing.h"
 #include "render/device/device_list.h"
+#include "render/scene/scene.h"
 #include "render/session/batch_render.h"
+#include "tests/support/axis_views.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
 namespace {
 
-struct Side {
-    char letter;
-    dvec3 way;  ///< LPS
-};
-constexpr std::array<Side, 6> kSides{
-    {{'L', {1, 0, 0}}, {'R', {-1, 0, 0}}, {'P', {0, 1, 0}}, {'A', {0, -1, 0}}, {'H', {0, 0, 1}}, {'F', {0, 0, -1}}}};
+using test::kSides;
+using test::Side;
 
 /// The edges of an image: to the right and downwards.
 constexpr std::array<ivec2, 4> kEdges{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
-/// All ways to look along an axis, upright along another.
 std::vector<Camera> axisViews(Camera::Type type) {
-    std::vector<Camera> cameras;
-    for (const Side& forward : kSides)
-        for (const Side& up : kSides)
-            if (glm::dot(forward.way, up.way) == 0) {
-                Camera camera;
-                camera.type = type;
-                camera.eyeMm = -600.0 * forward.way;
-                camera.up = up.way;
-                camera.fovDegrees = 14;
-                camera.heightMm = 150;
-                cameras.push_back(camera);
-            }
-    return cameras;
+    return test::axisViews(type, 14, 150);
 }
 
 /// Air but for a ball at that side of the patient, stored along mirrored axes where it is `mirrored`.

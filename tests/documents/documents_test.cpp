@@ -6,25 +6,19 @@
 #include <QFile>
 #include <QRegularExpression>
 
+#include "tests/support/document_text.h"
 #include "tests/support/places.h"
 
 namespace {
 
+using pdr::test::caught;
+
 const QDir kRoot(QStringLiteral(PDR_SOURCE_DIR));
 constexpr int kReadmeWords = 900;
 
-QString contents(const QString& file) {
-    QFile opened(kRoot.filePath(file));
-    return opened.open(QIODevice::ReadOnly) ? QString::fromUtf8(opened.readAll()) : QString();
-}
-
-/// First captured group of every match, in order.
-QStringList caught(const QString& pattern, const QString& text) {
-    QStringList found;
-    const QRegularExpression expression(pattern, QRegularExpression::MultilineOption);
-    for (auto each = expression.globalMatch(text); each.hasNext();)
-        found << each.next().captured(1);
-    return found;
+/// `file`: a path from the root of the tree.
+QString textOf(const QString& file) {
+    return pdr::test::contents(kRoot.filePath(file));
 }
 
 /// Documents of the tree, as paths from its root.
@@ -58,7 +52,7 @@ class DocumentsTest : public QObject {
 
   private slots:
     void readmeIsReadInFourMinutes() {
-        const int words = int(contents("README.md").split(QRegularExpression("\\s+"), Qt::SkipEmptyParts).size());
+        const int words = int(textOf("README.md").split(QRegularExpression("\\s+"), Qt::SkipEmptyParts).size());
         QVERIFY(words > 300);
         QVERIFY2(words <= kReadmeWords, qPrintable(QString("%1 words").arg(words)));
     }
@@ -66,7 +60,7 @@ class DocumentsTest : public QObject {
     void everyLinkLeadsToAFile() {
         int seen = 0;
         for (const QString& document : documents())
-            for (const QString& link : linksOf(contents(document))) {
+            for (const QString& link : linksOf(textOf(document))) {
                 const QString target = kRoot.filePath(QFileInfo(document).path() + "/" + link);
                 QVERIFY2(QFileInfo::exists(target), qPrintable(document + ": " + link));
                 ++seen;
@@ -77,12 +71,12 @@ class DocumentsTest : public QObject {
     void everyPathNamedExists() {
         for (const QString& document : documents())
             if (document == "README.md" || document == "tests/PROMISES.md" || document.startsWith("resources/manual/"))
-                for (const QString& path : pathsOf(contents(document)))
+                for (const QString& path : pathsOf(textOf(document)))
                     QVERIFY2(QFileInfo::exists(kRoot.filePath(path)), qPrintable(document + ": " + path));
     }
 
     void everyPageOfTheManualIsInItsIndex() {
-        const QStringList listed = linksOf(contents("resources/manual/index.md"));
+        const QStringList listed = linksOf(textOf("resources/manual/index.md"));
         const QStringList pages = QDir(kRoot.filePath("resources/manual")).entryList({"*.md"});
         QVERIFY(pages.size() > 6);
         for (const QString& page : pages)
@@ -94,7 +88,7 @@ class DocumentsTest : public QObject {
         QDirIterator walk(kRoot.filePath("tests"), {"*_test.cpp"}, QDir::Files, QDirIterator::Subdirectories);
         while (walk.hasNext())
             tests << QFileInfo(walk.next()).completeBaseName();
-        const QStringList named = caught("`(\\w+_test)`", contents("tests/PROMISES.md"));
+        const QStringList named = caught("`(\\w+_test)`", textOf("tests/PROMISES.md"));
         QVERIFY(named.size() > 50);
         for (const QString& each : named)
             QVERIFY2(tests.contains(each), qPrintable(each));

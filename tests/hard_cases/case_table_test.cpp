@@ -7,25 +7,15 @@
 #include <QFile>
 #include <QRegularExpression>
 
+#include "tests/support/document_text.h"
 #include "tests/support/places.h"
 
 namespace {
 
+using pdr::test::caught;
+using pdr::test::contents;
+
 const QString kFolder = QStringLiteral(PDR_SOURCE_DIR "/tests/hard_cases/");
-
-QString contents(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
-/// All that the first group of `pattern` catches in `text`.
-QStringList caught(const QString& pattern, const QString& text) {
-    QStringList found;
-    const QRegularExpression expression(pattern, QRegularExpression::MultilineOption);
-    for (auto each = expression.globalMatch(text); each.hasNext();)
-        found << each.next().captured(1);
-    return found;
-}
 
 /// The rows of a table: number to last column.
 QMap<QString, QString> rowsOf(const QString& table) {

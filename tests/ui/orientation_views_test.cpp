@@ -14,34 +14,18 @@
 #include "render/prepare/focus.h"
 #include "render/scene/orbit.h"
 #include "render/scene/scene.h"
+#include "tests/support/axis_views.h"
 #include "ui/annotation/orientation_cube.h"
 #include "ui/annotation/orientation_letters.h"
 
 namespace pdr::ui {
 namespace {
 
-struct Side {
-    char letter;
-    dvec3 way;  ///< LPS
-};
-constexpr std::array<Side, 6> kSides{
-    {{'L', {1, 0, 0}}, {'R', {-1, 0, 0}}, {'P', {0, 1, 0}}, {'A', {0, -1, 0}}, {'H', {0, 0, 1}}, {'F', {0, 0, -1}}}};
+using test::kSides;
+using test::Side;
 
-/// The 24 ways to look along an axis, upright along another.
 std::vector<Camera> axisViews(Camera::Type type) {
-    std::vector<Camera> cameras;
-    for (const Side& forward : kSides)
-        for (const Side& up : kSides)
-            if (glm::dot(forward.way, up.way) == 0) {
-                Camera camera;
-                camera.type = type;
-                camera.eyeMm = -600.0 * forward.way;
-                camera.up = up.way;
-                camera.fovDegrees = 10;
-                camera.heightMm = 105;
-                cameras.push_back(camera);
-            }
-    return cameras;
+    return test::axisViews(type, 10, 105);
 }
 
 /// The 48 ways of an axis of voxels to be an axis of the patient, half of them mirrored.
