@@ -10,7 +10,7 @@ namespace pdr::app {
 
 /// What is said of `frame`: its own view, look, part and cut, and who the patient is, as far as the window says it.
 ui::Annotations annotationsOf(const DesktopParts& parts, const Frame& frame);
-/// The same of an image that is still to be made of `scene`, the document's own but for its film.
+/// What is said of an image that is still to be made of `scene`: the document's own but for its film.
 ui::Annotations annotationsOf(const DesktopParts& parts, const Scene& scene);
 
 /// What of `all` an image carries that leaves the window.

@@ -10,7 +10,7 @@ namespace pdr::app {
 
 /// What the window calls `look`: one of the program's in its language, the user's own as it is.
 QString nameText(const NamedLook& look);
-/// The same of a look's title, as Scene::lookName has it, which says, too, that a look was changed: see lookTitle().
+/// What the window calls a look by its `title`, as Scene::lookName has it, changed or not: see lookTitle().
 QString nameText(const FittedLooks& looks, const std::string& title);
 /// What it does not show, in sentences.
 QString doesNotShowText(const NamedLook& look);

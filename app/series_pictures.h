@@ -16,7 +16,7 @@ class SeriesPictures : public BackgroundJob {
     void make(const pdr::dicom::ScanResult& scan);
 
   signals:
-    /// Of the series with that place in the scan.
+    /// The middle slice of the series with index `series` in the scan.
     void made(int series, const QImage& picture);
 };
 

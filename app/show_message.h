@@ -11,7 +11,7 @@ void showFailure(const DesktopParts& parts, const Error& error);
 void showSaved(const DesktopParts& parts, const QString& file);
 /// After a picture has left the window: that the patient may be known by it, where it shows skin. Once for each scan.
 void showWhoCanBeKnown(const DesktopParts& parts);
-/// That of several folders that were dropped one is opened.
+/// Says that one of several folders that were dropped is opened.
 void showOthersLeftOut(const DesktopParts& parts);
 /// Sentences about something that did not go as it was asked; the rendering goes on.
 void showNotice(const DesktopParts& parts, const QString& sentences);

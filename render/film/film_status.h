@@ -13,8 +13,8 @@ namespace pdr {
 
 /// Samples per pixel below which nothing is said about display levels.
 inline constexpr std::uint64_t kSamplesToEstimate = 32;
-/// The same of an image in which chance has no part but in where a sample lies in its pixel, as of the models without
-/// scattering: one sample of each half.
+/// Samples per pixel below which nothing is said of an image of a model without scattering, in which chance decides only
+/// where a sample lies in its pixel: one sample of each half.
 inline constexpr std::uint64_t kSamplesWithoutChance = 2;
 constexpr std::uint64_t samplesToEstimate(bool chance) {
     return chance ? kSamplesToEstimate : kSamplesWithoutChance;
