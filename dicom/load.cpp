@@ -38,8 +38,7 @@ class Filling {
         if (!slice)
             return fail(slice.error());
         if (slice->size != ivec2(series_.geometry.size) || slice->identity != series_.slices[k].identity)
-            return fail({"the file has changed since the folder was scanned", series_.slices[k].file.string(),
-                         "Open the folder again: it may hold another patient's images now.", ErrorKind::refused});
+            return fail(changedFile(series_.slices[k].file));
         std::copy(slice->hu.begin(), slice->hu.end(), hu_.begin() + std::ptrdiff_t(k * sliceVoxels_));
         masks_[k] = std::move(slice->padding);
         clipped_ += slice->clipped;

@@ -1,6 +1,7 @@
 #include "dicom/pixels.h"
 
 #include <dcmtk/config/osconfig.h>
+#include <sys/stat.h>
 
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -21,6 +22,26 @@ namespace {
 /// Some GE scanners store -2000 outside the round field of view without declaring it, or declare another value.
 constexpr int kGeOutsideField = -2000;
 constexpr double kGeIntercept = -1024.0;
+
+/// What the system knows of a file. The toolkit opens a file several times, and reads its pixels last: one that was put
+/// in its place meanwhile, or written over it, has another state.
+struct FileState {
+    dev_t device = 0;
+    ino_t number = 0;
+    off_t bytes = 0;
+    std::int64_t writtenNs = 0, changedNs = 0;
+
+    bool operator==(const FileState&) const = default;
+};
+
+/// That of nothing where the file is gone.
+FileState stateOf(const std::filesystem::path& file) {
+    struct stat facts {};
+    if (::stat(file.c_str(), &facts) != 0)
+        return {};
+    const auto nanoseconds = [](const timespec& at) { return std::int64_t(at.tv_sec) * 1'000'000'000 + at.tv_nsec; };
+    return {facts.st_dev, facts.st_ino, facts.st_size, nanoseconds(facts.st_mtim), nanoseconds(facts.st_ctim)};
+}
 
 Error damaged(const SliceRef& slice, Text what) {
     return {std::move(what), slice.file.string(), phrase("Copy the file again from its source.")};
@@ -168,14 +189,21 @@ Result<DecodedSlice> decodeChecked(const SliceRef& slice, Padding padding) {
 
 }  // namespace
 
+Error changedFile(const std::filesystem::path& file) {
+    return {phrase("the file has changed since the folder was scanned"), file.string(),
+            phrase("Open the folder again: it may hold another patient's images now."), ErrorKind::refused};
+}
+
 Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding) {
     std::error_code failure;
     if (!std::filesystem::exists(slice.file, failure))
         return Error{phrase("the file is no longer there"), slice.file.string(), phrase("Open the folder again.")};
     if (auto ok = checkPlainFile(slice.file); !ok)
         return ok.error();
+    const FileState before = stateOf(slice.file);
     try {
-        return decodeChecked(slice, padding);
+        Result<DecodedSlice> decoded = decodeChecked(slice, padding);
+        return stateOf(slice.file) == before ? std::move(decoded) : changedFile(slice.file);
     } catch (const std::bad_alloc&) {
         return notEnoughMemory(phrase("to decode it"), slice.file.string(), phrase("Close other programs."));
     }

@@ -2,6 +2,7 @@
 /// Decodes one slice into Hounsfield units.
 
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "dicom/import.h"
@@ -16,7 +17,11 @@ struct DecodedSlice {
     std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty where there is no such pixel
 };
 
-/// Errors: file gone, damaged or in a coding that cannot be read; each names the file. Thread-safe.
+/// That `file` is not the one that the scan has seen.
+Error changedFile(const std::filesystem::path& file);
+
+/// Errors: file gone, damaged, in a coding that cannot be read, or written anew meanwhile; each names the file.
+/// Thread-safe.
 Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding);
 
 }  // namespace pdr::dicom

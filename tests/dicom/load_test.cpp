@@ -1,9 +1,11 @@
 #include <QTest>
 
+#include <dlfcn.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
 
 #include "dicom/import.h"
@@ -11,6 +13,41 @@
 
 using namespace pdr;
 using namespace pdr::dicom;
+
+namespace {
+
+/// Puts another file in the place of `path` just before it is opened for the n-th time, whoever opens it.
+struct Exchange {
+    std::filesystem::path path, other;
+    std::atomic<int> openings = 0;  ///< until then
+
+    void opening(const char* opened) {
+        if (path == opened && --openings == 0)
+            std::filesystem::rename(other, path);
+    }
+};
+Exchange* underWay = nullptr;
+
+FILE* openAs(const char* function, const char* path, const char* mode) {
+    if (underWay)
+        underWay->opening(path);
+    using Open = FILE* (*)(const char*, const char*);
+    return reinterpret_cast<Open>(::dlsym(RTLD_NEXT, function))(path, mode);
+}
+
+}  // namespace
+
+// Every opening of a file by a library of this program goes through these.
+extern "C" {
+FILE* openedHere(const char* path, const char* mode) __asm__("fopen");
+FILE* openedHere(const char* path, const char* mode) {
+    return openAs("fopen", path, mode);
+}
+FILE* openedHere64(const char* path, const char* mode) __asm__("fopen64");
+FILE* openedHere64(const char* path, const char* mode) {
+    return openAs("fopen64", path, mode);
+}
+}
 
 /// From a scanned series to its voxels, where something goes wrong between.
 class LoadTest : public QObject {
@@ -68,6 +105,36 @@ class LoadTest : public QObject {
         QVERIFY2(error.where.ends_with("/s01"), error.where.c_str());
         QVERIFY(error.hint.starts_with("Open the folder again"));
         QCOMPARE(error.kind, ErrorKind::refused);
+    }
+
+    /// A slice is opened several times: its header and its pixels must not be of two files.
+    void fileExchangedWhileItIsReadIsRefused_data() {
+        QTest::addColumn<int>("opening");
+        for (int opening = 1; opening <= 6; ++opening)
+            QTest::addRow("before opening %d", opening) << opening;
+    }
+    void fileExchangedWhileItIsReadIsRefused() {
+        QFETCH(int, opening);
+        const test::SliceFolder folder, others;
+        const auto withPixels = [](int first) {
+            test::SliceFile slice{.size = {64, 64}};
+            slice.raw.assign(64 * 64, std::uint16_t(first));
+            return slice;
+        };
+        folder.addStack(3, withPixels(100));
+        others.addStack(3, withPixels(900));
+        const ScanResult scan = folder.scan();
+        Exchange exchange{folder.path() / "s01", others.path() / "s01", opening};
+        underWay = &exchange;
+        const auto volume = loadSeries(scan.series.at(0), Padding::maskAsAir, noProgress);
+        underWay = nullptr;
+        QVERIFY2(opening > 1 || exchange.openings <= 0, "no opening was seen");
+        if (exchange.openings > 0) {
+            QVERIFY(bool(volume));
+        } else {
+            QVERIFY2(!volume, "another file's pixels, or header, passed");
+            QCOMPARE(volume.error().what, std::string("the file has changed since the folder was scanned"));
+        }
     }
 
     void exchangedSlicesAreRefused() {
