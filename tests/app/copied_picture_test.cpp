@@ -5,6 +5,8 @@
 #include <QMimeData>
 #include <QTest>
 
+#include <algorithm>
+
 #include "app/annotating.h"
 #include "app/copied_picture.h"
 #include "tests/support/desktop_trial.h"
@@ -25,6 +27,7 @@ class TestCopiedPicture : public QObject {
     void anUnfinishedCopySaysSoUnlessItIsToldNotTo();
     void aFinishedCopySaysNothingOfThat();
     void aCoarsePictureIsCopiedAtFullSize();
+    void skinIsSpokenOfOnceForEachScanAndNoFace();
     void whatSelectsTextCopiesText();
     void withoutAPictureTheClipboardStays();
 
@@ -111,6 +114,30 @@ void TestCopiedPicture::aCoarsePictureIsCopiedAtFullSize() {
     const QImage image = copyOf(frame, {30, 17}, {});
     QCOMPARE(image.size(), QSize(30, 17));
     QVERIFY(image.pixelColor(1, 8).red() < 20 && image.pixelColor(28, 8).red() > 220);
+}
+
+/// What is said when an image in that look leaves the window.
+static QString saidOfCopy(Trial& trial, const std::string& look) {
+    const auto& looks = trial.desktop.parts().document.looks().fitted();
+    const auto found = std::ranges::find(looks, look, &NamedLook::name);
+    trial.desktop.parts().document.chooseLook(int(found - looks.begin()));
+    trial.waitForNewest();
+    trial.desktop.window().message().clear();
+    copied(trial);
+    return trial.desktop.window().message().text();
+}
+
+/// The program does not know which part of the body a scan is of: a chest has no face.
+void TestCopiedPicture::skinIsSpokenOfOnceForEachScanAndNoFace() {
+    const QString skin = "This image shows skin: share it like a photograph of the patient.";
+    Trial trial;
+    trial.openAndWait(series_);
+    QCOMPARE(saidOfCopy(trial, "Bone"), QString());
+    QCOMPARE(saidOfCopy(trial, "MIP"), skin);
+    QCOMPARE(saidOfCopy(trial, "Skin"), QString());
+    trial.frames.clear();
+    trial.openAndWait(series_);
+    QCOMPARE(saidOfCopy(trial, "Skin"), skin);
 }
 
 void TestCopiedPicture::whatSelectsTextCopiesText() {
