@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "render/base/thrown.h"
+#include "ui/room_text.h"
 
 namespace pdr::app {
 
@@ -35,7 +36,7 @@ Progress BackgroundJob::progressOf(const std::stop_token& stop) {
         if (sinceShown.isValid() && sinceShown.elapsed() < kEveryMs && fraction < 1)
             return true;
         sinceShown.start();
-        const QString text = QString::fromUtf8(step.data(), qsizetype(step.size()));
+        const QString text = ui::inWords(std::string(step));
         QMetaObject::invokeMethod(this, [this, stop, fraction, text] {
             if (!stop.stop_requested())
                 emit progressed(fraction, text);

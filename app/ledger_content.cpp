@@ -5,6 +5,7 @@
 
 #include "render/accuracy/ledger_text.h"
 #include "ui/language.h"
+#include "ui/room_text.h"
 
 namespace pdr::app {
 namespace {
@@ -22,34 +23,34 @@ QString qt(const std::string& text) {
 QString phraseOf(const TriedEffect& row) {
     const EffectTrial& trial = *row.trial;
     QString phrase = tr("%1 (the picture changes by %2 levels on average, 95 % of it by less than %3")
-                         .arg(qt(row.effect.name))
+                         .arg(ui::inWords(row.effect.name))
                          .arg(ui::number(trial.change.mean.value, 2), ui::number(trial.change.ninetyFifth.high, 2));
     if (trial.time)
-        phrase += tr("; any target takes %1 of the time").arg(qt(timeLeftText(*trial.time)));
+        phrase += tr("; any target takes %1 of the time").arg(ui::inWords(timeLeftText(*trial.time)));
     return phrase + ')';
 }
 
 ui::EffectRow rowOf(const TriedEffect& tried, bool complete) {
     ui::EffectRow row;
-    row.name = qt(tried.effect.name);
-    row.reason = qt(tried.effect.reason);
+    row.name = ui::inWords(tried.effect.name);
+    row.reason = ui::inWords(tried.effect.reason);
     row.ofViewBefore = tried.ofViewBefore;
     if (!tried.trial) {
         const bool waits = tried.canBeTried() && !complete;
         row.milliseconds = waits ? QString::fromUtf8("…") : QString::fromUtf8("–");
         return row;
     }
-    row.milliseconds = qt(costText(tried.trial->milliseconds));
-    row.share = qt(shareText(tried.trial->share));
-    row.meanLevels = ui::localNumber(levelsText(tried.trial->change.mean));
-    row.levels95 = ui::localNumber(levelsText(tried.trial->change.ninetyFifth));
-    row.time = tried.trial->time ? qt(timeLeftText(*tried.trial->time)) : tr("not known");
+    row.milliseconds = ui::inWords(costText(tried.trial->milliseconds));
+    row.share = ui::inWords(shareText(tried.trial->share));
+    row.meanLevels = ui::inWords(levelsText(tried.trial->change.mean));
+    row.levels95 = ui::inWords(levelsText(tried.trial->change.ninetyFifth));
+    row.time = tried.trial->time ? ui::inWords(timeLeftText(*tried.trial->time)) : tr("not known");
     return row;
 }
 
 QString howText(const EffectLedger& ledger) {
     if (!ledger.failure.empty())
-        return tr("Not measured any further: %1").arg(qt(ledger.failure));
+        return tr("Not measured any further: %1").arg(ui::inWords(ledger.failure));
     const QString where = tr("on a picture of %1 × %2 pixels on the CPU (%3)")
                               .arg(ledger.film.x)
                               .arg(ledger.film.y)
@@ -89,7 +90,7 @@ ui::EffectRows effectRows(const EffectLedger& ledger, const QStringList& leftOut
         if (tried.effect.needed)
             rows.needed << rowOf(tried, ledger.complete);
         else
-            rows.off << qt(tried.effect.name) + ": " + qt(tried.effect.reason);
+            rows.off << ui::inWords(tried.effect.name) + ": " + ui::inWords(tried.effect.reason);
     rows.how = howText(ledger);
     rows.leftOut = leftOut;
     rows.complete = ledger.complete;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/room_text.h"
+
 namespace pdr::app {
 namespace {
 
@@ -69,7 +71,7 @@ ui::NodeRow NodeFigures::rowOf(const nodes::NodeStatus& node) const {
     row.name = node.name;
     row.device = node.device;
     row.state = stateOf(node.state, followed.rendering);
-    row.reason = node.reason;
+    row.reason = ui::inWords(node.reason);
     row.scanSent = node.sent;
     row.dialledIn = !node.dialled;
     row.sameBits = !node.otherBits;

@@ -52,7 +52,7 @@ QString NodesJob::splitText() const {
     if (!any)
         return {};
     const SplitChoice choice = pool_->split();
-    const QString reason = QString::fromStdString(choice.reason);
+    const QString reason = ui::inWords(choice.reason);
     if (reason.isEmpty())  // no work has been split yet
         return {};
     const QString how = choice.split == Split::tiles ? tr("Tiles: %1").arg(reason) : tr("Samples: %1").arg(reason);
@@ -74,7 +74,7 @@ void NodesJob::add(const QString& address) {
 void NodesJob::dial(Wanted& wanted) {
     const Result<nodes::NodeId> node = nodes_->add(wanted.address);
     if (!node) {
-        wanted.problem = QString::fromStdString(node.error().what);
+        wanted.problem = ui::inWords(node.error().what);
         return emit failed(sentenceOf(node.error()));
     }
     wanted.node = *node;

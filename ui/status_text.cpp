@@ -9,6 +9,7 @@
 #include "render/film/health_text.h"
 #include "render/film/levels_text.h"
 #include "ui/language.h"
+#include "ui/room_text.h"
 
 namespace pdr::ui {
 namespace {
@@ -113,8 +114,8 @@ QString healthText(const FilmStatus& status) {
     if (status.samplesPerPixel == 0)
         return {};
     QStringList lines;
-    for (const std::string& line : healthLines(status.health))
-        lines << QString::fromStdString(line);
+    for (const Text& line : healthLines(status.health))
+        lines << inWords(line);
     return lines.isEmpty() ? translated("No sample was left out") : lines.join('\n');
 }
 

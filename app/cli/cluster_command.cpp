@@ -38,7 +38,7 @@ bool await(RenderNodes& nodes, int wanted, int seconds, const std::stop_token& s
             loop.quit();
     });
     QObject::connect(&nodes, &RenderNodes::lost, &loop, [&](const NodeStatus& node) {
-        say(QString("node %1 is lost: %2").arg(node.name, node.reason));
+        say(QString("node %1 is lost: %2").arg(node.name, QString::fromStdString(node.reason)));
         there.erase(node.id);
     });
     QTimer look;

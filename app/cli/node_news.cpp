@@ -10,13 +10,17 @@ QString calledBy(const NodeStatus& node) {
     return node.name.isEmpty() ? node.address : node.name;
 }
 
+QString reasonOf(const NodeStatus& node) {
+    return QString::fromStdString(node.reason);
+}
+
 /// A node that was dialled keeps its address, one that dialled has another port each time.
 QString keyOf(const NodeStatus& node) {
     return node.dialled ? node.address : node.name;
 }
 
 bool isHelpless(const NodeStatus& node) {
-    const bool lacksScene = node.state == NodeState::ready && !node.reason.isEmpty();
+    const bool lacksScene = node.state == NodeState::ready && !node.reason.empty();
     return lacksScene || node.state == NodeState::refused || node.state == NodeState::quarantined;
 }
 
@@ -40,15 +44,16 @@ QStringList NodeNews::follow(const std::vector<NodeStatus>& nodes) {
             if (worked)
                 part.work[node.work.id] = node.work;
         }
-        if (!node.reason.isEmpty() && isNew(keyOf(node), node.reason))
-            lines << QString("node %1: %2").arg(calledBy(node), node.reason);
+        if (!node.reason.empty() && isNew(keyOf(node), reasonOf(node)))
+            lines << QString("node %1: %2").arg(calledBy(node), reasonOf(node));
     }
     return lines;
 }
 
 QString NodeNews::gone(const NodeStatus& node) {
-    isNew(keyOf(node), node.reason);
-    return QString(node.saidGoodbye ? "node %1 has left: %2" : "node %1 is lost: %2").arg(calledBy(node), node.reason);
+    isNew(keyOf(node), reasonOf(node));
+    return QString(node.saidGoodbye ? "node %1 has left: %2" : "node %1 is lost: %2")
+        .arg(calledBy(node), reasonOf(node));
 }
 
 QString NodeNews::turnedAway(const QString& peer, const QString& reason) {
@@ -74,7 +79,7 @@ QStringList NodeNews::report(const std::vector<WorkerStatus>& workers, double ow
             sum.results += work.results;
             sum.audited += work.audited;
         }
-        const QString reason = part.last.reason.isEmpty() ? QString() : "; " + part.last.reason;
+        const QString reason = part.last.reason.empty() ? QString() : "; " + reasonOf(part.last);
         if (part.work.empty())
             lines << QString("node %1: took no part%2").arg(calledBy(part.last), reason);
         else

@@ -86,7 +86,7 @@ Result<void> tell(const ReplayOptions& options) {
         printSegment(int(i), replay.segments[i]);
     printTriple("radiance ", replay.radiance);
     std::printf("\n");
-    for (const std::string& fault : healthLines(replay.faults))
+    for (const Text& fault : healthLines(replay.faults))
         std::printf("%s\n", fault.c_str());
     return {};
 }

@@ -90,7 +90,7 @@ void NodeService::dialLater(const Error& error) {
 
 void NodeService::begin(remote::Channel* channel) {
     if (session_) {  // one at a time
-        channel->send(wire::Bye{"this node works for somebody else"});
+        channel->send(wire::Bye{phrase("this node works for somebody else")});
         channel->close("busy");
         connect(channel, &remote::Channel::closed, channel, &QObject::deleteLater);
         return;
@@ -111,12 +111,12 @@ void NodeService::begin(remote::Channel* channel) {
     connect(session_, &NodeSession::over, this, &NodeService::ended);
 }
 
-void NodeService::ended(const QString& reason) {
+void NodeService::ended(const Text& reason) {
     NodeSession* session = std::exchange(session_, nullptr);
     session->deleteLater();
     if (draining_)
         return finish(ExitCode::done);
-    emit said(tr("the connection has ended: %1").arg(reason));
+    emit said(tr("the connection has ended: %1").arg(QString::fromStdString(reason)));
     if (const std::optional<wire::Refused>& refusal = session->refusal()) {
         if (!listener_)
             return finish(refusal->why == wire::Refused::Why::version ? ExitCode::protocol : ExitCode::turnedAway);
@@ -126,7 +126,7 @@ void NodeService::ended(const QString& reason) {
     else
         memory_.start(kMemory);
     if (!listener_)
-        dialLater({reason.toStdString(), options_.coordinator->text().toStdString(), ""});
+        dialLater({reason, options_.coordinator->text().toStdString(), ""});
 }
 
 void NodeService::answer(LeaseAnswer answered) {

@@ -41,7 +41,7 @@ class NodeService : public QObject {
     void dial();
     void dialLater(const Error& error);
     void begin(remote::Channel* channel);
-    void ended(const QString& reason);
+    void ended(const Text& reason);
     void finish(ExitCode code);
     void forget();
     void answer(LeaseAnswer answer);

@@ -24,7 +24,7 @@ NodeSession::NodeSession(remote::Channel* channel, const wire::Hello& hello, Nod
     : QObject(parent), channel_(channel), contents_(contents), renderer_(renderer), versions_(hello.versions) {
     channel_->setParent(this);
     connect(channel_, &remote::Channel::received, this, [this](wire::Message& message) { take(message); });
-    connect(channel_, &remote::Channel::closed, this, [this](const QString& reason) {
+    connect(channel_, &remote::Channel::closed, this, [this](const Text& reason) {
         beatTimer_.stop();
         dropLeases();
         emit over(reason);
@@ -44,7 +44,7 @@ void NodeSession::take(wire::Message& message) {
 void NodeSession::take(const wire::Welcome& welcome) {
     if (welcome.version < versions_.lowest || welcome.version > versions_.highest)
         return take(wire::Refused{wire::Refused::Why::version,
-                                  "the coordinator speaks a version of the protocol that it was not offered"});
+                                  phrase("the coordinator speaks a version of the protocol that it was not offered")});
     contents_.setKey(welcome.key);
     channel_->setAdmitted();
     listenToHeart(std::chrono::milliseconds(welcome.heartbeatMs));
@@ -66,13 +66,13 @@ void NodeSession::beat() {
     if (heart_->at(remote::steadyTime()) != remote::Heartbeat::Peer::dead)
         return;
     beatTimer_.stop();
-    channel_->close(tr("the coordinator has not been heard of for %1 heartbeats").arg(kMostSilentBeats));
+    channel_->close(phrase("the coordinator has not been heard of for %1 heartbeats", kMostSilentBeats));
 }
 
 void NodeSession::take(const wire::Refused& refused) {
     refusal_ = refused;
     dismissed_ = true;
-    channel_->close(QString::fromStdString(refused.reason));
+    channel_->close(refused.reason);
 }
 
 void NodeSession::take(const wire::Ping& ping) {
@@ -101,18 +101,18 @@ void NodeSession::askOrRender() {
 void NodeSession::take(const wire::Chunk& chunk) {
     const Result<bool> whole = contents_.add(chunk);
     if (!whole)
-        channel_->close(QString::fromStdString(whole.error().what));
+        channel_->close(whole.error().what);
     else if (*whole)
         askOrRender();
 }
 
 void NodeSession::take(wire::Lease& lease) {
     if (draining_ || revision_ == 0 || lease.revision != revision_) {
-        channel_->send(wire::Abandoned{lease.number, lease.nonce, ""});
+        channel_->send(wire::Abandoned{lease.number, lease.nonce, {}});
         return;
     }
     if (leases_.size() >= kMostLeases || leases_.contains(lease.number))
-        return channel_->close(tr("the coordinator gives out leases twice, or more than a node can have"));
+        return channel_->close(phrase("the coordinator gives out leases twice, or more than a node can have"));
     leases_[lease.number] = {lease.nonce, lease.revision};
     renderer_.add({lease.number, lease.revision, lease.tile, lease.samples, std::move(lease.before)});
     emit worked();
@@ -127,7 +127,7 @@ void NodeSession::take(const wire::Forget&) {
 
 void NodeSession::take(const wire::Bye& bye) {
     dismissed_ = true;
-    channel_->close(QString::fromStdString(bye.reason));
+    channel_->close(bye.reason);
 }
 
 /// Their scene is outdated, or the connection is lost.
@@ -149,7 +149,7 @@ void NodeSession::say(const SceneTaken& taken) {
         channel_->send(wire::SceneReady{taken.scene});
 }
 
-void NodeSession::refuseScene(const std::string& reason) {
+void NodeSession::refuseScene(const Text& reason) {
     channel_->send(wire::SceneRefused{revision_, reason});
 }
 
@@ -186,10 +186,10 @@ void NodeSession::lookWhetherDrained() {
 
 void NodeSession::leave() {
     for (const auto& [number, taken] : leases_)
-        channel_->send(wire::Abandoned{number, taken.nonce, ""});
+        channel_->send(wire::Abandoned{number, taken.nonce, {}});
     channel_->send(wire::Bye{});
     dropLeases();
-    channel_->close(tr("this node has said goodbye"));
+    channel_->close(phrase("this node has said goodbye"));
 }
 
 }  // namespace pdr::node

@@ -42,7 +42,7 @@ class NodeSession : public QObject {
     /// After drain(): no lease is open any more.
     void drained();
     /// The connection is over; the last signal.
-    void over(const QString& reason);
+    void over(const pdr::Text& reason);
 
   private:
     struct Taken {
@@ -67,7 +67,7 @@ class NodeSession : public QObject {
     void say(LeaseResult result);
     void say(const LeaseLost& lost);
     void askOrRender();
-    void refuseScene(const std::string& reason);
+    void refuseScene(const Text& reason);
     void dropLeases();
     void lookWhetherDrained();
     void listenToHeart(std::chrono::milliseconds interval);

@@ -83,14 +83,14 @@ void NodeDesk::dial(Node& node) {
         std::exchange(found->dial, nullptr)->deleteLater();
         if (error.kind == ErrorKind::refused) {
             found->status.state = NodeState::refused;
-            found->status.reason = QString::fromStdString(error.what);
+            found->status.reason = error.what;
         } else {
-            dialLater(*found, QString::fromStdString(error.what));
+            dialLater(*found, error.what);
         }
     });
 }
 
-void NodeDesk::dialLater(Node& node, const QString& reason) {
+void NodeDesk::dialLater(Node& node, const Text& reason) {
     node.status.reason = reason;
     const auto wait = node.backoff.failed(remote::steadyTime(), std::generate_canonical<double, 53>(random_));
     if (!node.again) {
@@ -113,11 +113,11 @@ void NodeDesk::connected(Node& node, remote::Channel* channel) {
         std::exchange(node.dial, nullptr)->deleteLater();
     connect(node.link, &NodeLink::joined, this, [this, id] {
         if (Node* found = find(id)) {
-            found->status.reason.clear();
+            found->status.reason = {};
             emit joined(statusOf(*found));
         }
     });
-    connect(node.link, &NodeLink::over, this, [this, id](const QString& reason) { ended(id, reason); });
+    connect(node.link, &NodeLink::over, this, [this, id](const Text& reason) { ended(id, reason); });
 }
 
 void NodeDesk::accepted(remote::Channel* channel) {
@@ -130,7 +130,7 @@ void NodeDesk::accepted(remote::Channel* channel) {
     tick_.start(kTickMs);
 }
 
-void NodeDesk::ended(NodeId id, const QString& reason) {
+void NodeDesk::ended(NodeId id, const Text& reason) {
     Node* node = find(id);
     if (!node)
         return;
@@ -140,7 +140,7 @@ void NodeDesk::ended(NodeId id, const QString& reason) {
     node->status.name = last.name;
     node->status.device = last.device;
     node->status.otherBits = last.otherBits;
-    const bool lied = !link->quarantine().isEmpty();
+    const bool lied = !link->quarantine().empty();
     node->status.reason = lied ? link->quarantine() : reason;
     node->status.state = link->isRefused() ? NodeState::refused : lied ? NodeState::quarantined : NodeState::lost;
     link->deleteLater();
@@ -178,7 +178,7 @@ void NodeDesk::remove(NodeId id) {
         return;
     if (node->link) {  // ended() removes it
         node->address.reset();
-        node->link->leave(tr("it is not needed any more"));
+        node->link->leave(phrase("it is not needed any more"));
         return;
     }
     delete node->dial;

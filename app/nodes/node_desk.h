@@ -52,10 +52,10 @@ class NodeDesk : public QObject {
 
     Node* find(NodeId id);
     void dial(Node& node);
-    void dialLater(Node& node, const QString& reason);
+    void dialLater(Node& node, const Text& reason);
     void connected(Node& node, remote::Channel* channel);
     void accepted(remote::Channel* channel);
-    void ended(NodeId id, const QString& reason);
+    void ended(NodeId id, const Text& reason);
     NodeStatus statusOf(const Node& node) const;
     void pump();
     void tell();

@@ -71,11 +71,11 @@ void NodeLink::take(const wire::Hello& hello) {
     const std::optional<std::uint16_t> version = wire::commonVersion(coordinator_.versions, hello.versions);
     if (!version)
         return refuse(wire::Refused::Why::version,
-                      tr("it speaks another version of the protocol: %1").arg(QString::fromStdString(hello.program)));
+                      phrase("it speaks another version of the protocol: %1", hello.program));
     otherBits_ = hello.bits != coordinator_.bits;
     if (otherBits_)
         return refuse(wire::Refused::Why::bits,
-                      tr("its pictures differ from this machine's in their last bits: it is of another build"));
+                      phrase("its pictures differ from this machine's in their last bits: it is of another build"));
     worker_ = coordinator_.pool->join(keyOf(hello.boot), hello.name);
     coordinator_.pool->setPaused(*worker_, paused_);
     channel_->send(wire::Welcome{*version, kHeartbeatMs, coordinator_.key});
@@ -84,9 +84,9 @@ void NodeLink::take(const wire::Hello& hello) {
     pump();
 }
 
-void NodeLink::refuse(wire::Refused::Why why, const QString& reason) {
+void NodeLink::refuse(wire::Refused::Why why, const Text& reason) {
     refusal_ = reason;
-    channel_->send(wire::Refused{why, reason.toStdString()});
+    channel_->send(wire::Refused{why, reason});
     channel_->close(reason);
 }
 
@@ -107,7 +107,7 @@ void NodeLink::sendScene(const PublishedScene& scene) {
     transfer_.reset();
     stale_ += nonces_.size();
     nonces_.clear();
-    sceneTrouble_.clear();
+    sceneTrouble_ = {};
     if (!scene.scene) {
         scene_.reset();
         coordinator_.scenes.forget();
@@ -121,8 +121,8 @@ void NodeLink::sendScene(const PublishedScene& scene) {
         cannotHave(coordinator_.scenes.reason());
 }
 
-void NodeLink::cannotHave(const std::string& reason) {
-    sceneTrouble_ = QString::fromStdString(reason);
+void NodeLink::cannotHave(const Text& reason) {
+    sceneTrouble_ = reason;
     coordinator_.pool->cannotTakeScene(*worker_, reason);
 }
 
@@ -185,7 +185,7 @@ std::optional<wire::Nonce> NodeLink::answered(std::uint64_t lease) {
         return open.mapped();
     unasked_ = stale_ == 0;
     if (unasked_)
-        channel_->close(tr("it sends results that nobody asked it for"));
+        channel_->close(phrase("it sends results that nobody asked it for"));
     else
         --stale_;
     return std::nullopt;
@@ -219,7 +219,7 @@ void NodeLink::take(const wire::Draining&) {
 
 void NodeLink::take(const wire::Bye& bye) {
     goodbye_ = true;
-    channel_->close(bye.reason.empty() ? tr("it said goodbye") : QString::fromStdString(bye.reason));
+    channel_->close(bye.reason.empty() ? phrase("it said goodbye") : bye.reason);
 }
 
 void NodeLink::take(const wire::Pong& pong) {
@@ -234,7 +234,7 @@ void NodeLink::beat() {
         channel_->send(*ping);
     coordinator_.pool->setSuspect(*worker_, peer != remote::Heartbeat::Peer::fine);
     if (peer == remote::Heartbeat::Peer::dead)
-        channel_->close(tr("it has not been heard of for 10 seconds"));
+        channel_->close(phrase("it has not been heard of for 10 seconds"));
 }
 
 void NodeLink::setPaused(bool paused) {
@@ -243,18 +243,18 @@ void NodeLink::setPaused(bool paused) {
         coordinator_.pool->setPaused(*worker_, paused);
 }
 
-void NodeLink::leave(const QString& reason) {
-    channel_->send(wire::Bye{reason.toStdString()});
+void NodeLink::leave(const Text& reason) {
+    channel_->send(wire::Bye{reason});
     channel_->close(reason);
 }
 
-void NodeLink::end(const QString& reason) {
+void NodeLink::end(const Text& reason) {
     beatTimer_.stop();
     pace_.stop();
     if (worker_) {
         const std::optional<WorkerStatus> last = coordinator_.pool->worker(*worker_);
         if (last && last->state == WorkerState::quarantined)
-            quarantine_ = QString::fromStdString(last->reason);
+            quarantine_ = last->reason;
         coordinator_.pool->leave(*std::exchange(worker_, std::nullopt));
     }
     emit over(isRefused() ? refusal_ : reason);
@@ -263,7 +263,7 @@ void NodeLink::end(const QString& reason) {
 NodeState NodeLink::stateOf(WorkerState worker) const {
     switch (worker) {
         case WorkerState::waiting:
-            return scene_ && sceneTrouble_.isEmpty() ? NodeState::sending : NodeState::ready;
+            return scene_ && sceneTrouble_.empty() ? NodeState::sending : NodeState::ready;
         case WorkerState::ready:
             return NodeState::ready;
         case WorkerState::suspect:
@@ -298,7 +298,7 @@ NodeStatus NodeLink::status() const {
     status.work = *worker;
     status.state = stateOf(worker->state);
     if (status.state == NodeState::quarantined)
-        status.reason = QString::fromStdString(worker->reason);
+        status.reason = worker->reason;
     return status;
 }
 

@@ -38,13 +38,13 @@ class NodeLink : public QObject {
     void pump();
     void setPaused(bool paused);
     /// Says goodbye: the node erases all that it has.
-    void leave(const QString& reason);
+    void leave(const Text& reason);
     /// All but id, address, dialled and losses.
     NodeStatus status() const;
     /// It was refused (version, bits): dialling again would not help.
-    bool isRefused() const { return !refusal_.isEmpty(); }
+    bool isRefused() const { return !refusal_.empty(); }
     /// Why it was quarantined; empty: it was not.
-    const QString& quarantine() const { return quarantine_; }
+    const Text& quarantine() const { return quarantine_; }
     /// It has closed the connection with a Bye.
     bool hasSaidGoodbye() const { return goodbye_; }
     /// The connection was closed because it sent too much, or results of no lease.
@@ -54,7 +54,7 @@ class NodeLink : public QObject {
     /// The handshake has succeeded.
     void joined();
     /// The connection is over; the last signal.
-    void over(const QString& reason);
+    void over(const pdr::Text& reason);
 
   private:
     /// A content that is being sent.
@@ -78,13 +78,13 @@ class NodeLink : public QObject {
     void take(const Other&) {}
 
     std::optional<wire::Nonce> answered(std::uint64_t lease);
-    void refuse(wire::Refused::Why why, const QString& reason);
+    void refuse(wire::Refused::Why why, const Text& reason);
     void sendScene(const PublishedScene& scene);
-    void cannotHave(const std::string& reason);
+    void cannotHave(const Text& reason);
     void sendChunks();
     void sendLeases();
     void beat();
-    void end(const QString& reason);
+    void end(const Text& reason);
     const Content* find(const wire::Hash& hash) const;
     NodeState stateOf(WorkerState worker) const;
 
@@ -94,7 +94,8 @@ class NodeLink : public QObject {
     QTimer beatTimer_;
     QTimer pace_;  ///< runs while no other scene may be sent
     std::optional<WorkerId> worker_;
-    QString name_, device_, refusal_, sceneTrouble_, quarantine_;
+    QString name_, device_;
+    Text refusal_, sceneTrouble_, quarantine_;
     bool otherBits_ = false;
     bool unasked_ = false;  ///< a result of no lease came
     bool goodbye_ = false;

@@ -33,7 +33,7 @@ struct NodeStatus {
     QString name, device;    ///< as it reports: "gpu-07", "cpu, 16 threads"
     bool otherBits = false;  ///< its samples differ from those of the own device: it is refused
     NodeState state = NodeState::dialling;
-    QString reason;                   ///< for the state; empty: none
+    Text reason;                      ///< for the state; empty: none
     bool saidGoodbye = false;         ///< it ended its last connection as it should
     double sent = 0;                  ///< part of the scene's contents; [0, 1]
     std::optional<double> latencyMs;  ///< round-trip time

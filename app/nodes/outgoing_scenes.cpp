@@ -10,7 +10,7 @@ std::shared_ptr<const OutgoingScene> OutgoingScenes::ready(const PublishedScene&
     lastNumber_ = scene.number;
     const auto find = [this](const auto& owner, std::span<const std::byte> bytes) { return hashOf(owner, bytes); };
     Result<OutgoingScene> going = outgoingScene(scene.number, *scene.scene, find);
-    reason_ = going ? "" : going.error().text();
+    reason_ = going ? Text() : going.error().text();
     last_ = going ? std::make_shared<const OutgoingScene>(*std::move(going)) : nullptr;
     return last_;
 }

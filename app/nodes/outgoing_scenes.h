@@ -15,7 +15,7 @@ class OutgoingScenes {
 
     /// Null: it cannot be sent; `reason` says why.
     std::shared_ptr<const OutgoingScene> ready(const PublishedScene& scene);
-    const std::string& reason() const { return reason_; }
+    const Text& reason() const { return reason_; }
     void forget() { last_.reset(); }
 
   private:
@@ -29,7 +29,7 @@ class OutgoingScenes {
     std::map<const void*, Known> known_;  ///< by the content's place in memory
     std::shared_ptr<const OutgoingScene> last_;
     std::uint64_t lastNumber_ = 0;
-    std::string reason_;
+    Text reason_;
 };
 
 }  // namespace pdr::nodes

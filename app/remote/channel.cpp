@@ -41,10 +41,11 @@ Channel::Channel(QTcpSocket* socket, Role role, const ChannelLimits& limits, QOb
     connect(socket_, &QTcpSocket::bytesWritten, this, &Channel::written);
     if (auto* tls = qobject_cast<QSslSocket*>(socket_))
         connect(tls, &QSslSocket::encryptedBytesWritten, this, &Channel::written);
-    connect(socket_, &QTcpSocket::disconnected, this, [this] { lose("the other side ended the connection"); });
-    connect(socket_, &QTcpSocket::errorOccurred, this, [this] { lose(socket_->errorString()); });
+    connect(socket_, &QTcpSocket::disconnected, this, [this] { lose(phrase("the other side ended the connection")); });
+    connect(socket_, &QTcpSocket::errorOccurred, this, [this] { lose(socket_->errorString().toStdString()); });
     patience_.setSingleShot(true);
-    connect(&patience_, &QTimer::timeout, this, [this] { finish("the other side did not introduce itself in time"); });
+    connect(&patience_, &QTimer::timeout, this,
+            [this] { finish(phrase("the other side did not introduce itself in time")); });
     patience_.start(limits_.admission);
     connect(&watchTimer_, &QTimer::timeout, this, &Channel::watch);
     watchTimer_.start(kWatch);
@@ -61,7 +62,7 @@ Channel::~Channel() {
 void Channel::begin() {
     read();
     if (socket_->state() == QAbstractSocket::UnconnectedState)
-        lose("the other side ended the connection");
+        lose(phrase("the other side ended the connection"));
 }
 
 qint64 Channel::inSocket() const {
@@ -81,7 +82,7 @@ bool Channel::send(wire::Message message) {
     waiting_ += qint64(frame.bytes());
     (chunk ? chunks_ : urgent_).push_back(std::move(frame));
     if (queuedBytes() > kMostQueued) {
-        finish("the other side takes too little of what it is sent");
+        finish(phrase("the other side takes too little of what it is sent"));
         return false;
     }
     pump(kHandedOver);
@@ -146,15 +147,15 @@ void Channel::take(std::span<const std::byte> bytes) {
     while (state_ == State::open) {
         auto next = reader_->next(bytes);
         if (!next)
-            return finish(QString::fromStdString(next.error().text()));
+            return finish(next.error().text());
         flooded_ = isFlood(*next);
         if (flooded_)
-            return finish("the other side sends more messages than it has reason to");
+            return finish(phrase("the other side sends more messages than it has reason to"));
         if (!*next)
             return;
         wire::Message& message = **next;
         if (!mayCome(message))
-            return finish("the other side did not introduce itself first");
+            return finish(phrase("the other side did not introduce itself first"));
         emit received(message);
     }
 }
@@ -176,7 +177,7 @@ bool Channel::mayCome(const wire::Message& message) const {
 void Channel::watch() {
     const std::chrono::milliseconds now(clock_.elapsed());
     if (state_ == State::open && drip_.tooSlow(now, bytesReceived_, reader_->messages(), reader_->isInside()))
-        finish("the other side sends a message too slowly");
+        finish(phrase("the other side sends a message too slowly"));
 }
 
 void Channel::setAdmitted() {
@@ -188,7 +189,7 @@ void Channel::setAdmitted() {
     emit admitted();
 }
 
-void Channel::close(const QString& reason) {
+void Channel::close(const Text& reason) {
     if (state_ != State::open)
         return;
     state_ = State::closing;
@@ -202,11 +203,11 @@ void Channel::close(const QString& reason) {
 }
 
 /// A side that refuses this one's certificate says so by no more than ending the connection.
-void Channel::lose(const QString& reason) {
-    finish(admitted_ ? reason : reason + ", before both sides knew each other");
+void Channel::lose(const Text& reason) {
+    finish(admitted_ ? reason : phrase("%1, before both sides knew each other", reason));
 }
 
-void Channel::finish(const QString& reason) {
+void Channel::finish(const Text& reason) {
     if (state_ == State::over)
         return;
     if (state_ == State::open)

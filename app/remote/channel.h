@@ -62,7 +62,7 @@ class Channel : public QObject {
     bool isAdmitted() const { return admitted_; }
 
     /// Sends all queued messages but chunks, then closes the connection. Receives nothing more.
-    void close(const QString& reason);
+    void close(const Text& reason);
     bool isOpen() const { return state_ == State::open; }
     /// It was closed because of ChannelLimits::messages.
     bool wasFlooded() const { return flooded_; }
@@ -78,7 +78,7 @@ class Channel : public QObject {
     void roomForMore();
     void admitted();
     /// The connection is over: emitted exactly once, as the last signal. `reason`: that of close(), or of the failure.
-    void closed(const QString& reason);
+    void closed(const pdr::Text& reason);
 
   private:
     enum class State { open, closing, over };
@@ -94,8 +94,8 @@ class Channel : public QObject {
     std::span<const std::byte> nextPiece() const;
     void written();
     void watch();
-    void lose(const QString& reason);
-    void finish(const QString& reason);
+    void lose(const Text& reason);
+    void finish(const Text& reason);
 
     QTcpSocket* socket_;
     ChannelLimits limits_;
@@ -110,7 +110,7 @@ class Channel : public QObject {
     bool flooded_ = false;
     bool wasFull_ = false;
     State state_ = State::open;
-    QString reason_;
+    Text reason_;
     QString peerName_, peerHost_;
     DripWatch drip_;
     TokenBucket bucket_;

@@ -43,7 +43,7 @@ void fields(Fields& map, Welcome& welcome) {
 template <class Fields>
 void fields(Fields& map, Refused& refused) {
     map.number(1, refused.why, 1, 3);
-    map.text(2, refused.reason, kMostWordBytes);
+    map.phrase(2, 3, refused.reason);
 }
 
 template <class Fields>
@@ -99,7 +99,7 @@ void fields(Fields& map, SceneReady& ready) {
 template <class Fields>
 void fields(Fields& map, SceneRefused& refused) {
     map.number(1, refused.revision);
-    map.text(2, refused.reason, kMostWordBytes);
+    map.phrase(2, 3, refused.reason);
 }
 
 /// What a lease and its result have alike.
@@ -143,7 +143,7 @@ template <class Fields>
 void fields(Fields& map, Abandoned& abandoned) {
     map.number(1, abandoned.number);
     map.bytes(2, abandoned.nonce);
-    map.text(3, abandoned.reason, kMostWordBytes);
+    map.phrase(3, 4, abandoned.reason);
 }
 
 template <class Fields>
@@ -153,7 +153,7 @@ void fields(Fields&, Forget&) {}
 
 template <class Fields>
 void fields(Fields& map, Bye& bye) {
-    map.text(1, bye.reason, kMostWordBytes);
+    map.phrase(1, 2, bye.reason);
 }
 
 }  // namespace pdr::wire

@@ -1,6 +1,7 @@
 #include "app/wire/map_reader.h"
 
 #include "app/wire/line.h"
+#include "app/wire/text_parts.h"
 
 namespace pdr::wire {
 
@@ -143,6 +144,15 @@ void MapReader::text(std::uint64_t key, std::string& value, std::size_t mostByte
     readString(value.data(), value.size());
     must(isLine(value), "a text in it is no line");
     readKey();
+}
+
+void MapReader::phrase(std::uint64_t key, std::uint64_t partsKey, Text& value) {
+    std::string english, parts;
+    text(key, english, kMostWordBytes);
+    if (!failed() && isNext(partsKey))
+        text(partsKey, parts, kMostWordBytes);
+    if (!failed())
+        value = textOf(english, parts);
 }
 
 const char* MapReader::finish() {

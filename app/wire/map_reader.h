@@ -12,6 +12,8 @@
 #include <span>
 #include <string>
 
+#include "app/wire/messages.h"
+
 namespace pdr::wire {
 
 inline constexpr int kMostKeys = 32;
@@ -47,6 +49,9 @@ class MapReader {
     void bytes(std::uint64_t key, std::span<std::byte> value);
     /// A line (line.h).
     void text(std::uint64_t key, std::string& value, std::size_t mostBytes);
+
+    /// A line, and where `partsKey` is there what it was made of: a sender of an earlier version has no parts.
+    void phrase(std::uint64_t key, std::uint64_t partsKey, Text& text);
 
     /// Makes a value where `key` is there, and tells so.
     template <class T>

@@ -1,6 +1,7 @@
 #include "app/wire/map_writer.h"
 
 #include "app/wire/line.h"
+#include "app/wire/text_parts.h"
 
 namespace pdr::wire {
 
@@ -26,6 +27,12 @@ void MapWriter::text(std::uint64_t key, const std::string& value, std::size_t mo
     const std::string line = lineOf(value, mostBytes);
     cbor_.append(quint64(key));
     cbor_.appendTextString(line.data(), qsizetype(line.size()));
+}
+
+void MapWriter::phrase(std::uint64_t key, std::uint64_t partsKey, const Text& value) {
+    text(key, value, kMostWordBytes);
+    if (const std::string parts = partsOf(value); !parts.empty() && parts.size() <= kMostWordBytes)
+        text(partsKey, parts, kMostWordBytes);
 }
 
 Bytes MapWriter::finish() {

@@ -34,6 +34,8 @@ class MapWriter {
     void reals(std::uint64_t key, std::span<const double> values);
     void bytes(std::uint64_t key, std::span<const std::byte> value);
     void text(std::uint64_t key, const std::string& value, std::size_t mostBytes);
+    /// `text` in English, and where it has a pattern what it was made of (text_parts.h), unless that is too long.
+    void phrase(std::uint64_t key, std::uint64_t partsKey, const Text& text);
     template <class T>
     bool optional(std::uint64_t, const std::optional<T>& value) {
         return value.has_value();

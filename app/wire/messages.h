@@ -17,6 +17,7 @@
 
 #include "render/base/health.h"
 #include "render/base/portable.h"
+#include "render/base/text.h"
 #include "render/base/tile.h"
 
 namespace pdr::wire {
@@ -64,7 +65,7 @@ struct Welcome {
 struct Refused {
     enum class Why : std::uint8_t { version = 1, bits = 2, unwanted = 3 };
     Why why = Why::unwanted;
-    std::string reason;  ///< for the node's log
+    Text reason;  ///< for the node's log
     bool operator==(const Refused&) const = default;
 };
 
@@ -132,7 +133,7 @@ struct SceneReady {
 };
 struct SceneRefused {
     std::uint64_t revision = 0;
-    std::string reason;  ///< for the user
+    Text reason;  ///< for the user
     bool operator==(const SceneRefused&) const = default;
 };
 
@@ -164,7 +165,7 @@ struct Result {
 struct Abandoned {
     std::uint64_t number = 0;
     Nonce nonce{};
-    std::string reason;  ///< for the user; empty: the node drains
+    Text reason;  ///< for the user; empty: the node drains
     bool operator==(const Abandoned&) const = default;
 };
 
@@ -178,7 +179,7 @@ struct Forget {
 };
 /// The last message.
 struct Bye {
-    std::string reason;
+    Text reason;
     bool operator==(const Bye&) const = default;
 };
 

@@ -1,7 +1,6 @@
 #include "render/accuracy/cost_band.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace pdr {
 
@@ -9,14 +8,8 @@ namespace {
 
 constexpr double kSmallestShown = 0.01;  ///< ms
 
-std::string text(double milliseconds) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.2f", milliseconds);
-    return digits;
-}
-
-std::string text(double middle, double low, double high) {
-    return text(middle) + " (" + text(low) + " to " + text(high) + ")";
+Text text(double middle, double low, double high) {
+    return phrase("%1 (%2 to %3)", fixedNumber(middle, 2), fixedNumber(low, 2), fixedNumber(high, 2));
 }
 
 }  // namespace
@@ -35,16 +28,16 @@ CostVerdict verdictOf(const CostBand& difference) {
     return difference.high < 0 ? CostVerdict::saves : CostVerdict::withinNoise;
 }
 
-std::string costText(const CostBand& difference) {
+Text costText(const CostBand& difference) {
     switch (verdictOf(difference)) {
         case CostVerdict::costs:
             return text(difference.middle, difference.low, difference.high);
         case CostVerdict::saves:
-            return "saves " + text(-difference.middle, -difference.high, -difference.low);
+            return phrase("saves %1", text(-difference.middle, -difference.high, -difference.low));
         case CostVerdict::withinNoise:
             break;
     }
-    return "< " + text(std::max(difference.high, kSmallestShown));
+    return phrase("< %1", fixedNumber(std::max(difference.high, kSmallestShown), 2));
 }
 
 }  // namespace pdr

@@ -1,8 +1,9 @@
 #pragma once
 /// What something costs, from a few measurements that do not agree: a number with its band.
 
-#include <string>
 #include <vector>
+
+#include "render/base/text.h"
 
 namespace pdr {
 
@@ -28,6 +29,6 @@ enum class CostVerdict {
 CostVerdict verdictOf(const CostBand& difference);
 
 /// The same in words, never a negative number: "2.19 (2.02 to 2.30)", "saves 1.20 (1.01 to 1.33)", "< 0.31".
-std::string costText(const CostBand& difference);
+Text costText(const CostBand& difference);
 
 }  // namespace pdr

@@ -2,47 +2,45 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace pdr {
 namespace {
 
-std::string number(double value, int decimals) {
-    char digits[64];
-    std::snprintf(digits, sizeof digits, "%.*f", decimals, value);
-    return digits;
+/// "38 % (36 to 40)". `value`: with its unit.
+Text withBand(const Text& value, double low, double high, int decimals) {
+    return phrase("%1 (%2 to %3)", value, fixedNumber(low, decimals), fixedNumber(high, decimals));
 }
 
-/// "38 % (36 to 40)"
-std::string withBand(double value, double low, double high, const char* unit, int decimals) {
-    return number(value, decimals) + unit + " (" + number(low, decimals) + " to " + number(high, decimals) + ")";
+Text percent(double share) {
+    return phrase("%1 %", fixedNumber(100 * share, 0));
 }
 
 }  // namespace
 
-std::string shareText(const CostBand& share) {
+Text shareText(const CostBand& share) {
     switch (verdictOf(share)) {
         case CostVerdict::costs:
-            return withBand(100 * share.middle, 100 * share.low, 100 * share.high, " %", 0);
+            return withBand(percent(share.middle), 100 * share.low, 100 * share.high, 0);
         case CostVerdict::saves:
-            return "saves " + withBand(-100 * share.middle, -100 * share.high, -100 * share.low, " %", 0);
+            return phrase("saves %1", withBand(percent(-share.middle), -100 * share.high, -100 * share.low, 0));
         case CostVerdict::withinNoise:
             break;
     }
-    return "< " + number(std::max(std::ceil(100 * share.high), 1.0), 0) + " %";
+    return phrase("< %1", percent(std::max(std::ceil(100 * share.high), 1.0) / 100));
 }
 
-std::string levelsText(const Foretold& levels) {
+Text levelsText(const Foretold& levels) {
     if (levels.high == 0)
-        return "0";
+        return Text::number("0");
     const int decimals = levels.high < 1 ? 2 : 1;
-    return withBand(levels.value, levels.low, levels.high, "", decimals);
+    return withBand(fixedNumber(levels.value, decimals), levels.low, levels.high, decimals);
 }
 
-std::string timeLeftText(const Foretold& ratio) {
+Text timeLeftText(const Foretold& ratio) {
     const bool many = ratio.value >= 10;
     const double unit = many ? 1 : 100;
-    return withBand(unit * ratio.value, unit * ratio.low, unit * ratio.high, many ? " x" : " %", 0);
+    const Text value = many ? phrase("%1 x", fixedNumber(ratio.value, 0)) : percent(ratio.value);
+    return withBand(value, unit * ratio.low, unit * ratio.high, 0);
 }
 
 }  // namespace pdr

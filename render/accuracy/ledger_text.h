@@ -1,18 +1,17 @@
 #pragma once
 /// The figures of the ledger of effects in words, the same in a window and on a terminal.
 
-#include <string>
-
 #include "render/accuracy/cost_band.h"
 #include "render/accuracy/forecast.h"
+#include "render/base/text.h"
 
 namespace pdr {
 
 /// Of an iteration's time, 1 is all of it: "38 % (36 to 40)", "saves 12 % (9 to 14)", "< 3 %".
-std::string shareText(const CostBand& share);
+Text shareText(const CostBand& share);
 /// Display levels: "25.6 (24.9 to 26.3)", "0".
-std::string levelsText(const Foretold& levels);
+Text levelsText(const Foretold& levels);
 /// What is left of a time, 1 is as long: "55 % (48 to 63)"; from ten times as long on "12 x (10 to 15)".
-std::string timeLeftText(const Foretold& ratio);
+Text timeLeftText(const Foretold& ratio);
 
 }  // namespace pdr

@@ -20,11 +20,11 @@ const char* faultText(Fault fault) {
     return "rays less exact than asked for";
 }
 
-std::vector<std::string> healthLines(const Health& health) {
-    std::vector<std::string> lines;
+std::vector<Text> healthLines(const Health& health) {
+    std::vector<Text> lines;
     for (int i = 0; i < kFaults; ++i)
         if (health.faults[i].count > 0)
-            lines.push_back(std::to_string(health.faults[i].count) + " " + faultText(Fault(i)));
+            lines.push_back(phrase("%1 %2", health.faults[i].count, faultText(Fault(i))));
     return lines;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 /// A picture's health in words.
 
-#include <string>
 #include <vector>
 
 #include "render/base/health.h"
+#include "render/base/text.h"
 
 namespace pdr {
 
@@ -12,6 +12,6 @@ namespace pdr {
 const char* faultText(Fault fault);
 
 /// One line for each fault that happened, most serious first: "3 samples left out: not a number". Empty: all is well.
-std::vector<std::string> healthLines(const Health& health);
+std::vector<Text> healthLines(const Health& health);
 
 }  // namespace pdr

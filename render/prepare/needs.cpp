@@ -80,34 +80,35 @@ struct Subject {
 
 /// Why nothing that happens to light at an event can show; empty where it can. `fromWithin`: light that tissue gives
 /// off counts, since it comes by on its way from event to event.
-std::string whyNothingScatters(const Subject& subject, bool fromWithin = true) {
+Text whyNothingScatters(const Subject& subject, bool fromWithin = true) {
     if (!subject.tissue.any())
-        return "no tissue is opaque at the HU that the volume holds";
+        return phrase("no tissue is opaque at the HU that the volume holds");
     if (!subject.tissue.anywhere([](const Material& m) { return m.albedo + m.specular; }))
-        return "no tissue scatters light";
+        return phrase("no tissue scatters light");
     if (!subject.lit && !(fromWithin && subject.glows && subject.scattersOften()))
-        return subject.scene.lights.empty() ? "there is no light" : "no light shines";
-    return "";
+        return subject.scene.lights.empty() ? phrase("there is no light") : phrase("no light shines");
+    return {};
 }
 
 /// "needed: YES" or "off: NO".
-Effect effect(std::string name, bool needed, std::string yes, std::string no, std::uint32_t features = 0,
+Effect effect(Text name, bool needed, Text yes, Text no, std::uint32_t features = 0,
               void (*leaveOut)(Scene&) = nullptr) {
     return {std::move(name), needed, needed ? std::move(yes) : std::move(no), features, leaveOut};
 }
 
 /// Of the models that are sums along straight rays.
-Effect off(std::string name, std::string reason) {
-    return effect(std::move(name), false, "", std::move(reason));
+Effect off(Text name, Text reason) {
+    return effect(std::move(name), false, {}, std::move(reason));
 }
 
 Effect shadows(const Subject& subject) {
     if (isProjection(subject.scene.model))
-        return off("shadows", "the model has none");
-    if (const std::string why = whyNothingScatters(subject, false); !why.empty())
-        return off("shadows", why);
-    return effect("shadows", !subject.scene.unshadowed, "light crosses tissue on its way",
-                  "light is let through everything, to see what shadows do", 0, [](Scene& s) { s.unshadowed = true; });
+        return off(phrase("shadows"), phrase("the model has none"));
+    if (const Text why = whyNothingScatters(subject, false); !why.empty())
+        return off(phrase("shadows"), why);
+    return effect(phrase("shadows"), !subject.scene.unshadowed, phrase("light crosses tissue on its way"),
+                  phrase("light is let through everything, to see what shadows do"), 0,
+                  [](Scene& s) { s.unshadowed = true; });
 }
 
 /// No face of a cut is steeper [HU/mm]; see cutSteepness(). 0: nothing is cut.
@@ -141,104 +142,105 @@ bool surfacesCanShow(const Subject& subject) {
 }
 
 Effect surfaces(const Subject& subject) {
-    constexpr const char* kName = "surface reflection";
+    const Text name = phrase("surface reflection");
     if (isProjection(subject.scene.model))
-        return off(kName, "the model has none");
+        return off(name, phrase("the model has none"));
     if (subject.scene.gradientFactor == 0)
-        return off(kName, "the gradient factor is 0");
-    if (const std::string why = whyNothingScatters(subject); !why.empty())
-        return off(kName, why);
-    return effect(kName, surfacesCanShow(subject), "the gradient factor is above 0",
-                  "at this gradient factor no edge is ever steep enough", kSurface,
+        return off(name, phrase("the gradient factor is 0"));
+    if (const Text why = whyNothingScatters(subject); !why.empty())
+        return off(name, why);
+    return effect(name, surfacesCanShow(subject), phrase("the gradient factor is above 0"),
+                  phrase("at this gradient factor no edge is ever steep enough"), kSurface,
                   [](Scene& s) { s.gradientFactor = 0; });
 }
 
 Effect highlights(const Subject& subject) {
     if (!surfaces(subject).needed)
-        return off("highlights", "there are no surfaces");
+        return off(phrase("highlights"), phrase("there are no surfaces"));
     const bool shiny = subject.tissue.anywhere([](const Material& m) { return m.specular; });
-    return effect(
-        "highlights", shiny, "a node is specular",
-        speaksOfHighlights(subject.scene) ? "the volume holds no HU that are specular" : "no node is specular", 0,
-        [](Scene& s) {
-            for (TransferNode& node : s.transferFunction.nodes)
-                node.specular = vec3(0);
-        });
+    return effect(phrase("highlights"), shiny, phrase("a point of the curve is specular"),
+                  speaksOfHighlights(subject.scene) ? phrase("the volume holds no HU that are specular")
+                                                    : phrase("no point of the curve is specular"),
+                  0, [](Scene& s) {
+                      for (TransferNode& node : s.transferFunction.nodes)
+                          node.specular = vec3(0);
+                  });
 }
 
 Effect directedScattering(const Subject& subject) {
-    constexpr const char* kName = "directed scattering";
+    const Text name = phrase("directed scattering");
     if (isProjection(subject.scene.model))
-        return off(kName, "the model does not scatter");
+        return off(name, phrase("the model does not scatter"));
     if (subject.scene.phaseG == 0)
-        return off(kName, "phase g is 0: the same to all sides");
-    const std::string why = whyNothingScatters(subject);
-    return effect(kName, why.empty(), "phase g is not 0", why, 0, [](Scene& s) { s.phaseG = 0; });
+        return off(name, phrase("phase g is 0: the same to all sides"));
+    const Text why = whyNothingScatters(subject);
+    return effect(name, why.empty(), phrase("phase g is not 0"), why, 0, [](Scene& s) { s.phaseG = 0; });
 }
 
 Effect emission(const Subject& subject) {
     const Model model = subject.scene.model;
     if (model == Model::absorption || model == Model::maximumIntensity)
-        return off("emission", "the model shows no light from within");
+        return off(phrase("emission"), phrase("the model shows no light from within"));
     const bool emits = std::ranges::any_of(subject.scene.transferFunction.nodes,
                                            [](const TransferNode& node) { return !isBlack(node.emission); });
     const std::uint32_t features = isProjection(model) ? 0u : std::uint32_t(kEmission);
-    return effect("emission", subject.glows, "a node emits light",
-                  emits ? "no opaque tissue that the volume holds emits light" : "no node emits light", features,
-                  [](Scene& s) {
+    return effect(phrase("emission"), subject.glows, phrase("a point of the curve emits light"),
+                  emits ? phrase("no opaque tissue that the volume holds emits light") : phrase("no point of the curve emits light"),
+                  features, [](Scene& s) {
                       for (TransferNode& node : s.transferFunction.nodes)
                           node.emission = vec3(0);
                   });
 }
 
 Effect placedLights(const Subject& subject) {
-    constexpr const char* kName = "lights with a place";
+    const Text name = phrase("lights with a place");
     const Scene& scene = subject.scene;
     if (isProjection(scene.model))
-        return off(kName, "the model asks for no light");
+        return off(name, phrase("the model asks for no light"));
     if (std::ranges::none_of(scene.lights, isPlaced))
-        return off(kName, "no light is a rectangle or a sphere");
-    if (const std::string why = whyNothingScatters(subject, false); !why.empty())
-        return off(kName, why);
+        return off(name, phrase("no light is a rectangle or a sphere"));
+    if (const Text why = whyNothingScatters(subject, false); !why.empty())
+        return off(name, why);
     return effect(
-        kName, std::ranges::any_of(scene.lights, [](const Light& light) { return isPlaced(light) && shines(light); }),
-        "a light is a rectangle or a sphere", "no rectangle and no sphere shines", kPlacedLights,
+        name, std::ranges::any_of(scene.lights, [](const Light& light) { return isPlaced(light) && shines(light); }),
+        phrase("a light is a rectangle or a sphere"), phrase("no rectangle and no sphere shines"), kPlacedLights,
         [](Scene& s) { std::erase_if(s.lights, isPlaced); });
 }
 
 Effect lightsInView(const Scene& scene) {
-    constexpr const char* kName = "lights in view";
+    const Text name = phrase("lights in view");
     if (isProjection(scene.model))
-        return off(kName, "the model asks for no light");
+        return off(name, phrase("the model asks for no light"));
     if (std::ranges::none_of(scene.lights, isPlaced))
-        return off(kName, "no light is a rectangle or a sphere");
-    return effect(kName, std::ranges::any_of(scene.lights, cameraSees), "the camera sees a light",
-                  "all lights are hidden from the camera", 0, [](Scene& s) { std::ranges::for_each(s.lights, hide); });
+        return off(name, phrase("no light is a rectangle or a sphere"));
+    return effect(name, std::ranges::any_of(scene.lights, cameraSees), phrase("the camera sees a light"),
+                  phrase("all lights are hidden from the camera"), 0,
+                  [](Scene& s) { std::ranges::for_each(s.lights, hide); });
 }
 
 Effect surroundings(const Subject& subject) {
-    constexpr const char* kName = "light from all around";
+    const Text name = phrase("light from all around");
     if (isProjection(subject.scene.model))
-        return off(kName, "the model asks for no light");
+        return off(name, phrase("the model asks for no light"));
     if (subject.scene.environment.isBlack())
-        return off(kName, "the environment is black");
-    const std::string why = whyNothingScatters(subject, false);
-    return effect(kName, why.empty(), "the environment shines", why, kEnvironment,
+        return off(name, phrase("the environment is black"));
+    const Text why = whyNothingScatters(subject, false);
+    return effect(name, why.empty(), phrase("the environment shines"), why, kEnvironment,
                   [](Scene& s) { s.environment = {}; });
 }
 
 Effect alongScatter(const Subject& subject) {
-    constexpr const char* kName = "search along scattering";
+    const Text name = phrase("search along scattering");
     const Scene& scene = subject.scene;
     if (isProjection(scene.model))
-        return off(kName, "the model asks for no light");
-    if (const std::string why = whyNothingScatters(subject, false); !why.empty())
-        return off(kName, why);
+        return off(name, phrase("the model asks for no light"));
+    if (const Text why = whyNothingScatters(subject, false); !why.empty())
+        return off(name, why);
     if (!searchesAlongScatter(scene) || !(placedLights(subject).needed || surroundings(subject).needed))
-        return off(kName, "every light is best found by aiming at it");
+        return off(name, phrase("every light is best found by aiming at it"));
     if (!scene.environment.isBlack())
-        return effect(kName, true, "light comes from all around", "");
-    Effect search = effect(kName, true, "highlights or directed scattering are sharper than the lights", "");
+        return effect(name, true, phrase("light comes from all around"), {});
+    Effect search = effect(name, true, phrase("highlights or directed scattering are sharper than the lights"), {});
     search.couldBeLeftOut = std::fabs(scene.phaseG) < kSharpPhase && !highlights(subject).needed;
     if (search.couldBeLeftOut)
         search.reason = phrase("for highlights, which cannot show: could be left out");
@@ -247,50 +249,52 @@ Effect alongScatter(const Subject& subject) {
 
 Effect background(const Scene& scene) {
     if (scene.model == Model::maximumIntensity)
-        return off("visible background", "the model shows HU, not light");
+        return off(phrase("visible background"), phrase("the model shows HU, not light"));
     const auto hideIt = [](Scene& s) { s.environment.visible = false; };
     if (scene.model == Model::absorption && showsEnvironment(scene) && !scene.environment.isBlack())
-        return effect("visible background", true, "tissue is seen against the environment, else against white", "", 0,
-                      hideIt);
+        return effect(phrase("visible background"), true,
+                      phrase("tissue is seen against the environment, else against white"), {}, 0, hideIt);
     if (scene.model == Model::absorption)
-        return effect("visible background", true, "tissue is seen against white: without it there is no picture", "");
+        return effect(phrase("visible background"), true,
+                      phrase("tissue is seen against white: without it there is no picture"), {});
     if (scene.environment.isBlack())
-        return effect("visible background", false, "", "the environment is black");
-    return effect("visible background", showsEnvironment(scene), "the camera sees the environment",
-                  "the environment is hidden from the camera", 0, hideIt);
+        return effect(phrase("visible background"), false, {}, phrase("the environment is black"));
+    return effect(phrase("visible background"), showsEnvironment(scene), phrase("the camera sees the environment"),
+                  phrase("the environment is hidden from the camera"), 0, hideIt);
 }
 
 Effect depthOfField(const Scene& scene) {
-    return effect("depth of field", scene.camera.apertureMm > 0, "the lens is open", "the aperture is 0", 0,
-                  [](Scene& s) { s.camera.apertureMm = 0; });
+    return effect(phrase("depth of field"), scene.camera.apertureMm > 0, phrase("the lens is open"),
+                  phrase("the aperture is 0"), 0, [](Scene& s) { s.camera.apertureMm = 0; });
 }
 
 Effect clipping(const Scene& scene) {
     const bool cuts = !scene.clip.planesThrough(scene.volume->geometry()).empty() || !scene.clip.freehand.empty();
-    return effect("clipping", cuts, "a box, a plane or a drawn line cuts into the volume",
-                  scene.clip.empty() ? "nothing is cut away" : "what is cut away lies outside the volume", 0,
-                  [](Scene& s) { s.clip = {}; });
+    return effect(
+        phrase("clipping"), cuts, phrase("a box, a plane or a drawn line cuts into the volume"),
+        scene.clip.empty() ? phrase("nothing is cut away") : phrase("what is cut away lies outside the volume"), 0,
+        [](Scene& s) { s.clip = {}; });
 }
 
 Effect hiding(const Scene& scene) {
-    return effect("hidden parts", scene.mask != nullptr, "a part of the body is not shown", "everything is shown", 0,
-                  [](Scene& s) {
+    return effect(phrase("hidden parts"), scene.mask != nullptr, phrase("a part of the body is not shown"),
+                  phrase("everything is shown"), 0, [](Scene& s) {
                       s.mask = nullptr;
                       s.visible = {};
                   });
 }
 
 Effect bounces(const Subject& subject) {
-    constexpr const char* kName = "multiple scattering";
+    const Text name = phrase("multiple scattering");
     const Scene& scene = subject.scene;
     if (isProjection(scene.model))
-        return off(kName, "the model does not scatter");
+        return off(name, phrase("the model does not scatter"));
     if (scene.model == Model::singleScattering)
-        return off(kName, "the model has one event on a path");
+        return off(name, phrase("the model has one event on a path"));
     if (scene.maxBounces == 1)
-        return off(kName, "a path may have one event only");
-    const std::string why = whyNothingScatters(subject);
-    return effect(kName, why.empty(), "light is scattered on from event to event", why, kBounces,
+        return off(name, phrase("a path may have one event only"));
+    const Text why = whyNothingScatters(subject);
+    return effect(name, why.empty(), phrase("light is scattered on from event to event"), why, kBounces,
                   [](Scene& s) { s.model = Model::singleScattering; });
 }
 

@@ -3,17 +3,18 @@
 /// looked at.
 
 #include <cstdint>
-#include <string>
 #include <vector>
+
+#include "render/base/text.h"
 
 namespace pdr {
 
 struct Scene;
 
 struct Effect {
-    std::string name;  ///< for the user: "surface reflection"
+    Text name;  ///< for the user: "surface reflection"
     bool needed;
-    std::string reason;          ///< a phrase: "the gradient factor is 0"
+    Text reason;                 ///< a phrase: "the gradient factor is 0"
     std::uint32_t features = 0;  ///< bits of kernel/features.h that it compiles in; 0: a number in the kernel decides
     void (*leaveOut)(Scene&) = nullptr;  ///< makes a scene do without it; null where nothing in a scene can
     bool couldBeLeftOut = false;         ///< needed only so that other samples are not taken: it shows nowhere

@@ -30,7 +30,7 @@ struct EffectLedger {
     std::vector<TriedEffect> effects;       ///< as needs() has them
     double seconds = 0;                     ///< of processor time that measuring has taken
     bool complete = false;                  ///< all that can be tried is, as the scene is seen now
-    std::string failure;                    ///< why no more will be known; empty: nothing has failed
+    Text failure;                           ///< why no more will be known; empty: nothing has failed
 };
 
 /// Fills the ledger of a scene, step by step.

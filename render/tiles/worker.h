@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 
+#include "render/base/text.h"
 #include "render/tiles/lease.h"
 
 namespace pdr {
@@ -64,7 +65,7 @@ struct WorkerStatus {
     WorkerId id = kOwnDevice;
     std::string key, name;
     WorkerState state = WorkerState::waiting;
-    std::string reason;         ///< for the quarantine, or why it has no scene
+    Text reason;                ///< for the quarantine, or why it has no scene
     double workPerSecond = 0;   ///< for pixels of average cost; 0: not known yet
     double work = 0;            ///< of all merged results
     double busySeconds = 0;     ///< time on samples, as it reports

@@ -56,7 +56,7 @@ void WorkerPool::leave(WorkerId id) {
         if (order_)
             order_->scheduler().giveBackAll(id);
         past_.insert_or_assign(worker->status.key,
-                               Past{worker->trust, worker->isQuarantined() ? worker->status.reason : ""});
+                               Past{worker->trust, worker->isQuarantined() ? worker->status.reason : Text()});
         workers_.erase(id);
         changed_.notify_all();
     }
@@ -78,12 +78,12 @@ void WorkerPool::hasScene(WorkerId id, std::uint64_t scene) {
     if (Worker* worker = find(id)) {
         worker->scene = scene;
         worker->inFlight = 0;
-        worker->status.reason.clear();
+        worker->status.reason = {};
         worker->updateState();
     }
 }
 
-void WorkerPool::cannotTakeScene(WorkerId id, const std::string& reason) {
+void WorkerPool::cannotTakeScene(WorkerId id, const Text& reason) {
     const std::lock_guard lock(mutex_);
     if (Worker* worker = find(id)) {
         worker->scene = 0;
@@ -207,7 +207,7 @@ void WorkerPool::believe(Worker& worker, const Portion& portion, LeaseResult res
     worker.count(portion);
 }
 
-void WorkerPool::caught(Worker& worker, const std::string& reason) {
+void WorkerPool::caught(Worker& worker, const Text& reason) {
     if (!worker.isQuarantined()) {
         worker.status.state = WorkerState::quarantined;
         worker.status.reason = reason;
@@ -217,7 +217,7 @@ void WorkerPool::caught(Worker& worker, const std::string& reason) {
         order_->scheduler().giveBackAll(worker.status.id);
 }
 
-void WorkerPool::quarantine(WorkerId id, const std::string& reason) {
+void WorkerPool::quarantine(WorkerId id, const Text& reason) {
     const std::lock_guard lock(mutex_);
     if (Worker* worker = find(id))
         caught(*worker, reason);

@@ -57,7 +57,7 @@ class WorkerPool {
     PublishedScene scene() const;
     /// The worker has loaded that scene, and owes no lease of an earlier one.
     void hasScene(WorkerId worker, std::uint64_t scene);
-    void cannotTakeScene(WorkerId worker, const std::string& reason);
+    void cannotTakeScene(WorkerId worker, const Text& reason);
     void setSuspect(WorkerId worker, bool suspect);
     void setPaused(WorkerId worker, bool paused);
     void setDraining(WorkerId worker);
@@ -66,7 +66,7 @@ class WorkerPool {
     void deliver(WorkerId worker, LeaseResult result);
     void abandon(WorkerId worker, std::uint64_t lease);
     /// It has sent an impossible result: it gets no leases any more.
-    void quarantine(WorkerId worker, const std::string& reason);
+    void quarantine(WorkerId worker, const Text& reason);
     /// Takes overdue leases back; call it several times a second.
     void tick();
 
@@ -122,7 +122,7 @@ class WorkerPool {
   private:
     struct Past {  ///< of a worker that has left
         Trust trust;
-        std::string quarantine;
+        Text quarantine;
     };
 
     Worker* find(WorkerId worker);
@@ -137,7 +137,7 @@ class WorkerPool {
     SplitChoice choose(const std::vector<TileGoal>& goals) const;
     /// Merges the result of a trusted worker.
     void believe(Worker& worker, const Portion& portion, LeaseResult result);
-    void caught(Worker& worker, const std::string& reason);
+    void caught(Worker& worker, const Text& reason);
     void tell() const;
 
     mutable std::mutex mutex_;

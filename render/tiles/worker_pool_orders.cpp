@@ -146,7 +146,7 @@ Result<void> WorkerPool::audited(const Audit& audit, LeaseResult truth) {
             if (audit.isWithheld)
                 worker->count({truth.number, truth.tile, truth.samples});
         } else if (!honest) {
-            const std::string reason = phrase("a tile of it was not what this machine found when it did it again");
+            const Text reason = phrase("a tile of it was not what this machine found when it did it again");
             if (worker)
                 caught(*worker, reason);
             liars_.insert(audit.key);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "render/base/tile.h"
 
@@ -11,16 +10,15 @@ namespace pdr {
 namespace {
 
 /// "0.8 ms", "120 ms", "12 s": two digits that count.
-std::string shortTime(double seconds) {
+Text shortTime(double seconds) {
     const bool large = seconds >= 1;
     const double value = large ? seconds : 1e3 * seconds;
     const double unit = value > 0 ? std::pow(10, std::floor(std::log10(value)) - 1) : 1;
-    char text[32];
-    std::snprintf(text, sizeof text, "%g %s", std::round(value / unit) * unit, large ? "s" : "ms");
-    return text;
+    const Text number = numberOf(std::round(value / unit) * unit);
+    return large ? phrase("%1 s", number) : phrase("%1 ms", number);
 }
 
-SplitChoice tilesSince(SplitChoice choice, std::string reason) {
+SplitChoice tilesSince(SplitChoice choice, Text reason) {
     choice.reason = std::move(reason);
     return choice;
 }
@@ -40,22 +38,24 @@ SplitChoice chooseSplit(const SplitFacts& facts) {
         blocks * choice.startSeconds + double(facts.samples) * facts.sampleSeconds * facts.pixels / nodes;
     choice.tilesSeconds = choice.samplesSeconds = std::max(byTiles, link);
     if (nodes < 2)
-        return tilesSince(choice, "one node has the whole picture");
+        return tilesSince(choice, phrase("one render node has the whole picture"));
     if (facts.samples < 2 * kSamplesPerBlock)
-        return tilesSince(choice, "samples are shared out in blocks of 64, and fewer than two are ordered");
+        return tilesSince(choice, phrase("samples are shared out in blocks of 64, and fewer than two are ordered"));
     const double bySamples = std::ceil(blocks / nodes) * (choice.startSeconds + inBlock);
     choice.samplesSeconds = std::max(bySamples, link);
-    const std::string work = shortTime(choice.workSeconds), start = shortTime(choice.startSeconds);
+    const Text work = shortTime(choice.workSeconds), start = shortTime(choice.startSeconds);
     if (choice.workSeconds >= choice.startSeconds)
-        return tilesSince(choice, "a tile keeps a node busy for longer than it needs to start: " + work + ", " + start);
+        return tilesSince(
+            choice, phrase("a tile keeps a render node busy for longer than it needs to start: %1, %2", work, start));
     if (link >= byTiles)
-        return tilesSince(choice, "the network takes longest either way: " + shortTime(link));
+        return tilesSince(choice, phrase("the network takes longest either way: %1", shortTime(link)));
     if (choice.samplesSeconds >= choice.tilesSeconds)
-        return tilesSince(choice, "there are too few blocks of 64 samples for all nodes: they would take " +
-                                      shortTime(choice.samplesSeconds) + ", tiles take " +
-                                      shortTime(choice.tilesSeconds));
+        return tilesSince(
+            choice,
+            phrase("there are too few blocks of 64 samples for all render nodes: they would take %1, tiles take %2",
+                   shortTime(choice.samplesSeconds), shortTime(choice.tilesSeconds)));
     choice.split = Split::samples;
-    choice.reason = "tiles would be smaller than what a node needs to start: " + work + " of " + start;
+    choice.reason = phrase("tiles would be smaller than what a render node needs to start: %1 of %2", work, start);
     return choice;
 }
 

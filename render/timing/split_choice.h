@@ -4,9 +4,9 @@
 /// tile's samples, whole pictures pay it less often.
 
 #include <cstdint>
-#include <string>
 
 #include "render/base/split.h"
+#include "render/base/text.h"
 
 namespace pdr {
 
@@ -23,7 +23,7 @@ struct SplitFacts {
 
 struct SplitChoice {
     Split split = Split::tiles;
-    std::string reason;      ///< for the user: "tiles would be smaller than what a node needs to start: 0.8 ms of 2 ms"
+    Text reason;             ///< for the user: "tiles would be smaller than what a node needs to start: 0.8 ms of 2 ms"
     double workSeconds = 0;  ///< of one tile's samples of a block, where each node has one
     double startSeconds = 0;    ///< before them: T0 + 2 l
     double tilesSeconds = 0;    ///< foretold for all samples

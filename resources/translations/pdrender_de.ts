@@ -72,6 +72,10 @@
         <translation>%1 %2</translation>
     </message>
     <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
         <source>%1 (changed)</source>
         <translation>%1 (geändert)</translation>
     </message>
@@ -342,6 +346,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 wurde entfernt</translation>
     </message>
     <message>
+        <source>%1 x</source>
+        <translation>%1 x</translation>
+    </message>
+    <message>
         <source>%1 x %2 pixels</source>
         <translation>%1 x %2 Pixel</translation>
     </message>
@@ -396,6 +404,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1, because %2</source>
         <translation>%1, denn %2</translation>
+    </message>
+    <message>
+        <source>%1, before both sides knew each other</source>
+        <translation>%1, bevor beide Seiten einander kannten</translation>
     </message>
     <message>
         <source>%1, before smoothing</source>
@@ -720,6 +732,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>; any target takes %1 of the time</source>
         <translation>; jedes Ziel braucht %1 der Zeit</translation>
+    </message>
+    <message>
+        <source>&lt; %1</source>
+        <translation>&lt; %1</translation>
     </message>
     <message>
         <source>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Photorealistic pictures of CT volumes, with a measure of how right they are.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt; PD-Render is not a certified medical device.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.&lt;/p&gt;</source>
@@ -2308,6 +2324,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Den Ordner noch einmal öffnen.</translation>
     </message>
     <message>
+        <source>Open the folder again: it may hold another patient's images now.</source>
+        <translation>Den Ordner neu öffnen: Er kann jetzt Bilder eines anderen Patienten enthalten.</translation>
+    </message>
+    <message>
         <source>Open the series again, or start the program anew.</source>
         <translation>Die Serie noch einmal öffnen oder das Programm neu starten.</translation>
     </message>
@@ -3384,6 +3404,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Zoomen</translation>
     </message>
     <message>
+        <source>a box, a plane or a drawn line cuts into the volume</source>
+        <translation>ein Quader, eine Ebene oder eine gezeichnete Linie schneidet ins Volumen</translation>
+    </message>
+    <message>
         <source>a certificate cannot be made: %1</source>
         <translation>ein Zertifikat kann nicht gemacht werden: %1</translation>
     </message>
@@ -3416,6 +3440,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ein Schlüssel ihrer Tabelle ist doppelt oder am falschen Platz</translation>
     </message>
     <message>
+        <source>a light is a rectangle or a sphere</source>
+        <translation>ein Licht ist ein Rechteck oder eine Kugel</translation>
+    </message>
+    <message>
         <source>a list in it has another length</source>
         <translation>eine Liste darin hat eine andere Länge</translation>
     </message>
@@ -3444,6 +3472,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Zahl darin liegt außerhalb ihres Bereichs</translation>
     </message>
     <message>
+        <source>a part of the body is not shown</source>
+        <translation>ein Teil des Körpers wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>a path may have one event only</source>
+        <translation>ein Weg darf nur ein Ereignis haben</translation>
+    </message>
+    <message>
         <source>a picture of %1 x %2 pixels needs %3 of memory, %4 are free</source>
         <translation>ein Bild von %1 x %2 Pixeln braucht %3 Speicher, %4 sind frei</translation>
     </message>
@@ -3454,6 +3490,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>a piece of a scan that was not asked for</source>
         <translation>ein Stück eines Scans, um das nicht gebeten war</translation>
+    </message>
+    <message>
+        <source>a point of the curve emits light</source>
+        <translation>ein Punkt der Kurve leuchtet selbst</translation>
+    </message>
+    <message>
+        <source>a point of the curve is specular</source>
+        <translation>ein Punkt der Kurve glänzt</translation>
     </message>
     <message>
         <source>a render node joined</source>
@@ -3520,6 +3564,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ein Text oder eine Folge von Bytes darin ist zu lang oder fehlt</translation>
     </message>
     <message>
+        <source>a tile keeps a render node busy for longer than it needs to start: %1, %2</source>
+        <translation>eine Kachel beschäftigt einen Render-Rechner länger, als er zum Anlaufen braucht: %1, %2</translation>
+    </message>
+    <message>
         <source>a tile of it was not what this machine found when it did it again</source>
         <translation>eine seiner Kacheln war nicht, was dieser Rechner beim Nachrechnen fand</translation>
     </message>
@@ -3542,6 +3590,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>air</source>
         <translation>Luft</translation>
+    </message>
+    <message>
+        <source>all lights are hidden from the camera</source>
+        <translation>alle Lichter sind vor der Kamera verborgen</translation>
     </message>
     <message>
         <source>an earlier coding</source>
@@ -3578,6 +3630,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>at least one node is needed</source>
         <translation>mindestens eine Stützstelle ist nötig</translation>
+    </message>
+    <message>
+        <source>at this gradient factor no edge is ever steep enough</source>
+        <translation>bei diesem Gradientenfaktor ist keine Kante je steil genug</translation>
     </message>
     <message>
         <source>back</source>
@@ -3640,6 +3696,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>nicht lesbar</translation>
     </message>
     <message>
+        <source>clipping</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>closing the series before</source>
+        <translation>die Serie davor wird geschlossen</translation>
+    </message>
+    <message>
+        <source>comparing slices at the same place</source>
+        <translation>Schichten an gleicher Stelle werden verglichen</translation>
+    </message>
+    <message>
         <source>comparison: %1</source>
         <translation>Vergleich: %1</translation>
     </message>
@@ -3680,6 +3748,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>entrauscht: wie sehr ist noch nicht bekannt</translation>
     </message>
     <message>
+        <source>depth of field</source>
+        <translation>Tiefenschärfe</translation>
+    </message>
+    <message>
+        <source>directed scattering</source>
+        <translation>gerichtete Streuung</translation>
+    </message>
+    <message>
         <source>each iteration blurred</source>
         <translation>jeder Durchgang verwischt</translation>
     </message>
@@ -3700,6 +3776,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Element %1 soll %2 Bytes enthalten, aber in der Datei sind nur noch %3</translation>
     </message>
     <message>
+        <source>emission</source>
+        <translation>Eigenleuchten</translation>
+    </message>
+    <message>
+        <source>every light is best found by aiming at it</source>
+        <translation>jedes Licht wird am besten durch Zielen gefunden</translation>
+    </message>
+    <message>
+        <source>everything is shown</source>
+        <translation>alles wird gezeigt</translation>
+    </message>
+    <message>
         <source>fast filter</source>
         <translation>schneller Filter</translation>
     </message>
@@ -3710,6 +3798,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>feet</source>
         <translation>Füße</translation>
+    </message>
+    <message>
+        <source>finding the part to show</source>
+        <translation>der zu zeigende Teil wird gesucht</translation>
     </message>
     <message>
         <source>fine detail below %1 % contrast is not shown yet</source>
@@ -3792,8 +3884,24 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>hier: noch nicht bekannt</translation>
     </message>
     <message>
+        <source>hidden parts</source>
+        <translation>ausgeblendete Teile</translation>
+    </message>
+    <message>
+        <source>hiding the table</source>
+        <translation>der Tisch wird ausgeblendet</translation>
+    </message>
+    <message>
         <source>highHu must lie above lowHu</source>
         <translation>highHu muss über lowHu liegen</translation>
+    </message>
+    <message>
+        <source>highlights</source>
+        <translation>Glanzlichter</translation>
+    </message>
+    <message>
+        <source>highlights or directed scattering are sharper than the lights</source>
+        <translation>Glanzlichter oder gerichtete Streuung sind schärfer als die Lichter</translation>
     </message>
     <message>
         <source>holds "%1", which is no number</source>
@@ -3928,6 +4036,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>es endet ohne Endemarke</translation>
     </message>
     <message>
+        <source>it has not been heard of for 10 seconds</source>
+        <translation>von ihm ist seit 10 Sekunden nichts zu hören</translation>
+    </message>
+    <message>
         <source>it has two frame headers</source>
         <translation>es hat zwei Bildköpfe</translation>
     </message>
@@ -3988,6 +4100,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das ist keine Nachricht von PD-Render</translation>
     </message>
     <message>
+        <source>it is not needed any more</source>
+        <translation>er wird nicht mehr gebraucht</translation>
+    </message>
+    <message>
         <source>it is not of the size that the file's header says</source>
         <translation>es hat nicht die Größe, die der Kopf der Datei nennt</translation>
     </message>
@@ -4002,6 +4118,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>it is too long from somebody who is not known yet</source>
         <translation>sie ist zu lang von jemandem, der noch nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>it said goodbye</source>
+        <translation>er hat sich verabschiedet</translation>
+    </message>
+    <message>
+        <source>it sends results that nobody asked it for</source>
+        <translation>er schickt Ergebnisse, um die ihn niemand gebeten hat</translation>
+    </message>
+    <message>
+        <source>it speaks another version of the protocol: %1</source>
+        <translation>er spricht eine andere Version des Protokolls: %1</translation>
     </message>
     <message>
         <source>it states an impossible precision</source>
@@ -4072,6 +4200,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>seine Nachrichten sind anders aufgebaut</translation>
     </message>
     <message>
+        <source>its pictures differ from this machine's in their last bits: it is of another build</source>
+        <translation>seine Bilder weichen in den letzten Bits von denen dieses Rechners ab: Das Programm dort ist anders gebaut</translation>
+    </message>
+    <message>
         <source>its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)</source>
         <translation>ihr Pixelformat kann nicht gelesen werden (%1 Bit belegt, %2 gespeichert, höchstes Bit %3)</translation>
     </message>
@@ -4128,12 +4260,48 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>weniger als 1 ml</translation>
     </message>
     <message>
+        <source>light comes from all around</source>
+        <translation>Licht kommt von allen Seiten</translation>
+    </message>
+    <message>
+        <source>light crosses tissue on its way</source>
+        <translation>Licht geht auf seinem Weg durch Gewebe</translation>
+    </message>
+    <message>
+        <source>light from all around</source>
+        <translation>Licht von allen Seiten</translation>
+    </message>
+    <message>
+        <source>light is let through everything, to see what shadows do</source>
+        <translation>Licht geht durch alles hindurch, um zu sehen, was Schatten bewirken</translation>
+    </message>
+    <message>
+        <source>light is scattered on from event to event</source>
+        <translation>Licht wird von Ereignis zu Ereignis weitergestreut</translation>
+    </message>
+    <message>
         <source>light paths cut off at their last allowed event</source>
         <translation>Lichtwege, die an ihrem letzten erlaubten Ereignis endeten</translation>
     </message>
     <message>
+        <source>lights in view</source>
+        <translation>Lichter im Bild</translation>
+    </message>
+    <message>
+        <source>lights with a place</source>
+        <translation>Lichter mit einem Ort</translation>
+    </message>
+    <message>
         <source>lists and objects lie in one another deeper than %1</source>
         <translation>Listen und Objekte liegen tiefer als %1 ineinander</translation>
+    </message>
+    <message>
+        <source>looking for files</source>
+        <translation>Dateien werden gesucht</translation>
+    </message>
+    <message>
+        <source>looking for the table</source>
+        <translation>der Tisch wird gesucht</translation>
     </message>
     <message>
         <source>lung</source>
@@ -4174,6 +4342,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>more than half of what is solid is thinner than 20 mm</source>
         <translation>mehr als die Hälfte von allem Festen ist dünner als 20 mm</translation>
+    </message>
+    <message>
+        <source>multiple scattering</source>
+        <translation>Mehrfachstreuung</translation>
     </message>
     <message>
         <source>muscle</source>
@@ -4284,6 +4456,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>kein Bild, sondern ein anderes Objekt</translation>
     </message>
     <message>
+        <source>no light is a rectangle or a sphere</source>
+        <translation>kein Licht ist ein Rechteck oder eine Kugel</translation>
+    </message>
+    <message>
+        <source>no light shines</source>
+        <translation>kein Licht leuchtet</translation>
+    </message>
+    <message>
         <source>no light was seen in the box</source>
         <translation>im Rahmen wurde kein Licht gefunden</translation>
     </message>
@@ -4296,8 +4476,24 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>in diesem Körper ist kein Metall</translation>
     </message>
     <message>
+        <source>no opaque tissue that the volume holds emits light</source>
+        <translation>kein deckendes Gewebe im Volumen leuchtet selbst</translation>
+    </message>
+    <message>
+        <source>no point of the curve emits light</source>
+        <translation>kein Punkt der Kurve leuchtet selbst</translation>
+    </message>
+    <message>
+        <source>no point of the curve is specular</source>
+        <translation>kein Punkt der Kurve glänzt</translation>
+    </message>
+    <message>
         <source>no reason given</source>
         <translation>kein Grund genannt</translation>
+    </message>
+    <message>
+        <source>no rectangle and no sphere shines</source>
+        <translation>kein Rechteck und keine Kugel leuchtet</translation>
     </message>
     <message>
         <source>no series here can be loaded</source>
@@ -4310,6 +4506,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>no such tile is asked for</source>
         <translation>nach dieser Kachel ist nicht gefragt</translation>
+    </message>
+    <message>
+        <source>no tissue is opaque at the HU that the volume holds</source>
+        <translation>bei den HU im Volumen ist kein Gewebe deckend</translation>
+    </message>
+    <message>
+        <source>no tissue scatters light</source>
+        <translation>kein Gewebe streut Licht</translation>
     </message>
     <message>
         <source>nobody can be listened to there: %1</source>
@@ -4348,6 +4552,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>nichts ist 20 mm dick</translation>
     </message>
     <message>
+        <source>nothing is cut away</source>
+        <translation>nichts ist weggeschnitten</translation>
+    </message>
+    <message>
         <source>now, %1</source>
         <translation>jetzt, %1</translation>
     </message>
@@ -4372,6 +4580,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eines seiner Segmente ist länger als das Bild</translation>
     </message>
     <message>
+        <source>one render node has the whole picture</source>
+        <translation>ein Render-Rechner hat das ganze Bild</translation>
+    </message>
+    <message>
         <source>orientation</source>
         <translation>Ausrichtung</translation>
     </message>
@@ -4388,6 +4600,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>angehalten</translation>
     </message>
     <message>
+        <source>phase g is 0: the same to all sides</source>
+        <translation>die Phase g ist 0: nach allen Seiten gleich</translation>
+    </message>
+    <message>
+        <source>phase g is not 0</source>
+        <translation>die Phase g ist nicht 0</translation>
+    </message>
+    <message>
         <source>pixel spacing</source>
         <translation>Pixelabstand</translation>
     </message>
@@ -4400,12 +4620,28 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Strahlen, die weniger genau sind als verlangt</translation>
     </message>
     <message>
+        <source>reading headers</source>
+        <translation>Kopfdaten werden gelesen</translation>
+    </message>
+    <message>
+        <source>reading slices</source>
+        <translation>Schichten werden gelesen</translation>
+    </message>
+    <message>
+        <source>reading the picture</source>
+        <translation>das Bild wird gelesen</translation>
+    </message>
+    <message>
         <source>results that never came: %1</source>
         <translation>ausgebliebene Ergebnisse: %1</translation>
     </message>
     <message>
         <source>right</source>
         <translation>rechts</translation>
+    </message>
+    <message>
+        <source>samples are shared out in blocks of 64, and fewer than two are ordered</source>
+        <translation>Samples werden in Blöcken zu 64 verteilt, und weniger als zwei sind bestellt</translation>
     </message>
     <message>
         <source>samples left out: infinitely bright</source>
@@ -4424,8 +4660,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Gespeichert als %1</translation>
     </message>
     <message>
+        <source>saves %1</source>
+        <translation>spart %1</translation>
+    </message>
+    <message>
         <source>says it holds %1 values and holds %2</source>
         <translation>nennt %1 Werte und enthält %2</translation>
+    </message>
+    <message>
+        <source>search along scattering</source>
+        <translation>Suche entlang der Streuung</translation>
     </message>
     <message>
         <source>selected, %1</source>
@@ -4434,6 +4678,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>selected, %1 HU: %2</source>
         <translation>ausgewählt, %1 HU: %2</translation>
+    </message>
+    <message>
+        <source>shadows</source>
+        <translation>Schatten</translation>
     </message>
     <message>
         <source>slice %1 cannot be written</source>
@@ -4464,6 +4712,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>etwas fehlt darin</translation>
     </message>
     <message>
+        <source>sorting slices</source>
+        <translation>Schichten werden sortiert</translation>
+    </message>
+    <message>
         <source>spacing or direction changes on the way; a pixel lies up to %1 mm from where the first slice would put it</source>
         <translation>Abstand oder Richtung ändert sich unterwegs; ein Pixel liegt bis zu %1 mm von der Stelle, an die die erste Schicht es setzen würde</translation>
     </message>
@@ -4482,6 +4734,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>sums of samples before the first one of a block</source>
         <translation>Summen von Abtastungen vor der ersten eines Blocks</translation>
+    </message>
+    <message>
+        <source>surface reflection</source>
+        <translation>Spiegelung an Oberflächen</translation>
     </message>
     <message>
         <source>target</source>
@@ -4516,8 +4772,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die GPU ist zu alt für dieses Programm: Sie hat Compute Capability %1.%2, 7.5 oder neuer ist nötig</translation>
     </message>
     <message>
+        <source>the aperture is 0</source>
+        <translation>die Blende ist 0</translation>
+    </message>
+    <message>
         <source>the axes of the volume are not at right angles</source>
         <translation>die Achsen des Volumens stehen nicht im rechten Winkel</translation>
+    </message>
+    <message>
+        <source>the camera sees a light</source>
+        <translation>die Kamera sieht ein Licht</translation>
+    </message>
+    <message>
+        <source>the camera sees the environment</source>
+        <translation>die Kamera sieht die Umgebung</translation>
     </message>
     <message>
         <source>the certificates cannot be written</source>
@@ -4540,12 +4808,36 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das komprimierte Bild ist beschädigt: Sein Dekoder meldet „%1“</translation>
     </message>
     <message>
+        <source>the coordinator gives out leases twice, or more than a node can have</source>
+        <translation>der Koordinator vergibt Aufträge doppelt oder mehr, als ein Rechner haben kann</translation>
+    </message>
+    <message>
+        <source>the coordinator has not been heard of for %1 heartbeats</source>
+        <translation>vom Koordinator ist seit %1 Herzschlägen nichts zu hören</translation>
+    </message>
+    <message>
+        <source>the coordinator speaks a version of the protocol that it was not offered</source>
+        <translation>der Koordinator spricht eine Version des Protokolls, die ihm nicht angeboten wurde</translation>
+    </message>
+    <message>
         <source>the device takes samples for films of its own only</source>
         <translation>das Gerät tastet nur für eigene Filme ab</translation>
     </message>
     <message>
         <source>the driver is too old: it knows CUDA %1, %2 is needed</source>
         <translation>der Treiber ist zu alt: Er kennt CUDA %1, gebraucht wird %2</translation>
+    </message>
+    <message>
+        <source>the environment is black</source>
+        <translation>die Umgebung ist schwarz</translation>
+    </message>
+    <message>
+        <source>the environment is hidden from the camera</source>
+        <translation>die Umgebung ist vor der Kamera verborgen</translation>
+    </message>
+    <message>
+        <source>the environment shines</source>
+        <translation>die Umgebung leuchtet</translation>
     </message>
     <message>
         <source>the file cannot be opened</source>
@@ -4566,6 +4858,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the file could not be written (%1)</source>
         <translation>die Datei konnte nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>the file has changed since the folder was scanned</source>
+        <translation>die Datei hat sich geändert, seit der Ordner durchsucht wurde</translation>
     </message>
     <message>
         <source>the file holds %1 bytes, %2 voxels of this type are %3</source>
@@ -4620,6 +4916,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Ordner ist nicht leer</translation>
     </message>
     <message>
+        <source>the gradient factor is 0</source>
+        <translation>der Gradientenfaktor ist 0</translation>
+    </message>
+    <message>
+        <source>the gradient factor is above 0</source>
+        <translation>der Gradientenfaktor ist größer als 0</translation>
+    </message>
+    <message>
+        <source>the lens is open</source>
+        <translation>die Blende ist offen</translation>
+    </message>
+    <message>
         <source>the link leads nowhere</source>
         <translation>der Verweis führt ins Leere</translation>
     </message>
@@ -4636,16 +4944,68 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Messungen trennen die Teile der Zeit eines Bildes nicht</translation>
     </message>
     <message>
+        <source>the model asks for no light</source>
+        <translation>das Modell braucht kein Licht</translation>
+    </message>
+    <message>
+        <source>the model does not scatter</source>
+        <translation>das Modell streut nicht</translation>
+    </message>
+    <message>
+        <source>the model has none</source>
+        <translation>das Modell hat keine</translation>
+    </message>
+    <message>
+        <source>the model has one event on a path</source>
+        <translation>das Modell hat ein Ereignis je Weg</translation>
+    </message>
+    <message>
+        <source>the model shows HU, not light</source>
+        <translation>das Modell zeigt HU, kein Licht</translation>
+    </message>
+    <message>
+        <source>the model shows no light from within</source>
+        <translation>das Modell zeigt kein Licht von innen</translation>
+    </message>
+    <message>
         <source>the name says no format that pictures are saved in</source>
         <translation>der Name nennt kein Format, in dem Bilder gesichert werden</translation>
+    </message>
+    <message>
+        <source>the network takes longest either way: %1</source>
+        <translation>das Netz braucht so oder so am längsten: %1</translation>
     </message>
     <message>
         <source>the other device cannot be used: %1</source>
         <translation>das andere Gerät kann nicht benutzt werden: %1</translation>
     </message>
     <message>
+        <source>the other side did not introduce itself first</source>
+        <translation>die Gegenseite hat sich nicht zuerst vorgestellt</translation>
+    </message>
+    <message>
+        <source>the other side did not introduce itself in time</source>
+        <translation>die Gegenseite hat sich nicht rechtzeitig vorgestellt</translation>
+    </message>
+    <message>
+        <source>the other side ended the connection</source>
+        <translation>die Gegenseite hat die Verbindung beendet</translation>
+    </message>
+    <message>
+        <source>the other side sends a message too slowly</source>
+        <translation>die Gegenseite schickt eine Nachricht zu langsam</translation>
+    </message>
+    <message>
+        <source>the other side sends more messages than it has reason to</source>
+        <translation>die Gegenseite schickt mehr Nachrichten, als sie Grund dazu hat</translation>
+    </message>
+    <message>
         <source>the other side sent what makes no sense: %1</source>
         <translation>die andere Seite hat Unsinniges gesendet: %1</translation>
+    </message>
+    <message>
+        <source>the other side takes too little of what it is sent</source>
+        <translation>die Gegenseite nimmt zu wenig von dem ab, was ihr geschickt wird</translation>
     </message>
     <message>
         <source>the patient</source>
@@ -4736,6 +5096,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Text %1 ist länger als %2 kB</translation>
     </message>
     <message>
+        <source>the threads of a warp have lost each other</source>
+        <translation>die Threads eines Warps haben einander verloren</translation>
+    </message>
+    <message>
         <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
         <translation>die Zeit kommt zuerst: in %2, innerhalb ±%1 und mit %3 Abtastungen</translation>
     </message>
@@ -4746,6 +5110,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the volume does not fit into its memory: %1 are needed, %2 are free</source>
         <translation>das Volumen passt nicht in seinen Speicher: %1 werden gebraucht, %2 sind frei</translation>
+    </message>
+    <message>
+        <source>the volume holds no HU that are specular</source>
+        <translation>das Volumen enthält keine HU, die glänzen</translation>
     </message>
     <message>
         <source>the volume is too large for fast filtering: it has %1 voxels, textures may have %2</source>
@@ -4772,6 +5140,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>es gibt schon Zertifikate</translation>
     </message>
     <message>
+        <source>there are no surfaces</source>
+        <translation>es gibt keine Oberflächen</translation>
+    </message>
+    <message>
+        <source>there are too few blocks of 64 samples for all render nodes: they would take %1, tiles take %2</source>
+        <translation>für alle Render-Rechner gibt es zu wenige Blöcke von 64 Samples: Sie bräuchten %1, Kacheln brauchen %2</translation>
+    </message>
+    <message>
         <source>there is a stray delimiter %1</source>
         <translation>ein Endezeichen %1 steht, wo keines hingehört</translation>
     </message>
@@ -4794,6 +5170,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>there is no driver for a GPU of NVIDIA's</source>
         <translation>es gibt keinen Treiber für eine GPU von NVIDIA</translation>
+    </message>
+    <message>
+        <source>there is no light</source>
+        <translation>es gibt kein Licht</translation>
     </message>
     <message>
         <source>there is no picture</source>
@@ -4940,6 +5320,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>dieser Name ist zu lang</translation>
     </message>
     <message>
+        <source>this node has said goodbye</source>
+        <translation>dieser Rechner hat sich verabschiedet</translation>
+    </message>
+    <message>
+        <source>this node works for somebody else</source>
+        <translation>dieser Rechner arbeitet für jemand anderen</translation>
+    </message>
+    <message>
         <source>this program listens at IP addresses, not at names</source>
         <translation>dieses Programm wartet an IP-Adressen, nicht an Namen</translation>
     </message>
@@ -4956,8 +5344,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>diese Szene kann nicht an Render-Rechner gesendet werden: Sie läsen eine andere</translation>
     </message>
     <message>
+        <source>tiles would be smaller than what a render node needs to start: %1 of %2</source>
+        <translation>Kacheln wären kürzer, als ein Render-Rechner zum Anlaufen braucht: %1 von %2</translation>
+    </message>
+    <message>
         <source>tilted stack</source>
         <translation>gekippter Stapel</translation>
+    </message>
+    <message>
+        <source>tissue is seen against the environment, else against white</source>
+        <translation>Gewebe wird vor der Umgebung gesehen, sonst vor Weiß</translation>
+    </message>
+    <message>
+        <source>tissue is seen against white: without it there is no picture</source>
+        <translation>Gewebe wird vor Weiß gesehen: ohne das gibt es kein Bild</translation>
     </message>
     <message>
         <source>to decode it</source>
@@ -4976,6 +5376,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>zwei Schichten an einer Stelle</translation>
     </message>
     <message>
+        <source>visible background</source>
+        <translation>sichtbarer Hintergrund</translation>
+    </message>
+    <message>
         <source>voxel %1 holds %2, Hounsfield units end at 32767 and begin at -32768</source>
         <translation>Voxel %1 enthält %2, HU reichen von -32768 bis 32767</translation>
     </message>
@@ -4992,12 +5396,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Wasser</translation>
     </message>
     <message>
+        <source>what is cut away lies outside the volume</source>
+        <translation>was weggeschnitten ist, liegt außerhalb des Volumens</translation>
+    </message>
+    <message>
         <source>which of them comes first is not known yet</source>
         <translation>was davon zuerst kommt, ist noch nicht bekannt</translation>
     </message>
     <message>
         <source>without certificates only this machine itself may be dialled</source>
         <translation>ohne Zertifikate darf nur dieser Rechner selbst angewählt werden</translation>
+    </message>
+    <message>
+        <source>writing slices</source>
+        <translation>Schichten werden geschrieben</translation>
     </message>
     <message>
         <source>writing the picture</source>

@@ -72,6 +72,10 @@
         <translation>%1 %2</translation>
     </message>
     <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 a %3)</translation>
+    </message>
+    <message>
         <source>%1 (changed)</source>
         <translation>%1 (modificado)</translation>
     </message>
@@ -342,6 +346,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 se quitó</translation>
     </message>
     <message>
+        <source>%1 x</source>
+        <translation>%1 x</translation>
+    </message>
+    <message>
         <source>%1 x %2 pixels</source>
         <translation>%1 x %2 píxeles</translation>
     </message>
@@ -396,6 +404,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1, because %2</source>
         <translation>%1, porque %2</translation>
+    </message>
+    <message>
+        <source>%1, before both sides knew each other</source>
+        <translation>%1, antes de que ambas partes se conocieran</translation>
     </message>
     <message>
         <source>%1, before smoothing</source>
@@ -720,6 +732,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>; any target takes %1 of the time</source>
         <translation>; cualquier objetivo necesita el %1 del tiempo</translation>
+    </message>
+    <message>
+        <source>&lt; %1</source>
+        <translation>&lt; %1</translation>
     </message>
     <message>
         <source>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Photorealistic pictures of CT volumes, with a measure of how right they are.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt; PD-Render is not a certified medical device.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.&lt;/p&gt;</source>
@@ -2308,6 +2324,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abra de nuevo la carpeta.</translation>
     </message>
     <message>
+        <source>Open the folder again: it may hold another patient's images now.</source>
+        <translation>Abra la carpeta de nuevo: puede contener ahora imágenes de otro paciente.</translation>
+    </message>
+    <message>
         <source>Open the series again, or start the program anew.</source>
         <translation>Abra de nuevo la serie o reinicie el programa.</translation>
     </message>
@@ -3384,6 +3404,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Zoom</translation>
     </message>
     <message>
+        <source>a box, a plane or a drawn line cuts into the volume</source>
+        <translation>una caja, un plano o una línea dibujada corta el volumen</translation>
+    </message>
+    <message>
         <source>a certificate cannot be made: %1</source>
         <translation>no se puede hacer un certificado: %1</translation>
     </message>
@@ -3416,6 +3440,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>una clave de su tabla está repetida o fuera de lugar</translation>
     </message>
     <message>
+        <source>a light is a rectangle or a sphere</source>
+        <translation>una luz es un rectángulo o una esfera</translation>
+    </message>
+    <message>
         <source>a list in it has another length</source>
         <translation>una lista en él tiene otra longitud</translation>
     </message>
@@ -3444,6 +3472,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un número en él está fuera de su rango</translation>
     </message>
     <message>
+        <source>a part of the body is not shown</source>
+        <translation>una parte del cuerpo no se muestra</translation>
+    </message>
+    <message>
+        <source>a path may have one event only</source>
+        <translation>un camino solo puede tener un evento</translation>
+    </message>
+    <message>
         <source>a picture of %1 x %2 pixels needs %3 of memory, %4 are free</source>
         <translation>una imagen de %1 x %2 píxeles necesita %3 de memoria; hay %4 libres</translation>
     </message>
@@ -3454,6 +3490,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>a piece of a scan that was not asked for</source>
         <translation>un trozo de un estudio que no se pidió</translation>
+    </message>
+    <message>
+        <source>a point of the curve emits light</source>
+        <translation>un punto de la curva emite luz</translation>
+    </message>
+    <message>
+        <source>a point of the curve is specular</source>
+        <translation>un punto de la curva es especular</translation>
     </message>
     <message>
         <source>a render node joined</source>
@@ -3520,6 +3564,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un texto o una secuencia de bytes en él es demasiado largo o falta</translation>
     </message>
     <message>
+        <source>a tile keeps a render node busy for longer than it needs to start: %1, %2</source>
+        <translation>una tesela ocupa a un equipo de render más tiempo del que necesita para empezar: %1, %2</translation>
+    </message>
+    <message>
         <source>a tile of it was not what this machine found when it did it again</source>
         <translation>una de sus teselas no era lo que este equipo halló al repetirla</translation>
     </message>
@@ -3542,6 +3590,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>air</source>
         <translation>aire</translation>
+    </message>
+    <message>
+        <source>all lights are hidden from the camera</source>
+        <translation>todas las luces están ocultas a la cámara</translation>
     </message>
     <message>
         <source>an earlier coding</source>
@@ -3578,6 +3630,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>at least one node is needed</source>
         <translation>hace falta al menos un punto</translation>
+    </message>
+    <message>
+        <source>at this gradient factor no edge is ever steep enough</source>
+        <translation>con este factor de gradiente ningún borde es lo bastante brusco</translation>
     </message>
     <message>
         <source>back</source>
@@ -3640,6 +3696,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no se puede leer</translation>
     </message>
     <message>
+        <source>clipping</source>
+        <translation>corte</translation>
+    </message>
+    <message>
+        <source>closing the series before</source>
+        <translation>se cierra la serie anterior</translation>
+    </message>
+    <message>
+        <source>comparing slices at the same place</source>
+        <translation>se comparan los cortes del mismo lugar</translation>
+    </message>
+    <message>
         <source>comparison: %1</source>
         <translation>comparación: %1</translation>
     </message>
@@ -3680,6 +3748,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>sin ruido: aún no se sabe cuánto</translation>
     </message>
     <message>
+        <source>depth of field</source>
+        <translation>profundidad de campo</translation>
+    </message>
+    <message>
+        <source>directed scattering</source>
+        <translation>dispersión dirigida</translation>
+    </message>
+    <message>
         <source>each iteration blurred</source>
         <translation>cada iteración, desenfocada</translation>
     </message>
@@ -3700,6 +3776,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el elemento %1 debería contener %2 bytes, pero en el archivo solo quedan %3</translation>
     </message>
     <message>
+        <source>emission</source>
+        <translation>emisión</translation>
+    </message>
+    <message>
+        <source>every light is best found by aiming at it</source>
+        <translation>cada luz se encuentra mejor apuntando a ella</translation>
+    </message>
+    <message>
+        <source>everything is shown</source>
+        <translation>se muestra todo</translation>
+    </message>
+    <message>
         <source>fast filter</source>
         <translation>filtro rápido</translation>
     </message>
@@ -3710,6 +3798,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>feet</source>
         <translation>pies</translation>
+    </message>
+    <message>
+        <source>finding the part to show</source>
+        <translation>se busca la parte que se ha de mostrar</translation>
     </message>
     <message>
         <source>fine detail below %1 % contrast is not shown yet</source>
@@ -3792,8 +3884,24 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>aquí: aún no se conoce</translation>
     </message>
     <message>
+        <source>hidden parts</source>
+        <translation>partes ocultas</translation>
+    </message>
+    <message>
+        <source>hiding the table</source>
+        <translation>se oculta la mesa</translation>
+    </message>
+    <message>
         <source>highHu must lie above lowHu</source>
         <translation>highHu debe estar por encima de lowHu</translation>
+    </message>
+    <message>
+        <source>highlights</source>
+        <translation>brillos</translation>
+    </message>
+    <message>
+        <source>highlights or directed scattering are sharper than the lights</source>
+        <translation>los brillos o la dispersión dirigida son más nítidos que las luces</translation>
     </message>
     <message>
         <source>holds "%1", which is no number</source>
@@ -3928,6 +4036,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>termina sin su marca final</translation>
     </message>
     <message>
+        <source>it has not been heard of for 10 seconds</source>
+        <translation>no se sabe nada de él desde hace 10 segundos</translation>
+    </message>
+    <message>
         <source>it has two frame headers</source>
         <translation>tiene dos cabeceras de imagen</translation>
     </message>
@@ -3988,6 +4100,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no es un mensaje de PD-Render</translation>
     </message>
     <message>
+        <source>it is not needed any more</source>
+        <translation>ya no hace falta</translation>
+    </message>
+    <message>
         <source>it is not of the size that the file's header says</source>
         <translation>no tiene el tamaño que dice la cabecera del archivo</translation>
     </message>
@@ -4002,6 +4118,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>it is too long from somebody who is not known yet</source>
         <translation>es demasiado largo de alguien que aún no se conoce</translation>
+    </message>
+    <message>
+        <source>it said goodbye</source>
+        <translation>se ha despedido</translation>
+    </message>
+    <message>
+        <source>it sends results that nobody asked it for</source>
+        <translation>envía resultados que nadie le ha pedido</translation>
+    </message>
+    <message>
+        <source>it speaks another version of the protocol: %1</source>
+        <translation>habla otra versión del protocolo: %1</translation>
     </message>
     <message>
         <source>it states an impossible precision</source>
@@ -4072,6 +4200,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>sus mensajes están dispuestos de otro modo</translation>
     </message>
     <message>
+        <source>its pictures differ from this machine's in their last bits: it is of another build</source>
+        <translation>sus imágenes difieren de las de este equipo en los últimos bits: su programa está compilado de otro modo</translation>
+    </message>
+    <message>
         <source>its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)</source>
         <translation>su formato de píxel no se puede leer (%1 bits asignados, %2 guardados, bit alto %3)</translation>
     </message>
@@ -4128,12 +4260,48 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>menos de 1 ml</translation>
     </message>
     <message>
+        <source>light comes from all around</source>
+        <translation>llega luz de todos los lados</translation>
+    </message>
+    <message>
+        <source>light crosses tissue on its way</source>
+        <translation>la luz atraviesa tejido en su camino</translation>
+    </message>
+    <message>
+        <source>light from all around</source>
+        <translation>luz de todos los lados</translation>
+    </message>
+    <message>
+        <source>light is let through everything, to see what shadows do</source>
+        <translation>la luz lo atraviesa todo, para ver qué hacen las sombras</translation>
+    </message>
+    <message>
+        <source>light is scattered on from event to event</source>
+        <translation>la luz se sigue dispersando de evento en evento</translation>
+    </message>
+    <message>
         <source>light paths cut off at their last allowed event</source>
         <translation>caminos de luz cortados en su último suceso permitido</translation>
     </message>
     <message>
+        <source>lights in view</source>
+        <translation>luces a la vista</translation>
+    </message>
+    <message>
+        <source>lights with a place</source>
+        <translation>luces con un lugar</translation>
+    </message>
+    <message>
         <source>lists and objects lie in one another deeper than %1</source>
         <translation>listas y objetos están anidados en más de %1 niveles</translation>
+    </message>
+    <message>
+        <source>looking for files</source>
+        <translation>se buscan archivos</translation>
+    </message>
+    <message>
+        <source>looking for the table</source>
+        <translation>se busca la mesa</translation>
     </message>
     <message>
         <source>lung</source>
@@ -4174,6 +4342,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>more than half of what is solid is thinner than 20 mm</source>
         <translation>más de la mitad de lo sólido tiene menos de 20 mm de grosor</translation>
+    </message>
+    <message>
+        <source>multiple scattering</source>
+        <translation>dispersión múltiple</translation>
     </message>
     <message>
         <source>muscle</source>
@@ -4284,6 +4456,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no es una imagen, sino otro tipo de objeto</translation>
     </message>
     <message>
+        <source>no light is a rectangle or a sphere</source>
+        <translation>ninguna luz es un rectángulo o una esfera</translation>
+    </message>
+    <message>
+        <source>no light shines</source>
+        <translation>ninguna luz alumbra</translation>
+    </message>
+    <message>
         <source>no light was seen in the box</source>
         <translation>no se vio luz en el recuadro</translation>
     </message>
@@ -4296,8 +4476,24 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no hay metal en este cuerpo</translation>
     </message>
     <message>
+        <source>no opaque tissue that the volume holds emits light</source>
+        <translation>ningún tejido opaco del volumen emite luz</translation>
+    </message>
+    <message>
+        <source>no point of the curve emits light</source>
+        <translation>ningún punto de la curva emite luz</translation>
+    </message>
+    <message>
+        <source>no point of the curve is specular</source>
+        <translation>ningún punto de la curva es especular</translation>
+    </message>
+    <message>
         <source>no reason given</source>
         <translation>sin motivo indicado</translation>
+    </message>
+    <message>
+        <source>no rectangle and no sphere shines</source>
+        <translation>no alumbra ningún rectángulo ni ninguna esfera</translation>
     </message>
     <message>
         <source>no series here can be loaded</source>
@@ -4310,6 +4506,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>no such tile is asked for</source>
         <translation>no se pide esa tesela</translation>
+    </message>
+    <message>
+        <source>no tissue is opaque at the HU that the volume holds</source>
+        <translation>ningún tejido es opaco en las HU del volumen</translation>
+    </message>
+    <message>
+        <source>no tissue scatters light</source>
+        <translation>ningún tejido dispersa luz</translation>
     </message>
     <message>
         <source>nobody can be listened to there: %1</source>
@@ -4348,6 +4552,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>nada alcanza 20 mm de grosor</translation>
     </message>
     <message>
+        <source>nothing is cut away</source>
+        <translation>no se ha cortado nada</translation>
+    </message>
+    <message>
         <source>now, %1</source>
         <translation>ahora, %1</translation>
     </message>
@@ -4372,6 +4580,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>uno de sus segmentos es más largo que la imagen</translation>
     </message>
     <message>
+        <source>one render node has the whole picture</source>
+        <translation>un equipo de render tiene la imagen entera</translation>
+    </message>
+    <message>
         <source>orientation</source>
         <translation>orientación</translation>
     </message>
@@ -4388,6 +4600,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>en pausa</translation>
     </message>
     <message>
+        <source>phase g is 0: the same to all sides</source>
+        <translation>la fase g es 0: igual hacia todos los lados</translation>
+    </message>
+    <message>
+        <source>phase g is not 0</source>
+        <translation>la fase g no es 0</translation>
+    </message>
+    <message>
         <source>pixel spacing</source>
         <translation>espaciado de píxel</translation>
     </message>
@@ -4400,12 +4620,28 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>rayos menos exactos de lo pedido</translation>
     </message>
     <message>
+        <source>reading headers</source>
+        <translation>se leen los encabezados</translation>
+    </message>
+    <message>
+        <source>reading slices</source>
+        <translation>se leen los cortes</translation>
+    </message>
+    <message>
+        <source>reading the picture</source>
+        <translation>se lee la imagen</translation>
+    </message>
+    <message>
         <source>results that never came: %1</source>
         <translation>resultados que no llegaron: %1</translation>
     </message>
     <message>
         <source>right</source>
         <translation>derecha</translation>
+    </message>
+    <message>
+        <source>samples are shared out in blocks of 64, and fewer than two are ordered</source>
+        <translation>las muestras se reparten en bloques de 64, y se han pedido menos de dos</translation>
     </message>
     <message>
         <source>samples left out: infinitely bright</source>
@@ -4424,8 +4660,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Guardado como %1</translation>
     </message>
     <message>
+        <source>saves %1</source>
+        <translation>ahorra %1</translation>
+    </message>
+    <message>
         <source>says it holds %1 values and holds %2</source>
         <translation>dice que contiene %1 valores y contiene %2</translation>
+    </message>
+    <message>
+        <source>search along scattering</source>
+        <translation>búsqueda a lo largo de la dispersión</translation>
     </message>
     <message>
         <source>selected, %1</source>
@@ -4434,6 +4678,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>selected, %1 HU: %2</source>
         <translation>elegido, %1 UH: %2</translation>
+    </message>
+    <message>
+        <source>shadows</source>
+        <translation>sombras</translation>
     </message>
     <message>
         <source>slice %1 cannot be written</source>
@@ -4464,6 +4712,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>falta algo en él</translation>
     </message>
     <message>
+        <source>sorting slices</source>
+        <translation>se ordenan los cortes</translation>
+    </message>
+    <message>
         <source>spacing or direction changes on the way; a pixel lies up to %1 mm from where the first slice would put it</source>
         <translation>el espaciado o la dirección cambia en el camino; un píxel está hasta a %1 mm de donde lo pondría el primer corte</translation>
     </message>
@@ -4482,6 +4734,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>sums of samples before the first one of a block</source>
         <translation>sumas de muestras anteriores a la primera de un bloque</translation>
+    </message>
+    <message>
+        <source>surface reflection</source>
+        <translation>reflexión en superficies</translation>
     </message>
     <message>
         <source>target</source>
@@ -4516,8 +4772,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la GPU es demasiado antigua para este programa: es de compute capability %1.%2 y se necesita 7.5 o posterior</translation>
     </message>
     <message>
+        <source>the aperture is 0</source>
+        <translation>la apertura es 0</translation>
+    </message>
+    <message>
         <source>the axes of the volume are not at right angles</source>
         <translation>los ejes del volumen no forman ángulos rectos</translation>
+    </message>
+    <message>
+        <source>the camera sees a light</source>
+        <translation>la cámara ve una luz</translation>
+    </message>
+    <message>
+        <source>the camera sees the environment</source>
+        <translation>la cámara ve el entorno</translation>
     </message>
     <message>
         <source>the certificates cannot be written</source>
@@ -4540,12 +4808,36 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la imagen comprimida está dañada: su descodificador dice «%1»</translation>
     </message>
     <message>
+        <source>the coordinator gives out leases twice, or more than a node can have</source>
+        <translation>el coordinador reparte encargos dos veces, o más de los que un equipo puede tener</translation>
+    </message>
+    <message>
+        <source>the coordinator has not been heard of for %1 heartbeats</source>
+        <translation>no se sabe nada del coordinador desde hace %1 latidos</translation>
+    </message>
+    <message>
+        <source>the coordinator speaks a version of the protocol that it was not offered</source>
+        <translation>el coordinador habla una versión del protocolo que no se le ofreció</translation>
+    </message>
+    <message>
         <source>the device takes samples for films of its own only</source>
         <translation>el dispositivo solo toma muestras para sus propias películas</translation>
     </message>
     <message>
         <source>the driver is too old: it knows CUDA %1, %2 is needed</source>
         <translation>el controlador es demasiado antiguo: conoce CUDA %1 y se necesita %2</translation>
+    </message>
+    <message>
+        <source>the environment is black</source>
+        <translation>el entorno es negro</translation>
+    </message>
+    <message>
+        <source>the environment is hidden from the camera</source>
+        <translation>el entorno está oculto a la cámara</translation>
+    </message>
+    <message>
+        <source>the environment shines</source>
+        <translation>el entorno alumbra</translation>
     </message>
     <message>
         <source>the file cannot be opened</source>
@@ -4566,6 +4858,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the file could not be written (%1)</source>
         <translation>no se pudo escribir el archivo (%1)</translation>
+    </message>
+    <message>
+        <source>the file has changed since the folder was scanned</source>
+        <translation>el archivo ha cambiado desde que se examinó la carpeta</translation>
     </message>
     <message>
         <source>the file holds %1 bytes, %2 voxels of this type are %3</source>
@@ -4620,6 +4916,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la carpeta no está vacía</translation>
     </message>
     <message>
+        <source>the gradient factor is 0</source>
+        <translation>el factor de gradiente es 0</translation>
+    </message>
+    <message>
+        <source>the gradient factor is above 0</source>
+        <translation>el factor de gradiente es mayor que 0</translation>
+    </message>
+    <message>
+        <source>the lens is open</source>
+        <translation>el objetivo está abierto</translation>
+    </message>
+    <message>
         <source>the link leads nowhere</source>
         <translation>el enlace no lleva a ninguna parte</translation>
     </message>
@@ -4636,16 +4944,68 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>las mediciones no distinguen las partes del tiempo de una imagen</translation>
     </message>
     <message>
+        <source>the model asks for no light</source>
+        <translation>el modelo no usa luz</translation>
+    </message>
+    <message>
+        <source>the model does not scatter</source>
+        <translation>el modelo no dispersa</translation>
+    </message>
+    <message>
+        <source>the model has none</source>
+        <translation>el modelo no las tiene</translation>
+    </message>
+    <message>
+        <source>the model has one event on a path</source>
+        <translation>el modelo tiene un evento por camino</translation>
+    </message>
+    <message>
+        <source>the model shows HU, not light</source>
+        <translation>el modelo muestra HU, no luz</translation>
+    </message>
+    <message>
+        <source>the model shows no light from within</source>
+        <translation>el modelo no muestra luz del interior</translation>
+    </message>
+    <message>
         <source>the name says no format that pictures are saved in</source>
         <translation>el nombre no indica un formato en el que se guarden imágenes</translation>
+    </message>
+    <message>
+        <source>the network takes longest either way: %1</source>
+        <translation>la red es lo que más tarda en ambos casos: %1</translation>
     </message>
     <message>
         <source>the other device cannot be used: %1</source>
         <translation>no se puede usar el otro dispositivo: %1</translation>
     </message>
     <message>
+        <source>the other side did not introduce itself first</source>
+        <translation>la otra parte no se ha presentado primero</translation>
+    </message>
+    <message>
+        <source>the other side did not introduce itself in time</source>
+        <translation>la otra parte no se ha presentado a tiempo</translation>
+    </message>
+    <message>
+        <source>the other side ended the connection</source>
+        <translation>la otra parte ha terminado la conexión</translation>
+    </message>
+    <message>
+        <source>the other side sends a message too slowly</source>
+        <translation>la otra parte envía un mensaje demasiado despacio</translation>
+    </message>
+    <message>
+        <source>the other side sends more messages than it has reason to</source>
+        <translation>la otra parte envía más mensajes de los que tiene motivo</translation>
+    </message>
+    <message>
         <source>the other side sent what makes no sense: %1</source>
         <translation>la otra parte envió algo sin sentido: %1</translation>
+    </message>
+    <message>
+        <source>the other side takes too little of what it is sent</source>
+        <translation>la otra parte acepta demasiado poco de lo que se le envía</translation>
     </message>
     <message>
         <source>the patient</source>
@@ -4736,6 +5096,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el texto %1 supera %2 kB</translation>
     </message>
     <message>
+        <source>the threads of a warp have lost each other</source>
+        <translation>los hilos de un warp se han perdido unos a otros</translation>
+    </message>
+    <message>
         <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
         <translation>el tiempo llega primero: en %2, dentro de ±%1 y con %3 muestras</translation>
     </message>
@@ -4746,6 +5110,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the volume does not fit into its memory: %1 are needed, %2 are free</source>
         <translation>el volumen no cabe en su memoria: se necesitan %1 y hay %2 libres</translation>
+    </message>
+    <message>
+        <source>the volume holds no HU that are specular</source>
+        <translation>el volumen no contiene HU especulares</translation>
     </message>
     <message>
         <source>the volume is too large for fast filtering: it has %1 voxels, textures may have %2</source>
@@ -4772,6 +5140,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>ya hay certificados</translation>
     </message>
     <message>
+        <source>there are no surfaces</source>
+        <translation>no hay superficies</translation>
+    </message>
+    <message>
+        <source>there are too few blocks of 64 samples for all render nodes: they would take %1, tiles take %2</source>
+        <translation>hay demasiado pocos bloques de 64 muestras para todos los equipos de render: tardarían %1, las teselas tardan %2</translation>
+    </message>
+    <message>
         <source>there is a stray delimiter %1</source>
         <translation>hay un delimitador suelto %1</translation>
     </message>
@@ -4794,6 +5170,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>there is no driver for a GPU of NVIDIA's</source>
         <translation>no hay controlador para una GPU de NVIDIA</translation>
+    </message>
+    <message>
+        <source>there is no light</source>
+        <translation>no hay luz</translation>
     </message>
     <message>
         <source>there is no picture</source>
@@ -4940,6 +5320,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>este nombre es demasiado largo</translation>
     </message>
     <message>
+        <source>this node has said goodbye</source>
+        <translation>este equipo se ha despedido</translation>
+    </message>
+    <message>
+        <source>this node works for somebody else</source>
+        <translation>este equipo trabaja para otro</translation>
+    </message>
+    <message>
         <source>this program listens at IP addresses, not at names</source>
         <translation>este programa escucha en direcciones IP, no en nombres</translation>
     </message>
@@ -4956,8 +5344,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>esta escena no se puede enviar a los equipos de render: leerían otra</translation>
     </message>
     <message>
+        <source>tiles would be smaller than what a render node needs to start: %1 of %2</source>
+        <translation>las teselas serían más cortas de lo que un equipo de render necesita para empezar: %1 de %2</translation>
+    </message>
+    <message>
         <source>tilted stack</source>
         <translation>pila inclinada</translation>
+    </message>
+    <message>
+        <source>tissue is seen against the environment, else against white</source>
+        <translation>el tejido se ve ante el entorno, si no ante blanco</translation>
+    </message>
+    <message>
+        <source>tissue is seen against white: without it there is no picture</source>
+        <translation>el tejido se ve ante blanco: sin ello no hay imagen</translation>
     </message>
     <message>
         <source>to decode it</source>
@@ -4976,6 +5376,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>dos cortes en un mismo lugar</translation>
     </message>
     <message>
+        <source>visible background</source>
+        <translation>fondo visible</translation>
+    </message>
+    <message>
         <source>voxel %1 holds %2, Hounsfield units end at 32767 and begin at -32768</source>
         <translation>el vóxel %1 contiene %2; las unidades Hounsfield van de -32768 a 32767</translation>
     </message>
@@ -4992,12 +5396,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>agua</translation>
     </message>
     <message>
+        <source>what is cut away lies outside the volume</source>
+        <translation>lo cortado queda fuera del volumen</translation>
+    </message>
+    <message>
         <source>which of them comes first is not known yet</source>
         <translation>aún no se sabe cuál de ellos llega primero</translation>
     </message>
     <message>
         <source>without certificates only this machine itself may be dialled</source>
         <translation>sin certificados solo se puede llamar a este mismo equipo</translation>
+    </message>
+    <message>
+        <source>writing slices</source>
+        <translation>se escriben los cortes</translation>
     </message>
     <message>
         <source>writing the picture</source>

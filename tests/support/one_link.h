@@ -28,7 +28,7 @@ struct OneLink {
         channel = other;
         link = std::make_unique<nodes::NodeLink>(channel, coordinator);
         QObject::connect(link.get(), &nodes::NodeLink::joined, &listener, [this] { hasJoined = true; });
-        QObject::connect(link.get(), &nodes::NodeLink::over, &listener, [this](const QString& why) { reason = why; });
+        QObject::connect(link.get(), &nodes::NodeLink::over, &listener, [this](const Text& why) { reason = QString::fromStdString(why); });
     }
 
     static inline const remote::Identity kCoordinator{remote::Role::coordinator, std::nullopt};

@@ -3,15 +3,24 @@
 #include <QTest>
 
 #include <algorithm>
+#include <set>
 
+#include "app/wire/map_reader.h"
+#include "app/wire/map_writer.h"
+#include "dicom/import.h"
 #include "dicom/refusal.h"
 #include "dicom/stack_geometry.h"
 #include "dicom/stack_notes.h"
+#include "render/accuracy/ledger_text.h"
 #include "render/base/errors.h"
+#include "render/film/health_text.h"
+#include "render/prepare/needs.h"
 #include "render/scene/picture_setup.h"
 #include "render/segment/body_parts.h"
 #include "render/segment/hidden_table.h"
+#include "render/timing/split_choice.h"
 #include "tests/support/scenes.h"
+#include "tests/support/slice_folder.h"
 #include "ui/language.h"
 #include "ui/room_text.h"
 
@@ -139,6 +148,74 @@ void addErrors(std::vector<Text>& texts) {
         texts.push_back(setupFromJson(json, "plan.json").error().what);
 }
 
+/// Why effects are simulated or left out, in scenes that have all of them, some and none.
+void addEffects(std::vector<Text>& texts) {
+    const auto add = [&](const Scene& scene) {
+        for (const Effect& effect : needs(scene)) {
+            texts.push_back(effect.name);
+            texts.push_back(effect.reason);
+        }
+    };
+    Scene scene = test::plainScene(test::bumpyVolume({20, 20, 20}, dvec3(1), 1), 0.3f);
+    for (const Model model : kModels) {
+        scene.model = model;
+        for (const float amount : {0.0f, 0.6f}) {
+            scene.gradientFactor = scene.phaseG = amount;
+            scene.camera.apertureMm = double(amount);
+            scene.environment.radiance = vec3(amount);
+            scene.lights.resize(amount > 0 ? 1 : 0);
+            if (amount > 0)
+                scene.lights.push_back(SphereLight{.radiusMm = 2, .visible = true});
+            add(scene);
+        }
+    }
+}
+
+void addFigures(std::vector<Text>& texts) {
+    for (const double high : {-0.1, 0.1, 0.3}) {
+        texts.push_back(costText({high - 0.2, high - 0.1, high}));
+        texts.push_back(shareText({high - 0.2, high - 0.1, high}));
+    }
+    texts.push_back(levelsText(Foretold{25.6, 24.9, 26.3}));
+    texts.push_back(timeLeftText({0.55, 0.48, 0.63}));
+    texts.push_back(timeLeftText({12.5, 10.5, 15.5}));
+    Health health;
+    for (FaultCount& fault : health.faults)
+        fault.count = 3;
+    for (const Text& line : healthLines(health))
+        texts.push_back(line);
+}
+
+/// How work is shared out, from one node to many, and from fast ones to slow.
+void addSplits(std::vector<Text>& texts) {
+    SplitFacts facts{1e6, 64, 1, 1e-8, 1e-3, 1e-3, 0, 200};
+    const auto add = [&] { texts.push_back(chooseSplit(facts).reason); };
+    add();
+    facts.nodes = 4;
+    add();
+    facts.samples = 1024;
+    add();
+    facts.pixels = 1e3;
+    add();
+    facts.samples = 128;
+    add();
+    facts.bytesPerSecond = 1e3;
+    add();
+}
+
+/// What a node has said, by way of the wire.
+void addReasonsOfNodes(std::vector<Text>& texts) {
+    for (const Text& reason : {notEnoughMemory(phrase("for the scene: %1", bytesText(13'370'000)), "", "").what,
+                               memoryTooSmall("cuda", 3'000'000'000, 20'000'000).text()}) {
+        wire::MapWriter writer;
+        writer.phrase(1, 2, reason);
+        const wire::Bytes map = writer.finish();
+        wire::MapReader reader(map);
+        texts.emplace_back();
+        reader.phrase(1, 2, texts.back());
+    }
+}
+
 std::vector<Text> everything() {
     std::vector<Text> texts;
     addVerdicts(texts);
@@ -147,6 +224,10 @@ std::vector<Text> everything() {
     addFindings(texts);
     addParts(texts);
     addErrors(texts);
+    addEffects(texts);
+    addFigures(texts);
+    addSplits(texts);
+    addReasonsOfNodes(texts);
     return texts;
 }
 
@@ -160,11 +241,14 @@ void collect(const Text& text, QStringList& names) {
         collect(argument, names);
 }
 
+bool hasWords(const std::string& text) {
+    return std::ranges::count_if(text, [](unsigned char c) { return std::isalpha(c); }) > 2;
+}
+
 /// Whether a text has no words that would be the same in every language.
 bool isTranslated(const Text& text) {
     if (text.kind() == Text::Kind::pattern &&
-        ui::inWords(text.pattern().c_str()) == QString::fromStdString(text.pattern()) &&
-        std::ranges::count_if(text.pattern(), [](unsigned char c) { return std::isalpha(c); }) > 2)
+        ui::inWords(text.pattern().c_str()) == QString::fromStdString(text.pattern()) && hasWords(text.pattern()))
         return false;
     return std::ranges::all_of(text.arguments(), isTranslated);
 }
@@ -198,7 +282,7 @@ class SentencesTest : public QObject {
         ui::speak(*qApp, language);
         for (const Text& text : everything()) {
             const QString said = ui::inWords(text);
-            QVERIFY2(said != QString::fromStdString(text), text.c_str());
+            QVERIFY2(said != QString::fromStdString(text) || !hasWords(text), text.c_str());
             QVERIFY2(isTranslated(text), text.c_str());
             QStringList names;
             collect(text, names);
@@ -206,6 +290,24 @@ class SentencesTest : public QObject {
                 QVERIFY2(said.contains(name), qPrintable(said + ": " + name));
             QVERIFY2(ui::sentence(text).endsWith('.'), text.c_str());
         }
+    }
+
+    void everyStepIsSaidInTheWindowsLanguage_data() { everySentenceIsSaidInTheWindowsLanguage_data(); }
+    void everyStepIsSaidInTheWindowsLanguage() {
+        QFETCH(QString, language);
+        std::set<std::string> steps;
+        const Progress listening = [&](double, std::string_view step) { return steps.insert(std::string(step)), true; };
+        const test::SliceFolder folder;
+        folder.addStack(3);
+        const auto scan = dicom::scanFolder(folder.path(), listening);
+        QVERIFY(scan && dicom::loadSeries(scan->series.at(0), dicom::Padding::maskAsAir, listening));
+        const auto volume = test::makeVolume({24, 24, 24}, dvec3(2), [](int, int, int) { return 40; });
+        QVERIFY(bool(segment::hideTable(*volume, listening)));
+        (void)segment::BodyParts(volume).lungs(volume->geometry(), listening);
+        QVERIFY(steps.size() >= 6);
+        ui::speak(*qApp, language);
+        for (const std::string& step : steps)
+            QVERIFY2(ui::inWords(step) != QString::fromStdString(step), step.c_str());
     }
 
     void namesStayAsTheyAre() {

@@ -10,11 +10,13 @@ ROOMS = ("ui/**/*.cpp", "ui/**/*.h", "app/*.cpp", "app/*.h", "app/desktop/*.cpp"
 ROOMS_BELOW = ("render/**/*.cpp", "render/**/*.h", "render/**/*.cu", "dicom/*.cpp", "dicom/*.h", "app/*.cpp", "app/nodes/*.cpp",
                "app/remote/*.cpp", "app/node/*.cpp", "app/wire/*.cpp")
 PHRASE = re.compile(r"\bphrase\s*\(")
-UNMARKED = re.compile(r'\b(?:Error|FieldError\{|VpError\{)\s*\{\s*"([^"]+ [^"]*)"')
+UNMARKED = re.compile(r'\b(?:Error|FieldError\{|VpError\{|fail\()\s*\{\s*"([^"]+ [^"]*)"')
 # Other words of theirs: file, and where in it they stand.
 WORDS = (("render/scene/tissue_bands.h", r'\{"([^"]+)"'), ("render/scene/named_look.cpp", r'[?:] "([^"]+)"'),
          ("render/film/health_text.cpp", r'return "([^"]+)"'), ("dicom/jpeg_scan.cpp", r'(?:return|[?=]) "([^"]+)"'),
          ("app/wire/map_reader.cpp", r'"(\w+ [^"]+)"'), ("app/wire/payload.cpp", r'(?:return|\?) "([^"]+)"'))
+# What a long step does, as its Progress says it (render/base/progress.h).
+STEPS = re.compile(r'(?:\bprogress_?\([^;"]*,|\bonAllCores\([^;"]*,|\bstring_view kStep =)\s*"([^"]+)"')
 # What the window says of the looks that the program carries.
 LOOKS, SAID_OF_LOOKS = "resources/looks/*.json", ("name", "doesNotShow")
 CALL = re.compile(r"\b(?:(QT_TRANSLATE_NOOP|QCoreApplication::translate)|tr|translated)\s*\(")
@@ -63,6 +65,8 @@ def in_rooms_below(root):
         for call in PHRASE.finditer(source):
             for text in arguments(source, call.end())[0]:
                 found.setdefault(text, path.relative_to(root))
+        for step in STEPS.findall(source):
+            found.setdefault(step, path.relative_to(root))
     return found
 
 

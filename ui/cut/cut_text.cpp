@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "ui/language.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -14,7 +16,7 @@ struct Texts {
 };
 
 QString millimetres(double mm) {
-    return Texts::tr("%1 mm").arg(mm, 0, 'f', 1);
+    return Texts::tr("%1 mm").arg(number(mm, 1));
 }
 
 QString boxText(const ClipBox& box) {

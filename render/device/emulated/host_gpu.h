@@ -126,7 +126,7 @@ class HostGpu {
             LockstepWarp().run([&](const LockstepWarp::Lane& lane) { walkQueue(lane, counted, count, next); },
                                [&] { counts.add(std::exchange(since, {})); });
         if (!together)
-            fail({"the threads of a warp have lost each other", name(), "This is a bug in the program.",
+            fail({phrase("the threads of a warp have lost each other"), name(), "This is a bug in the program.",
                   ErrorKind::deviceLost});
         const std::lock_guard lock(mutex_);
         if constexpr (requires { Program::kName; })

@@ -38,7 +38,9 @@ struct Waiting : NodeTrial {
             (void)film->accumulate(1'000'000, stop);
         });
     }
-    QString reason() const { return lost.at(0).at(0).value<nodes::NodeStatus>().reason; }
+    QString reason() const {
+        return QString::fromStdString(lost.at(0).at(0).value<nodes::NodeStatus>().reason);
+    }
 };
 
 }  // namespace

@@ -22,9 +22,9 @@ struct Rig {
         channel = std::make_unique<remote::Channel>(accepted, remote::Role::coordinator, limits);
         QObject::connect(channel.get(), &remote::Channel::received, channel.get(),
                          [this](const wire::Message& message) { received.push_back(message); });
-        QObject::connect(channel.get(), &remote::Channel::closed, channel.get(), [this](const QString& why) {
+        QObject::connect(channel.get(), &remote::Channel::closed, channel.get(), [this](const Text& why) {
             ++ends;
-            reason = why;
+            reason = QString::fromStdString(why);
         });
     }
 

@@ -46,7 +46,7 @@ struct Side {
             if (greeted && !admitted)
                 admit(role);
         });
-        QObject::connect(arrived, &remote::Channel::closed, arrived, [this](const QString& why) { end(why); });
+        QObject::connect(arrived, &remote::Channel::closed, arrived, [this](const Text& why) { end(QString::fromStdString(why)); });
         if (role == remote::Role::node)
             channel->send(wire::Hello{.program = "test", .name = "node"});
     }

@@ -77,20 +77,20 @@ inline wire::Result exampleResult() {
 inline std::vector<wire::Message> exampleMessages() {
     return {exampleHello(),
             wire::Welcome{1, 2500, counting<32>(100)},
-            wire::Refused{wire::Refused::Why::bits, "it rounds in another way"},
+            wire::Refused{wire::Refused::Why::bits, std::string("it rounds in another way")},
             wire::Ping{5},
             wire::Pong{5},
             exampleOrder(),
             wire::Need{counting<32>(3), 17},
             wire::Chunk{counting<32>(3), 2, 9, wire::Bytes(12, std::byte(0x5a))},
             wire::SceneReady{41},
-            wire::SceneRefused{41, "there is too little memory"},
+            wire::SceneRefused{41, std::string("there is too little memory")},
             exampleLease(),
             exampleResult(),
-            wire::Abandoned{77, counting<16>(9), "the GPU is lost"},
+            wire::Abandoned{77, counting<16>(9), std::string("the GPU is lost")},
             wire::Draining{},
             wire::Forget{},
-            wire::Bye{"the user quits"}};
+            wire::Bye{std::string("the user quits")}};
 }
 
 inline bool sameSums(const std::vector<PixelSums>& a, const std::vector<PixelSums>& b) {

@@ -31,7 +31,7 @@ class SplitChoiceTest : public QObject {
         QVERIFY(std::abs(choice.workSeconds - 64 * 1e-9 * 1920 * 1080 / 100) < 1e-12);
         QVERIFY(std::abs(choice.startSeconds - 2.1e-3) < 1e-12);
         QCOMPARE(choice.reason,
-                 std::string("tiles would be smaller than what a node needs to start: 1.3 ms of 2.1 ms"));
+                 std::string("tiles would be smaller than what a render node needs to start: 1.3 ms of 2.1 ms"));
         QVERIFY(choice.samplesSeconds < choice.tilesSeconds);
     }
 
@@ -41,7 +41,7 @@ class SplitChoiceTest : public QObject {
         const SplitChoice choice = chooseSplit(few);
         QCOMPARE(choice.split, Split::tiles);
         QCOMPARE(choice.reason,
-                 std::string("a tile keeps a node busy for longer than it needs to start: 13 ms, 2.1 ms"));
+                 std::string("a tile keeps a render node busy for longer than it needs to start: 13 ms, 2.1 ms"));
     }
 
     void onlyWholeBlocksAreShared() {
@@ -80,7 +80,7 @@ class SplitChoiceTest : public QObject {
         SplitFacts alone = facts();
         alone.nodes = 1;
         QCOMPARE(chooseSplit(alone).split, Split::tiles);
-        QCOMPARE(chooseSplit(alone).reason, std::string("one node has the whole picture"));
+        QCOMPARE(chooseSplit(alone).reason, std::string("one render node has the whole picture"));
     }
 
     /// Whatever is chosen is foretold to be the sooner one.
