@@ -10,7 +10,7 @@
 namespace pdr {
 
 struct EnvironmentImage {
-    ivec2 size{0};             ///< texels; each in [1, 16384]
+    ivec2 size{0};             ///< texels; each in [1, kLongestSide]
     std::vector<vec3> texels;  ///< linear Rec. 709 radiance, row by row; each in [0, 1e30]
 
     /// `where` names the first texel that is no light.

@@ -52,7 +52,7 @@ struct Scene {
     Clip clip;
     Visible visible;           ///< what the mask was made for; no picture depends on it
     bool maskAwaited = false;  ///< another part is shown until that mask is there; no picture depends on it
-    ivec2 film{512, 512};      ///< pixels; each in [1, 16384]
+    ivec2 film{512, 512};      ///< pixels; each in [1, kLongestSide]
     int maxBounces = 1000;     ///< multiple scattering: events on a path, at most; what is cut is counted; [1, 100000]
     std::uint64_t seed = 1;    ///< any
     std::uint64_t revision = 0;  ///< grows with each edit

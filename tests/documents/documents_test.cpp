@@ -14,7 +14,7 @@ namespace {
 using pdr::test::caught;
 
 const QDir kRoot(QStringLiteral(PDR_SOURCE_DIR));
-constexpr int kReadmeWords = 900;
+constexpr int kReadmeWords = 900, kPageLines = 120;
 
 /// `file`: a path from the root of the tree.
 QString textOf(const QString& file) {
@@ -55,6 +55,14 @@ class DocumentsTest : public QObject {
         const int words = int(textOf("README.md").split(QRegularExpression("\\s+"), Qt::SkipEmptyParts).size());
         QVERIFY(words > 300);
         QVERIFY2(words <= kReadmeWords, qPrintable(QString("%1 words").arg(words)));
+    }
+
+    void everyPageOfTheManualIsAPage() {
+        const QDir manual(kRoot.filePath("resources/manual"));
+        for (const QString& page : manual.entryList({"*.md"})) {
+            const qsizetype lines = pdr::test::contents(manual.filePath(page)).count('\n');
+            QVERIFY2(lines <= kPageLines, qPrintable(QString("%1: %2 lines").arg(page).arg(lines)));
+        }
     }
 
     void everyLinkLeadsToAFile() {
