@@ -33,8 +33,9 @@ Result<void> writePicture(const FilmView& view, Display display, const std::opti
     const std::filesystem::path path = ui::fromQt(file);
     if (pictureFormat(path) == PictureFormat::exr)
         return writeExr(film, provenance, path, stop);
-    SmoothedView smoothed;
-    if (display.smoothed)
+    SmoothedView own;
+    SmoothedView& smoothed = view.denoised ? *view.denoised : own;  // so that the screen and the file say the same
+    if (display.smoothed && smoothed.isStale(film.samplesPerPixel()))
         smoothed.judge(film, film.samplesPerPixel(), stop);
     const bool denoised = smoothed.better(display).smoothed;
     const ShownStatus shown = shownStatus(rendered.status, denoised, smoothed.error(display.exposure));

@@ -104,6 +104,8 @@ QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
     if (frame.region)
         remarks << ui::boxText(frame.region->status, !frame.region->reached, shownOf(frame).status);
+    if (!frame.coarse)
+        remarks << ui::unseenText(frame.status);
     remarks << smoothedTexts(frame) << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
     const std::vector<Bias> known = biases(frame.bias);
     for (const Bias& bias : known)
@@ -139,6 +141,18 @@ ui::Accuracy accuracyOf(const DesktopParts& parts, const Frame& frame) {
     return accuracy;
 }
 
+/// The same number as its colour says; over a square as many times less as before.
+LevelErrorsAt asMapped(LevelErrorsAt errors, const LevelErrorMap& map, QPointF place) {
+    const ivec2 pixel = glm::clamp(ivec2(int(place.x() * map.size.x), int(place.y() * map.size.y)), ivec2(0), map.size - 1);
+    const std::uint8_t bin = map.bins[std::size_t(pixel.y) * std::size_t(map.size.x) + std::size_t(pixel.x)];
+    if (bin < kFirstBin || bin > kLastBin)
+        return errors;
+    const float here = float(levelsOfBin(bin));
+    errors.over *= std::isfinite(errors.here) && errors.here > 0 ? here / errors.here : 1;
+    errors.here = here;
+    return errors;
+}
+
 }  // namespace
 
 void showNoPicture(const DesktopParts& parts, const QString& message) {
@@ -157,7 +171,7 @@ void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& fr
     parts.window.viewport().setPicture({pictureOf(frame), frame->camera, annotationsOf(parts, *frame).texts.join('\n'),
                                         smoothedTexts(*frame).join('\n'), lostLinesOf(*frame),
                                         ui::previewText(shownOf(*frame), frame->stop.levels),
-                                        errorMapOf(frame), frame->smoothed});
+                                        errorMapOf(frame), shownOf(*frame).of == ErrorOf::beforeDenoising});
     parts.window.cut().setPicture(frame->camera, {frame->size.x, frame->size.y});
     parts.window.setPictureOffer(fileNameOf(parts, *frame), costOf(parts, *frame));
     parts.window.region().setPicture({frame->size.x, frame->size.y});
@@ -201,7 +215,13 @@ void showStop(const DesktopParts& parts, const StopRule& rule) {
 
 void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& errors) {
     const auto& frame = parts.bridge.lastFrame();
-    parts.window.viewport().showTip(place, ui::hereText(errors, frame && frame->smoothed));
+    if (!frame)
+        return;
+    const ErrorOf of = shownOf(*frame).of;
+    if (frame->errorMap)
+        return parts.window.viewport().showTip(place, ui::hereText(asMapped(errors, *frame->errorMap, place), of));
+    parts.window.viewport().showTip(
+        place, ui::hereText(errors, of == ErrorOf::denoised ? ErrorOf::beforeDenoising : of));
 }
 
 }  // namespace pdr::app

@@ -166,18 +166,20 @@ QString noiseText(const Accuracy& accuracy) {
         .arg(std::ceil(100 * status.relativeError));
 }
 
-QString hereText(const LevelErrorsAt& errors, bool smoothed) {
+QString hereText(const LevelErrorsAt& errors, ErrorOf of) {
     if (!errors.tissue)
         return {};
     if (!std::isfinite(errors.here))
         return translated("here: not known yet");
     const QString here = levels(double(errors.here));
+    if (of == ErrorOf::denoised)
+        return translated("here ±%1").arg(here);
     QString text = translated("here ±%1; over 1 mm: not known yet").arg(here);
     if (errors.side < 1)
         text = translated("here ±%1; a pixel is larger than 1 mm").arg(here);
     else if (std::isfinite(errors.over))
         text = translated("here ±%1; over 1 mm ±%2").arg(here, levels(double(errors.over)));
-    return smoothed ? translated("%1, before smoothing").arg(text) : text;
+    return of == ErrorOf::beforeDenoising ? translated("%1, before denoising").arg(text) : text;
 }
 
 QString stopText(const StopRule& rule, const Accuracy& accuracy) {

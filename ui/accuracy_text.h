@@ -44,9 +44,9 @@ QString previewText(const ShownStatus& shown, double target);
 /// shown denoised; or that it is not known. Nothing without samples.
 QString noiseText(const Accuracy& accuracy);
 
-/// At one place: "here ±12; over 1 mm ±3", and what of that is not known yet. `smoothed`: the picture is, and this is
-/// of what it was before. Nothing without tissue.
-QString hereText(const LevelErrorsAt& errors, bool smoothed);
+/// At one place: "here ±12; over 1 mm ±3", and what of that is not known yet; of a denoised image, whose pixels err
+/// together, "here ±6". Nothing without tissue.
+QString hereText(const LevelErrorsAt& errors, ErrorOf of);
 
 /// Which limit ends the rendering, and what is there by then: "±4 comes first: in 2.1 min, with 340 samples".
 QString stopText(const StopRule& rule, const Accuracy& accuracy);

@@ -41,13 +41,13 @@ void paintScale(QPainter& painter, const QRect& bar) {
 
 }  // namespace
 
-void paintErrorLegend(QPainter& painter, const QRect& area, bool smoothed) {
+void paintErrorLegend(QPainter& painter, const QRect& area, bool beforeDenoising) {
     QFont small = painter.font();
     small.setPointSizeF(kSmall * small.pointSizeF());
     painter.setFont(small);
     const QFontMetrics metrics = painter.fontMetrics();
-    const QString title = translated(smoothed ? "Where it is rough before smoothing" : "Where it is still rough");
-    const QString unit = translated("95 % interval, grey levels of 255"), unknown = translated("not known yet");
+    const QString title = translated(beforeDenoising ? "Where it is rough before denoising" : "Where it is still rough");
+    const QString unit = translated("each pixel's 95 % margin, of 255"), unknown = translated("not known yet");
     const int line = metrics.height(), barHeight = line * 3 / 4, end = metrics.horizontalAdvance("±64") / 2;
     const int width = std::max(metrics.horizontalAdvance(title), metrics.horizontalAdvance(unit));
     const QRect box(area.left(), area.top(), width + 2 * kPadding, 4 * line + barHeight + kGap + 8 + 2 * kPadding);

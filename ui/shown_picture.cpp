@@ -88,7 +88,7 @@ void Painting::paintErrorMap() const {
     if (picture.errorMap.isNull())
         return;
     paintImage(picture.errorMap);
-    paintErrorLegend(painter, withinMargins(), picture.smoothed);
+    paintErrorLegend(painter, withinMargins(), picture.beforeDenoising);
 }
 
 /// With the map: alone they would pass for findings. The line itself stays free: if the film is shown in its place, it

@@ -20,7 +20,7 @@ struct ShownPicture {
     QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends, with the map
     QString caption;          ///< below the mark, where nothing beside the picture says it: PictureView::caption
     QImage errorMap;          ///< painted over the image, with a legend; null: none
-    bool smoothed = false;    ///< the image is; the map is of what it was before
+    bool beforeDenoising = false;  ///< the map is of what the image was then
 };
 
 /// Where it is painted.

@@ -93,6 +93,11 @@ QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture) {
     return translated("in the box 95 % of the tissue within ±%1").arg(levels(box));
 }
 
+QString unseenText(const FilmStatus& status) {
+    const int percent = int(std::lround(100 * status.unseenTissue));
+    return percent < 1 ? QString() : translated("about %1 % of the tissue not seen yet").arg(percent);
+}
+
 QString comparisonText(const Schedule& schedule, Estimator estimator) {
     QStringList parts;
     if (schedule.kind != Schedule::Kind::pd) {

@@ -56,6 +56,22 @@ PaintOver painterOf(std::optional<ui::Annotations> annotations, const Stops& sto
         [all = *std::move(annotations)](ivec2 size, std::vector<std::uint8_t>& rgba) { ui::annotate(all, size, rgba); };
 }
 
+/// Where the files are not what `--smoothed` promises, or it is not known that they are better; null: nothing is to be
+/// said.
+const char* denoisingNote(const RenderOptions& options, const Scene& scene, SmoothedView& view, const Display& wanted) {
+    if (!options.smoothed)
+        return nullptr;
+    if (!canBeSmoothed(scene))
+        return "the image is not denoised: this model has no noise but at the pixels' edges.";
+    if (!wanted.smoothed)
+        return "nothing is denoised: OpenEXR files hold the film as it is.";
+    if (!view.better(wanted).smoothed)
+        return "the image is not denoised, since it is not known to be better for it.";
+    return view.error(double(wanted.exposure)) ? nullptr
+                                               : "how far the denoised image is off is not known: too few samples, too "
+                                                 "little tissue, or light that few samples have found.";
+}
+
 /// Of the pictures as they are written.
 std::vector<Bias> biasesOf(const LoadedScene& work, const Rendered& rendered, SmoothedView& view, bool smoothed) {
     BiasFacts facts = biasFactsOf(work.scene, rendered);
@@ -125,8 +141,8 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     if (display.smoothed)
         view.judge(**picture, (*picture)->samplesPerPixel(), {});
     const bool smoothed = view.better(display).smoothed;
-    if (display.smoothed && !smoothed)
-        std::fputs("note: the picture is not smoothed, since it is not known to be better for it.\n", stderr);
+    if (const char* note = denoisingNote(options, work->scene, view, display))
+        std::fprintf(stderr, "note: %s\n", note);
     // The device holds another scene then.
     const auto measured =
         measureBias(work->scene, double(display.exposure), device, kBiasShare * result->seconds, stop);

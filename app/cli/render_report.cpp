@@ -85,6 +85,7 @@ std::string jsonText(const RenderReport& report) {
         {"relativeError", known(film.relativeError)},
         {"displayError", known(film.displayError)},
         {"tissuePixels", double(film.tissuePixels)},
+        {"unseenTissue", film.unseenTissue},
         {"unseenShare", film.unseenShare},
         {"meanLuminance", film.meanLuminance},
         {"stoppedBy", reasonWord(report.result.reason)},

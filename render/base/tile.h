@@ -50,6 +50,15 @@ inline SampleRange samplesInBlock(std::uint64_t first, std::uint32_t wanted) {
 inline constexpr std::uint32_t kSeenTissue = 1;  ///< one of them met tissue
 inline constexpr std::uint32_t kSeenChance = 2;  ///< they may meet light by chance: one without may only be unlucky
 
+/// The samples of a pixel are counted in so many groups, sample n in n mod kSeenGroups: a bit beyond those above tells that
+/// one of the group met tissue. Tissue that few groups have met is likely to have been missed in other pixels. An odd
+/// number, so that a group's samples are spread over the strata of the sampler's points.
+inline constexpr std::uint32_t kSeenGroups = 13, kFirstGroupBit = 2;
+/// What a sample of that number tells its pixel if it met tissue.
+PDR_HD inline std::uint32_t seenOfTissue(std::uint64_t sample) {
+    return kSeenTissue | (1u << (kFirstGroupBit + std::uint32_t(sample % kSeenGroups)));
+}
+
 /// Sums of the samples of one pixel in the running block; linear Rec. 709. Samples are added in order.
 struct PixelSums {
     dvec3 sum{0.0};

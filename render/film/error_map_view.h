@@ -2,8 +2,10 @@
 /// The map of the film in hand. It is made anew where it would say something else: so seldom that it costs nothing.
 
 #include <memory>
+#include <utility>
 
 #include "render/film/level_error_map.h"
+#include "render/film/shown_status.h"
 
 namespace pdr {
 
@@ -11,19 +13,17 @@ class ErrorMapView {
   public:
     /// Another film, or none is wanted any more.
     void clear() { *this = {}; }
-    /// Whether the map is to be made for a film, the part of which that is being sampled has so many samples, on a
-    /// display of that exposure: when they are `growth` times as many, and enough to know errors; where that is another
-    /// part, and on another display.
-    bool isDue(std::uint64_t samples, float exposure, double growth) const {
+    /// Whether the map is to be made of an image of a film, the part of which that is being sampled has so many samples,
+    /// on a display of that exposure: when they are `growth` times as many, and enough to know errors; where that is
+    /// another image or part, and on another display.
+    bool isDue(ErrorOf of, std::uint64_t samples, float exposure, double growth) const {
         const bool better = samples >= kSamplesToEstimate && double(samples) >= growth * double(samples_);
-        return !map_ || exposure != exposure_ || better || samples < samples_;
+        return !map_ || of != of_ || exposure != exposure_ || better || samples < samples_;
     }
-    /// As isDue() was asked. Nothing changes after a stop request.
-    void make(const Film& film, std::uint64_t samples, float exposure, const std::stop_token& stop) {
-        auto map = std::make_shared<const LevelErrorMap>(levelErrorMap(film, double(exposure), stop));
-        if (stop.stop_requested())
-            return;
-        map_ = std::move(map);
+    /// As isDue() was asked.
+    void keep(LevelErrorMap map, ErrorOf of, std::uint64_t samples, float exposure) {
+        map_ = std::make_shared<const LevelErrorMap>(std::move(map));
+        of_ = of;
         samples_ = samples;
         exposure_ = exposure;
     }
@@ -33,6 +33,7 @@ class ErrorMapView {
 
   private:
     std::shared_ptr<const LevelErrorMap> map_;
+    ErrorOf of_ = ErrorOf::film;
     std::uint64_t samples_ = 0;
     float exposure_ = 0;
 };

@@ -8,8 +8,6 @@ namespace pdr {
 
 namespace {
 
-constexpr double kSpreads = 1.96;  ///< of a normal distribution hold 95 %
-
 std::string text(const std::string& words) {
     return words;
 }
@@ -38,14 +36,12 @@ std::string healthFact(const Health& health) {
 
 std::vector<Fact> factsOf(const Provenance& from) {
     const FilmStatus& status = from.status;
-    const double band = kSpreads * status.displayErrorSpread;
     std::vector<Fact> facts{
         {"pdrender/samplesPerPixel", double(status.samplesPerPixel)},
         {"pdrender/seconds", from.seconds},
         {"pdrender/relativeError", status.relativeError},
-        {"pdrender/tissueWithinLevels", status.displayError},  // 95 % of it, of 255 levels; and what that lies between
-        {"pdrender/tissueWithinLevelsLow", std::max(0.0, status.displayError - band)},
-        {"pdrender/tissueWithinLevelsHigh", status.displayError + band},
+        {"pdrender/tissueWithinLevels", status.displayError},  // 95 % of it, of 255 levels
+        {"pdrender/tissueNotSeenYet", status.unseenTissue},  // about, at least
         {"pdrender/exposure", from.exposure},
         {"pdrender/bias", from.bias.empty() ? "none known" : from.bias},
         {"pdrender/rejectedSamples", double(status.health.rejected())},

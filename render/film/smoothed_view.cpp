@@ -34,6 +34,11 @@ std::optional<SmoothedError> SmoothedView::errorOver(const Tile& part, double ex
     return judgement_ ? judgement_->over(part, exposure) : std::nullopt;
 }
 
+std::optional<LevelErrorMap> SmoothedView::errorMap(double exposure) {
+    const std::optional<SmoothedError> known = error(exposure);
+    return known ? std::optional(judgement_->errorMap(exposure, known->levelsAtMost)) : std::nullopt;
+}
+
 std::vector<denoise::LostLine> SmoothedView::lostLines() const {
     return judgement_ ? judgement_->lostLines() : std::vector<denoise::LostLine>();
 }

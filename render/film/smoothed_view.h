@@ -13,11 +13,14 @@ class SmoothedView {
     void clear() { *this = {}; }
     /// Whether a film is to be judged, the part of which that is being sampled has so many samples: when they are
     /// `growth` times as many, and where that is another part.
-    bool isDue(std::uint64_t samples, std::uint64_t growth = 2) const {
-        return samples >= kSamplesToJudge && (samples >= growth * judgedSamples_ || samples < judgedSamples_);
+    bool isDue(std::uint64_t samples, double growth = 2) const {
+        const double judged = double(judgedSamples_);
+        return samples >= kSamplesToJudge && (double(samples) >= growth * judged || samples < judgedSamples_);
     }
     /// Whether it is judged by other samples than these.
     bool isStale(std::uint64_t samples) const { return samples >= kSamplesToJudge && samples != judgedSamples_; }
+    /// Of the film when it was judged last; 0: it was not.
+    std::uint64_t judgedSamples() const { return judgedSamples_; }
     /// As isDue() was asked. Nothing changes after a stop request.
     void judge(const Film& film, std::uint64_t samples, const std::stop_token& stop);
 
@@ -27,6 +30,8 @@ class SmoothedView {
     std::optional<SmoothedError> error(double exposure);
     /// Of a part of it alone.
     std::optional<SmoothedError> errorOver(const Tile& part, double exposure) const;
+    /// Where it is still rough, as far as error() is known there.
+    std::optional<LevelErrorMap> errorMap(double exposure);
     /// Of it, too: some of them may have come back since.
     std::vector<denoise::LostLine> lostLines() const;
 

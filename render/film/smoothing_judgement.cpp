@@ -10,7 +10,7 @@ namespace pdr {
 namespace {
 
 constexpr int kTile = 16;  ///< pixels an edge whose errors count as one draw: wider than most blotches
-constexpr int kFewestTiles = 16;
+constexpr int kFewestTiles = 16, kMapRadius = 10;
 constexpr double kMostDark = 0.05;   ///< of the pixels: so many are left out of what is said of 95 %
 constexpr double kSureEnough = 3;    ///< -ln(1 - 0.95): what did not come in n draws has a chance of at most 3 / n
 
@@ -184,6 +184,35 @@ SmoothingJudgement::Sums SmoothingJudgement::sumsOver(const Tile& region, float 
         for (int x = region.x; x < region.x + region.width; x += kTile)
             sums.add(sumsIn(intersection({x, y, kTile, kTile}, region), exposure, error));
     return sums;
+}
+
+LevelErrorMap SmoothingJudgement::errorMap(double exposure, double stated) const {
+    const auto inUnits = float(exposure / unit_);
+    denoise::Plane squares(ivec2(area_.width, area_.height)), counts = squares;
+    for (int y = 0; y < area_.height; ++y)
+        for (int x = 0; x < area_.width; ++x) {
+            const Evidence& pixel = evidence_[std::size_t(y) * std::size_t(area_.width) + std::size_t(x)];
+            if (!pixel.tissue)
+                continue;
+            counts.row(y)[x] = 1;
+            const float error = std::sqrt(std::max(pixel.squaredError, 0.0f)) / inUnits;
+            for (int c = 0; c < 3; ++c) {
+                const float slope = levelSlope(pixel.smooth[c] / inUnits, error) / inUnits;
+                squares.row(y)[x] = std::max(squares.row(y)[x], slope * slope * pixel.squaredErrors[c]);
+            }
+        }
+    squares.mirror();
+    counts.mirror();
+    const denoise::Plane sums = denoise::boxed(squares, kMapRadius), pixels = denoise::boxed(counts, kMapRadius);
+    LevelErrorMap map{ivec2(area_.width, area_.height), {}};
+    map.bins.reserve(evidence_.size());
+    for (int y = 0; y < area_.height; ++y)
+        for (int x = 0; x < area_.width; ++x) {
+            const float square = std::max(sums.row(y)[x] / pixels.row(y)[x], 0.0f);
+            const float levels = std::max(float(kLevels) * std::sqrt(square), float(stated / 8));
+            map.bins.push_back(counts.row(y)[x] > 0 ? levelBinOf(levels) : kNoTissueBin);
+        }
+    return map;
 }
 
 std::optional<SmoothedError> SmoothingJudgement::over(const Tile& region, double exposure) const {

@@ -25,6 +25,17 @@ double relativeErrorOf(const StatusSums& sums, std::size_t pixels) {
     return error > 0 ? error / mean : 0;
 }
 
+/// The part of the tissue that no sample has met, from how much of it few groups of samples have met: at least so much.
+/// Chao 1987, "Estimating the population size for capture-recapture data with unequal catchability".
+double unseenTissueOf(const StatusSums& sums, std::uint64_t samples) {
+    const double groups = double(std::min<std::uint64_t>(samples, kSeenGroups));
+    if (groups < 2 || sums.tissue == 0)
+        return 0;
+    const double once = double(sums.metOnce), twice = double(sums.metTwice);
+    const double unseen = (groups - 1) / groups * once * std::max(once - 1, 0.0) / (2 * (twice + 1));
+    return unseen / (double(sums.tissue) + unseen);
+}
+
 /// How far a pixel that has seen tissue but no light may be off: a fraction 3 / n of its samples may be such as brought
 /// light elsewhere.
 float unlitLevelsOff(const StatusSums& sums, const SampleCounts& samples, const Shown& shown) {
@@ -46,6 +57,7 @@ FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCoun
     if (double(sums.tissue) >= kDrawsToJudge && sums.tissueDraws > 0)
         status.gain = std::sqrt(sums.tissueErrors / sums.tissueDraws);
     status.unlitTissue = double(sums.unlit) > (1 - kDisplayFraction) * double(sums.tissue);
+    status.unseenTissue = unseenTissueOf(sums, samples.least);
     status.fewBrightSamples = sums.rareErrors > kMostRareNoise * sums.tissueErrors;
     if (status.relativeError == 0 && sums.chance > 0) {
         status.relativeError = kUnknown;

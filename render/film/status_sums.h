@@ -27,6 +27,15 @@ PDR_HD inline bool isRareLight(double light, double standardError) {
 /// part of the pixels: dim ones along a silhouette are many, and their noise is nothing.
 inline constexpr double kMostRareNoise = 0.25;
 
+/// Groups of a pixel's samples that met tissue, 3 for more. `seen`: kSeen...
+PDR_HD inline int groupsThatMet(std::uint32_t seen) {
+    std::uint32_t groups = seen >> kFirstGroupBit;
+    int count = 0;
+    for (; groups != 0 && count < 3; groups &= groups - 1)
+        ++count;
+    return count;
+}
+
 /// Sums over some of an image's pixels.
 struct StatusSums {
     double luminance = 0, tissueLuminance = 0;   ///< of all pixels; of those that have seen tissue
@@ -37,6 +46,7 @@ struct StatusSums {
     std::uint64_t tissue = 0;                    ///< pixels that have seen some
     std::uint64_t unlit = 0;                     ///< of these, pixels without light that may only be unlucky
     std::uint64_t chance = 0;                    ///< pixels that chance has a part in
+    std::uint64_t metOnce = 0, metTwice = 0;     ///< pixels in which one group of the samples met tissue, and two did
 
     /// `seen`: kSeen...
     PDR_HD void add(const Moments& pixel, dvec3 errorDraw, std::uint32_t seen) {
@@ -49,6 +59,9 @@ struct StatusSums {
         if ((seen & kSeenTissue) == 0)
             return;
         ++tissue;
+        const int groups = groupsThatMet(seen);
+        metOnce += groups == 1;
+        metTwice += groups == 2;
         tissueLuminance += light;
         tissueDraws += draw * draw;
         tissueErrors += error * error;
@@ -68,6 +81,8 @@ struct StatusSums {
         tissue += other.tissue;
         unlit += other.unlit;
         chance += other.chance;
+        metOnce += other.metOnce;
+        metTwice += other.metTwice;
     }
 };
 

@@ -176,7 +176,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     region_.clear();
     shownError_.reset();
     surveyed_ = {};
-    judgeSeconds_ = mapSeconds_ = 0;
+    judgeSeconds_ = judgedAt_ = mapSeconds_ = 0;
     history_.clear();
     done_ = 0;
     waiting_.clear();

@@ -142,12 +142,14 @@ class Session::Loop {
     bool guideSought_ = false;                     ///< the device was asked for it
     std::shared_ptr<const GuidedFilm> guided_;     ///< the film on it, as it was shown; null: it was not
     std::optional<double> shownError_;             ///< of its full picture that was shown last; none: there is none
+    ErrorOf shownOf_ = ErrorOf::film;              ///< image that it speaks of
     ShownHistory history_;                         ///< of its full pictures
     float historyExposure_ = 0;                    ///< of the display that its errors are those of
     double frameSeconds_ = 0;                      ///< of the frame in the making
     double seconds_ = 0;                           ///< of all of them
     FilmStatus surveyed_;                          ///< what the last picture that was surveyed told
-    double judgeSeconds_ = 0, mapSeconds_ = 0;     ///< of that, spent on smoothedView_ and errorMap_
+    double judgeSeconds_ = 0, judgedAt_ = 0;       ///< of that, what judging smoothedView_ took last, and when it ended
+    double mapSeconds_ = 0;                        ///< of that, spent on errorMap_
     SmoothedView smoothedView_;
     std::optional<BiasMeasurements> biasMeasurements_;  ///< of the same picture; none: not asked for yet
     double biasAt_ = 0;                                 ///< when a round of one was last

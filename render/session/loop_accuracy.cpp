@@ -9,10 +9,12 @@ namespace pdr {
 
 namespace {
 
-/// Of the time, what may go into judging smoothed pictures, and into maps of their error, so that each is made often;
-/// where it takes more, seldom.
+/// Of the time, what may go into maps of the error, so that each is made often; where it takes more, seldom.
 constexpr double kBesideShare = 0.01;
-constexpr std::uint64_t kOftenJudged = 2, kSeldomJudged = 4;  ///< so many times the samples of the last one
+/// A denoised image is judged anew when the samples are so many times as many, and as soon as that takes no more than
+/// this share of the time since the last one.
+constexpr std::uint64_t kJudgedGrowth = 2;
+constexpr double kJudgedShare = 0.04, kLeastJudgedGrowth = 1.09;
 constexpr double kOftenMapped = 1.25, kSeldomMapped = 2;      ///< 1.25: a ninth of the errors is gone
 /// Errors are counted anew when the samples are so many times as many; below kSamplesToEstimate, of which little is
 /// said, at each doubling.
@@ -23,30 +25,43 @@ constexpr double kSurveyed = 1.09;
 /// At rest, where a smoothed picture is wanted: now and then, and where rendering holds. It takes longer than a picture
 /// may: brightness does not wait for it.
 Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
-    const std::uint64_t growth = judgeSeconds_ <= kBesideShare * seconds_ ? kOftenJudged : kSeldomJudged;
+    const bool isCheap = judgeSeconds_ <= kJudgedShare * (seconds_ - judgedAt_);
+    const double growth = isCheap ? kLeastJudgedGrowth : double(kJudgedGrowth);
     const bool isDue = step.render ? smoothedView_.isDue(partSamples(), growth) : smoothedView_.isStale(partSamples());
     if (!canJudge() || !isDue || step.detour.stop_requested())
         return {};
     const double start = clock_();
     Result<void> judged =
         place_.film()->look([&](const Film& film) { smoothedView_.judge(film, partSamples(), step.detour); });
-    seconds_ += secondsSince(start);
-    judgeSeconds_ += secondsSince(start);
+    judgeSeconds_ = secondsSince(start);
+    seconds_ += judgeSeconds_;
+    judgedAt_ = seconds_;
     return judged;
 }
 
-/// Where the picture is still rough, if that is wanted of it.
+/// Where the image that is shown is still rough, if that is wanted of it, so that it says of all pixels what the sentence
+/// says.
 Result<void> Session::Loop::mapErrors(const Display& display, const std::stop_token& stop) {
     if (!commands.errorMap() || coarse()) {
         errorMap_.clear();
         return {};
     }
     const double growth = mapSeconds_ <= kBesideShare * seconds_ ? kOftenMapped : kSeldomMapped;
-    if (!errorMap_.isDue(partSamples(), display.exposure, growth))
+    const std::uint64_t samples = shownOf_ == ErrorOf::denoised ? smoothedView_.judgedSamples() : partSamples();
+    if (!errorMap_.isDue(shownOf_, samples, display.exposure, growth))
         return {};
-    const double start = clock_();
-    Result<void> made =
-        place_.film()->look([&](const Film& film) { errorMap_.make(film, partSamples(), display.exposure, stop); });
+    const double start = clock_(), exposure = double(display.exposure);
+    Result<void> made = place_.film()->look([&](const Film& film) {
+        std::optional<LevelErrorMap> map =
+            shownOf_ == ErrorOf::denoised ? smoothedView_.errorMap(exposure) : std::nullopt;
+        if (!map)
+            map = levelErrorMap(film, exposure, stop);
+        if (stop.stop_requested())
+            return;
+        if (shownError_)
+            agree(*map, *shownError_);
+        errorMap_.keep(*std::move(map), shownOf_, samples, display.exposure);
+    });
     seconds_ += secondsSince(start);
     mapSeconds_ += secondsSince(start);
     return made;
@@ -80,6 +95,7 @@ void Session::Loop::remember(DisplayedPicture& picture) {
         return;
     const ShownStatus now = shown(status, picture.picture.smoothed, picture.display.exposure);
     shownError_ = now.status.displayError;
+    shownOf_ = now.of;
     if (!picture.picture.surveyed)
         return;
     surveyed_ = status;

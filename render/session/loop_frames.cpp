@@ -139,9 +139,12 @@ Result<void> Session::Loop::takeSnapshots() {
                             seconds_ + frameSeconds_,
                             place_.info().name,
                             knownBias(commands.display().exposure),
-                            commands.stop()};
+                            commands.stop(),
+                            canJudge() ? &smoothedView_ : nullptr};
+        const std::uint64_t judged = smoothedView_.judgedSamples();
         for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
             order.look(view);
+        fresh_ = fresh_ || smoothedView_.judgedSamples() != judged;  // what the screen says is to be said anew
     });
 }
 

@@ -17,6 +17,7 @@
 #include "render/film/film.h"
 #include "render/film/level_error_map.h"
 #include "render/film/shown_status.h"
+#include "render/film/smoothed_view.h"
 #include "render/scene/camera.h"
 #include "render/scene/clip.h"
 #include "render/scene/model.h"
@@ -80,6 +81,9 @@ struct FilmView {
     const std::string& device;  ///< its name: "cpu"
     MeasuredBiases bias;        ///< of ways that only measuring tells it of
     StopRule stop;              ///< as in Frame
+    /// What is known of the denoised image, and stated on the screen; who judges it anew changes that, too. Null: none
+    /// is shown.
+    SmoothedView* denoised = nullptr;
 };
 
 /// Called on the render thread: with the film, or with the reason why there is none.

@@ -410,8 +410,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1, bevor beide Seiten einander kannten</translation>
     </message>
     <message>
-        <source>%1, before smoothing</source>
-        <translation>%1, vor dem Glätten</translation>
+        <source>%1, before denoising</source>
+        <translation>%1, vor dem Entrauschen</translation>
     </message>
     <message>
         <source>%1, not CT</source>
@@ -716,10 +716,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>3D Slicer, curves only (*.vp.json)</source>
         <translation>3D Slicer, nur Kurven (*.vp.json)</translation>
-    </message>
-    <message>
-        <source>95 % interval, grey levels of 255</source>
-        <translation>95-%-Intervall, Graustufen von 255</translation>
     </message>
     <message>
         <source>95 % of the tissue within ±%1 of 255 grey levels</source>
@@ -3340,8 +3336,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Wo ein Rechner wartet, der mitrechnen soll: einer, auf dem „pdrender-node --listen“ läuft. Ohne Port gilt %1.</translation>
     </message>
     <message>
-        <source>Where it is rough before smoothing</source>
-        <translation>Wo es vor dem Glätten grob ist</translation>
+        <source>Where it is rough before denoising</source>
+        <translation>Wo es vor dem Entrauschen grob ist</translation>
     </message>
     <message>
         <source>Where it is still r&amp;ough</source>
@@ -3576,6 +3572,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das Ergebnis einer Kachel wurde abgelehnt: %1</translation>
     </message>
     <message>
+        <source>about %1 % of the tissue not seen yet</source>
+        <translation>etwa %1 % des Gewebes noch nicht gesehen</translation>
+    </message>
+    <message>
         <source>about %1 to ±%2</source>
         <translation>etwa %1 bis ±%2</translation>
     </message>
@@ -3760,6 +3760,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>jeder Durchgang verwischt</translation>
     </message>
     <message>
+        <source>each pixel's 95 % margin, of 255</source>
+        <translation>95-%-Spanne jedes Pixels, von 255</translation>
+    </message>
+    <message>
         <source>efficiency %1 %</source>
         <translation>Wirkungsgrad %1 %</translation>
     </message>
@@ -3866,6 +3870,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>held after %1, with %2 samples</source>
         <translation>angehalten nach %1, mit %2 Abtastungen</translation>
+    </message>
+    <message>
+        <source>here ±%1</source>
+        <translation>hier ±%1</translation>
     </message>
     <message>
         <source>here ±%1; a pixel is larger than 1 mm</source>

@@ -410,8 +410,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1, antes de que ambas partes se conocieran</translation>
     </message>
     <message>
-        <source>%1, before smoothing</source>
-        <translation>%1, antes de suavizar</translation>
+        <source>%1, before denoising</source>
+        <translation>%1, antes de eliminar el ruido</translation>
     </message>
     <message>
         <source>%1, not CT</source>
@@ -716,10 +716,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>3D Slicer, curves only (*.vp.json)</source>
         <translation>3D Slicer, solo curvas (*.vp.json)</translation>
-    </message>
-    <message>
-        <source>95 % interval, grey levels of 255</source>
-        <translation>Intervalo del 95 %, niveles de gris de 255</translation>
     </message>
     <message>
         <source>95 % of the tissue within ±%1 of 255 grey levels</source>
@@ -3340,8 +3336,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Dónde espera un equipo que ha de calcular también: uno en el que se ejecuta «pdrender-node --listen». Sin puerto es %1.</translation>
     </message>
     <message>
-        <source>Where it is rough before smoothing</source>
-        <translation>Dónde es aproximada antes de suavizar</translation>
+        <source>Where it is rough before denoising</source>
+        <translation>Dónde es aproximada antes de eliminar el ruido</translation>
     </message>
     <message>
         <source>Where it is still r&amp;ough</source>
@@ -3576,6 +3572,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se rechazó el resultado de una tesela: %1</translation>
     </message>
     <message>
+        <source>about %1 % of the tissue not seen yet</source>
+        <translation>cerca del %1 % del tejido aún no visto</translation>
+    </message>
+    <message>
         <source>about %1 to ±%2</source>
         <translation>unos %1 hasta ±%2</translation>
     </message>
@@ -3760,6 +3760,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>cada iteración, desenfocada</translation>
     </message>
     <message>
+        <source>each pixel's 95 % margin, of 255</source>
+        <translation>margen del 95 % de cada píxel, de 255</translation>
+    </message>
+    <message>
         <source>efficiency %1 %</source>
         <translation>rendimiento %1 %</translation>
     </message>
@@ -3866,6 +3870,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>held after %1, with %2 samples</source>
         <translation>detenido tras %1, con %2 muestras</translation>
+    </message>
+    <message>
+        <source>here ±%1</source>
+        <translation>aquí ±%1</translation>
     </message>
     <message>
         <source>here ±%1; a pixel is larger than 1 mm</source>

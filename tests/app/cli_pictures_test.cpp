@@ -61,6 +61,19 @@ class CliPicturesTest : public QObject {
         }
     }
 
+    /// Wherever the file is not a denoised image with a bound, it is said why.
+    void whatIsNotDenoisedIsSaid() {
+        const auto said = [&](const char* name, const QStringList& options) {
+            return BallScene::run(QStringList{"render", scene(), "-o", at(name), "--smoothed"} + options).err;
+        };
+        const QStringList usual{"--samples", "16", "--size", "192x160"};
+        QVERIFY(!said("a.png", usual).contains("denoised"));
+        QVERIFY(said("a.png", usual + QStringList{"--model", "absorption"}).contains("the image is not denoised"));
+        QVERIFY(said("a.exr", usual).contains("nothing is denoised"));
+        QVERIFY(said("a.png", {"--samples", "3", "--size", "192x160"}).contains("off is not known"));
+        QVERIFY(said("a.png", {"--samples", "16", "--size", "20x16"}).contains("off is not known"));
+    }
+
     void everyModelMakesItsOwnPicture() {
         QSet<QByteArray> pictures;
         for (const char* model : {"absorption", "emission", "emissionAbsorption", "singleScattering",

@@ -65,6 +65,7 @@ class TestDesktop : public QObject {
     void aLookChangesThePicture();
     void brightnessWorksWithoutARestart();
     void aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne();
+    void aSavedImageSaysWhatTheScreenSays();
     void linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone();
     void oneKeyShowsWhereThePictureIsStillRough();
     void whereTheMouseRestsItIsSaidHowGoodThePictureIsThere();
@@ -249,6 +250,25 @@ void TestDesktop::whereTheMouseRestsItIsSaidHowGoodThePictureIsThere() {
     QCOMPARE(found[0].side, int(std::lround(frame.size.y / frame.camera.heightInFocusMm())));
     QVERIFY(found[0].tissue && found[0].here > 0 && found[0].over <= found[0].here);
     QVERIFY2(QToolTip::text().startsWith(QString::fromUtf8("here ±")), qPrintable(QToolTip::text()));
+}
+
+/// Though it is judged anew for the file, while samples are added.
+void TestDesktop::aSavedImageSaysWhatTheScreenSays() {
+    Trial trial;
+    trial.openAndWait(series_);
+    trial.desktop.parts().bridge.setStop({.levels = 0.2});
+    QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->smoothedError, test::kPatience);
+    const QString file = trial.folder.filePath("saved.png");
+    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    trial.desktop.parts().bridge.save(file);
+    QTRY_VERIFY_WITH_TIMEOUT(!saved.isEmpty(), test::kPatience);
+    const QString text = QImage(file).text("pdrender/smoothed");
+    const auto says = [&](const std::shared_ptr<const Frame>& frame) {
+        return frame->smoothedError &&
+               text.startsWith(QString("95 % of the tissue within %1 of")
+                                   .arg(QString::fromStdString(levelsText(frame->smoothedError->levelsAtMost))));
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(std::ranges::any_of(trial.frames, says), qPrintable(text), test::kPatience);
 }
 
 void TestDesktop::linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone() {

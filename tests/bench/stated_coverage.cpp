@@ -6,12 +6,12 @@
 /// volume, look and number of samples as soon as it is known; what it holds already is not made again. Columns in per
 /// cent, empty where nothing is stated; 95 is what each of them is to be, but for those of `bound`:
 ///   sentence            of the tissue, within what is stated for 95 % of it
-///   interval            of the images, in whose interval (...Low to ...High in files) the mean of that number lies
 ///   denoised, at_most   of the tissue in the denoised image, within what is stated of that, and of its upper end
 ///   strip               of the images, that reach 0.6 of the error between the samples that were foretold
-///   map                 of the tissue, pixels within what the error map says of each of them
+///   map, denoised_map   of the tissue, pixels within what the error map says of each of them, of either image
 ///   error, bound        of the tissue's channels, within 1.96 times error.* and bound.* of an OpenEXR file
-/// and beside them: unknown, the tissue of which map and file say nothing; unmet, the tissue that no sample has met;
+/// and beside them: unknown, the tissue of which map and file say nothing; unmet, the tissue that no sample has met, and
+/// unmet_stated, what is said of that in the mean;
 /// ratio, the root mean square error over the stated relativeError; seconds, of all seeds.
 
 #include <QCoreApplication>

@@ -15,7 +15,7 @@
 #include "render/film/likely_error.h"
 #include "render/film/local_error.h"
 #include "render/film/noisy_film.h"
-#include "render/film/smoothing_judgement.h"
+#include "render/film/smoothed_view.h"
 #include "render/film/tone_curve.h"
 
 namespace pdr::test {
@@ -28,7 +28,7 @@ struct StatedImage {
     std::optional<SmoothedError> denoisedError;
     std::vector<dvec3> light, denoised;
     std::vector<dvec3> error, bound;  ///< of an OpenEXR file
-    std::vector<float> map;           ///< levels; infinite: not known
+    std::vector<float> map, denoisedMap;  ///< levels; infinite: not known, or more than a map tells
     std::vector<bool> tissue;
 };
 
@@ -36,10 +36,23 @@ inline dvec3 at(const denoise::Colours& planes, int x, int y) {
     return {planes[0].row(y)[x], planes[1].row(y)[x], planes[2].row(y)[x]};
 }
 
+/// As it is painted: it says of all pixels together `levels`.
+inline std::vector<float> shownLevels(LevelErrorMap map, double levels) {
+    agree(map, levels);
+    std::vector<float> shown;
+    for (const std::uint8_t bin : map.bins)
+        shown.push_back(bin < kLastBin ? float(levelsOfBin(bin)) : std::numeric_limits<float>::infinity());
+    return shown;
+}
+
 inline StatedImage statedImage(const Film& film, double exposure) {
-    StatedImage image{film.status(exposure), {}, {}, {}, {}, {}, {}, {}};
-    if (const auto judgement = SmoothingJudgement::of(film))
-        image.denoisedError = judgement->overAll(exposure);
+    StatedImage image{.status = film.status(exposure)};
+    SmoothedView view;
+    view.judge(film, film.samplesPerPixel(), {});
+    image.denoisedError = view.error(exposure);
+    if (auto map = view.errorMap(exposure))
+        image.denoisedMap = shownLevels(*std::move(map), image.denoisedError->levelsAtMost);
+    image.map = shownLevels(levelErrorMap(film, exposure), image.status.displayError);
     const NoisyFilm noisy = noisyFilm(film);
     const denoise::Colours denoised = smoothRadiance(noisy), bounds = localErrors(film),
                            errors = likelyErrors(film, wholeImage(film.size()));
@@ -50,7 +63,6 @@ inline StatedImage statedImage(const Film& film, double exposure) {
             image.denoised.push_back(noisy.unit * at(denoised, x, y));
             image.error.push_back(at(errors, x, y));
             image.bound.push_back(at(bounds, x, y));
-            image.map.push_back(levelsWithin(pixel.mean, image.error.back(), exposure));
             image.tissue.push_back(pixel.tissue);
         }
     return image;
@@ -129,14 +141,12 @@ struct Share {
 };
 
 constexpr const char* kFigureNames =
-    "sentence,interval,denoised,at_most,strip,map,error,bound,unknown,unmet,ratio,images_denoised";
+    "sentence,denoised,at_most,strip,map,denoised_map,error,bound,unknown,unmet,unmet_stated,ratio,images_denoised";
 
 /// Over the images of one scene and number of samples.
 struct Figures {
-    Share sentence, denoised, atMost, strip, map, error, bound, unknown, unmet, judged;
+    Share sentence, denoised, atMost, strip, map, denoisedMap, error, bound, unknown, unmet, unmetStated, judged;
     double squares = 0, statedSquares = 0;
-    std::vector<FilmStatus> stated;
-    std::vector<float> allLevels;  ///< of the tissue in these
 
     void add(const StatedImage& image, const Truth::Known& truth, double exposure) {
         std::vector<float> levels;
@@ -150,8 +160,9 @@ struct Figures {
             const double off = luminance(image.light[i] - truth.light[i]);
             square += off * off, light += luminance(truth.light[i]);
             addPixel(image, truth, i, levels.back());
-            addDenoised(image, levelsOff(image.denoised[i], truth.light[i], exposure));
+            addDenoised(image, i, levelsOff(image.denoised[i], truth.light[i], exposure));
         }
+        unmetStated.held += image.status.unseenTissue, ++unmetStated.all;
         judged.add(image.denoisedError.has_value());
         addSentence(image.status, levels);
         if (const double count = double(levels.size()); count > 0 && std::isfinite(image.status.relativeError)) {
@@ -162,9 +173,8 @@ struct Figures {
     /// As kFigureNames says.
     std::string text() const {
         std::ostringstream out;
-        const Share interval = intervals();
-        for (const Share* share :
-             {&sentence, &interval, &denoised, &atMost, &strip, &map, &error, &bound, &unknown, &unmet})
+        for (const Share* share : {&sentence, &denoised, &atMost, &strip, &map, &denoisedMap, &error, &bound, &unknown,
+                                   &unmet, &unmetStated})
             out << share->text() << ",";
         out.precision(3);
         if (statedSquares > 0)
@@ -190,9 +200,10 @@ struct Figures {
             bound.add(off[c] <= kSigmas * image.bound[i][c]);
         }
     }
-    void addDenoised(const StatedImage& image, float levels) {
+    void addDenoised(const StatedImage& image, std::size_t i, float levels) {
         if (!image.denoisedError)
             return;
+        denoisedMap.add(levels <= image.denoisedMap[i]);
         denoised.add(double(levels) <= image.denoisedError->levels);
         atMost.add(double(levels) <= image.denoisedError->levelsAtMost);
     }
@@ -201,20 +212,6 @@ struct Figures {
             return;
         for (const float one : levels)
             sentence.add(double(one) <= status.displayError);
-        stated.push_back(status);
-        allLevels.insert(allLevels.end(), levels.begin(), levels.end());
-    }
-    /// Whether they hold what 95 % of the tissue are off in the mean of all images: in one alone that is chance, too.
-    Share intervals() const {
-        Share held;
-        if (allLevels.empty())
-            return held;
-        std::vector<float> levels = allLevels;
-        const auto quantile = levels.begin() + std::ptrdiff_t(0.95 * double(levels.size() - 1));
-        std::ranges::nth_element(levels, quantile);
-        for (const FilmStatus& one : stated)
-            held.add(std::fabs(double(*quantile) - one.displayError) <= kSigmas * one.displayErrorSpread);
-        return held;
     }
 };
 

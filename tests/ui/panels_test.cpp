@@ -57,6 +57,7 @@ class TestPanels : public QObject {
     void lookSettersAreSilent();
     void brightnessBeyondTheSliderIsKeptAtItsEnd();
     void aSmoothedPictureIsMarkedWithItsError();
+    void tissueThatWasNotSeenYetIsSaid();
     void theStatusNamesTheDeviceAndItsIterations();
     void theStatusSaysWhatIsForComparison();
     void theStatusSaysWhatIsTrueOfABox();
@@ -255,6 +256,11 @@ void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
     QCOMPARE(smoothedTexts(error, 1).back(), "1 thin line hidden by denoising: E shows where");
     QCOMPARE(smoothedTexts(error, 3).back(), "3 thin lines hidden by denoising: E shows where");
     QCOMPARE(smoothedTexts(error, 200).back(), "200 or more thin lines hidden by denoising: E shows where");
+}
+
+void TestPanels::tissueThatWasNotSeenYetIsSaid() {
+    QCOMPARE(unseenText({.samplesPerPixel = 32, .unseenTissue = 0.114}), "about 11 % of the tissue not seen yet");
+    QCOMPARE(unseenText({.samplesPerPixel = 32, .unseenTissue = 0.004}), QString());
 }
 
 void TestPanels::theStatusNamesTheDeviceAndItsIterations() {

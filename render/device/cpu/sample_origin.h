@@ -25,7 +25,7 @@ struct SampleOrigin {
     template <class Sample>
     PDR_HD_INLINE void add(const Sample& found, Health& health) const {
         add(found.radiance, health);
-        see(found.tissue ? kSeenTissue : 0);
+        see(found.tissue ? seenOfTissue(sample) : 0);
         noteFaults(found, [&](Fault fault) { note(fault, health); });
     }
     /// Tells its pixel what it has seen: kSeen...

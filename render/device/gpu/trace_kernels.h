@@ -118,7 +118,7 @@ struct TraceTarget {
         radiance[sample.place] = found.radiance;
         const std::uint32_t chance = seenAtFirst(scene, depthBounds(scene, pixel));
         const ivec2 place = pixel - ivec2(grid.tile.x, grid.tile.y);
-        if (const std::uint32_t all = chance | (found.tissue ? kSeenTissue : 0); all != 0)
+        if (const std::uint32_t all = chance | (found.tissue ? seenOfTissue(sample.from.sample) : 0); all != 0)
             atomicMark(seen[std::int64_t(place.y) * stride + place.x], all);
     }
 };

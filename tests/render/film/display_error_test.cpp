@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "tests/support/known_films.h"
+#include "tests/support/noisy_films.h"
 
 using namespace pdr;
 using namespace pdr::test;
@@ -95,6 +95,29 @@ class DisplayErrorTest : public QObject {
         for (Known& pixel : pixels)
             pixel.seen = kSeenTissue;  // black is what it is, where chance has no part
         QVERIFY(std::fabs(shownStatus(knownFilm(pixels, n), 1).displayError - known) < 0.4);
+    }
+
+    /// Wisps that a sample meets now and then, beside tissue that every sample meets: of what none has met so much is
+    /// said as there is, whatever the number of samples.
+    void tissueThatNoSampleMetIsCounted() {
+        const ivec2 size(160, 100);
+        const auto isWisp = [&](std::size_t pixel) { return int(pixel) % size.x >= 120; };
+        for (const std::uint64_t samples : {8, 16, 32, 48}) {
+            Film film(size, 1);
+            double unseen = 0, all = 0;
+            for (std::size_t pixel = 0; pixel < pixelsOf(film); ++pixel) {
+                std::uint32_t seen = kSeenChance;
+                for (std::uint64_t sample = 0; sample < samples; ++sample)
+                    if (!isWisp(pixel) || chance(5, pixel, sample) < 0.04)
+                        seen |= seenOfTissue(sample);
+                film.sums(wholeImage(size)).pixels[pixel].seen = seen;
+                unseen += (seen & kSeenTissue) == 0;
+                ++all;
+            }
+            grow(film, samples, [](auto...) { return 0.5; }, [](auto) { return kSeenChance; });
+            const double stated = film.status().unseenTissue, truth = unseen / all;
+            QVERIFY2(std::fabs(stated / truth - 1) < 0.2, qPrintable(QString("%1 %2").arg(stated).arg(truth)));
+        }
     }
 };
 

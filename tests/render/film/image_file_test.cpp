@@ -47,7 +47,7 @@ static Provenance someFacts() {
     facts.status.samplesPerPixel = 128;
     facts.status.relativeError = 0.025;
     facts.status.displayError = 9;
-    facts.status.displayErrorSpread = 0.5;
+    facts.status.unseenTissue = 0.125;
     facts.status.health = someFaults();
     return facts;
 }
@@ -104,8 +104,7 @@ class ImageFileTest : public QObject {
         QCOMPARE(image.text("pdrender/extinctionPerMm"), QString("2.5"));
         QCOMPARE(image.text("Software"), QString("PD-Render 0.1.0"));
         QCOMPARE(image.text("pdrender/tissueWithinLevels"), QString("9"));
-        QCOMPARE(image.text("pdrender/tissueWithinLevelsLow"), QString("8.02"));
-        QCOMPARE(image.text("pdrender/tissueWithinLevelsHigh"), QString("9.98"));
+        QCOMPARE(image.text("pdrender/tissueNotSeenYet"), QString("0.125"));
         QCOMPARE(image.text("pdrender/exposure"), QString("4"));
         QCOMPARE(image.text("pdrender/bias"), QString("none known"));
         QCOMPARE(image.text("pdrender/device"), QString("cpu"));

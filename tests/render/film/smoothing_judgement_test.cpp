@@ -166,6 +166,25 @@ class SmoothingJudgementTest : public QObject {
         QVERIFY2(held >= films - 2, qPrintable(QString::number(held)));
     }
 
+    /// Each pixel's own margin: it holds in about 19 of 20, and is wider where the image is worse.
+    void theMapOfADenoisedImageHolds() {
+        const ivec2 size(128, 96);
+        for (const std::uint64_t samples : {8, 16, 64}) {
+            const Film film = noisyFilmOf(size, discs, samples);
+            SmoothedView view;
+            view.judge(film, samples, {});
+            LevelErrorMap map = *view.errorMap(1);
+            agree(map, view.error(1)->levelsAtMost);
+            const std::vector<double> smooth = smoothRadiance(film);
+            double within = 0;
+            for (std::size_t i = 0; i < smooth.size(); ++i) {
+                const double off = curve(smooth[i], 1) - curve(discs(int(i) % size.x, int(i) / size.x), 1);
+                within += std::fabs(off) <= levelsOfBin(map.bins[i]);
+            }
+            QVERIFY2(within > 0.9 * double(smooth.size()), qPrintable(QString::number(within / double(smooth.size()))));
+        }
+    }
+
     /// Lines of 2 x 60 pixels, drawn into the samples: nine in ten of the stated contrast keep 60 % of it, and of a
     /// third of that contrast they lose more than half, though the picture's error does not tell.
     void whatContrastIsHiddenIsStated_data() {

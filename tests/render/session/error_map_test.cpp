@@ -29,10 +29,14 @@ struct Held {
     std::shared_ptr<const Frame> mapped() {
         return screen.await([](const Frame& f) { return f.errorMap != nullptr; });
     }
+    /// Which says of all pixels what the sentence says.
     LevelErrorMap truth(double exposure) {
         std::promise<LevelErrorMap> made;
-        session.requestSnapshot(
-            1, [&](const Result<FilmView>& view) { made.set_value(levelErrorMap(view->film, exposure)); });
+        session.requestSnapshot(1, [&](const Result<FilmView>& view) {
+            LevelErrorMap map = levelErrorMap(view->film, exposure);
+            agree(map, view->film.status(exposure).displayError);
+            made.set_value(std::move(map));
+        });
         return made.get_future().get();
     }
 };
@@ -95,14 +99,15 @@ class ErrorMapTest : public QObject {
     }
 
     void whereItTakesLongItIsMadeMoreSeldom() {
-        Film film(ivec2(8, 8), 1);
         ErrorMapView view;
-        QVERIFY(view.isDue(1, 1, 1.25));
-        view.make(film, 40, 1, {});
-        QVERIFY(!view.isDue(49, 1, 1.25) && view.isDue(50, 1, 1.25));
-        QVERIFY(!view.isDue(79, 1, 2) && view.isDue(80, 1, 2));
-        QVERIFY(view.isDue(41, 2, 2));  // another display
-        QVERIFY(view.isDue(39, 1, 2));  // another part
+        constexpr ErrorOf kFilm = ErrorOf::film;
+        QVERIFY(view.isDue(kFilm, 1, 1, 1.25));
+        view.keep(levelErrorMap(Film(ivec2(8, 8), 1), 1), kFilm, 40, 1);
+        QVERIFY(!view.isDue(kFilm, 49, 1, 1.25) && view.isDue(kFilm, 50, 1, 1.25));
+        QVERIFY(!view.isDue(kFilm, 79, 1, 2) && view.isDue(kFilm, 80, 1, 2));
+        QVERIFY(view.isDue(kFilm, 41, 2, 2));               // another display
+        QVERIFY(view.isDue(kFilm, 39, 1, 2));               // another part
+        QVERIFY(view.isDue(ErrorOf::denoised, 41, 1, 2));  // another image
     }
 };
 

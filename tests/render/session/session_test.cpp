@@ -4,7 +4,9 @@
 #include <thread>
 
 #include "render/session/render_commands.h"
+#include "tests/support/patience.h"
 #include "tests/support/processor_time.h"
+#include "tests/support/reel.h"
 #include "tests/support/scenes.h"
 #include "tests/support/screen.h"
 
@@ -154,6 +156,31 @@ class SessionTest : public QObject {
         QCOMPARE(after->status.samplesPerPixel, samples);
         samplesNow();  // it may be told within the step that showed this picture
         QCOMPARE(samplesNow(), samples);
+    }
+
+    /// What is saved says the same as the screen, which hears of what was found out for the file.
+    void aSnapshotAndTheScreenSayTheSame() {
+        test::Reel reel;
+        Session session(makeCpuDevice(2), reel.sink());
+        session.setIterationsPerFrame(1);
+        session.setDisplay({.smoothed = true});
+        Scene scene = test::largeScene(1);
+        scene.film = {96, 80};
+        session.setStop({.levels = 1e-3});
+        session.submit(scene, false);
+        const auto says = [&](double levels) {
+            return std::ranges::any_of(reel.frames(), [levels](const auto& frame) {
+                return frame->smoothedError && (levels == 0 || frame->smoothedError->levelsAtMost == levels);
+            });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(says(0), test::kPatience);
+        std::promise<double> saved;
+        session.requestSnapshot(1, [&](const Result<FilmView>& view) {
+            view->denoised->judge(view->film, view->film.samplesPerPixel(), {});
+            saved.set_value(view->denoised->error(1)->levelsAtMost);
+        });
+        const double levels = saved.get_future().get();
+        QTRY_VERIFY_WITH_TIMEOUT(says(levels), test::kPatience);
     }
 
     /// Toggling changes neither the film nor its status; the judgement comes with the samples.
