@@ -111,7 +111,6 @@ Picture Development::picture(const Film& film, const Display& display, const std
     if (!display.smoothed)
         return rawPictureOf(film, display);
     if (!smoothed_ || !smoothed_->shows(film, display.exposure)) {
-        smoothed_.reset();
         const NoisyFilm noisy = noisyFilm(film);
         denoise::Colours radiance = smoothRadiance(noisy, stop);
         if (stop.stop_requested())

@@ -36,7 +36,7 @@ class Development {
   public:
     /// As pictureOf(), to the bit; but where a smoothed picture is asked for on another exposure than before, it shows
     /// what was smoothed last, though the film may hold more by now: so that it follows a slider. The same exposure
-    /// again shows all of it.
+    /// again shows all of it. After a stop request what was smoothed last stays.
     Picture picture(const Film& film, const Display& display, const std::stop_token& stop = {});
 
   private:

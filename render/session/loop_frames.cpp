@@ -32,6 +32,8 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
         place_.tearFilm();  // something newer is waiting
         return;
     }
+    if (done && !first_ && step.detour.stop_requested())
+        return finish(step, done);  // another display: the next step shows what is there on it
     const bool frameEnds = !step.render || (!sweep_.isHalfMade() && (done_ >= wanted(step.pace) || late()));
     if (done && frameEnds)
         done = judgeSmoothing(step);
@@ -59,8 +61,8 @@ void Session::Loop::measureEffects(const RenderCommands::Iteration& step) {
     if (!canSnapshot())
         return;
     ledger_.follow(scene_, commands.display());
-    if (ledger_.hasWork() && (step.idle || ledger_.isDue()) && !step.stop.stop_requested())
-        ledger_.step(step.stop);
+    if (ledger_.hasWork() && (step.idle || ledger_.isDue()) && !step.detour.stop_requested())
+        ledger_.step(step.detour);
 }
 
 /// Iterations of the next frame; as many more as its part is smaller than the picture.

@@ -9,17 +9,18 @@
 namespace pdr {
 
 /// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing
-/// goes on behind. `adds`: it shows new iterations. None where smoothing was broken off, since something newer is
-/// waiting.
+/// goes on behind. `adds`: it shows new iterations. None where denoising was broken off, since something newer is
+/// waiting; for another display the film stays, and the next step shows on it what was denoised before.
 Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool adds) {
     const Display asked = commands.display();
     const Display display = smoothedView_.better({asked.exposure, smooths(asked), isSurveyDue(asked)});
     const bool within = step.render && !adds;  // a frame that goes on
     const bool atOnce = fresh_ || coarse() || measuring_ || !adds;
     const double start = clock_();
+    const std::stop_token& stop = step.redisplay || first_ ? step.stop : step.detour;
     const bool guided = display.smoothed && findGuide(step.stop);
     Result<std::vector<DisplayedPicture>> pictures =
-        guided ? madeOnGuide(asked, adds) : made(asked, display, atOnce, step.stop);
+        guided ? madeOnGuide(asked, adds) : made(asked, display, atOnce, stop);
     if (!pictures)
         return pictures.error();
     if (display.smoothed && step.stop.stop_requested()) {
@@ -27,6 +28,10 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         return {};
     }
     const double displaySeconds = secondsSince(start);
+    if (display.smoothed && stop.stop_requested()) {
+        seconds_ += displaySeconds;
+        return {};
+    }
     first_ = fresh_ = false;
     coarser_.reset();
     const std::uint32_t n = within ? 0 : std::exchange(done_, 0);
@@ -59,14 +64,20 @@ bool Session::Loop::findGuide(const std::stop_token& stop) {
     return guide_ != nullptr;
 }
 
-/// The ones that are due when this one has been ordered: by now, or once others are made behind it.
+/// The ones that are due when this one has been ordered: by now, or once others are made behind it. A denoised one that
+/// was broken off is not among them.
 Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::made(const Display& asked, const Display& display,
                                                                          bool atOnce, const std::stop_token& stop) {
     Accumulator& film = *place_.film();
     if (Result<void> ordered = film.resolve(display, stop); !ordered)
         return ordered.error();
     waiting_.push_back(asked);
-    return takeAllBut(atOnce ? 0 : std::size_t(film.maxInFlight() - 1));
+    const bool brokenOff = display.smoothed && stop.stop_requested();
+    Result<std::vector<DisplayedPicture>> due =
+        takeAllBut(atOnce || brokenOff ? 0 : std::size_t(film.maxInFlight() - 1));
+    if (brokenOff && due)
+        due->pop_back();
+    return due;
 }
 
 /// A coarse film has none that wait. `adds`: it holds more than when it was drawn last.

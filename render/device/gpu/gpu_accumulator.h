@@ -84,6 +84,7 @@ class GpuAccumulator final : public Accumulator {
     GpuArray<G, float> curve_{gpu_};
     std::array<Slot, kMaxInFlight> slots_{Slot(gpu_), Slot(gpu_)};
     std::uint64_t shown_ = 0, taken_ = 0;
+    Development development_;  ///< of pictures that are denoised on the host
     std::array<typename G::Event, 2> launched_{};  ///< the ends of the last two launches
     std::uint64_t launches_ = 0;
 };
@@ -96,6 +97,7 @@ Result<void> GpuAccumulator<G>::restart(const Tile& area, std::uint64_t revision
     layout_ = {std::int64_t(area.width) * area.height};
     launchSize_ = LaunchSize(pixels());
     taken_ = shown_;
+    development_ = {};
     const std::size_t all = std::size_t(pixels());
     block_.resize(all);
     moments_.resize(all);
@@ -178,7 +180,7 @@ Result<void> GpuAccumulator<G>::resolveOnHost(const Display& display, const std:
     const Result<std::shared_ptr<const Film>> known = film();
     if (!known)
         return known.error();
-    slots_[shown_++ % kMaxInFlight].smoothed = pictureOf(**known, display, stop);
+    slots_[shown_++ % kMaxInFlight].smoothed = development_.picture(**known, display, stop);
     return {};
 }
 
@@ -235,6 +237,7 @@ template <Gpu G>
 Result<void> GpuAccumulator<G>::resume(const Film& film) {
     assert(film.area() == area());
     FilmContent content = film.content();
+    development_ = {};
     const GpuHealth health = toGpuHealth(content.health);
     moments_.copyFrom(content.moments.data());
     block_.copyFrom(content.block.data());

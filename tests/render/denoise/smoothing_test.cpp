@@ -83,6 +83,16 @@ class SmoothingTest : public QObject {
         QVERIFY(development.picture(larger, {1, true}).rgba == pictureOf(larger, {1, true}).rgba);
     }
 
+    void whatWasSmoothedLastOutlivesOneThatWasBrokenOff() {
+        const Film few = noisyFilmOf({60, 40}, disc, 4), more = noisyFilmOf({60, 40}, disc, 5);
+        std::stop_source stop;
+        stop.request_stop();
+        Development development;
+        (void)development.picture(few, {1, true});
+        QVERIFY(development.picture(more, {1, true}, stop.get_token()).rgba.empty());
+        QVERIFY(development.picture(more, {2, true}, stop.get_token()).rgba == pictureOf(few, {2, true}).rgba);
+    }
+
     void threadsChangeNoBit() {
         const Film film = noisyFilmOf({150, 130}, disc, 8);
         QVERIFY(onThreads(1, film) == onThreads(3, film));

@@ -128,6 +128,41 @@ class FinerPicturesTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 30), test::kPatience);  // and then goes on
     }
 
+    /// The display changes when denoising more samples has begun: what was denoised before is shown on the new one first.
+    void denoisingIsBrokenOffForAnotherDisplay() {
+        const Display dark{.exposure = 4, .smoothed = true};
+        Reel reel;
+        Session session(changingIn("resolve", dark, session, reel), reel.sink());
+        session.setDisplay({.smoothed = true});
+        session.submit(largeScene(1), false);
+        const auto [before, after] = around(reel, dark);
+        QVERIFY(!before->coarse && before->status.samplesPerPixel < after->status.samplesPerPixel);
+        Development development;
+        (void)development.picture(test::render(largeScene(1), before->status.samplesPerPixel), before->display);
+        QVERIFY(after->rgba ==
+                development.picture(test::render(largeScene(1), after->status.samplesPerPixel), dark).rgba);
+        const Result<Film> film = filmOf(session, 1);  // nor is a sample lost
+        QVERIFY(film && test::sameBits(*film, test::render(largeScene(1), film->samplesPerPixel())));
+        QTRY_VERIFY_WITH_TIMEOUT(reel.frames().back()->status.samplesPerPixel > after->status.samplesPerPixel,
+                                 test::kPatience);
+    }
+
+    void aDisplayThatChangesInALaunchIsShownOnce() {
+        const Display dark{.exposure = 4, .smoothed = true};
+        Reel reel;
+        Session session(changingIn("accumulate", dark, session, reel), reel.sink());
+        session.setDisplay({.smoothed = true});
+        session.submit(largeScene(1), false);
+        const auto [before, after] = around(reel, dark);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.frames().back()->status.samplesPerPixel > after->status.samplesPerPixel,
+                                 test::kPatience);
+        QCOMPARE(std::ranges::count_if(reel.frames(),
+                                       [&](const auto& frame) {
+                                           return frame->status.samplesPerPixel == after->status.samplesPerPixel;
+                                       }),
+                 1);
+    }
+
     void aChangedDisplayIsShownAtOnce_data() { devices(); }
     void aChangedDisplayIsShownAtOnce() {
         QFETCH(QString, device);
@@ -269,6 +304,27 @@ class FinerPicturesTest : public QObject {
     }
 
   private:
+    using Frames = std::vector<std::shared_ptr<const Frame>>;
+
+    /// A device that changes the display of `session`, once: in the first call of that name after two full pictures.
+    static std::unique_ptr<Device> changingIn(const std::string& name, const Display& display, Session& session,
+                                              Reel& reel) {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->before = [=, &session, &reel, left = 1](const std::string& verb) mutable {
+            if (verb == name && reel.full(1, 2) && left-- > 0)
+                session.setDisplay(display);
+        };
+        return test::failing(mishaps);
+    }
+    /// The first picture on that display, which is waited for, and the one before.
+    static std::pair<Frames::value_type, Frames::value_type> around(Reel& reel, const Display& display) {
+        const auto isOn = [&](const auto& frame) { return frame->display == display; };
+        Frames frames;
+        while (std::ranges::none_of(frames = reel.frames(), isOn))
+            std::this_thread::sleep_for(1ms);
+        const auto after = std::ranges::find_if(frames, isOn);
+        return {*(after - 1), *after};
+    }
     static void devices() {
         QTest::addColumn<QString>("device");
         QTest::newRow("cpu") << "cpu";
