@@ -4,9 +4,8 @@
 #include <QGuiApplication>
 
 #include "app/annotating.h"
-#include "app/picture_writing.h"
 #include "app/show_message.h"
-#include "ui/accuracy_text.h"
+#include "ui/annotation/image_painter.h"
 
 namespace pdr::app {
 namespace {
@@ -28,8 +27,7 @@ std::vector<std::uint8_t> stretched(const Frame& frame, ivec2 size) {
 QImage copyOf(const Frame& frame, ivec2 fullSize, const std::optional<ui::Annotations>& annotations) {
     const ivec2 size = frame.coarse ? fullSize : frame.size;
     std::vector<std::uint8_t> rgba = frame.coarse ? stretched(frame, size) : frame.rgba;
-    const QString state = ui::previewText(shownOf(frame), frame.stop.levels);
-    if (const PaintOver paintOver = painterOf(annotations, state))
+    if (const PaintOver paintOver = ui::imagePainter(annotations, frame.stop.levels)(shownOf(frame)))
         paintOver(size, rgba);
     return ownImage(rgba, size);
 }

@@ -7,12 +7,6 @@
 #include "render/scene/camera_edits.h"
 
 namespace pdr::app {
-namespace {
-
-constexpr double kFilled = 0.92;  ///< fraction of the picture that the volume takes; the rest is for the letters
-
-}  // namespace
-
 Document::Document(std::vector<NamedLook> looks) : looks_(std::move(looks)) {
     setup_ = withNamedLook(setup_, looks_[0], {});
     setup_.clip = {};
@@ -325,7 +319,7 @@ std::optional<ClipBox> Document::uncut() const {
 }
 
 Camera Document::cameraOf(StandardView view, const Camera& lens) const {
-    return fittedView(view, framed(), double(nextFilm_.x) / nextFilm_.y, kFilled, lens);
+    return fittedView(view, framed(), double(nextFilm_.x) / nextFilm_.y, kViewFilled, lens);
 }
 
 }  // namespace pdr::app

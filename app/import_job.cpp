@@ -4,6 +4,7 @@
 #include <QThread>
 #include <utility>
 
+#include "app/scene_volume.h"
 #include "dicom/import.h"
 #include "render/base/errors.h"
 #include "ui/to_qt.h"
@@ -49,16 +50,12 @@ void ImportJob::loadSeries(int index) {
         for (const auto& volume : before)
             if (auto freed = waitUntilFreed(volume, patience, progress); !freed)
                 return failure(freed.error());
-        std::vector<dicom::Note> notes;
-        auto result = dicom::loadSeries(series, dicom::Padding::maskAsAir, partOf(progress, 0, 0.9), &notes);
-        if (!result)
-            return failure(result.error());
-        auto volume = std::make_shared<const Volume>(std::move(*result));
-        auto table = segment::hideTable(*volume, partOf(progress, 0.9, 1));
-        if (!table)
-            return failure(table.error());
-        const segment::Findings findings = segment::findingsOn(table->body ? *table->body : *volume, table->bodyBox);
-        return [this, index, volume, notes, table = *std::move(table), findings] {
+        auto fetched = fetchSeries(series, {.table = Table::hidden}, progress);
+        if (!fetched)
+            return failure(fetched.error());
+        const WantedVolume& wanted = fetched->wanted;
+        const segment::Findings findings = segment::findingsOn(*wanted.volume, wanted.framed.box);
+        return [this, index, volume = wanted.scan, notes = fetched->notes, table = wanted.table, findings] {
             loadNotes_ = notes;
             lastLoaded_ = {volume, table.body};
             emit loaded(volume, index, table, findings);

@@ -22,7 +22,7 @@ class ImportJob : public BackgroundJob {
 
     /// The scan that the signals' indices refer to.
     const dicom::ScanResult& scan() const { return scan_; }
-    /// What only the pixels of the series that was loaded last could tell.
+    /// What is to be known of the series that was loaded last and of how its voxels were read.
     const std::vector<dicom::Note>& loadNotes() const { return loadNotes_; }
 
   public slots:

@@ -4,21 +4,15 @@
 #include <algorithm>
 
 #include "app/looks.h"
+#include "app/small_image.h"
 #include "render/device/device.h"
-#include "render/film/exposure.h"
 #include "render/film/tone_map.h"
-#include "render/scene/fit_view.h"
-#include "render/scene/visible_mask.h"
-#include "render/volume/coarser.h"
 
 namespace pdr::app {
 namespace {
 
-constexpr double kEdgeMm = 2.5;         ///< of the coarse voxels: a pixel shows 2 to 5 mm
-constexpr std::uint32_t kSamples = 16;  ///< of each pixel
-constexpr double kFilled = 0.94;        ///< of the picture
-constexpr qint64 kRestMs = 600;         ///< before pictures are made anew
-constexpr qint64 kRestsPerWork = 2;     ///< while they are
+constexpr qint64 kRestMs = 600;      ///< before pictures are made anew
+constexpr qint64 kRestsPerWork = 2;  ///< while they are
 
 /// Returns false if it was stopped.
 bool waitFor(qint64 ms, const std::stop_token& stop) {
@@ -29,20 +23,13 @@ bool waitFor(qint64 ms, const std::stop_token& stop) {
 
 /// Returns false if it was stopped.
 bool waitUntil(const std::atomic<bool>& stands, const std::stop_token& stop) {
-    while (!stands && waitFor(10, stop)) {}
+    while (!stands && waitFor(10, stop)) {
+    }
     return !stop.stop_requested();
 }
 
 Progress goOnUnless(const std::stop_token& stop) {
     return [stop](double, std::string_view) { return !stop.stop_requested(); };
-}
-
-/// Told apart in the whole scan, since thin bone is lost in coarse voxels. Null: all is shown, as it is in the large
-/// picture where the parts cannot be told apart.
-std::shared_ptr<const Mask> maskFor(const Volume& coarse, const segment::BodyParts& parts, const Visible& visible,
-                                    const std::stop_token& stop) {
-    const auto mask = visibleMask(parts, visible, coarse.geometry(), goOnUnless(stop));
-    return mask ? *mask : nullptr;
 }
 
 struct LookPicture {
@@ -54,24 +41,18 @@ Result<LookPicture> pictureOf(const LookTask& task, const std::shared_ptr<const 
                               const std::shared_ptr<const Mask>& mask, const VolumeGeometry& body, Device& device,
                               const std::stop_token& stop) {
     PictureSetup setup = task.setup;
-    setup.camera = fittedView(setup.camera, body, 1, kFilled);
-    Scene scene = sceneOf(setup, volume, ivec2(LookPictures::kSize));
+    Scene scene = sceneOf(setup, volume, ivec2(kSmallImagePixels));
     scene.mask = mask;
     scene.revision = std::uint64_t(task.look) + 1;
-    const auto film = startFilm(device, scene);
-    if (!film)
-        return film.error();
-    if (auto ok = (*film)->accumulate(kSamples, stop); !ok)
-        return ok.error();
-    const auto known = (*film)->film();
-    if (!known || stop.stop_requested())
-        return known ? Error{"", "", ""} : known.error();
+    const auto small = smallImage(scene, body, double(displayOf(setup).exposure), device, stop);
+    if (!small)
+        return small.error();
     if (followsTissue(scene.model))
-        setup.stops = stopsFor(**known, double(displayOf(setup).exposure));
+        setup.stops = small->stops;
     Display display = displayOf(setup);
     display.smoothed = canBeSmoothed(scene);
-    const Picture picture = pdr::pictureOf(**known, display, stop);
-    const QImage bytes(picture.rgba.data(), LookPictures::kSize, LookPictures::kSize, QImage::Format_RGBX8888);
+    const Picture picture = pdr::pictureOf(*small->film, display, stop);
+    const QImage bytes(picture.rgba.data(), kSmallImagePixels, kSmallImagePixels, QImage::Format_RGBX8888);
     return LookPicture{bytes.copy(), setup.stops};
 }
 
@@ -82,7 +63,7 @@ const std::shared_ptr<const Mask>& LookPictures::Coarse::maskOf(const Visible& v
     for (const auto& [known, mask] : masks)
         if (known == visible)
             return mask;
-    return masks.emplace_back(visible, visible.all() ? nullptr : maskFor(*volume, parts, visible, stop)).second;
+    return masks.emplace_back(visible, coarseMask(*volume, parts, visible, goOnUnless(stop))).second;
 }
 
 void LookPictures::make(const std::shared_ptr<const Volume>& volume,
@@ -100,7 +81,7 @@ void LookPictures::make(const std::shared_ptr<const Volume>& volume,
         if (!first && !waitFor(kRestMs, stop))
             return [] {};
         if (!coarse.volume)
-            coarse.volume = std::make_shared<const Volume>(coarser(*volume, kEdgeMm));
+            coarse.volume = coarseCopy(*volume);
         const std::unique_ptr<Device> device = makeCpuDevice(1);
         for (const LookTask& task : tasks) {
             QElapsedTimer clock;

@@ -23,9 +23,6 @@ struct LookTask {
 class LookPictures : public BackgroundJob {
     Q_OBJECT
 
-  public:
-    static constexpr int kSize = 96;  ///< pixels along an edge
-
   public slots:
     /// Ends with a made() for each of the tasks, in their order, unless others come first. The same again, in any order, do nothing.
     /// The first ones of a volume come as fast as they can, but after the first only when the large image stands; later

@@ -3,21 +3,16 @@
 #include <cmath>
 
 #include "app/film_memory.h"
+#include "app/final_image.h"
 #include "app/picture_writing.h"
-#include "render/base/errors.h"
-#include "render/base/replacing_file.h"
 #include "render/film/levels_text.h"
-#include "render/session/batch_render.h"
-#include "render/session/bias_measurements.h"
 #include "ui/accuracy_text.h"
+#include "ui/annotation/image_painter.h"
 #include "ui/language.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {
 namespace {
-
-/// Of the time that the picture took, for what its bias is measured by.
-constexpr double kBiasShare = 0.1;
 
 Stops stopsOf(const StopRule& rule) {
     Stops stops;
@@ -47,38 +42,34 @@ Result<void> checkBefore(const PictureTask& task) {
         return named;
     if (auto sound = task.scene.check(); !sound)
         return notSaved(task.file, sound.error());
-    if (auto file = ReplacingFile::open(ui::fromQt(task.file), FileAccess::owner); !file)
-        return file.error();
-    return {};
+    return checkWritable({ui::fromQt(task.file)});
 }
 
-Result<void> renderAndWrite(const PictureTask& task, Device& device, const Progress& progress,
-                            const std::stop_token& stop) {
-    const Scene& scene = task.scene;
-    if (auto ok = device.upload(scene); !ok)
-        return ok;
-    if (auto fits = checkFilmFits(scene.film, device.info(), phrase("Choose a smaller size.")); !fits)
-        return fits;
-    const auto film = device.film(scene.film, scene.revision, scene.schedule);
-    if (!film)
-        return film.error();
-    BatchRender batch(**film, stopsOf(task.stop), Display{task.display.exposure}, WhenStopped::discard);
-    const auto made = batch.run(stop, [&](const BatchState& state) { progress(state.fraction, progressText(state)); });
-    if (!made)
-        return made.error();
-    if (stop.stop_requested())
-        return cancelled();
-    const auto picture = (*film)->film();
-    if (!picture)
-        return picture.error();
-    progress(1, PictureJob::tr("writing the picture").toStdString());
-    // The device holds another scene then.
-    const auto bias = measureBias(scene, double(task.display.exposure), device, kBiasShare * made->seconds, stop);
-    if (!bias)
-        return bias.error();
-    const std::string name = device.info().name;
-    return writePicture({**picture, scene, made->seconds, name, *bias, task.stop}, task.display, task.annotations,
-                        task.file, stop);
+FinalOrder orderOf(const PictureTask& task) {
+    return {task.scene,
+            task.display,
+            stopsOf(task.stop),
+            WhenStopped::discard,
+            {ui::fromQt(task.file)},
+            ui::imagePainter(task.annotations, task.stop.levels)};
+}
+
+FinalSteps stepsOf(const PictureTask& task, const Device& device, const Progress& progress) {
+    return {[&] { return checkFilmFits(task.scene.film, device.info(), phrase("Choose a smaller size.")); },
+            [&](const BatchState& state) { progress(state.fraction, progressText(state)); },
+            [&] { progress(1, PictureJob::tr("writing the picture").toStdString()); }};
+}
+
+/// What went wrong of an image that was made, if anything.
+Result<void> troubleOf(const FinalImage& image, const QString& file) {
+    if (image.written.files.empty())
+        return notSaved(file, image.written.troubles.front());
+    if (!image.written.troubles.empty())
+        return image.written.troubles.front();
+    if (image.biasUnknown)
+        return Error{phrase("saved, but its bias could not be measured: %1", image.biasUnknown->what),
+                     file.toStdString(), image.biasUnknown->hint};
+    return {};
 }
 
 Result<void> checkAndMake(const PictureTask& task, const Progress& progress, const std::stop_token& stop) {
@@ -88,8 +79,8 @@ Result<void> checkAndMake(const PictureTask& task, const Progress& progress, con
     const auto device = task.device();
     if (!device)
         return notSaved(task.file, device.error());
-    auto written = renderAndWrite(task, **device, progress, stop);
-    return written ? written : notSaved(task.file, written.error());
+    const auto image = renderFinal(orderOf(task), **device, stepsOf(task, **device, progress), stop);
+    return image ? troubleOf(*image, task.file) : notSaved(task.file, image.error());
 }
 
 }  // namespace

@@ -19,8 +19,6 @@ Result<void> checkPictureName(const QString& file);
 /// cancelled() after a stop request.
 Result<void> writePicture(const FilmView& view, Display display, const std::optional<ui::Annotations>& annotations,
                           const QString& file, const std::stop_token& stop = {});
-/// What paints `annotations` and `state`, how far the image is; nothing where there are none.
-PaintOver painterOf(const std::optional<ui::Annotations>& annotations, const QString& state);
 
 /// `reason` as the reason why there is no `file`.
 Error notSaved(const QString& file, const Error& reason);

@@ -6,6 +6,19 @@
 #include "dicom/import.h"
 
 namespace pdr::app {
+
+/// Decoding takes most of the time.
+Result<FetchedVolume> fetchSeries(const dicom::Series& series, const VolumeSource& source, const Progress& progress) {
+    std::vector<dicom::Note> notes = series.verdict.notes;
+    auto volume = dicom::loadSeries(series, dicom::Padding::maskAsAir, partOf(progress, 0, 0.9), &notes);
+    if (!volume)
+        return volume.error();
+    auto wanted = asWanted(*std::move(volume), source, partOf(progress, 0.9, 1));
+    if (!wanted)
+        return wanted.error();
+    return FetchedVolume{*std::move(wanted), std::move(notes), std::make_shared<const dicom::Series>(series)};
+}
+
 Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& progress) {
     if (!source.raw.path.empty()) {
         auto raw = fetchRawVolume(source, progress);
@@ -13,21 +26,13 @@ Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& pr
             return raw.error();
         return FetchedVolume{*std::move(raw), {}, {}};
     }
-    // Scanning takes about a tenth of the time, decoding most of the rest.
     const auto scan = dicom::scanFolder(source.dicomFolder, partOf(progress, 0, 0.1));
     if (!scan)
         return scan.error();
     const auto series = chosenSeries(*scan, source.seriesUid);
     if (!series)
         return Error{series.error().what, source.dicomFolder.string(), series.error().hint};
-    std::vector<dicom::Note> notes = series->verdict.notes;
-    auto volume = dicom::loadSeries(*series, dicom::Padding::maskAsAir, partOf(progress, 0.1, 0.9), &notes);
-    if (!volume)
-        return volume.error();
-    auto wanted = asWanted(*std::move(volume), source, partOf(progress, 0.9, 1));
-    if (!wanted)
-        return wanted.error();
-    return FetchedVolume{*std::move(wanted), std::move(notes), std::make_shared<const dicom::Series>(*series)};
+    return fetchSeries(*series, source, partOf(progress, 0.1, 1));
 }
 
 }  // namespace pdr::app

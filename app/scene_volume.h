@@ -1,5 +1,6 @@
 #pragma once
-/// Fetches the voxels that a scene file asks for, from a DICOM folder or a raw file.
+/// Fetches the voxels of a scene, from a DICOM folder or a raw file: the one way to them, for the window and the
+/// command line.
 
 #include <memory>
 #include <string>
@@ -18,6 +19,8 @@ struct FetchedVolume {
     std::shared_ptr<const dicom::Series> series;  ///< whose they are; null: a raw file's
 };
 
+/// Those of `series`, as `source` wants them. Errors: those of the DICOM import; cancelled().
+Result<FetchedVolume> fetchSeries(const dicom::Series& series, const VolumeSource& source, const Progress& progress);
 /// Errors: those of the DICOM import and of raw files.
 Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& progress);
 

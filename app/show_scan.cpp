@@ -10,13 +10,11 @@
 namespace pdr::app {
 namespace {
 
-/// What the import remarked on the series, its voxels and its table, one note a line.
-QString notesOn(const dicom::Series& series, const std::vector<dicom::Note>& ofPixels,
-                const segment::HiddenTable& table) {
+/// What the import remarked on a series and its table, one note a line.
+QString notesOn(const std::vector<dicom::Note>& notes, const segment::HiddenTable& table) {
     QStringList lines;
-    for (const auto* notes : {&series.verdict.notes, &ofPixels})
-        for (const dicom::Note& note : *notes)
-            lines << ui::sentence(note.text);
+    for (const dicom::Note& note : notes)
+        lines << ui::sentence(note.text);
     if (const Text text = segment::tableText(table); !text.empty())
         lines << ui::inWords(text);
     return lines.join('\n');
@@ -84,7 +82,7 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
                 const segment::HiddenTable& table, const segment::Findings& findings) {
     const dicom::Series& series = parts.import.scan().series[std::size_t(index)];
     parts.window.message().clear();
-    if (const QString notes = notesOn(series, parts.import.loadNotes(), table); !notes.isEmpty())
+    if (const QString notes = notesOn(parts.import.loadNotes(), table); !notes.isEmpty())
         showNotice(parts, notes);
     if (table.body)
         parts.window.message().offer(ui::MainWindow::tr("Show"));

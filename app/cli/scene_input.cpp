@@ -1,17 +1,16 @@
 #include "app/cli/scene_input.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "app/cli/progress_line.h"
 #include "app/environment_picture.h"
+#include "app/fitted_looks.h"
 #include "app/looks.h"
 #include "app/scene_volume.h"
+#include "app/small_image.h"
 #include "render/base/file_ending.h"
-#include "render/device/device.h"
-#include "render/film/exposure.h"
 #include "render/prepare/flatten.h"
 #include "render/prepare/focus.h"
 #include "render/scene/fit_view.h"
@@ -21,9 +20,6 @@ namespace pdr::app {
 namespace {
 
 constexpr ivec2 kFolderFilm{1024, 1024};
-constexpr double kFilled = 0.95;  ///< fraction of the picture
-constexpr int kTrialPixels = 96;  ///< along the longer edge of a picture that tells the exposure
-constexpr std::uint32_t kTrialSamples = 16;
 
 bool isFile(const SceneInput& input) {
     std::error_code ignored;
@@ -57,43 +53,66 @@ Result<SceneFile> readInput(const SceneInput& input) {
     return file;
 }
 
-/// The look that was asked for; a folder, which has none of its own, gets the first that makes sense of it.
-Result<std::optional<NamedLook>> chosenLook(const SceneInput& input, const segment::Findings& findings) {
-    if (input.look || isFile(input))
-        return input.look;
-    auto looks = bundledLooks();
-    if (!looks)
-        return looks.error();
-    const auto suits = [&](const NamedLook& look) { return whyUnsuited(look, findings).empty(); };
-    const auto first = std::ranges::find_if(*looks, suits);
-    return std::optional(first == looks->end() ? looks->front() : *first);
+/// Takes the voxels, what is to be said of them, and the camera that sees them first.
+void take(LoadedScene& work, const SceneInput& input, const FetchedVolume& volume) {
+    const Framed& framed = volume.wanted.framed;
+    work.uncut = boxAround(framed.box);
+    work.series = volume.series;
+    work.scene.volume = volume.wanted.volume;
+    for (const dicom::Note& note : volume.notes)
+        work.notes.push_back(note.text);
+    if (const std::string table = segment::tableText(volume.wanted.table); !table.empty())
+        work.notes.push_back(table);
+    if (input.view || !isFile(input))
+        work.scene.camera = fittedView(input.view.value_or(firstView(framed.box)), framed,
+                                       double(work.scene.film.x) / double(work.scene.film.y), kViewFilled);
 }
 
-/// Takes what the look says, for the blood of this scan and through this body.
-Result<void> dress(LoadedScene& work, const SceneInput& input, const WantedVolume& wanted) {
-    const segment::Findings findings = segment::findingsOn(*wanted.volume, wanted.framed.box);
-    auto chosen = chosenLook(input, findings);
-    if (!chosen)
-        return chosen.error();
-    if (!*chosen)
-        return {};
-    const NamedLook look = findings.blood ? fittedTo(**std::move(chosen), *findings.blood) : **std::move(chosen);
-    if (const std::string why = whyUnsuited(look, findings); !why.empty())
-        work.notes.push_back("The look \"" + look.name + "\" is not meant for this scan: " + why + ".");
-    work.display = look.look.display;
-    work.scene = withNamedLook(std::move(work.scene), look);
-    if (look.cut && work.scene.clip.empty())
-        work.scene.clip.planes = {planeOf(*look.cut, wanted.framed.box)};
-    return {};
+/// The look that was asked for; a folder, which has none of its own, gets the first that makes sense of it, as in the
+/// window. None: the scene file's own.
+Result<std::optional<NamedLook>> chosenLook(const SceneInput& input, const segment::Findings& findings,
+                                            std::vector<std::string>& notes) {
+    if (!input.look && isFile(input))
+        return std::optional<NamedLook>();
+    auto bundled = input.look ? Result(std::vector{*input.look}) : bundledLooks();
+    if (!bundled)
+        return bundled.error();
+    FittedLooks looks(*std::move(bundled));
+    looks.fitTo(findings);
+    const int chosen = looks.suitedOr(0);
+    if (const std::string why = looks.whyUnsuited(chosen); !why.empty())
+        notes.push_back("The look \"" + looks[chosen].name + "\" is not meant for this scan: " + why + ".");
+    return std::optional(looks[chosen]);
+}
+
+/// Takes the look, and then what was asked for beside it.
+Result<void> dress(LoadedScene& work, const SceneInput& input, const std::optional<NamedLook>& look,
+                   const VolumeGeometry& body) {
+    if (look) {
+        work.display = look->look.display;
+        work.scene = withNamedLook(std::move(work.scene), *look, body);
+    }
+    if (input.exposure)
+        work.display.exposure = float(*input.exposure);
+    work.scene.model = input.model.value_or(work.scene.model);
+    work.scene.estimator = input.estimator.value_or(work.scene.estimator);
+    work.scene.camera.apertureMm = input.apertureMm.value_or(work.scene.camera.apertureMm);
+    return work.scene.check();
+}
+
+/// An image must not bear the name of a look that it does not show.
+void nameLook(Scene& scene, const NamedLook& look) {
+    if (scene.model != look.model || scene.visible != look.look.visible)
+        scene.lookName += kChangedLook;
 }
 
 /// Hides what is not to be seen. What only the look wants, of a scan that does not have it, is told and left out.
-Result<void> hide(LoadedScene& work, const SceneInput& input, const Progress& progress) {
+Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::BodyParts& parts,
+                  const Progress& progress) {
     Visible& visible = work.scene.visible;
     visible.part = input.part.value_or(visible.part);
     visible.peelMm = input.peelMm.value_or(visible.peelMm);
-    const Volume& volume = *work.scene.volume;
-    const auto mask = visibleMask(segment::BodyParts(work.scene.volume), visible, volume.geometry(), progress);
+    const auto mask = visibleMask(parts, visible, parts.volume().geometry(), progress);
     if (!mask && (input.part || input.peelMm || mask.error().kind != ErrorKind::refused))
         return mask.error();
     if (!mask) {
@@ -108,19 +127,15 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const Progress& pr
 }
 
 /// Brings the tissue into the middle of the display.
-Result<void> expose(LoadedScene& work) {
-    Scene small = work.scene;
-    small.film = glm::max(ivec2(1), small.film * kTrialPixels / std::max(small.film.x, small.film.y));
+Result<void> expose(LoadedScene& work, const segment::BodyParts& parts, const VolumeGeometry& body) {
+    Scene coarse = work.scene;
+    coarse.volume = coarseCopy(*work.scene.volume);
+    coarse.mask = coarseMask(*coarse.volume, parts, coarse.visible, noProgress);
     const std::unique_ptr<Device> device = makeCpuDevice();
-    const auto film = startFilm(*device, small);
-    if (!film)
-        return film.error();
-    if (auto ok = (*film)->accumulate(kTrialSamples, {}); !ok)
-        return ok;
-    const auto known = (*film)->film();
-    if (!known)
-        return known.error();
-    work.display.exposure *= float(std::exp2(-stopsFor(**known, double(work.display.exposure))));
+    const auto small = smallImage(std::move(coarse), body, double(work.display.exposure), *device, {});
+    if (!small)
+        return small.error();
+    work.display.exposure *= float(std::exp2(-small->stops));
     return {};
 }
 
@@ -153,31 +168,22 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         return environment.error();
 
     LoadedScene work{std::move(file->scene), {}, {}, {input.path, file->source.raw.path, file->environmentImage}};
-    const WantedVolume& wanted = volume->wanted;
-    work.uncut = boxAround(wanted.framed.box);
-    work.series = volume->series;
-    work.scene.volume = wanted.volume;
-    for (const dicom::Note& note : volume->notes)
-        work.notes.push_back(note.text);
-    if (!wanted.remark.empty())
-        work.notes.push_back(wanted.remark);
     work.scene.environment.image = *std::move(environment);
-    if (input.view || !isFile(input))
-        work.scene.camera = fittedView(input.view.value_or(firstView(wanted.framed.box)), wanted.framed,
-                                       double(work.scene.film.x) / double(work.scene.film.y), kFilled);
-    if (auto ok = dress(work, input, wanted); !ok)
+    take(work, input, *volume);
+    const VolumeGeometry body = volume->wanted.framed.box;
+    volume->wanted = {};  // voxels that are not shown leave the memory
+    const auto look = chosenLook(input, segment::findingsOn(*work.scene.volume, body), work.notes);
+    if (!look)
+        return look.error();
+    if (auto ok = dress(work, input, *look, body); !ok)
         return ok.error();
-    if (input.exposure)
-        work.display.exposure = float(*input.exposure);
-    work.scene.model = input.model.value_or(work.scene.model);
-    work.scene.estimator = input.estimator.value_or(work.scene.estimator);
-    work.scene.camera.apertureMm = input.apertureMm.value_or(work.scene.camera.apertureMm);
-    if (auto ok = work.scene.check(); !ok)
+    const segment::BodyParts parts(work.scene.volume);
+    if (auto ok = hide(work, input, parts, partOf(progress, 0.9, 1)); !ok)
         return ok.error();
-    if (auto ok = hide(work, input, partOf(progress, 0.9, 1)); !ok)
-        return ok.error();
-    if (input.autoExposure && followsTissue(work.scene.model))
-        if (auto ok = expose(work); !ok)
+    if (*look)
+        nameLook(work.scene, **look);
+    if (input.autoExposure)
+        if (auto ok = expose(work, parts, body); !ok)
             return ok.error();
     if (input.focusAt)
         if (auto ok = focus(work.scene, *input.focusAt); !ok)

@@ -30,7 +30,7 @@ struct SceneInput {
     std::optional<BodyPart> part;      ///< absent: as the look says, or the scene file
     std::optional<double> peelMm;      ///< likewise
     std::optional<double> exposure;
-    bool autoExposure = false;  ///< as the window sets it: by the tissue of a small picture
+    bool autoExposure = false;  ///< as the window sets it: by the tissue of a small image
     std::optional<std::uint64_t> seed;
     std::optional<Model> model;
     std::optional<Estimator> estimator;

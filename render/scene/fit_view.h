@@ -15,6 +15,9 @@ struct Framed {
     std::shared_ptr<const std::vector<dvec3>> placesMm;  ///< in it, whose convex hull is seen; null: all of it
 };
 
+/// Part of an image that a volume fills, for fittedView(): the rest is for the letters of the sides.
+inline constexpr double kViewFilled = 0.92;
+
 /// The side from which a scan is seen first: the front, or where few slices are much less deep than wide, the side from
 /// which these are looked at: left, front or feet.
 StandardView firstView(const VolumeGeometry& geometry);

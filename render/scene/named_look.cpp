@@ -45,6 +45,16 @@ dvec3 directionOf(CutHint::Plane plane) {
     return {0, 0, 1};
 }
 
+/// `picture`: a setup or a scene.
+template <typename Picture>
+void takeModelAndCut(Picture& picture, const NamedLook& look, const VolumeGeometry& bodyBox) {
+    picture.model = look.model;
+    if (picture.model != Model::singleScattering)
+        picture.estimator = Estimator::unbiased;  // the other knows no other model
+    if (look.cut && picture.clip.empty())
+        picture.clip.planes = {planeOf(*look.cut, bodyBox)};
+}
+
 }  // namespace
 
 Result<NamedLook> lookFromJson(std::string_view json, std::string_view where) {
@@ -102,18 +112,14 @@ PictureSetup withNamedLook(PictureSetup setup, const NamedLook& look, const Volu
     setup.look = look.look;
     setup.lookName = look.name;
     setup.lookChanged = false;
-    setup.model = look.model;
-    if (setup.model != Model::singleScattering)
-        setup.estimator = Estimator::unbiased;  // the other knows no other model
-    if (look.cut && setup.clip.empty())
-        setup.clip.planes = {planeOf(*look.cut, bodyBox)};
+    takeModelAndCut(setup, look, bodyBox);
     return setup;
 }
 
-Scene withNamedLook(Scene scene, const NamedLook& look) {
+Scene withNamedLook(Scene scene, const NamedLook& look, const VolumeGeometry& bodyBox) {
     scene = withLook(std::move(scene), look.look);
     scene.lookName = look.name;
-    scene.model = look.model;
+    takeModelAndCut(scene, look, bodyBox);
     return scene;
 }
 

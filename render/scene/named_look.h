@@ -63,7 +63,7 @@ ClipPlane planeOf(const CutHint& cut, const VolumeGeometry& bodyBox);
 /// else is cut away.
 PictureSetup withNamedLook(PictureSetup setup, const NamedLook& look, const VolumeGeometry& bodyBox);
 
-/// `scene` with the look, its name and its model; volume, camera, clip, film, seed and revision stay.
-Scene withNamedLook(Scene scene, const NamedLook& look);
+/// `scene` likewise; volume, camera, film, seed and revision stay.
+Scene withNamedLook(Scene scene, const NamedLook& look, const VolumeGeometry& bodyBox);
 
 }  // namespace pdr

@@ -157,12 +157,14 @@ std::string cameraText(const Camera& camera) {
 
 Result<WantedVolume> asWanted(Volume volume, const VolumeSource& source, const Progress& progress) {
     const auto scan = std::make_shared<const Volume>(clamped(std::move(volume), source.clampHu));
-    WantedVolume wanted{scan, {scan->geometry(), nullptr}, ""};
+    WantedVolume wanted{scan, {scan->geometry(), nullptr}, scan, {}};
     if (source.table == Table::hidden) {
-        const auto table = segment::hideTable(*scan, progress);
+        auto table = segment::hideTable(*scan, progress);
         if (!table)
             return table.error();
-        wanted = {table->body ? table->body : scan, {table->bodyBox, table->outlineMm}, segment::tableText(*table)};
+        wanted.table = *std::move(table);
+        wanted.volume = wanted.table.body ? wanted.table.body : scan;
+        wanted.framed = {wanted.table.bodyBox, wanted.table.outlineMm};
     }
     if (source.reconstruction != Reconstruction::linear)
         wanted.volume = std::make_shared<const Volume>(reconstructed(Volume(*wanted.volume), source.reconstruction));

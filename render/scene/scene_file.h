@@ -51,11 +51,12 @@ std::string sceneText(const SceneFile& file);
 /// A camera as it stands in scene files, on one line.
 std::string cameraText(const Camera& camera);
 
-/// The voxels that a scene shows.
+/// The voxels that a scene shows, and what they came from.
 struct WantedVolume {
-    std::shared_ptr<const Volume> volume;
-    Framed framed;       ///< what a view should be filled with: the body where the table is hidden
-    std::string remark;  ///< on what is hidden, or why nothing is, in sentences; empty: nothing was asked for
+    std::shared_ptr<const Volume> volume;  ///< without the table where that is hidden
+    Framed framed;                         ///< what a view should be filled with: the body where the table is hidden
+    std::shared_ptr<const Volume> scan;    ///< all voxels that were read
+    segment::HiddenTable table;            ///< of them; nothing where it is not to be hidden
 };
 
 /// `volume` as `source` wants it: clamped, without its table, and then reconstructed. Error: cancelled().

@@ -32,6 +32,9 @@ class BiasMeasurements {
     std::vector<Measurement> all_;
 };
 
+/// Part of the time of a final image that its bias may be measured in beside it.
+inline constexpr double kBiasTimeShare = 0.1;
+
 /// Of `biased`, in as many rounds as fit `seconds`, and one of each lattice at least. After a stop request: what there
 /// is. Errors: the device's.
 Result<MeasuredBiases> measureBias(const Scene& biased, double exposure, Device& device, double seconds,

@@ -2994,6 +2994,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die Höhe des Histogramms wächst mit dem Logarithmus der Voxel</translation>
     </message>
     <message>
+        <source>The image is in %1 instead.</source>
+        <translation>Das Bild liegt stattdessen in %1.</translation>
+    </message>
+    <message>
         <source>The last one is cuda:%1.</source>
         <translation>Die letzte ist cuda:%1.</translation>
     </message>
@@ -3392,6 +3396,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Ohne Zertifikate: nur Programme auf diesem Rechner</translation>
     </message>
     <message>
+        <source>Write to another one.</source>
+        <translation>In eine andere schreiben.</translation>
+    </message>
+    <message>
         <source>X-ray</source>
         <translation>Röntgenbild</translation>
     </message>
@@ -3782,6 +3790,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>emission</source>
         <translation>Eigenleuchten</translation>
+    </message>
+    <message>
+        <source>ended before the first sample: nothing was written</source>
+        <translation>vor der ersten Abtastung beendet: nichts wurde geschrieben</translation>
     </message>
     <message>
         <source>every light is best found by aiming at it</source>
@@ -4668,6 +4680,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Gespeichert als %1</translation>
     </message>
     <message>
+        <source>saved, but its bias could not be measured: %1</source>
+        <translation>gesichert, aber sein systematischer Fehler ließ sich nicht messen: %1</translation>
+    </message>
+    <message>
         <source>saves %1</source>
         <translation>spart %1</translation>
     </message>
@@ -5266,6 +5282,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>this file belongs to another user, and in this folder only they may replace it</source>
         <translation>diese Datei gehört jemand anderem, und in diesem Ordner darf nur er sie ersetzen</translation>
+    </message>
+    <message>
+        <source>this file is read by the scene that is to be rendered</source>
+        <translation>diese Datei wird von der Szene gelesen, die gerendert werden soll</translation>
     </message>
     <message>
         <source>this file may not be written</source>

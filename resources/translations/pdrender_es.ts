@@ -2994,6 +2994,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>La altura del histograma crece con el logaritmo de los vóxeles</translation>
     </message>
     <message>
+        <source>The image is in %1 instead.</source>
+        <translation>La imagen está en %1 en su lugar.</translation>
+    </message>
+    <message>
         <source>The last one is cuda:%1.</source>
         <translation>La última es cuda:%1.</translation>
     </message>
@@ -3392,6 +3396,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Sin certificados: solo programas en este equipo</translation>
     </message>
     <message>
+        <source>Write to another one.</source>
+        <translation>Escriba en otro.</translation>
+    </message>
+    <message>
         <source>X-ray</source>
         <translation>Radiografía</translation>
     </message>
@@ -3782,6 +3790,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>emission</source>
         <translation>emisión</translation>
+    </message>
+    <message>
+        <source>ended before the first sample: nothing was written</source>
+        <translation>terminó antes de la primera muestra: no se escribió nada</translation>
     </message>
     <message>
         <source>every light is best found by aiming at it</source>
@@ -4668,6 +4680,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Guardado como %1</translation>
     </message>
     <message>
+        <source>saved, but its bias could not be measured: %1</source>
+        <translation>guardada, pero no se pudo medir su sesgo: %1</translation>
+    </message>
+    <message>
         <source>saves %1</source>
         <translation>ahorra %1</translation>
     </message>
@@ -5266,6 +5282,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>this file belongs to another user, and in this folder only they may replace it</source>
         <translation>este archivo es de otro usuario, y en esta carpeta solo él puede reemplazarlo</translation>
+    </message>
+    <message>
+        <source>this file is read by the scene that is to be rendered</source>
+        <translation>este archivo lo lee la escena que se va a renderizar</translation>
     </message>
     <message>
         <source>this file may not be written</source>

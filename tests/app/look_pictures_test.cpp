@@ -5,6 +5,7 @@
 
 #include "app/look_pictures.h"
 #include "app/looks.h"
+#include "app/small_image.h"
 #include "render/volume/phantom.h"
 #include "tests/support/patience.h"
 
@@ -43,10 +44,10 @@ void TestLookPictures::eachLookGetsItsPicture() {
     QCOMPARE(made[1][0].toInt(), 0);
     for (const auto& one : made) {
         const auto picture = one[1].value<QImage>();
-        QCOMPARE(picture.size(), QSize(LookPictures::kSize, LookPictures::kSize));
+        QCOMPARE(picture.size(), QSize(kSmallImagePixels, kSmallImagePixels));
         int seen = 0;
-        for (int i = 0; i < LookPictures::kSize; ++i)
-            seen += qGray(picture.pixel(LookPictures::kSize / 2, i)) > 20;
+        for (int i = 0; i < kSmallImagePixels; ++i)
+            seen += qGray(picture.pixel(kSmallImagePixels / 2, i)) > 20;
         QVERIFY2(seen > 40, qPrintable(QString::number(seen)));  // the head fills it
         QVERIFY(std::abs(one[2].toDouble()) <= 4);
     }

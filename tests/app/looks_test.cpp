@@ -84,7 +84,7 @@ class LooksTest : public QObject {
         const NamedLook bone = lookNamed("Bone");
         Scene scene = frontOf(std::make_shared<const Volume>(coarser(*head, 2)), bone, 64);
         scene.camera = fittedView(StandardView::posterior, {head->geometry(), nullptr}, 1, 0.95);
-        scene = withNamedLook(scene, bone);
+        scene = withNamedLook(scene, bone, scene.volume->geometry());
         const Film film = test::render(scene, 64);
         std::vector<double> hues, saturations;
         for (int y = 17; y < 23; ++y)

@@ -72,6 +72,7 @@ class TestPictureJob : public QObject {
     void cancelledItLeavesNoFile();
     void itMayBeForgottenWhileItWorks();
     void anotherOneHasToWait();
+    void itGoesBesideANameThatWasTaken();
     void whatGoesWrongIsSaid_data();
     void whatGoesWrongIsSaid();
     void aSceneThatCannotBeRenderedIsRefused();
@@ -194,6 +195,21 @@ void TestPictureJob::anotherOneHasToWait() {
     QVERIFY2(error.text().find("another picture is being made") != std::string::npos, error.text().c_str());
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QCOMPARE(files(), QStringList("first.png"));
+}
+
+/// Hours of rendering are not lost with a name.
+void TestPictureJob::itGoesBesideANameThatWasTaken() {
+    PictureTask wanted = task(path("head.png"), 3);
+    wanted.device = [file = wanted.file] {
+        QDir().mkpath(file);  // when it has been found free
+        return openDevice("cpu", 1);
+    };
+    PictureJob job;
+    const std::string said = outcome(job, wanted).text();
+    QVERIFY2(said.find("head-2.png instead") != std::string::npos, said.c_str());
+    QVERIFY2(said.find("not saved") == std::string::npos, said.c_str());
+    QCOMPARE(files(), QStringList("head-2.png"));
+    QVERIFY(bytesOf(path("head-2.png")) == toneMap(batch(wanted), wanted.display));
 }
 
 void TestPictureJob::whatGoesWrongIsSaid_data() {

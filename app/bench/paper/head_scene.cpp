@@ -24,7 +24,7 @@ Result<ShownScene> headScene(ivec3 voxels, dvec3 spacingMm) {
     const double aspect = double(kSizes.front().x) / kSizes.front().y;
     const Camera front = standardView(StandardView::anterior, geometry.centreMm(), geometry.radiusMm(), aspect);
     scene.camera = fittedView(front, geometry, aspect, kFraction);
-    scene = withNamedLook(scene, *look);
+    scene = withNamedLook(scene, *look, scene.volume->geometry());
     return ShownScene{scene, look->look.display,
                       "head phantom of " + std::to_string(voxels.x) + "x" + std::to_string(voxels.y) + "x" +
                           std::to_string(voxels.z) + " voxels, look \"" + look->name + "\", single scattering"};

@@ -15,9 +15,6 @@
 namespace pdr::app {
 namespace {
 
-/// Of a way's time, for what measures its bias.
-constexpr double kBiasShare = 0.1;
-
 /// A film that grows, and the time that it took.
 class GrowingFilm {
   public:
@@ -152,7 +149,7 @@ Result<std::vector<AccuracyCurve>> measureAccuracy(const AccuracyWay& way, const
     if (!film)
         return film.error();
     Measurement measurement(way, reference, plan);
-    const double seconds = way.bias.empty() ? plan.seconds : (1 - kBiasShare) * plan.seconds;
+    const double seconds = way.bias.empty() ? plan.seconds : (1 - kBiasTimeShare) * plan.seconds;
     for (std::uint64_t samples = 1; samples == 1 || 2 * film->seconds() <= seconds; samples *= 2) {
         progress(std::min(1.0, film->seconds() / plan.seconds), way.name);
         if (auto ok = film->growTo(samples); !ok)
@@ -167,7 +164,7 @@ Result<std::vector<AccuracyCurve>> measureAccuracy(const AccuracyWay& way, const
     }
     std::vector<AccuracyCurve> curves = std::move(measurement).curves();
     if (!way.bias.empty()) {
-        const auto bias = measureBias(way.scene, plan.display.exposure, device, kBiasShare * plan.seconds, stop);
+        const auto bias = measureBias(way.scene, plan.display.exposure, device, kBiasTimeShare * plan.seconds, stop);
         if (!bias)
             return bias.error();
         curves[0].measuredBias = bias->shortcuts;

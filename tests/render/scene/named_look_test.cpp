@@ -44,6 +44,10 @@ static double shareAtCentre(const RectangleLight& light, dvec3 centre) {
     return light.radiance.y * light.widthMm * light.heightMm / glm::dot(away, away);
 }
 
+static Scene onScene(const Scene& scene, const NamedLook& look) {
+    return withNamedLook(scene, look, scene.volume->geometry());
+}
+
 class NamedLookTest : public QObject {
     Q_OBJECT
 
@@ -51,7 +55,7 @@ class NamedLookTest : public QObject {
     void everyLookCanBeRenderedAsItIs() {
         std::set<std::string> names;
         for (const NamedLook& look : allLooks()) {
-            const auto ok = withNamedLook(sceneWith(200), look).check();
+            const auto ok = onScene(sceneWith(200), look).check();
             QVERIFY2(bool(ok), ok ? "" : ok.error().text().c_str());
             QVERIFY2(look.doesNotShow.ends_with('.') && look.group != LookGroup::own, look.name.c_str());
             names.insert(look.name);
@@ -152,13 +156,13 @@ class NamedLookTest : public QObject {
         Scene before = sceneWith(200);
         before.seed = 7;
         before.film = {10, 20};
-        const Scene after = withNamedLook(before, bone());
+        const Scene after = onScene(before, bone());
         QVERIFY(after.volume == before.volume && after.camera == before.camera && after.film == before.film);
         QVERIFY(after.seed == 7 && after.revision == before.revision);
         QVERIFY(after.transferFunction == bone().look.transferFunction);
         QVERIFY(after.window == bone().look.window && after.window != HuWindow{});
         QVERIFY(!after.environment.visible);
-        QVERIFY(withNamedLook(before, lookNamed("skin")).model == Model::multipleScattering);
+        QVERIFY(onScene(before, lookNamed("skin")).model == Model::multipleScattering);
     }
 
     void aCutOfTheUsersOwnIsLeftAsItIs() {
@@ -172,6 +176,12 @@ class NamedLookTest : public QObject {
         setup.clip.box = ClipBox{{0, 0, 0}, {1, 1, 1}};
         QVERIFY(withNamedLook(setup, lookNamed("heart"), box).clip == setup.clip);
         QVERIFY(withNamedLook(setup, lookNamed("mip"), box).estimator == Estimator::unbiased);
+        Scene scene = sceneWith(200);  // likewise
+        scene.estimator = Estimator::kroesMarch;
+        QVERIFY(withNamedLook(scene, lookNamed("heart"), box).clip == heart.clip);
+        QVERIFY(withNamedLook(scene, lookNamed("mip"), box).estimator == Estimator::unbiased);
+        scene.clip = setup.clip;
+        QVERIFY(withNamedLook(scene, lookNamed("heart"), box).clip == setup.clip);
     }
 
     void theLightAtTheCentreDoesNotDependOnTheSize() {

@@ -1,5 +1,6 @@
-#include "app/cli/picture_files.h"
+#include "app/image_files.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "render/base/replacing_file.h"
@@ -57,17 +58,16 @@ Result<void> checkSpared(const Paths& inputs, const Paths& outputs) {
     for (const auto& input : inputs)
         for (const auto& output : outputs)
             if (fs::equivalent(input, output, ignored))
-                return Error{"this file is read by the scene that is to be rendered", output.string(),
-                             "Write to another one."};
+                return Error{phrase("this file is read by the scene that is to be rendered"), output.string(),
+                             phrase("Write to another one.")};
     return {};
 }
 
-WrittenFiles writePictures(const Film& film, const Display& display, SmoothedView& view, const Provenance& facts,
-                           const PaintOver& paintOver, const Paths& outputs) {
-    const auto write = [&](const fs::path& path) {
-        return pictureFormat(path) == PictureFormat::png ? writePng(film, display, view, facts, path, paintOver)
-                                                         : writeExr(film, facts, path);
-    };
+bool anyPng(const Paths& outputs) {
+    return std::ranges::any_of(outputs, [](const fs::path& path) { return pictureFormat(path) == PictureFormat::png; });
+}
+
+WrittenFiles writeFiles(const Paths& outputs, const std::function<Result<void>(const fs::path&)>& write) {
     WrittenFiles written;
     for (const auto& output : outputs) {
         const auto wanted = write(output);
@@ -76,12 +76,12 @@ WrittenFiles writePictures(const Film& film, const Display& display, SmoothedVie
             continue;
         }
         Error trouble = wanted.error();
-        for (const auto& place : substitutesFor(output))
-            if (write(place)) {
-                written.files.push_back(place);
-                trouble.hint = "The picture is in " + place.string() + " instead.";
-                break;
-            }
+        const Paths places = trouble.kind == ErrorKind::cancelled ? Paths() : substitutesFor(output);
+        if (const auto place = std::ranges::find_if(places, [&](const auto& free) { return bool(write(free)); });
+            place != places.end()) {
+            written.files.push_back(*place);
+            trouble.hint = phrase("The image is in %1 instead.", place->string());
+        }
         written.troubles.push_back(trouble);
     }
     return written;

@@ -1,0 +1,69 @@
+#include "app/final_image.h"
+
+#include "app/judged_image.h"
+#include "render/base/errors.h"
+#include "render/session/bias_measurements.h"
+
+namespace pdr::app {
+namespace {
+
+const char* denoisingNote(const FinalOrder& order, JudgedImage& image) {
+    if (!order.display.smoothed)
+        return nullptr;
+    if (!canBeSmoothed(order.scene))
+        return "the image is not denoised: this model has no noise but at the pixels' edges.";
+    if (!anyPng(order.outputs))
+        return "nothing is denoised: OpenEXR files hold the film as it is.";
+    if (!image.denoised())
+        return "the image is not denoised, since it is not known to be better for it.";
+    return image.shown().of == ErrorOf::denoised ? nullptr
+                                                 : "how far the denoised image is off is not known: too few samples, "
+                                                   "too little tissue, or light that few samples have found.";
+}
+
+/// Writes what came of the samples. The device holds another scene afterwards.
+FinalImage finished(const FinalOrder& order, const Film& film, const BatchResult& result, Device& device,
+                    const std::stop_token& stop) {
+    const double exposure = double(order.display.exposure);
+    const auto bias = measureBias(order.scene, exposure, device, kBiasTimeShare * result.seconds, stop);
+    const Rendered rendered{result.film, order.display.exposure, result.seconds, device.info().name,
+                            bias ? *bias : MeasuredBiases()};
+    const bool keeps = order.whenStopped == WhenStopped::keep;
+    const std::stop_token discarded = keeps ? std::stop_token() : stop;
+    const Display display{order.display.exposure, order.display.smoothed && anyPng(order.outputs)};
+    JudgedImage image(film, order.scene, display, rendered, discarded);
+    const PaintOver paintOver = order.painter ? order.painter(image.shown()) : PaintOver();
+    WrittenFiles written =
+        writeFiles(order.outputs, [&](const auto& file) { return image.write(file, paintOver, discarded); });
+    return {result, image.biases(), denoisingNote(order, image), std::move(written),
+            bias ? std::nullopt : std::optional(bias.error())};
+}
+
+}  // namespace
+
+Result<FinalImage> renderFinal(const FinalOrder& order, Device& device, const FinalSteps& steps,
+                               const std::stop_token& stop) {
+    const Scene& scene = order.scene;
+    if (auto ok = device.upload(scene); !ok)
+        return ok.error();
+    if (auto ready = steps.beforeSamples(); !ready)
+        return ready.error();
+    const auto film = device.film(scene.film, scene.revision, scene.schedule);
+    if (!film)
+        return film.error();
+    const auto result =
+        BatchRender(**film, order.stops, {order.display.exposure}, order.whenStopped).run(stop, steps.report);
+    if (!result)
+        return result.error();
+    if (order.whenStopped == WhenStopped::discard && stop.stop_requested())
+        return cancelled();
+    steps.afterSamples();
+    if (result->film.samplesPerPixel == 0)
+        return Error{phrase("ended before the first sample: nothing was written"), "", ""};
+    const auto known = (*film)->film();
+    if (!known)
+        return known.error();
+    return finished(order, **known, *result, device, stop);
+}
+
+}  // namespace pdr::app

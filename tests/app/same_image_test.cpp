@@ -1,0 +1,92 @@
+/// Window and command line take the same road from a folder to an image: what the window saves of it, made anew, is
+/// what `pdrender-cli render` writes, bit for bit.
+
+#include <QImage>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/desktop_parts.h"
+#include "tests/support/desktop_trial.h"
+#include "tests/support/patience.h"
+#include "tests/support/phantom_series.h"
+#include "tests/support/program_run.h"
+#include "ui/to_qt.h"
+
+namespace pdr::app {
+
+class TestSameImage : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void theWindowsImageIsThatOfTheCommandLine_data();
+    void theWindowsImageIsThatOfTheCommandLine();
+
+  private:
+    QTemporaryDir folder_;
+    QString series_;
+};
+
+void TestSameImage::initTestCase() {
+    series_ = folder_.filePath("series");
+    const Result<void> written = writePhantomSeries(ui::fromQt(series_));
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
+}
+
+void TestSameImage::theWindowsImageIsThatOfTheCommandLine_data() {
+    QTest::addColumn<QString>("look");  // empty: the one that the scan is opened with
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<bool>("denoised");
+    QTest::newRow("as it is opened") << QString() << QStringList() << false;
+    QTest::newRow("a part, denoised") << QString("Bones alone") << QStringList{"--look", "Bones alone", "--smoothed"}
+                                      << true;
+    QTest::newRow("a cut") << QString("Heart and great vessels") << QStringList{"--look", "Heart and great vessels"}
+                           << false;
+    QTest::newRow("a look with another part")
+        << QString("MIP") << QStringList{"--look", "MIP", "--show", "bones"} << false;
+    QTest::newRow("another model") << QString("MIP") << QStringList{"--look", "MIP"} << false;
+}
+
+/// Seed, model, brightness, camera, look, cut and part are each side's own choice.
+void TestSameImage::theWindowsImageIsThatOfTheCommandLine() {
+    QFETCH(QString, look);
+    QFETCH(QStringList, options);
+    QFETCH(bool, denoised);
+    Trial trial;
+    QSignalSpy brightness(&trial.desktop.parts().looks, &LookPictures::made);
+    trial.openAndWait(series_);
+    Document& document = trial.desktop.parts().document;
+    QTRY_COMPARE_WITH_TIMEOUT(brightness.count(), int(document.looks().fitted().size()), test::kPatience);
+    for (int i = 0; document.looks().holds(i); ++i)
+        if (document.looks()[i].name == look.toStdString())
+            document.chooseLook(i);
+    if (options.contains("--show"))
+        document.setVisible({BodyPart::bones, 0});
+    document.setSmoothed(denoised);
+    QTRY_VERIFY_WITH_TIMEOUT(!document.scene().maskAwaited, test::kPatience);
+    document.setNextFilm({150, 120});
+    document.resetView();
+
+    const QString window = folder_.filePath("window.png"), line = folder_.filePath("line.png");
+    QSignalSpy saved(&trial.desktop.parts().picture, &PictureJob::saved);
+    emit trial.desktop.window().pictureOrdered(
+        {window, QSize(150, 120), {.levels = kFinestStep, .samples = 32}, ui::Annotate::none});
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
+
+    const test::ProgramRun made = test::runProgram(
+        "pdrender-cli", QStringList{"render", series_, "-o", line, "--size", "150x120", "--samples", "32", "--device",
+                                    "cpu", "--exposure", "auto", "--annotations", "none"} +
+                            options);
+    QVERIFY2(made.code == 0, made.err.constData());
+    const QImage ofWindow(window), ofLine(line);
+    for (const QString& key : ofLine.textKeys())
+        if (key != "pdrender/seconds" && key != "pdrender/bias")  // both hang on the clock
+            QVERIFY2(ofWindow.text(key) == ofLine.text(key),
+                     qPrintable(key + ": " + ofWindow.text(key) + " / " + ofLine.text(key)));
+    QCOMPARE(ofWindow, ofLine);
+}
+
+}  // namespace pdr::app
+
+QTEST_MAIN(pdr::app::TestSameImage)
+#include "same_image_test.moc"
