@@ -95,7 +95,7 @@ QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture) {
 
 QString unseenText(const FilmStatus& status) {
     const int percent = int(std::lround(100 * status.unseenTissue));
-    return percent < 1 ? QString() : translated("about %1 % of the tissue not seen yet").arg(percent);
+    return percent < 1 ? QString() : translated("at least %1 % of the tissue not seen yet").arg(percent);
 }
 
 QString comparisonText(const Schedule& schedule, Estimator estimator) {

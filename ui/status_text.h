@@ -26,7 +26,7 @@ QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t
 /// shown, as that of the whole `picture`; or, where it is `first` and gets all samples, what of the whole picture is true meanwhile.
 QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture);
 
-/// "about 11 % of the tissue not seen yet": no number is said of that; nothing below 1 %.
+/// "at least 11 % of the tissue not seen yet": no number is said of that; nothing below 1 %.
 QString unseenText(const FilmStatus& status);
 
 /// A device to choose: "CPU (2 threads)".

@@ -1,8 +1,6 @@
 #include "render/film/level_error_map.h"
 
 #include <algorithm>
-#include <array>
-#include <numbers>
 
 #include "render/film/display_error.h"
 #include "render/film/likely_error.h"
@@ -60,35 +58,6 @@ LevelErrorsAt levelErrorsAt(const Film& film, ivec2 pixel, int side, double expo
     const double pixels = double(square.width) * square.height;
     found.over = levelsWithin(light / pixels, glm::sqrt(squares) / pixels, exposure);
     return found;
-}
-
-double levelsOf(const LevelErrorMap& map) {
-    std::array<double, kLastBin + 1> pixels{};
-    double all = 0;
-    for (const std::uint8_t bin : map.bins)
-        if (bin != kNoTissueBin && bin <= kLastBin) {
-            ++pixels[bin];
-            ++all;
-        }
-    double low = kFinestLevels / 64, high = 4 * kCoarsestLevels;
-    for (int step = 0; all > 0 && step < 40; ++step) {
-        const double levels = std::sqrt(low * high);
-        double within = 0;
-        for (int bin = kFirstBin; bin <= kLastBin; ++bin)
-            within += pixels[std::size_t(bin)] * std::erf(kSigmas * levels / levelsOfBin(std::uint8_t(bin)) / std::numbers::sqrt2);
-        (within < 0.95 * all ? low : high) = levels;
-    }
-    return all > 0 ? high : 0;
-}
-
-void agree(LevelErrorMap& map, double levels) {
-    const double own = levelsOf(map);
-    if (!(own > 0) || !(levels > 0) || !std::isfinite(levels))
-        return;
-    const long shift = std::lround(kBinsPerDoubling * std::log2(levels / own));
-    for (std::uint8_t& bin : map.bins)
-        if (bin > kFirstBin && bin <= kLastBin)
-            bin = std::uint8_t(std::clamp<long>(bin + shift, kFirstBin, kLastBin));
 }
 
 /// Band by band: so little is held at once that it stays in the cache.

@@ -1,7 +1,7 @@
 #pragma once
-/// Where a picture is still rough: the 95 % interval of each pixel [display levels of 255], from what its neighbourhood
-/// tells of its error (likely_error.h), put through the display (display_error.h). Where all pixels together are within
-/// 8 levels, about a fifth of them have wider intervals of their own: most of these are nevertheless off by less.
+/// Where an image is still rough: each pixel's own 95 % margin [display levels of 255], from what its neighbourhood tells
+/// of its error (likely_error.h), put through the display (display_error.h). Where all pixels together are within 8
+/// levels, about a fifth of them have wider margins of their own: most of these are nevertheless off by less.
 
 #include <cmath>
 #include <cstdint>
@@ -30,13 +30,6 @@ struct LevelErrorMap {
     ivec2 size{0};                   ///< pixels
     std::vector<std::uint8_t> bins;  ///< row by row from the top; kNoTissueBin where no sample met any
 };
-
-/// Levels that 95 % of the map's pixels are within, where each is off as its own interval says, by normal errors; those
-/// that are not known are left out. 0 without any.
-double levelsOf(const LevelErrorMap& map);
-/// Scales the map so that levelsOf() is what is stated of all pixels, `levels`; what is up to 1 level stays. As it was
-/// where one of both is not known.
-void agree(LevelErrorMap& map, double levels);
 
 /// To 95 %, what is shown of `mean`, whose standard error is `error` in each channel, is within so many levels of what
 /// it would be without noise: the worst channel's, upwards or downwards, clipped to what a display can show. Infinite

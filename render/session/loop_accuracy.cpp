@@ -39,8 +39,7 @@ Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step
     return judged;
 }
 
-/// Where the image that is shown is still rough, if that is wanted of it, so that it says of all pixels what the sentence
-/// says.
+/// Where the image that is shown is still rough, if that is wanted of it.
 Result<void> Session::Loop::mapErrors(const Display& display, const std::stop_token& stop) {
     if (!commands.errorMap() || coarse()) {
         errorMap_.clear();
@@ -58,8 +57,6 @@ Result<void> Session::Loop::mapErrors(const Display& display, const std::stop_to
             map = levelErrorMap(film, exposure, stop);
         if (stop.stop_requested())
             return;
-        if (shownError_)
-            agree(*map, *shownError_);
         errorMap_.keep(*std::move(map), shownOf_, samples, display.exposure);
     });
     seconds_ += secondsSince(start);

@@ -3580,10 +3580,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das Ergebnis einer Kachel wurde abgelehnt: %1</translation>
     </message>
     <message>
-        <source>about %1 % of the tissue not seen yet</source>
-        <translation>etwa %1 % des Gewebes noch nicht gesehen</translation>
-    </message>
-    <message>
         <source>about %1 to ±%2</source>
         <translation>etwa %1 bis ±%2</translation>
     </message>
@@ -3630,6 +3626,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>as wanted; Space goes on</source>
         <translation>wie gewünscht; Leertaste: weiter</translation>
+    </message>
+    <message>
+        <source>at least %1 % of the tissue not seen yet</source>
+        <translation>mindestens %1 % des Gewebes noch nicht gesehen</translation>
     </message>
     <message>
         <source>at least %1 and below %2</source>

@@ -3580,10 +3580,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se rechazó el resultado de una tesela: %1</translation>
     </message>
     <message>
-        <source>about %1 % of the tissue not seen yet</source>
-        <translation>cerca del %1 % del tejido aún no visto</translation>
-    </message>
-    <message>
         <source>about %1 to ±%2</source>
         <translation>unos %1 hasta ±%2</translation>
     </message>
@@ -3630,6 +3626,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>as wanted; Space goes on</source>
         <translation>según lo deseado; Espacio continúa</translation>
+    </message>
+    <message>
+        <source>at least %1 % of the tissue not seen yet</source>
+        <translation>al menos el %1 % del tejido aún no visto</translation>
     </message>
     <message>
         <source>at least %1 and below %2</source>

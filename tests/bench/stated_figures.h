@@ -36,9 +36,8 @@ inline dvec3 at(const denoise::Colours& planes, int x, int y) {
     return {planes[0].row(y)[x], planes[1].row(y)[x], planes[2].row(y)[x]};
 }
 
-/// As it is painted: it says of all pixels together `levels`.
-inline std::vector<float> shownLevels(LevelErrorMap map, double levels) {
-    agree(map, levels);
+/// As it is painted.
+inline std::vector<float> shownLevels(const LevelErrorMap& map) {
     std::vector<float> shown;
     for (const std::uint8_t bin : map.bins)
         shown.push_back(bin < kLastBin ? float(levelsOfBin(bin)) : std::numeric_limits<float>::infinity());
@@ -50,9 +49,9 @@ inline StatedImage statedImage(const Film& film, double exposure) {
     SmoothedView view;
     view.judge(film, film.samplesPerPixel(), {});
     image.denoisedError = view.error(exposure);
-    if (auto map = view.errorMap(exposure))
-        image.denoisedMap = shownLevels(*std::move(map), image.denoisedError->levelsAtMost);
-    image.map = shownLevels(levelErrorMap(film, exposure), image.status.displayError);
+    if (const auto map = view.errorMap(exposure))
+        image.denoisedMap = shownLevels(*map);
+    image.map = shownLevels(levelErrorMap(film, exposure));
     const NoisyFilm noisy = noisyFilm(film);
     const denoise::Colours denoised = smoothRadiance(noisy), bounds = localErrors(film),
                            errors = likelyErrors(film, wholeImage(film.size()));

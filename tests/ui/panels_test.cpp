@@ -259,7 +259,7 @@ void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
 }
 
 void TestPanels::tissueThatWasNotSeenYetIsSaid() {
-    QCOMPARE(unseenText({.samplesPerPixel = 32, .unseenTissue = 0.114}), "about 11 % of the tissue not seen yet");
+    QCOMPARE(unseenText({.samplesPerPixel = 32, .unseenTissue = 0.114}), "at least 11 % of the tissue not seen yet");
     QCOMPARE(unseenText({.samplesPerPixel = 32, .unseenTissue = 0.004}), QString());
 }
 

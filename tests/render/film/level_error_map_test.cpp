@@ -42,24 +42,6 @@ class LevelErrorMapTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// One truth: of pixels with errors of all sizes the map says together what the sentence says.
-    void theMapSaysOfAllPixelsWhatTheSentenceSays() {
-        const auto truth = [](int x, int) { return 0.02 + 0.01 * x; };
-        for (const std::uint64_t samples : {32, 128}) {
-            const Film film = noisyFilmOf({160, 120}, truth, samples);
-            const double stated = film.status(kExposure).displayError;
-            LevelErrorMap map = levelErrorMap(film, kExposure);
-            agree(map, stated);
-            QVERIFY2(std::fabs(levelsOf(map) / stated - 1) < 0.02, qPrintable(QString::number(levelsOf(map) / stated)));
-            agree(map, stated / 2);
-            QVERIFY(std::fabs(levelsOf(map) / stated - 0.5) < 0.02);
-        }
-        LevelErrorMap nothing{{2, 1}, {kNoTissueBin, kUnknownBin}};
-        agree(nothing, 8);
-        QCOMPARE(levelsOf(nothing), 0.0);
-        QVERIFY(nothing.bins[0] == kNoTissueBin && nothing.bins[1] == kUnknownBin);
-    }
-
     void aKnownErrorIsStatedInLevels_data() {
         QTest::addColumn<double>("mean");
         QTest::addColumn<double>("error");
