@@ -7,6 +7,7 @@
 namespace pdr::app {
 namespace {
 
+/// FinalImage::denoisingNote of an image that was judged.
 const char* denoisingNote(const FinalOrder& order, JudgedImage& image) {
     if (!order.display.smoothed)
         return nullptr;

@@ -23,8 +23,7 @@ bool waitFor(qint64 ms, const std::stop_token& stop) {
 
 /// Returns false if it was stopped.
 bool waitUntil(const std::atomic<bool>& stands, const std::stop_token& stop) {
-    while (!stands && waitFor(10, stop)) {
-    }
+    while (!stands && waitFor(10, stop)) {}
     return !stop.stop_requested();
 }
 

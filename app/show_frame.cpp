@@ -141,15 +141,12 @@ ui::Accuracy accuracyOf(const DesktopParts& parts, const Frame& frame) {
     return accuracy;
 }
 
-/// The same number as its colour says; over a square as many times less as before.
+/// The same number as its colour says, of the image that is shown.
 LevelErrorsAt asMapped(LevelErrorsAt errors, const LevelErrorMap& map, QPointF place) {
     const ivec2 pixel = glm::clamp(ivec2(int(place.x() * map.size.x), int(place.y() * map.size.y)), ivec2(0), map.size - 1);
     const std::uint8_t bin = map.bins[std::size_t(pixel.y) * std::size_t(map.size.x) + std::size_t(pixel.x)];
-    if (bin < kFirstBin || bin > kLastBin)
-        return errors;
-    const float here = float(levelsOfBin(bin));
-    errors.over *= std::isfinite(errors.here) && errors.here > 0 ? here / errors.here : 1;
-    errors.here = here;
+    if (bin >= kFirstBin && bin <= kLastBin)
+        errors.here = float(levelsOfBin(bin));
     return errors;
 }
 

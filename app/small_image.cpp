@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "app/looks.h"
 #include "render/base/errors.h"
 #include "render/film/exposure.h"
 #include "render/scene/fit_view.h"
@@ -43,7 +42,7 @@ Result<SmallImage> smallImage(Scene scene, const VolumeGeometry& body, double ex
         return known.error();
     if (stop.stop_requested())
         return cancelled();
-    const double stops = followsTissue(scene.model) ? stopsFor(**known, exposure) : 0;
+    const double stops = stopsFor(**known, exposure);
     return SmallImage{*std::move(known), stops};
 }
 

@@ -25,11 +25,11 @@ std::shared_ptr<const Mask> coarseMask(const Volume& coarse, const segment::Body
 
 struct SmallImage {
     std::shared_ptr<const Film> film;
-    double stops = 0;  ///< that bring the tissue into the middle of the display; 0 where a model says what is white
+    double stops = 0;  ///< that bring the tissue into the middle of the display; for models that followsTissue()
 };
 
-/// Of `scene`, whose volume and mask are coarse, from where its camera stands, but so near that `body` fills the image.
-/// `exposure`: of its display. Errors: the device's; cancelled().
+/// Renders `scene`, whose volume and mask are coarse, from where its camera stands, but so near that `body` fills the
+/// image. `exposure`: of its display. Errors: the device's; cancelled().
 Result<SmallImage> smallImage(Scene scene, const VolumeGeometry& body, double exposure, Device& device,
                               const std::stop_token& stop);
 

@@ -17,7 +17,7 @@ struct DecodedSlice {
     std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty where there is no such pixel
 };
 
-/// That `file` is not the one that the scan has seen.
+/// The error of a `file` that is not the one that the scan has seen.
 Error changedFile(const std::filesystem::path& file);
 
 /// Errors: file gone, damaged, in a coding that cannot be read, or written anew meanwhile; each names the file.

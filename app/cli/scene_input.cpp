@@ -182,7 +182,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         return ok.error();
     if (*look)
         nameLook(work.scene, **look);
-    if (input.autoExposure)
+    if (input.autoExposure && followsTissue(work.scene.model))
         if (auto ok = expose(work, parts, body); !ok)
             return ok.error();
     if (input.focusAt)

@@ -37,7 +37,7 @@ struct FilmStatus {
     /// below a percentile as come of N throws of a coin. 0 where displayError is not known.
     double displayErrorSpread = 0;
     std::uint64_t tissuePixels = 0;
-    /// About the part of the tissue that no sample has met yet, at least: it is in none of what is said of the tissue.
+    /// At least this part of the tissue no sample has met yet: it is in none of what is said of the tissue.
     double unseenTissue = 0;
     /// More than a quarter of the noise comes from pixels that less than two bright samples made, so brighter ones may
     /// still come: what is foretold from their error is a lower bound.

@@ -41,7 +41,7 @@ std::vector<Fact> factsOf(const Provenance& from) {
         {"pdrender/seconds", from.seconds},
         {"pdrender/relativeError", status.relativeError},
         {"pdrender/tissueWithinLevels", status.displayError},  // 95 % of it, of 255 levels
-        {"pdrender/tissueNotSeenYet", status.unseenTissue},  // at least
+        {"pdrender/tissueNotSeenYet", status.unseenTissue},    // at least
         {"pdrender/exposure", from.exposure},
         {"pdrender/bias", from.bias.empty() ? "none known" : from.bias},
         {"pdrender/rejectedSamples", double(status.health.rejected())},

@@ -19,7 +19,7 @@ class SmoothedView {
     }
     /// Whether it is judged by other samples than these.
     bool isStale(std::uint64_t samples) const { return samples >= kSamplesToJudge && samples != judgedSamples_; }
-    /// Of the film when it was judged last; 0: it was not.
+    /// Samples that the film had when it was judged last; 0: it was not.
     std::uint64_t judgedSamples() const { return judgedSamples_; }
     /// As isDue() was asked. Nothing changes after a stop request.
     void judge(const Film& film, std::uint64_t samples, const std::stop_token& stop);
