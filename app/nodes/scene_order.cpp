@@ -158,8 +158,6 @@ Result<Scene> sceneFrom(const wire::SceneOrder& order, const SceneContents& cont
     scene.mask = contents.mask;
     scene.environment.image = contents.environment;
     scene.revision = order.revision;
-    if (scene.mask && scene.mask->grid().voxels != scene.volume->size())
-        return noContent(phrase("its mask is of another volume"));
     if (const Result<void> checked = scene.check(); !checked)
         return checked.error();
     return scene;

@@ -4208,10 +4208,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ihre Maske hat eine andere Größe</translation>
     </message>
     <message>
-        <source>its mask is of another volume</source>
-        <translation>ihre Maske gehört zu einem anderen Volumen</translation>
-    </message>
-    <message>
         <source>its memory is too small: %1 are needed at a time, %2 are free</source>
         <translation>sein Speicher ist zu klein: %1 werden auf einmal gebraucht, %2 sind frei</translation>
     </message>

@@ -4208,10 +4208,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>su máscara tiene otro tamaño</translation>
     </message>
     <message>
-        <source>its mask is of another volume</source>
-        <translation>su máscara es de otro volumen</translation>
-    </message>
-    <message>
         <source>its memory is too small: %1 are needed at a time, %2 are free</source>
         <translation>su memoria es demasiado pequeña: se necesitan %1 a la vez y hay %2 libres</translation>
     </message>

@@ -195,6 +195,14 @@ void TestAnnotatedFile::theNoticeAndTheCubeAreThereAndNobodyIsNamed() {
     QVERIFY(changed(plain, annotated, {250, 250, 50, 50}) > 500);  // the cube
     QVERIFY(changed(plain, annotated, {200, 200, 100, 45}) > 20);  // the scale bar
     QCOMPARE(changed(plain, annotated, {0, 0, 100, 100}), 0);
+    QImage black(300, 300, QImage::Format_RGB32), alone;  // the lowest line is the notice, and no other text
+    black.fill(Qt::black);
+    alone = black;
+    QPainter painter(&alone);
+    painter.setFont(QFont());
+    ui::paintAnnotations(painter, {scene.camera, {}, {}}, alone.size());
+    painter.end();
+    QVERIFY(changed(black, alone, {0, 270, 100, 30}) > 100);
 }
 
 void TestAnnotatedFile::whoItIsStandsWhereItIsWanted() {

@@ -114,6 +114,20 @@ class ManyLightsTest : public QObject {
         QVERIFY2(visited < 10 * met, qPrintable(QString("%1 visited, %2 met").arg(visited).arg(met)));
     }
 
+    /// A ray that misses them all looks at no node but the first.
+    void whatIsBesideARayIsNotLookedAt() {
+        const auto prepared = test::prepared(litBy(500));
+        FlatScene flat = prepared->flat;
+        std::vector<FlatLightNode> nodes(flat.lightNodes, flat.lightNodes + flat.lightNodeCount);
+        const vec3 beside = nodes[0].centre + vec3(2 * nodes[0].radius, 0, 0);
+        for (std::size_t i = 1; i < nodes.size(); ++i)
+            nodes[i].centre = beside;  // so that looking at it is seen
+        flat.lightNodes = nodes.data();
+        int visited = 0;
+        forLightsOnRay(flat, beside, vec3(0, 1, 0), [&](const FlatLight&) { ++visited; });
+        QCOMPARE(visited, 0);
+    }
+
     /// What does not shine is neither picked nor in the tree.
     void darkLightsCostNothing() {
         Scene scene = litBy(kMostLightsInTurn);

@@ -72,6 +72,9 @@ class ViewGeometryTest : public QObject {
         const auto line = view.lineAt({0, 0, 50}, {0, -200, 50});
         QVERIFY(line && std::fabs(line->first.y - 0.25) < 1e-12 && line->second.y < -1000);
         QVERIFY(std::fabs(view.heightMm({7, 0, 9}) - 200) < 1e-9);
+        Camera parallel = camera;
+        parallel.type = Camera::Type::orthographic;
+        QVERIFY(!ViewGeometry(parallel, 1).at({3, -101, 5}) && ViewGeometry(parallel, 1).at({3, -99, 5}));
     }
 };
 

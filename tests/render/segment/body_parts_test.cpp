@@ -214,7 +214,7 @@ class BodyPartsTest : public QObject {
         const segment::BodyParts parts = partsOf(volume);
         QVERIFY(!parts.peeled(3, own, [](double fraction, std::string_view) { return fraction < 0.2; }));
         QVERIFY(!refusal(parts.lungs(own, noProgress)).empty());
-        for (const double depth : {30.0, 3.0, 12.0, 3.0}) {
+        for (const double depth : {3.0, 30.0, 12.0, 3.0}) {
             const auto again = parts.peeled(depth, own, noProgress);
             const auto fresh = partsOf(volume).peeled(depth, own, noProgress);
             QVERIFY(again && fresh && (*again)->weights() == (*fresh)->weights());
