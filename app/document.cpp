@@ -13,11 +13,12 @@ Document::Document(std::vector<NamedLook> looks) : looks_(std::move(looks)) {
 }
 
 void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table,
-                    const std::optional<segment::Findings>& findings) {
+                    const std::optional<segment::Findings>& findings, std::shared_ptr<const HiddenVoxels> hidden) {
     close();
     volume_ = std::move(volume);
     table_ = table;
-    parts_ = std::make_shared<const segment::BodyParts>(hasTable() ? table_.body : volume_);
+    hidden_ = std::move(hidden);
+    parts_ = std::make_shared<const segment::BodyParts>(volume_);
     setup_.table = Table::hidden;
     setup_.clip = {};  // places in another patient
     fitLooksTo(findings);
@@ -82,6 +83,7 @@ void Document::close() {
     history_.forget();
     volume_.reset();
     table_ = {};
+    hidden_.reset();
     parts_.reset();
     masks_.clear();
     shown_ = {};
@@ -303,8 +305,13 @@ Scene Document::made() {
     return scene;
 }
 
-const std::shared_ptr<const Volume>& Document::seen() const {
-    return setup_.table == Table::hidden && hasTable() ? table_.body : volume_;
+std::shared_ptr<const Volume> Document::seen() const {
+    if (setup_.table == Table::hidden || !hasTable())
+        return volume_;
+    std::shared_ptr<const Volume> scan = withTable_.lock();
+    if (!scan)
+        withTable_ = scan = std::make_shared<const Volume>(hidden_->scanOf(*volume_));
+    return scan;
 }
 
 /// What a view is filled with.

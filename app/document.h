@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/fitted_looks.h"
+#include "app/hidden_voxels.h"
 #include "app/setup_history.h"
 #include "app/step_name.h"
 #include "render/scene/fit_view.h"
@@ -28,8 +29,8 @@ class Document : public QObject {
     const FittedLooks& looks() const { return looks_; }
     /// What choosing a look would set up.
     PictureSetup setupWith(int look) const;
-    /// What is rendered of the scan under any look.
-    const std::shared_ptr<const Volume>& seen() const;
+    /// What is rendered of the scan under any look. With its table it is made anew where nobody holds it any more.
+    std::shared_ptr<const Volume> seen() const;
     /// The parts of the patient to tell apart; null without a volume.
     const std::shared_ptr<const segment::BodyParts>& parts() const { return parts_; }
     /// The part of the scan's grid that the body fills.
@@ -39,7 +40,7 @@ class Document : public QObject {
     /// What is rendered; of no volume it holds nothing that counts.
     const Scene& scene() const { return scene_; }
     /// Whether there is a table, or what else is hidden with it, to show or hide.
-    bool hasTable() const { return table_.body != nullptr; }
+    bool hasTable() const { return hidden_ != nullptr; }
     /// The look that is shown; -1: the user has changed it.
     int look() const { return looks_.indexOf(setup_); }
     Display display() const;
@@ -54,11 +55,12 @@ class Document : public QObject {
     Change redoable() const { return canRedo() ? changeOf(setup_, history_.next()) : Change::nothing; }
 
   public slots:
-    /// Shows `volume` without what is known to be its table, from the side that a scan is seen from first, uncut,
-    /// with the look as it is, or where that makes no sense of it, the first that does. There is no way back to the
-    /// volume before. `findings`: what the volume holds, as far as it is known.
+    /// Shows `volume`, a scan without what is known to be its table, from the side that a scan is seen from first,
+    /// uncut, with the look as it is, or where that makes no sense of it, the first that does. There is no way back to
+    /// the volume before. `findings`: what the volume holds, as far as it is known. `hidden`: of the table; null: none.
     void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table,
-              const std::optional<pdr::segment::Findings>& findings = {});
+              const std::optional<pdr::segment::Findings>& findings = {},
+              std::shared_ptr<const pdr::app::HiddenVoxels> hidden = {});
     /// The same of one that nothing is hidden of.
     void open(std::shared_ptr<const pdr::Volume> volume);
     /// Shows nothing.
@@ -149,8 +151,10 @@ class Document : public QObject {
     void fitLooksTo(const std::optional<segment::Findings>& findings);
 
     FittedLooks looks_;
-    std::shared_ptr<const Volume> volume_;             ///< as it was read
+    std::shared_ptr<const Volume> volume_;             ///< without its table
     segment::HiddenTable table_;                       ///< of it
+    std::shared_ptr<const HiddenVoxels> hidden_;       ///< of that; null: there is none
+    mutable std::weak_ptr<const Volume> withTable_;    ///< the scan, while somebody holds it
     std::shared_ptr<const segment::BodyParts> parts_;  ///< of it, table or not
     PictureSetup setup_;                               ///< all that undo brings back
     SetupHistory history_;

@@ -47,18 +47,24 @@ void ImportJob::loadSeries(int index) {
         return;
     start([this, index, series = scan_.series[std::size_t(index)], before = lastLoaded_, patience = patience_](
               const Progress& progress, const std::stop_token&) -> std::function<void()> {
-        for (const auto& volume : before)
-            if (auto freed = waitUntilFreed(volume, patience, progress); !freed)
-                return failure(freed.error());
+        if (auto freed = waitUntilFreed(before, patience, progress); !freed)
+            return failure(freed.error());
         auto fetched = fetchSeries(series, {.table = Table::hidden}, progress);
         if (!fetched)
             return failure(fetched.error());
         const WantedVolume& wanted = fetched->wanted;
         const segment::Findings findings = segment::findingsOn(*wanted.volume, wanted.framed.box);
-        return [this, index, volume = wanted.scan, notes = fetched->notes, table = wanted.table, findings] {
+        std::shared_ptr<const HiddenVoxels> hidden;
+        if (wanted.table.body) {
+            auto packed = HiddenVoxels::of(*wanted.scan, *wanted.table.body, progress);
+            if (!packed)
+                return failure(packed.error());
+            hidden = std::make_shared<const HiddenVoxels>(*std::move(packed));
+        }
+        return [this, index, volume = wanted.volume, notes = fetched->notes, table = wanted.table, findings, hidden] {
             loadNotes_ = notes;
-            lastLoaded_ = {volume, table.body};
-            emit loaded(volume, index, table, findings);
+            lastLoaded_ = volume;
+            emit loaded(volume, index, table, findings, hidden);
         };
     });
 }

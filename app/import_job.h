@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/background_job.h"
+#include "app/hidden_voxels.h"
 #include "dicom/series.h"
 #include "render/segment/findings.h"
 #include "render/segment/hidden_table.h"
@@ -36,14 +37,15 @@ class ImportJob : public BackgroundJob {
   signals:
     void scanned(const pdr::dicom::ScanResult& scan, const QString& folder);
     /// `table`: what the patient lies on, and the scan without it. `findings`: of that.
+    /// `volume`: the scan without that; `hidden`: what it lacks, null where that is nothing.
     void loaded(std::shared_ptr<const pdr::Volume> volume, int index, const pdr::segment::HiddenTable& table,
-                const pdr::segment::Findings& findings);
+                const pdr::segment::Findings& findings, std::shared_ptr<const pdr::app::HiddenVoxels> hidden);
 
   private:
     std::chrono::milliseconds patience_;
     dicom::ScanResult scan_;
     std::vector<dicom::Note> loadNotes_;
-    std::array<std::weak_ptr<const Volume>, 2> lastLoaded_;  ///< the scan, and that without a table
+    std::weak_ptr<const Volume> lastLoaded_;
 };
 
 }  // namespace pdr::app

@@ -23,7 +23,8 @@ bool waitFor(qint64 ms, const std::stop_token& stop) {
 
 /// Returns false if it was stopped.
 bool waitUntil(const std::atomic<bool>& stands, const std::stop_token& stop) {
-    while (!stands && waitFor(10, stop)) {}
+    while (!stands && waitFor(10, stop)) {
+    }
     return !stop.stop_requested();
 }
 
@@ -99,6 +100,7 @@ void LookPictures::make(const std::shared_ptr<const Volume>& volume,
             if (!(first ? waitUntil(imageStands_, stop) : waitFor(kRestsPerWork * clock.elapsed(), stop)))
                 return [] {};
         }
+        parts->forgetDistances();
         return [] {};
     });
 }

@@ -79,20 +79,21 @@ void showReading(const DesktopParts& parts, int index) {
 }
 
 void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index,
-                const segment::HiddenTable& table, const segment::Findings& findings) {
+                const segment::HiddenTable& table, const segment::Findings& findings,
+                std::shared_ptr<const HiddenVoxels> hidden) {
     const dicom::Series& series = parts.import.scan().series[std::size_t(index)];
     parts.window.message().clear();
     if (const QString notes = notesOn(parts.import.loadNotes(), table); !notes.isEmpty())
         showNotice(parts, notes);
-    if (table.body)
+    if (hidden)
         parts.window.message().offer(ui::MainWindow::tr("Show"));
     parts.window.setSubject(ui::windowSubject(series), ui::seriesNumber(series));
     parts.window.series().setCurrent(index);
     parts.window.setPatient(ui::patientLines(series));
     parts.window.setStartShown(false);
     showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::seriesNumber(series)));
-    parts.study.setVolume(table.body ? table.body : volume);
-    parts.document.open(std::move(volume), table, findings);
+    parts.study.setVolume(volume);
+    parts.document.open(std::move(volume), table, findings, std::move(hidden));
 }
 
 void showProgress(const DesktopParts& parts, double fraction, const QString& step) {

@@ -18,9 +18,11 @@ void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QS
 void showRecentFolders(const DesktopParts& parts);
 /// Closes what is shown, so that there is room, and reads the series `index` of the last scan.
 void showReading(const DesktopParts& parts, int index);
-/// The series `index` of the last scan, whose voxels are `volume`, without its `table`; and what was found in it.
+/// The series `index` of the last scan, whose voxels without its `table` are `volume`; what was found in it, and the
+/// voxels that are hidden with the table.
 void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index,
-                const segment::HiddenTable& table, const segment::Findings& findings);
+                const segment::HiddenTable& table, const segment::Findings& findings,
+                std::shared_ptr<const HiddenVoxels> hidden);
 /// How far reading has come.
 void showProgress(const DesktopParts& parts, double fraction, const QString& step);
 /// Reading has ended without a new picture: what is shown stays, if anything is.

@@ -35,10 +35,11 @@ void wireImport(const DesktopParts& parts) {
     QObject::connect(&import, &ImportJob::failed, &window, [parts](const Error& error) { showFailure(parts, error); });
     QObject::connect(&import, &ImportJob::scanned, &window,
                      [parts](const dicom::ScanResult& scan, const QString& folder) { showScan(parts, scan, folder); });
-    QObject::connect(
-        &import, &ImportJob::loaded, &window,
-        [parts](std::shared_ptr<const Volume> volume, int index, const segment::HiddenTable& table,
-                const segment::Findings& findings) { showVolume(parts, std::move(volume), index, table, findings); });
+    QObject::connect(&import, &ImportJob::loaded, &window,
+                     [parts](std::shared_ptr<const Volume> volume, int index, const segment::HiddenTable& table,
+                             const segment::Findings& findings, std::shared_ptr<const HiddenVoxels> hidden) {
+                         showVolume(parts, std::move(volume), index, table, findings, std::move(hidden));
+                     });
 }
 
 /// 2. The hand edits the document.

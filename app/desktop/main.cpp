@@ -116,6 +116,7 @@ void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString&
 
 int runWithWindow(int argc, char** argv) {
     const QtMessageHandler usual = qInstallMessageHandler(endWhereQtGivesUp);
+    giveMemoryBack();
     qputenv("QT_NO_GLIB", "1");  // which ends the program where memory is short
     Application application(argc, argv);
     keepNumbersPlain();

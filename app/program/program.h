@@ -12,6 +12,10 @@ void keepMemoryPrivate();
 /// the application object of Qt, which takes over the language's own signs.
 void keepNumbersPlain();
 
+/// Gives the memory of large blocks back to the system when they are freed. The allocator would keep them, up to some
+/// hundred MB for a program that makes large images on many threads. Call before other threads begin.
+void giveMemoryBack();
+
 /// Runs `work`, which returns the exit code, as the program `name`. Whatever is thrown, by any thread, becomes a
 /// sentence on standard error and exit code 1, never a signal; a file that grows beyond its limit is
 /// an error like any other. 1 as well where something that was printed did not

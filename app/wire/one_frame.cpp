@@ -52,4 +52,24 @@ bool isFrameOf(std::span<const std::byte> frame, std::size_t rawBytes) {
     return ZSTD_getFrameContentSize(frame.data(), frame.size()) == rawBytes && firstFrameBytes(frame) == frame.size();
 }
 
+void splitBytes(std::span<const std::byte> raw, std::span<std::byte> halves) {
+    const std::size_t odds = raw.size() / 2, evens = raw.size() - odds;
+    for (std::size_t i = 0; i < odds; ++i) {
+        halves[i] = raw[2 * i];
+        halves[evens + i] = raw[2 * i + 1];
+    }
+    if (evens > odds)
+        halves[odds] = raw.back();
+}
+
+void joinBytes(std::span<const std::byte> halves, std::span<std::byte> raw) {
+    const std::size_t odds = raw.size() / 2, evens = raw.size() - odds;
+    for (std::size_t i = 0; i < odds; ++i) {
+        raw[2 * i] = halves[i];
+        raw[2 * i + 1] = halves[evens + i];
+    }
+    if (evens > odds)
+        raw.back() = halves[odds];
+}
+
 }  // namespace pdr::wire

@@ -50,6 +50,13 @@ Result<std::shared_ptr<const T>> knownOr(Found<T>& found, const Find& find) {
     return found.value;
 }
 
+/// What was found, unless somebody is finding it right now.
+template <typename T>
+void forget(Found<T>& found) {
+    if (const std::unique_lock lock(found.mutex, std::try_to_lock); lock)
+        found.value.reset();
+}
+
 /// The distances at the nodes of a mask, row by row.
 class RowOfDistances {
   public:
@@ -78,11 +85,17 @@ class RowOfDistances {
 }  // namespace
 
 Result<std::shared_ptr<const BodyMask>> BodyParts::body(const Progress& progress) const {
-    return knownOr(body_, [&] { return bodyMask(*volume_, progress); });
+    return knownOr(body_, [&] {
+        Result<BodyMask> mask = bodyMask(*volume_, progress);
+        if (mask)
+            mask->shown = mask->cut = {};
+        return mask;
+    });
 }
 
 BodyParts::Distance BodyParts::belowSkin(double depthMm, const Progress& progress) const {
     const bool shallow = depthMm <= kShallowMm;
+    forget(shallow ? deepBelowSkin_ : belowSkin_);
     return knownOr(shallow ? belowSkin_ : deepBelowSkin_, [&]() -> Result<SmoothDistance> {
         const auto whole = body(partOf(progress, 0, 0.8));
         if (!whole)
@@ -92,29 +105,53 @@ BodyParts::Distance BodyParts::belowSkin(double depthMm, const Progress& progres
     });
 }
 
+void BodyParts::forgetDistances() const {
+    for (Found<SmoothDistance>* found : {&belowSkin_, &deepBelowSkin_, &inLungs_, &fromBones_})
+        forget(*found);
+}
+
+BodyParts::FoundCells BodyParts::aroundLungs(const BodyMask& body, const Progress& progress) const {
+    return knownOr(aroundLungs_, [&]() -> Result<Cells> {
+        const Cells lungs = lungCells(*volume_, body, checkpointOf(progress, 0, kStep));
+        if (none(lungs))
+            return refused(phrase("the lungs cannot be shown"),
+                           phrase("there is no air of 150 ml in the body that looks like a lung"));
+        return widened(lungs, body.grid, kVesselMm, checkpointOf(progress, 0.5, kStep));
+    });
+}
+
 BodyParts::Distance BodyParts::inLungs(const Progress& progress) const {
+    forget(fromBones_);
     return knownOr(inLungs_, [&]() -> Result<SmoothDistance> {
         const auto whole = body(partOf(progress, 0, 0.6));
         if (!whole)
             return without(whole.error(), phrase("the lungs cannot be told from the rest"));
-        const Cells lungs = lungCells(*volume_, **whole, checkpointOf(progress, 0.6, kStep));
-        if (none(lungs))
-            return refused(phrase("the lungs cannot be shown"),
-                           phrase("there is no air of 150 ml in the body that looks like a lung"));
-        const CellGrid& grid = (*whole)->grid;
-        const Cells wide = widened(lungs, grid, kVesselMm, checkpointOf(progress, 0.8, kStep));
-        return SmoothDistance(wide, 0, grid, kVesselMm + kPleuraMm + kRoomMm, checkpointOf(progress, 0.9, kStep));
+        const FoundCells wide = aroundLungs(**whole, partOf(progress, 0.6, 0.9));
+        if (!wide)
+            return wide.error();
+        return SmoothDistance(**wide, 0, (*whole)->grid, kVesselMm + kPleuraMm + kRoomMm,
+                              checkpointOf(progress, 0.9, kStep));
+    });
+}
+
+BodyParts::FoundCells BodyParts::cellsOfBones(const CellGrid& grid, const Progress& progress) const {
+    return knownOr(bones_, [&]() -> Result<Cells> {
+        Cells bone = boneCells(*volume_, grid, checkpointOf(progress, 0, kStep));
+        if (none(bone))
+            return refused(phrase("bones cannot be told from the rest"),
+                           phrase("nothing in the scan is as dense as bone"));
+        return bone;
     });
 }
 
 BodyParts::Distance BodyParts::fromBones(const Progress& progress) const {
+    forget(inLungs_);
     return knownOr(fromBones_, [&]() -> Result<SmoothDistance> {
         const CellGrid grid = CellGrid::over(volume_->geometry());
-        const Cells bone = boneCells(*volume_, grid, checkpointOf(progress, 0, kStep));
-        if (none(bone))
-            return refused(phrase("bones cannot be told from the rest"),
-                           phrase("nothing in the scan is as dense as bone"));
-        return SmoothDistance(bone, 1, grid, kAroundBoneMm + kRoomMm, checkpointOf(progress, 0.8, kStep));
+        const FoundCells bone = cellsOfBones(grid, partOf(progress, 0, 0.8));
+        if (!bone)
+            return bone.error();
+        return SmoothDistance(**bone, 1, grid, kAroundBoneMm + kRoomMm, checkpointOf(progress, 0.8, kStep));
     });
 }
 

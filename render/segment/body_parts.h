@@ -47,6 +47,10 @@ class BodyParts {
     PartMask lungs(const VolumeGeometry& on, const Progress& progress) const;
     PartMask bones(Bones wanted, const VolumeGeometry& on, const Progress& progress) const;
 
+    /// Gives back most of the memory of what was found out, for when many parts have been asked for and few will be
+    /// soon. They take a little longer then.
+    void forgetDistances() const;
+
   private:
     using Distance = Result<std::shared_ptr<const SmoothDistance>>;
 
@@ -57,12 +61,20 @@ class BodyParts {
     Distance inLungs(const Progress& progress) const;
     /// From the bones outwards.
     Distance fromBones(const Progress& progress) const;
+    /// Found cells, of which there are some.
+    using FoundCells = Result<std::shared_ptr<const Cells>>;
+    /// The lungs and their vessels.
+    FoundCells aroundLungs(const BodyMask& body, const Progress& progress) const;
+    FoundCells cellsOfBones(const CellGrid& grid, const Progress& progress) const;
     template <typename WeightOf>
     PartMask maskOn(const VolumeGeometry& on, const Distance& distance, Text hidden, const Progress& progress,
                     const WeightOf& weightOf) const;
 
     std::shared_ptr<const Volume> volume_;
-    mutable Found<BodyMask> body_;
+    mutable Found<BodyMask> body_;  ///< its body alone
+    mutable Found<Cells> aroundLungs_, bones_;
+    /// Four times as large as the cells that they are of. Of either pair the one that was asked for last is kept: what
+    /// peels and a part may be wanted together.
     mutable Found<SmoothDistance> belowSkin_, deepBelowSkin_, inLungs_, fromBones_;
 };
 

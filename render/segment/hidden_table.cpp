@@ -94,6 +94,7 @@ HiddenTable tableOf(const Volume& volume, BodyMask mask, const Checkpoint& check
     HiddenTable table;
     Masked all = masked(volume, mask, checkpoint);
     if (all.hidden.highest > kMetalHu) {
+        all.voxels = {};  // else there would be two copies
         table.metalMl = showMetal(volume, mask);
         all = masked(volume, mask, checkpoint);
     }

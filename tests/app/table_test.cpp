@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 #include "dicom/export.h"
 #include "tests/support/desktop_trial.h"
@@ -18,6 +19,12 @@ namespace {
 test::Lying patientOnTable() {
     return test::lying([](dvec3 p) { return test::either(test::trunk(p), test::table(p, 45)); }, {96, 72, 40},
                        dvec3(2, 2, 2.5));
+}
+
+/// Opens that patient as the import does.
+void openWithoutTable(Document& document, const Volume& scan, const segment::HiddenTable& table) {
+    document.open(table.body, table, {},
+                  std::make_shared<const HiddenVoxels>(*HiddenVoxels::of(scan, *table.body, noProgress)));
 }
 
 bool samePicture(const Film& a, const Film& b) {
@@ -81,7 +88,7 @@ class TestTable : public QObject {
         std::vector<NamedLook> looks = *bundledLooks();
         Document document(looks);
         document.setViewSize({40, 30});
-        document.open(patient.volume, table);
+        openWithoutTable(document, *patient.volume, table);
         const Film before = test::render(document.scene(), 4);
         document.setTable(Table::shown);
         QVERIFY(!samePicture(before, test::render(document.scene(), 4)));
@@ -96,7 +103,7 @@ class TestTable : public QObject {
         const auto table = *segment::hideTable(*patient.volume, noProgress);
         Document document(*bundledLooks());
         document.setViewSize({400, 300});
-        document.open(patient.volume, table);
+        openWithoutTable(document, *patient.volume, table);
         const Camera near = document.setup().camera;
         QVERIFY(glm::length(near.targetMm - table.bodyBox.centreMm()) < 1e-9);
         document.setTable(Table::shown);
@@ -115,9 +122,9 @@ class TestTable : public QObject {
         const auto table = *segment::hideTable(*patient.volume, noProgress);
         Document document(*bundledLooks());
         document.setTable(Table::shown);  // of nothing
-        document.open(patient.volume, table);
+        openWithoutTable(document, *patient.volume, table);
         document.setTable(Table::shown);
-        document.open(patient.volume, table);
+        openWithoutTable(document, *patient.volume, table);
         QVERIFY(document.scene().volume == table.body);
         document.open(patient.volume);
         document.setTable(Table::shown);
@@ -128,13 +135,36 @@ class TestTable : public QObject {
     void closingFreesTheScanAndItsCopy() {
         const auto patient = patientOnTable();
         auto table = *segment::hideTable(*patient.volume, noProgress);
-        const std::weak_ptr<const Volume> copy = table.body;
+        const std::weak_ptr<const Volume> body = table.body;
         Document document(*bundledLooks());
-        document.open(patient.volume, table);
+        openWithoutTable(document, *patient.volume, table);
         table = {};
-        QVERIFY(!copy.expired());
+        document.setTable(Table::shown);
+        const std::weak_ptr<const Volume> scan = document.scene().volume;
+        QVERIFY(!body.expired() && !scan.expired());
         document.close();
-        QVERIFY(copy.expired());
+        QVERIFY(body.expired() && scan.expired());
+    }
+
+    /// The scan lies in memory only while its table is shown, and is the one that was read.
+    void theScanIsKeptPacked() {
+        const auto patient = patientOnTable();
+        const auto table = *segment::hideTable(*patient.volume, noProgress);
+        const HiddenVoxels hidden = *HiddenVoxels::of(*patient.volume, *table.body, noProgress);
+        const auto voxels = patient.volume->voxels();
+        QVERIFY2(4 * hidden.bytes() < voxels.size_bytes(), qPrintable(QString::number(hidden.bytes())));
+        const Volume again = hidden.scanOf(*table.body);
+        QVERIFY(std::ranges::equal(again.voxels(), voxels));
+        QVERIFY(again.hidden().empty() && again.highestHu() == patient.volume->highestHu());
+        QVERIFY(!HiddenVoxels::of(*patient.volume, *table.body, [](double, std::string_view) { return false; }));
+
+        Document document(*bundledLooks());
+        openWithoutTable(document, *patient.volume, table);
+        document.setTable(Table::shown);
+        const std::weak_ptr<const Volume> scan = document.scene().volume;
+        QVERIFY(!scan.expired());
+        document.setTable(Table::hidden);
+        QVERIFY(scan.expired());
     }
 
     void theCommandLineHidesItUnlessToldOtherwise() {

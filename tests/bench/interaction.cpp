@@ -23,6 +23,7 @@
 
 #include "app/desktop.h"
 #include "app/looks.h"
+#include "app/program/program.h"
 #include "tests/support/event_times.h"
 #include "ui/theme.h"
 
@@ -207,6 +208,7 @@ int run(const QString& folder, double seconds, int threads) {
 }  // namespace pdr::app
 
 int main(int argc, char** argv) {
+    pdr::app::giveMemoryBack();
     pdr::test::TimedApplication application(argc, argv);
     pdr::ui::applyTheme(application, pdr::ui::ThemeChoice::dark);
     QCommandLineParser parser;

@@ -16,6 +16,7 @@
 
 #include "app/desktop.h"
 #include "app/looks.h"
+#include "app/program/program.h"
 #include "render/device/device_list.h"
 #include "tests/support/processor_time.h"
 #include "ui/theme.h"
@@ -88,6 +89,7 @@ int run(const QString& folder, double until, int threads) {
 }  // namespace pdr::app
 
 int main(int argc, char** argv) {
+    pdr::app::giveMemoryBack();
     QApplication application(argc, argv);
     pdr::ui::applyTheme(application, pdr::ui::ThemeChoice::dark);
     QCommandLineParser parser;

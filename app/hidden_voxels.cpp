@@ -1,0 +1,76 @@
+#include "app/hidden_voxels.h"
+
+#include <algorithm>
+#include <cassert>
+#include <span>
+#include <utility>
+
+#include "app/wire/one_frame.h"
+#include "render/segment/for_each_slice.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr int kLevel = 1;  ///< of zstd
+
+std::size_t voxelsOfSlice(const Volume& volume) {
+    return std::size_t(volume.size().x) * std::size_t(volume.size().y);
+}
+
+std::span<const std::int16_t> sliceOf(const Volume& volume, int z) {
+    return volume.voxels().subspan(std::size_t(z) * voxelsOfSlice(volume), voxelsOfSlice(volume));
+}
+
+std::vector<std::byte> packed(std::span<const std::int16_t> scan, std::span<const std::int16_t> seen) {
+    if (std::ranges::equal(scan, seen))
+        return {};
+    std::vector<std::int16_t> both(scan.size());
+    std::ranges::transform(scan, seen, both.begin(), [](int a, int b) { return std::int16_t(a ^ b); });
+    std::vector<std::byte> halves(both.size() * sizeof(std::int16_t));
+    wire::splitBytes(std::as_bytes(std::span(both)), halves);
+    std::vector<std::byte> frame = wire::packedFrame({}, halves, kLevel);
+    frame.shrink_to_fit();
+    return frame;
+}
+
+/// `voxels`: what is seen, and then the scan.
+void unpack(const std::vector<std::byte>& frame, std::span<std::int16_t> voxels) {
+    std::vector<std::byte> halves(voxels.size_bytes());
+    [[maybe_unused]] const bool whole = wire::FrameUnpacker().unpack(frame, halves);
+    assert(whole);
+    std::vector<std::int16_t> both(voxels.size());
+    wire::joinBytes(halves, std::as_writable_bytes(std::span(both)));
+    std::ranges::transform(voxels, both, voxels.begin(), [](int a, int b) { return std::int16_t(a ^ b); });
+}
+
+}  // namespace
+
+Result<HiddenVoxels> HiddenVoxels::of(const Volume& scan, const Volume& seen, const Progress& progress) {
+    assert(scan.size() == seen.size());
+    return segment::orCancelled([&]() -> Result<HiddenVoxels> {
+        HiddenVoxels hidden;
+        hidden.slices_.resize(std::size_t(scan.size().z));
+        segment::forEachSlice(scan.size().z, segment::checkpointOf(progress, 1, "hiding the table"), [&](int z) {
+            hidden.slices_[std::size_t(z)] = packed(sliceOf(scan, z), sliceOf(seen, z));
+        });
+        return hidden;
+    });
+}
+
+Volume HiddenVoxels::scanOf(const Volume& seen) const {
+    Voxels voxels(seen.voxels().begin(), seen.voxels().end());
+    segment::forEachSlice(seen.size().z, segment::goOn, [&](int z) {
+        if (const std::vector<std::byte>& frame = slices_[std::size_t(z)]; !frame.empty())
+            unpack(frame, std::span(voxels).subspan(std::size_t(z) * voxelsOfSlice(seen), voxelsOfSlice(seen)));
+    });
+    return seen.withVoxels(std::move(voxels), {});
+}
+
+std::size_t HiddenVoxels::bytes() const {
+    std::size_t sum = 0;
+    for (const std::vector<std::byte>& frame : slices_)
+        sum += frame.size();
+    return sum;
+}
+
+}  // namespace pdr::app
