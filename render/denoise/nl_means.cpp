@@ -129,7 +129,7 @@ Colours nonLocalMeans(const NoisyPicture& picture, const std::stop_token& stop) 
     Colours out = coloursOf(size);
     eachBand(size.y, stop, [&](int begin, int end) {
         Band band(picture, out, begin, end);
-        for (int dy = -kSearch; dy <= kSearch; ++dy)
+        for (int dy = -kSearch; dy <= kSearch && !stop.stop_requested(); ++dy)
             for (int dx = -kSearch; dx <= kSearch; ++dx)
                 if (windowWeight(dx, dy) > 0)
                     band.addNeighbour(dx, dy);

@@ -53,9 +53,11 @@ Plane boxed(const Plane& plane, int radius) {
     const int width = plane.size().x, height = plane.size().y;
     const float share = 1.0f / float((2 * radius + 1) * (2 * radius + 1));
     Plane across(plane.size()), out(plane.size());
-    for (int y = -radius; y < height + radius; ++y)
-        for (int i = -radius; i <= radius; ++i)
-            add(plane.row(y) + i, across.row(y), width);
+    eachBand(height + 2 * radius, {}, [&](int begin, int end) {
+        for (int y = begin - radius; y < end - radius; ++y)
+            for (int i = -radius; i <= radius; ++i)
+                add(plane.row(y) + i, across.row(y), width);
+    });
     eachBand(height, {}, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             for (int i = -radius; i <= radius; ++i)
@@ -70,25 +72,29 @@ Plane boxed(const Plane& plane, int radius) {
 
 Plane halved(const Plane& plane, float scale) {
     Plane out((plane.size() + 1) / 2);
-    for (int y = 0; y < out.size().y; ++y) {
-        const float *upper = plane.row(2 * y), *lower = plane.row(2 * y + 1);
-        float* to = out.row(y);
-        for (int x = 0; x < out.size().x; ++x)
-            to[x] = scale * ((upper[2 * x] + upper[2 * x + 1]) + (lower[2 * x] + lower[2 * x + 1]));
-    }
+    eachBand(out.size().y, {}, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            const float *upper = plane.row(2 * y), *lower = plane.row(2 * y + 1);
+            float* to = out.row(y);
+            for (int x = 0; x < out.size().x; ++x)
+                to[x] = scale * ((upper[2 * x] + upper[2 * x + 1]) + (lower[2 * x] + lower[2 * x + 1]));
+        }
+    });
     out.mirror();
     return out;
 }
 
 void addDoubled(const Plane& coarse, Plane& fine) {
-    for (int y = 0; y < fine.size().y; ++y) {
-        const float *near = coarse.row(y / 2), *far = coarse.row(y % 2 == 0 ? y / 2 - 1 : y / 2 + 1);
-        float* to = fine.row(y);
-        for (int x = 0; x < fine.size().x; ++x) {
-            const int i = x / 2, j = x % 2 == 0 ? i - 1 : i + 1;
-            to[x] += 0.5625f * near[i] + 0.1875f * (near[j] + far[i]) + 0.0625f * far[j];
+    eachBand(fine.size().y, {}, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            const float *near = coarse.row(y / 2), *far = coarse.row(y % 2 == 0 ? y / 2 - 1 : y / 2 + 1);
+            float* to = fine.row(y);
+            for (int x = 0; x < fine.size().x; ++x) {
+                const int i = x / 2, j = x % 2 == 0 ? i - 1 : i + 1;
+                to[x] += 0.5625f * near[i] + 0.1875f * (near[j] + far[i]) + 0.0625f * far[j];
+            }
         }
-    }
+    });
     fine.mirror();
 }
 

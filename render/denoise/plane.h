@@ -43,13 +43,18 @@ class Plane {
 using Colours = std::array<Plane, 3>;
 Colours coloursOf(ivec2 size);
 
-/// f(x, y...) of each pixel of planes of one size.
+/// work(first row, row after the last) for bands of some rows each, on many threads; none begins after a stop request.
+void eachBand(int height, const std::stop_token& stop, const std::function<void(int, int)>& work);
+
+/// f(x, y...) of each pixel of planes of one size; on many threads.
 template <class F, class... Planes>
 Plane combined(const F& f, const Plane& first, const Planes&... others) {
     Plane out(first.size());
-    for (int y = 0; y < out.size().y; ++y)
-        for (int x = 0; x < out.size().x; ++x)
-            out.row(y)[x] = f(first.row(y)[x], others.row(y)[x]...);
+    eachBand(out.size().y, {}, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y)
+            for (int x = 0; x < out.size().x; ++x)
+                out.row(y)[x] = f(first.row(y)[x], others.row(y)[x]...);
+    });
     out.mirror();
     return out;
 }
@@ -61,8 +66,5 @@ Plane boxed(const Plane& plane, int radius);
 Plane halved(const Plane& plane, float scale);
 /// Adds `coarse`, half as large, bilinearly.
 void addDoubled(const Plane& coarse, Plane& fine);
-
-/// work(first row, row after the last) for bands of some rows each, on many threads; none begins after a stop request.
-void eachBand(int height, const std::stop_token& stop, const std::function<void(int, int)>& work);
 
 }  // namespace pdr::denoise

@@ -124,7 +124,7 @@ void regain(const Colours& raw, const Plane& variance, Colours& smooth, const st
     const std::array<Way, kWays> all = ways();
     eachBand(variance.size().y, stop, [&](int begin, int end) {
         ClearestLines lines(taken, begin, end);
-        for (int index = 0; index < kWays; ++index)
+        for (int index = 0; index < kWays && !stop.stop_requested(); ++index)
             lines.look(index, all[std::size_t(index)]);
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < variance.size().x; ++x) {

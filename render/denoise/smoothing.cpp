@@ -11,22 +11,16 @@ constexpr int kScales = 4, kSmallest = 16;  ///< pixels an edge, below which the
 constexpr int kVarianceRadius = 2, kRatioRadius = 10;
 constexpr float kMostRatio = 2, kLeastVariance = 1e-6f, kTiny = 1e-9f;
 
-NoisyPicture halved(const NoisyPicture& picture) {
-    NoisyPicture half;
-    for (int c = 0; c < 3; ++c)
-        half.mean[c] = halved(picture.mean[c], 0.25f);
-    half.luminance = halved(picture.luminance, 0.25f);
-    half.variance = halved(picture.variance, 0.0625f);
-    return half;
-}
-
 /// What the coarser scale says takes the place of this one's low frequencies.
 Colours onScales(const NoisyPicture& picture, int scales, const std::stop_token& stop) {
     Colours fine = nonLocalMeans(picture, stop);
     const ivec2 size = picture.luminance.size();
-    if (scales <= 1 || std::min(size.x, size.y) < kSmallest)
+    if (scales <= 1 || stop.stop_requested() || std::min(size.x, size.y) < kSmallest)
         return fine;
-    const Colours coarse = onScales(halved(picture), scales - 1, stop);
+    const Colours& mean = picture.mean;
+    const Colours half{halved(mean[0], 0.25f), halved(mean[1], 0.25f), halved(mean[2], 0.25f)};
+    const Colours coarse =
+        onScales({half, halved(picture.luminance, 0.25f), halved(picture.variance, 0.0625f)}, scales - 1, stop);
     for (int c = 0; c < 3; ++c)
         addDoubled(combined([](float better, float here) { return better - here; }, coarse[c], halved(fine[c], 0.25f)),
                    fine[c]);
@@ -57,6 +51,8 @@ Colours smoothed(const Colours& mean, const Plane& variance, const Plane& ratio,
     const Plane noise = realVariance(variance, ratio);
     const Plane counted = combined([](float real) { return real + kLeastVariance; }, noise);
     Colours out = onScales({mean, luminance(mean), counted}, kScales, stop);
+    if (stop.stop_requested())
+        return out;
     regain(mean, noise, out, stop);
     for (int c = 0; c < 3; ++c)
         out[c] = combined([](float smooth, float raw, float real) { return real == 0 ? raw : std::max(smooth, 0.0f); },

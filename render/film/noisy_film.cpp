@@ -84,11 +84,11 @@ denoise::Plane ratioOf(const NoisyFilm& film) {
 
 }  // namespace
 
-NoisyFilm noisyFilm(const Film& film) {
+NoisyFilm noisyFilm(const Film& film, const std::stop_token& stop) {
     const ivec2 size = film.size();
     NoisyFilm noisy{unitFor(film.status().meanLuminance), partOf(size), partOf(size), partOf(size), {}};
     Tissue tissue{denoise::Plane(size), denoise::Plane(size)};
-    denoise::eachBand(size.y, {}, [&](int begin, int end) {
+    denoise::eachBand(size.y, stop, [&](int begin, int end) {
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < size.x; ++x) {
                 const PixelEstimate pixel = film.pixel(x, y);
@@ -97,6 +97,8 @@ NoisyFilm noisyFilm(const Film& film) {
                 tissue.unlit.row(y)[x] = float(pixel.tissue && pixel.unlit);
             }
     });
+    if (stop.stop_requested())
+        return noisy;
     tissue.met.mirror();
     for (NoisyFilm::Part* part : {&noisy.all, &noisy.even, &noisy.odd})
         mirror(*part);

@@ -20,7 +20,8 @@ struct NoisyFilm {
 };
 
 /// Below 2 samples there are no halves: then `even` and `odd` are all, and the variance is that of the neighbours.
-NoisyFilm noisyFilm(const Film& film);
+/// Worthless after a stop request.
+NoisyFilm noisyFilm(const Film& film, const std::stop_token& stop = {});
 
 /// The radiance of all samples without its noise, in units of `noisy.unit`: what the smoothed view shows. Worthless
 /// after a stop request.

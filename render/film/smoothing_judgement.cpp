@@ -1,5 +1,7 @@
 #include "render/film/smoothing_judgement.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +13,8 @@ namespace {
 
 constexpr int kTile = 16;  ///< pixels an edge whose errors count as one draw: wider than most blotches
 constexpr int kFewestTiles = 16, kMapRadius = 10;
-constexpr double kMostDark = 0.05;   ///< of the pixels: so many are left out of what is said of 95 %
-constexpr double kSureEnough = 3;    ///< -ln(1 - 0.95): what did not come in n draws has a chance of at most 3 / n
+constexpr double kMostDark = 0.05;  ///< of the pixels: so many are left out of what is said of 95 %
+constexpr double kSureEnough = 3;   ///< -ln(1 - 0.95): what did not come in n draws has a chance of at most 3 / n
 
 /// Standard deviations of a one-sided 95 %. Noise of few samples is skewed and its spread is little known: as with
 /// Student's t of so many values less one for each half.
@@ -80,8 +82,8 @@ struct SmoothingJudgement::Sums {
     double noise = 0, rareNoise = 0;
     double power = 0;                           ///< of samples: mean squares of their luminance
     double unlit = 0, dark = 0, darkTiles = 0;  ///< pixels without light; those of tiles that have no others; these
-    dvec4 errors{0.0};   ///< squared: of the luminance, and of each channel in levels
-    dvec4 squares{0.0};  ///< of the tiles' errors
+    dvec4 errors{0.0};                          ///< squared: of the luminance, and of each channel in levels
+    dvec4 squares{0.0};                         ///< of the tiles' errors
 
     void add(const Sums& tile) {
         tiles += tile.pixels > 0;
@@ -113,9 +115,14 @@ struct SmoothingJudgement::Sums {
 std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const std::stop_token& stop) {
     if (film.samplesPerPixel() < kSamplesToJudge)
         return std::nullopt;
-    const NoisyFilm noisy = noisyFilm(film);
+    NoisyFilm noisy = noisyFilm(film, stop);
+    noisy.all.mean = {};  // the halves are judged
+    if (stop.stop_requested())
+        return std::nullopt;
     const denoise::Colours even = denoise::smoothed(noisy.even.mean, noisy.even.variance, noisy.ratio, stop);
     const denoise::Colours odd = denoise::smoothed(noisy.odd.mean, noisy.odd.variance, noisy.ratio, stop);
+    if (stop.stop_requested())
+        return std::nullopt;
     SmoothingJudgement judgement(film, noisy, even, odd, stop);
     if (stop.stop_requested())
         return std::nullopt;
@@ -124,31 +131,37 @@ std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const
 
 SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy, const denoise::Colours& even,
                                        const denoise::Colours& odd, const std::stop_token& stop)
-    : area_(film.area()), unit_(noisy.unit), samples_(double(film.samplesPerPixel())), sigmas_(sureEnough(film.samplesPerPixel())) {
+    : area_(film.area()),
+      unit_(noisy.unit),
+      samples_(double(film.samplesPerPixel())),
+      sigmas_(sureEnough(film.samplesPerPixel())) {
     const denoise::Plane variance = denoise::realVariance(noisy.all.variance, noisy.ratio);
-    evidence_.reserve(std::size_t(area_.width) * std::size_t(area_.height));
-    for (int y = 0; y < area_.height; ++y)
-        for (int x = 0; x < area_.width; ++x) {
-            Evidence& pixel = evidence_.emplace_back();
-            std::array<Halves, 3> channels;
-            for (int c = 0; c < 3; ++c) {
-                channels[c] = {even[c].row(y)[x], odd[c].row(y)[x], noisy.even.mean[c].row(y)[x],
-                               noisy.odd.mean[c].row(y)[x]};
-                pixel.smooth[c] = channels[c].smooth();
-                pixel.squaredErrors[c] = channels[c].squaredError();
+    evidence_.resize(std::size_t(area_.width) * std::size_t(area_.height));
+    denoise::eachBand(area_.height, stop, [&](int begin, int end) {
+        Evidence* next = &evidence_[std::size_t(begin) * std::size_t(area_.width)];
+        for (int y = begin; y < end; ++y)
+            for (int x = 0; x < area_.width; ++x) {
+                Evidence& pixel = *next++;
+                std::array<Halves, 3> channels;
+                for (int c = 0; c < 3; ++c) {
+                    channels[c] = {even[c].row(y)[x], odd[c].row(y)[x], noisy.even.mean[c].row(y)[x],
+                                   noisy.odd.mean[c].row(y)[x]};
+                    pixel.smooth[c] = channels[c].smooth();
+                    pixel.squaredErrors[c] = channels[c].squaredError();
+                }
+                const Halves luminance = luminanceOf(channels);
+                pixel.luminance = luminance.raw();
+                pixel.squaredError = luminance.squaredError();
+                pixel.variance = variance.row(y)[x];
+                const PixelEstimate raw = film.pixel(x, y);
+                const double error = pdr::luminance(raw.standardError);
+                pixel.noise = square(float(error / unit_));
+                pixel.rare = isRareLight(pdr::luminance(raw.mean), error);
+                pixel.tissue = raw.tissue;
+                pixel.unlit = raw.unlit;
             }
-            const Halves luminance = luminanceOf(channels);
-            pixel.luminance = luminance.raw();
-            pixel.squaredError = luminance.squaredError();
-            pixel.variance = variance.row(y)[x];
-            const PixelEstimate raw = film.pixel(x, y);
-            const double error = pdr::luminance(raw.standardError);
-            pixel.noise = square(float(error / unit_));
-            pixel.rare = isRareLight(pdr::luminance(raw.mean), error);
-            pixel.tissue = raw.tissue;
-            pixel.unlit = raw.unlit;
-            tissue_ = tissue_ || pixel.tissue;
-        }
+    });
+    tissue_ = std::ranges::any_of(evidence_, &Evidence::tissue);
     lostLines_ =
         denoise::lostLines(meanLuminance(noisy.even.mean, noisy.odd.mean), meanLuminance(even, odd), variance, stop);
 }
@@ -179,10 +192,15 @@ SmoothingJudgement::Sums SmoothingJudgement::sumsIn(const Tile& tile, float expo
 }
 
 SmoothingJudgement::Sums SmoothingJudgement::sumsOver(const Tile& region, float exposure, float error) const {
+    const int across = (region.width + kTile - 1) / kTile, down = (region.height + kTile - 1) / kTile;
+    std::vector<Sums> tiles(std::size_t(across) * std::size_t(down));
+    tbb::parallel_for(0, int(tiles.size()), [&](int i) {
+        const Tile tile{region.x + i % across * kTile, region.y + i / across * kTile, kTile, kTile};
+        tiles[std::size_t(i)] = sumsIn(intersection(tile, region), exposure, error);
+    });
     Sums sums;
-    for (int y = region.y; y < region.y + region.height; y += kTile)
-        for (int x = region.x; x < region.x + region.width; x += kTile)
-            sums.add(sumsIn(intersection({x, y, kTile, kTile}, region), exposure, error));
+    for (const Sums& tile : tiles)  // in their order, whoever made them: the same bits for any number of threads
+        sums.add(tile);
     return sums;
 }
 

@@ -111,7 +111,9 @@ Picture Development::picture(const Film& film, const Display& display, const std
     if (!display.smoothed)
         return rawPictureOf(film, display);
     if (!smoothed_ || !smoothed_->shows(film, display.exposure)) {
-        const NoisyFilm noisy = noisyFilm(film);
+        const NoisyFilm noisy = noisyFilm(film, stop);
+        if (stop.stop_requested())
+            return {};
         denoise::Colours radiance = smoothRadiance(noisy, stop);
         if (stop.stop_requested())
             return {};

@@ -181,6 +181,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     done_ = 0;
     waiting_.clear();
     fresh_ = true;
+    broken_ = false;
     guide_ = nullptr;
     guideSought_ = false;
     guided_ = nullptr;

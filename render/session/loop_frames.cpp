@@ -9,8 +9,9 @@ namespace pdr {
 
 namespace {
 
-/// A launch at most, so that brightness, a change of devices, a pause or a look need not wait for a long frame.
-constexpr double kLaunchSeconds = 0.06;
+/// A launch at most, so that brightness, a change of devices, a pause or a look need not wait for a long frame; and a
+/// piece of one where it can be had in pieces. On a busy machine they take several times as long.
+constexpr double kLaunchSeconds = 0.06, kPieceSeconds = 0.015;
 constexpr double kCheckpointSeconds = 2;      ///< between two of them, at least, ...
 constexpr double kCheckpointFraction = 0.01;  ///< ... and the part of the time that they may take, at most
 constexpr double kMeasureSeconds = 2;         ///< between two frames whose display is measured alone
@@ -26,7 +27,7 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     if (place_.film() == nullptr)
         return;
     Result<void> done;
-    if (step.render)
+    if (step.render && !broken_)
         done = accumulate(step);
     if (done && step.render && step.stop.stop_requested()) {
         place_.tearFilm();  // something newer is waiting
@@ -34,9 +35,13 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     }
     if (done && !first_ && step.detour.stop_requested())
         return finish(step, done);  // another display: the next step shows what is there on it
-    const bool frameEnds = !step.render || (!sweep_.isHalfMade() && (done_ >= wanted(step.pace) || late()));
+    const bool frameEnds = !step.render || broken_ || (!sweep_.isHalfMade() && (done_ >= wanted(step.pace) || late()));
     if (done && frameEnds)
         done = judgeSmoothing(step);
+    if (done && givesWay() && step.detour.stop_requested()) {
+        broken_ = first_ && frameEnds;
+        return finish(step, done);  // what was half judged is judged at another time
+    }
     if (done && sweep_.samples().least > 0 && frameEnds)
         done = show(step, step.render);
     finish(step, std::move(done));
@@ -91,7 +96,7 @@ std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
 /// The pixels to order a sample of at once: all where that does not take long, or cannot be had in parts.
 double Session::Loop::piecePixels() const {
     const bool inPieces = place_.info().hostMemory && scene_.schedule.kind == Schedule::Kind::pd;
-    return inPieces ? ladder_.speed() * kLaunchSeconds : pixels();
+    return inPieces ? ladder_.speed() * kPieceSeconds : pixels();
 }
 
 /// What the next frame gives samples to: the region, as long as it is not as good as is wanted, once there is a picture

@@ -17,7 +17,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const bool within = step.render && !adds;  // a frame that goes on
     const bool atOnce = fresh_ || coarse() || measuring_ || !adds;
     const double start = clock_();
-    const std::stop_token& stop = step.redisplay || first_ ? step.stop : step.detour;
+    const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
     const bool guided = display.smoothed && findGuide(step.stop);
     Result<std::vector<DisplayedPicture>> pictures =
         guided ? madeOnGuide(asked, adds) : made(asked, display, atOnce, stop);
@@ -30,9 +30,10 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const double displaySeconds = secondsSince(start);
     if (display.smoothed && stop.stop_requested()) {
         seconds_ += displaySeconds;
+        broken_ = first_;
         return {};
     }
-    first_ = fresh_ = false;
+    first_ = fresh_ = broken_ = false;
     coarser_.reset();
     const std::uint32_t n = within ? 0 : std::exchange(done_, 0);
     const double frameSeconds = within ? 0 : std::exchange(frameSeconds_, 0);

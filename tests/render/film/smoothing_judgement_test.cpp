@@ -6,6 +6,7 @@
 #include "render/film/smoothed_view.h"
 #include "render/film/tone_map.h"
 #include "tests/support/noisy_films.h"
+#include "tests/support/processor_time.h"
 #include "tests/support/tissue_scene.h"
 
 using namespace pdr;
@@ -295,6 +296,20 @@ class SmoothingJudgementTest : public QObject {
         QVERIFY(!SmoothingJudgement::of(noisyFilmOf({128, 96}, discs, 3)));
         QVERIFY(SmoothingJudgement::of(noisyFilmOf({128, 96}, discs, 4)));
         QVERIFY(!SmoothingJudgement::of(noisyFilmOf({128, 96}, discs, 4), stop.get_token()));
+    }
+
+    /// So that a hand need not wait for it. What is left is to read the film.
+    void whatIsStoppedEndsSoon() {
+        const Film film = noisyFilmOf({512, 384}, discs, 16);
+        std::stop_source stop;
+        const test::ProcessorTime whole;
+        QVERIFY(SmoothingJudgement::of(film, stop.get_token()));
+        const double wholeSeconds = whole.seconds();
+        stop.request_stop();
+        const test::ProcessorTime stopped;
+        QVERIFY(!SmoothingJudgement::of(film, stop.get_token()));
+        QVERIFY2(stopped.seconds() < wholeSeconds / 3,
+                 qPrintable(QString("%1 of %2 s").arg(stopped.seconds()).arg(wholeSeconds)));
     }
 
     /// A grain as strong as the noise that is left cannot be told from it.

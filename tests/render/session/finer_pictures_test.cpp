@@ -128,7 +128,8 @@ class FinerPicturesTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 30), test::kPatience);  // and then goes on
     }
 
-    /// The display changes when denoising more samples has begun: what was denoised before is shown on the new one first.
+    /// The display changes when denoising more samples has begun: what was denoised before is shown on the new one
+    /// first.
     void denoisingIsBrokenOffForAnotherDisplay() {
         const Display dark{.exposure = 4, .smoothed = true};
         Reel reel;
@@ -147,6 +148,37 @@ class FinerPicturesTest : public QObject {
                                  test::kPatience);
     }
 
+    /// As long as it is not there, the coarser one is shown on another display; a first run tells which image it is.
+    void theFirstFullImageGivesWayToAnotherDisplay() {
+        const Display dark{.exposure = 4, .smoothed = true};
+        int full = 0;
+        for (const bool changes : {false, true}) {
+            auto mishaps = std::make_shared<test::Mishaps>();
+            mishaps->clock = std::make_shared<test::FakeClock>();
+            mishaps->iterationSeconds = 0.03;
+            Reel reel;
+            std::atomic<Session*> changed = nullptr;
+            mishaps->before = [&, images = 0](const std::string& verb) mutable {
+                if (verb != "resolve" || reel.full(1))
+                    return;
+                ++images;
+                if (!changes)
+                    full = images;
+                else if (images == full)
+                    changed.load()->setDisplay(dark);
+            };
+            Session session(test::failing(mishaps), reel.sink(), {}, test::readingOf(mishaps->clock));
+            changed = &session;
+            session.setDisplay({.smoothed = true});
+            session.submit(largeScene(1), false);
+            QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), test::kPatience);
+            const bool gaveWay = std::ranges::any_of(
+                reel.frames(), [&](const auto& frame) { return frame->coarse && frame->display == dark; });
+            QCOMPARE(gaveWay, changes);
+            QVERIFY(growsNoWorse(reel.of(1)));
+        }
+    }
+
     void aDisplayThatChangesInALaunchIsShownOnce() {
         const Display dark{.exposure = 4, .smoothed = true};
         Reel reel;
@@ -156,10 +188,9 @@ class FinerPicturesTest : public QObject {
         const auto [before, after] = around(reel, dark);
         QTRY_VERIFY_WITH_TIMEOUT(reel.frames().back()->status.samplesPerPixel > after->status.samplesPerPixel,
                                  test::kPatience);
-        QCOMPARE(std::ranges::count_if(reel.frames(),
-                                       [&](const auto& frame) {
-                                           return frame->status.samplesPerPixel == after->status.samplesPerPixel;
-                                       }),
+        QCOMPARE(std::ranges::count_if(
+                     reel.frames(),
+                     [&](const auto& frame) { return frame->status.samplesPerPixel == after->status.samplesPerPixel; }),
                  1);
     }
 
