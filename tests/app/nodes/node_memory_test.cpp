@@ -83,12 +83,14 @@ class NodeMemoryTest : public QObject {
 
     void scanIsGoneAfterTheGoodbye() {
         NodeProcess process;
+        std::unique_ptr<Device> device;  // outlives the connection: else its scene would be taken back before
         {
             NodeTrial trial;
             trial.add(process);
             (void)trial.picture(markedScene(), {64, 64}, 1);
             QVERIFY(countIn(process.id(), rowBytes()) > 0);  // else nothing was looked for
             QCOMPARE(countIn(process.id(), "ZZCANARY"), 0);
+            device = std::move(trial.device);
         }
         QTRY_VERIFY_WITH_TIMEOUT(process.log().contains("the connection has ended"), kPatience);
         // At once: after a minute it goes from a node whose coordinator was lost, too.

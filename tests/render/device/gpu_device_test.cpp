@@ -84,14 +84,13 @@ class GpuDeviceTest : public QObject {
     /// Of the same volume, by the same device: bounds are of what is seen.
     void anotherChoiceHasBoundsOfItsOwn() {
         const auto gpu = hostDevice();
-        const auto cpu = makeCpuDevice();
         Scene scene = bumpyScene();
         const ivec3 size = scene.volume->size();
         for (const bool left : {true, false}) {
             scene.mask = maskOf({size, ivec3(0)}, {},
                                 [&](dvec3 place) { return std::int16_t((place.x < size.x / 2) == left ? kSeen : 0); });
             ++scene.revision;
-            QVERIFY(same(test::render(scene, 20, *cpu), test::render(scene, 20, *gpu)));
+            QVERIFY(same(test::render(scene, 20, *makeCpuDevice()), test::render(scene, 20, *gpu)));
         }
     }
 
