@@ -2255,7 +2255,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Only bones are shown, as far as they hold dense bone.</source>
-        <translation>Solo se muestran los huesos, en la medida en que contienen hueso denso.</translation>
+        <translation>Solo se muestran huesos que contienen hueso denso.</translation>
     </message>
     <message>
         <source>Only the first of the folders that were dropped is opened.</source>

@@ -133,9 +133,6 @@ class Soak {
                     "longest picture", double(longest_) / 1000);
         for (std::size_t i = 0; i < kBlows.size(); ++i)
             std::printf("%-28s %d\n", kBlows[i], blows_[i]);
-        double work = 0;
-        for (const WorkerStatus& worker : trial_.pool->workers())
-            work += worker.work;
         const double mega = double(lastMemory_ - firstMemory_) / 1000;
         std::printf("%-28s %ld MB, then %+.1f MB\n", "memory after a minute", firstMemory_ / 1000, mega);
         return wrong_ == 0 && pictures_ > 0 && mega < 32;
