@@ -57,7 +57,7 @@ class Document : public QObject {
   public slots:
     /// Shows `volume`, a scan without what is known to be its table, from the side that a scan is seen from first,
     /// uncut, with the look as it is, or where that makes no sense of it, the first that does. There is no way back to
-    /// the volume before. `findings`: what the volume holds, as far as it is known. `hidden`: of the table; null: none.
+    /// the volume before. `findings`: what the volume holds, as far as it is known. `hidden`: its table; null: none.
     void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table,
               const std::optional<pdr::segment::Findings>& findings = {},
               std::shared_ptr<const pdr::app::HiddenVoxels> hidden = {});
@@ -153,8 +153,8 @@ class Document : public QObject {
     FittedLooks looks_;
     std::shared_ptr<const Volume> volume_;             ///< without its table
     segment::HiddenTable table_;                       ///< of it
-    std::shared_ptr<const HiddenVoxels> hidden_;       ///< of that; null: there is none
-    mutable std::weak_ptr<const Volume> withTable_;    ///< the scan, while somebody holds it
+    std::shared_ptr<const HiddenVoxels> hidden_;       ///< the table's; null: there is none
+    mutable std::weak_ptr<const Volume> withTable_;    ///< the scan as it was read, while somebody holds it
     std::shared_ptr<const segment::BodyParts> parts_;  ///< of it, table or not
     PictureSetup setup_;                               ///< all that undo brings back
     SetupHistory history_;

@@ -21,26 +21,29 @@ std::span<const std::int16_t> sliceOf(const Volume& volume, int z) {
     return volume.voxels().subspan(std::size_t(z) * voxelsOfSlice(volume), voxelsOfSlice(volume));
 }
 
+/// `out` may be either.
+void combine(std::span<const std::int16_t> a, std::span<const std::int16_t> b, std::span<std::int16_t> out) {
+    std::ranges::transform(a, b, out.begin(), [](int one, int other) { return std::int16_t(one ^ other); });
+}
+
 std::vector<std::byte> packed(std::span<const std::int16_t> scan, std::span<const std::int16_t> seen) {
     if (std::ranges::equal(scan, seen))
         return {};
     std::vector<std::int16_t> both(scan.size());
-    std::ranges::transform(scan, seen, both.begin(), [](int a, int b) { return std::int16_t(a ^ b); });
+    combine(scan, seen, both);
     std::vector<std::byte> halves(both.size() * sizeof(std::int16_t));
     wire::splitBytes(std::as_bytes(std::span(both)), halves);
-    std::vector<std::byte> frame = wire::packedFrame({}, halves, kLevel);
-    frame.shrink_to_fit();
-    return frame;
+    return wire::packedFrame({}, halves, kLevel);
 }
 
-/// `voxels`: what is seen, and then the scan.
+/// Makes the scan of what is seen, in the same `voxels`.
 void unpack(const std::vector<std::byte>& frame, std::span<std::int16_t> voxels) {
     std::vector<std::byte> halves(voxels.size_bytes());
     [[maybe_unused]] const bool whole = wire::FrameUnpacker().unpack(frame, halves);
     assert(whole);
     std::vector<std::int16_t> both(voxels.size());
     wire::joinBytes(halves, std::as_writable_bytes(std::span(both)));
-    std::ranges::transform(voxels, both, voxels.begin(), [](int a, int b) { return std::int16_t(a ^ b); });
+    combine(voxels, both, voxels);
 }
 
 }  // namespace

@@ -13,18 +13,18 @@ namespace pdr::app {
 
 class HiddenVoxels {
   public:
-    /// Of a `scan`. `seen`: the same with other voxels in some places. Error: cancelled().
+    /// The voxels in which `scan` and `seen`, of one size, differ. Error: cancelled().
     static Result<HiddenVoxels> of(const Volume& scan, const Volume& seen, const Progress& progress);
 
-    /// The scan, to the bit. `seen`: as it was.
+    /// The scan again, to the bit, from the same `seen`.
     Volume scanOf(const Volume& seen) const;
-    /// That it takes.
+    /// Memory that the packed voxels take.
     std::size_t bytes() const;
 
   private:
     HiddenVoxels() = default;
 
-    std::vector<std::vector<std::byte>> slices_;  ///< both combined by xor, as one frame; empty: they are alike
+    std::vector<std::vector<std::byte>> slices_;  ///< scan xor seen, as one zstd frame each; empty: they are alike
 };
 
 }  // namespace pdr::app

@@ -1,7 +1,6 @@
 #pragma once
 /// Reading a folder and a series beside the window.
 
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -36,8 +35,8 @@ class ImportJob : public BackgroundJob {
 
   signals:
     void scanned(const pdr::dicom::ScanResult& scan, const QString& folder);
-    /// `table`: what the patient lies on, and the scan without it. `findings`: of that.
-    /// `volume`: the scan without that; `hidden`: what it lacks, null where that is nothing.
+    /// `volume`: the scan without its `table`, what the patient lies on. `findings`: of that volume. `hidden`: the
+    /// voxels that it lacks; null where these are none.
     void loaded(std::shared_ptr<const pdr::Volume> volume, int index, const pdr::segment::HiddenTable& table,
                 const pdr::segment::Findings& findings, std::shared_ptr<const pdr::app::HiddenVoxels> hidden);
 
@@ -45,7 +44,7 @@ class ImportJob : public BackgroundJob {
     std::chrono::milliseconds patience_;
     dicom::ScanResult scan_;
     std::vector<dicom::Note> loadNotes_;
-    std::weak_ptr<const Volume> lastLoaded_;
+    std::weak_ptr<const Volume> lastLoaded_;  ///< without its table
 };
 
 }  // namespace pdr::app

@@ -48,8 +48,8 @@ std::size_t firstFrameBytes(std::span<const std::byte> bytes);
 /// Whether `frame` is exactly one frame that states that size. Check this before allocating.
 bool isFrameOf(std::span<const std::byte> frame, std::size_t rawBytes);
 
-/// Of whole numbers of two bytes: the bytes at even places, then those at odd ones. The low ones are mostly noise, the
-/// high ones mostly alike: that packs four times as fast, and smaller. Both spans are of one size.
+/// Puts the bytes at even places first and those at odd ones behind, and back. The low bytes of int16 voxels are noise,
+/// the high ones mostly alike: so they pack four times as fast, and smaller. Both spans are of one size.
 void splitBytes(std::span<const std::byte> raw, std::span<std::byte> halves);
 void joinBytes(std::span<const std::byte> halves, std::span<std::byte> raw);
 

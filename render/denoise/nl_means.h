@@ -7,11 +7,11 @@
 
 namespace pdr::denoise {
 
-/// A picture and its noise: all planes of one size, which others own.
+/// An image and its noise: all planes of one size, which others own.
 struct NoisyPicture {
     const Colours& mean;
     const Plane& luminance;  ///< of the mean
-    const Plane& variance;   ///< of that luminance; > 0, in pictures whose radiances are about 1
+    const Plane& variance;   ///< of that luminance; > 0, in images whose radiances are about 1
 };
 
 /// Stays constant where `picture` is, to the bit. After a stop request it is worthless.

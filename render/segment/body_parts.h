@@ -53,6 +53,7 @@ class BodyParts {
 
   private:
     using Distance = Result<std::shared_ptr<const SmoothDistance>>;
+    using FoundCells = Result<std::shared_ptr<const Cells>>;  ///< not all of them 0
 
     Result<std::shared_ptr<const BodyMask>> body(const Progress& progress) const;
     /// From the skin inwards, known as far as `depthMm`.
@@ -61,8 +62,6 @@ class BodyParts {
     Distance inLungs(const Progress& progress) const;
     /// From the bones outwards.
     Distance fromBones(const Progress& progress) const;
-    /// Found cells, of which there are some.
-    using FoundCells = Result<std::shared_ptr<const Cells>>;
     /// The lungs and their vessels.
     FoundCells aroundLungs(const BodyMask& body, const Progress& progress) const;
     FoundCells cellsOfBones(const CellGrid& grid, const Progress& progress) const;

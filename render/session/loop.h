@@ -108,7 +108,7 @@ class Session::Loop {
     }
     /// Whether the film is not yet the scene's own.
     bool coarse() const { return divider_ > 1 || passing_; }
-    /// Whether a picture in the making waits for another display: there is one to show on that.
+    /// Whether an image in the making is put off for another display: there is one to show on that at once.
     bool givesWay() const { return !first_ || (coarser_ && !coarse()); }
     /// Whether there is a smoothed picture of which something is to be said.
     bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }
@@ -140,7 +140,7 @@ class Session::Loop {
     std::deque<Display> waiting_;                  ///< what the pictures that were ordered and not taken are made for
     bool first_ = false;                           ///< its first picture is still to come
     bool fresh_ = false;                           ///< the first one from this device is
-    bool broken_ = false;                          ///< its first picture was broken off, and comes before more samples
+    bool broken_ = false;                          ///< its first image was broken off, and comes before more samples
     std::shared_ptr<const denoise::Guide> guide_;  ///< that its pictures are drawn on; null: none, or not yet
     bool guideSought_ = false;                     ///< the device was asked for it
     std::shared_ptr<const GuidedFilm> guided_;     ///< the film on it, as it was shown; null: it was not
