@@ -10,7 +10,7 @@
 
 #include "app/fitted_looks.h"
 #include "app/hidden_voxels.h"
-#include "app/setup_history.h"
+#include "app/plan/setup_history.h"
 #include "app/step_name.h"
 #include "render/scene/fit_view.h"
 #include "render/segment/body_parts.h"

@@ -1,4 +1,4 @@
-#include "app/setup_history.h"
+#include "app/plan/setup_history.h"
 
 #include <utility>
 
