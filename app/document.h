@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/fitted_looks.h"
-#include "app/hidden_voxels.h"
 #include "app/plan/setup_history.h"
+#include "app/scan/hidden_voxels.h"
 #include "app/step_name.h"
 #include "render/scene/fit_view.h"
 #include "render/segment/body_parts.h"

@@ -4,7 +4,7 @@
 #include <QThread>
 #include <utility>
 
-#include "app/scene_volume.h"
+#include "app/scan/scene_volume.h"
 #include "dicom/import.h"
 #include "render/base/errors.h"
 #include "ui/to_qt.h"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "app/background_job.h"
-#include "app/hidden_voxels.h"
+#include "app/scan/hidden_voxels.h"
 #include "dicom/series.h"
 #include "render/segment/findings.h"
 #include "render/segment/hidden_table.h"

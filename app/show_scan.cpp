@@ -1,6 +1,6 @@
 #include "app/show_scan.h"
 
-#include "app/series_choice.h"
+#include "app/scan/series_choice.h"
 #include "app/show_document.h"
 #include "app/show_frame.h"
 #include "app/show_message.h"

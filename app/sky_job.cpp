@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/environment_picture.h"
+#include "app/scan/environment_picture.h"
 #include "ui/to_qt.h"
 
 namespace pdr::app {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "app/cli/progress_line.h"
-#include "app/environment_picture.h"
 #include "app/fitted_looks.h"
 #include "app/looks.h"
-#include "app/scene_volume.h"
+#include "app/scan/environment_picture.h"
+#include "app/scan/scene_volume.h"
 #include "app/small_image.h"
 #include "render/base/file_ending.h"
 #include "render/prepare/flatten.h"

@@ -5,7 +5,7 @@
 #include <QStandardItemModel>
 #include <QTest>
 
-#include "app/series_choice.h"
+#include "app/scan/series_choice.h"
 #include "app/series_pictures.h"
 #include "dicom/export.h"
 #include "render/volume/phantom.h"

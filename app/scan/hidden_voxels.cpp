@@ -1,4 +1,4 @@
-#include "app/hidden_voxels.h"
+#include "app/scan/hidden_voxels.h"
 
 #include <algorithm>
 #include <cassert>

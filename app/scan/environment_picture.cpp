@@ -1,4 +1,4 @@
-#include "app/environment_picture.h"
+#include "app/scan/environment_picture.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "app/series_choice.h"
+#include "app/scan/series_choice.h"
 
 #include <algorithm>
 #include <set>

@@ -1,8 +1,8 @@
-#include "app/scene_volume.h"
+#include "app/scan/scene_volume.h"
 
 #include <utility>
 
-#include "app/series_choice.h"
+#include "app/scan/series_choice.h"
 #include "dicom/import.h"
 
 namespace pdr::app {
