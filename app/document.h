@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/fitted_looks.h"
+#include "app/looks/fitted_looks.h"
 #include "app/plan/setup_history.h"
 #include "app/scan/hidden_voxels.h"
 #include "app/step_name.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/look_files.h"
 #include "app/look_text.h"
+#include "app/looks/look_files.h"
 #include "app/show_looks.h"
 #include "app/show_message.h"
 #include "render/scene/sky_picture.h"

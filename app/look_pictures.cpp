@@ -3,8 +3,8 @@
 #include <QElapsedTimer>
 #include <algorithm>
 
-#include "app/looks.h"
-#include "app/small_image.h"
+#include "app/looks/looks.h"
+#include "app/looks/small_image.h"
 #include "render/device/device.h"
 #include "render/film/tone_map.h"
 

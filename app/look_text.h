@@ -4,7 +4,7 @@
 #include <QString>
 #include <string>
 
-#include "app/fitted_looks.h"
+#include "app/looks/fitted_looks.h"
 
 namespace pdr::app {
 

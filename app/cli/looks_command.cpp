@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "app/cli/failed.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "render/scene/fields/named_look_fields.h"
 
 namespace pdr::app {

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "app/cli/progress_line.h"
-#include "app/fitted_looks.h"
-#include "app/looks.h"
+#include "app/looks/fitted_looks.h"
+#include "app/looks/looks.h"
+#include "app/looks/small_image.h"
 #include "app/scan/environment_picture.h"
 #include "app/scan/scene_volume.h"
-#include "app/small_image.h"
 #include "render/base/file_ending.h"
 #include "render/prepare/flatten.h"
 #include "render/prepare/focus.h"

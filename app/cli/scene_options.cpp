@@ -3,8 +3,8 @@
 #include <QRegularExpression>
 
 #include "app/cli/option_reader.h"
-#include "app/look_files.h"
-#include "app/looks.h"
+#include "app/looks/look_files.h"
+#include "app/looks/looks.h"
 #include "render/base/image_size.h"
 
 namespace pdr::app {

@@ -14,7 +14,7 @@
 #include "app/desktop.h"
 #include "app/desktop/application.h"
 #include "app/desktop/options.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "app/power_supply.h"
 #include "app/program/program.h"
 #include "app/show_message.h"

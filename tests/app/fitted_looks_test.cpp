@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "app/fitted_looks.h"
+#include "app/looks/fitted_looks.h"
 
 namespace pdr::app {
 

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "app/desktop.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
 

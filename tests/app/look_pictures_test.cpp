@@ -4,8 +4,8 @@
 #include <QTest>
 
 #include "app/look_pictures.h"
-#include "app/looks.h"
-#include "app/small_image.h"
+#include "app/looks/looks.h"
+#include "app/looks/small_image.h"
 #include "render/volume/phantom.h"
 #include "tests/support/patience.h"
 

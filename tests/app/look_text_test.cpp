@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "app/look_text.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "tests/support/told_document.h"
 #include "ui/language.h"
 

@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "render/film/exposure.h"
 #include "render/film/tone_map.h"
 #include "render/scene/fit_view.h"

@@ -5,9 +5,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/look_files.h"
-#include "app/looks.h"
-#include "app/own_looks.h"
+#include "app/looks/look_files.h"
+#include "app/looks/looks.h"
+#include "app/looks/own_looks.h"
 
 using namespace pdr;
 using namespace pdr::app;

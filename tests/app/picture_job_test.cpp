@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "app/document.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "app/picture_job.h"
 #include "render/device/device_list.h"
 #include "render/film/image_file.h"

@@ -16,7 +16,7 @@
 #include <cstdio>
 
 #include "app/desktop.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "render/film/tone_map.h"
 #include "ui/theme.h"
 

@@ -10,7 +10,7 @@
 #include <ctime>
 
 #include "app/desktop.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 
 int main(int argc, char** argv) {
     using namespace pdr::app;

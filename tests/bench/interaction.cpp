@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "app/desktop.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "app/program/program.h"
 #include "tests/support/event_times.h"
 #include "ui/theme.h"

@@ -15,7 +15,7 @@
 #include <memory>
 
 #include "app/desktop.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "app/program/program.h"
 #include "render/device/device_list.h"
 #include "tests/support/processor_time.h"

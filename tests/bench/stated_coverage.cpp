@@ -10,9 +10,9 @@
 ///   strip               of the images, that reach 0.6 of the error between the samples that were foretold
 ///   map, denoised_map   of the tissue, pixels within what the error map says of each of them, of either image
 ///   error, bound        of the tissue's channels, within 1.96 times error.* and bound.* of an OpenEXR file
-/// and beside them: unknown, the tissue of which map and file say nothing; unmet, the tissue that no sample has met, and
-/// unmet_stated, what is said of that in the mean;
-/// ratio, the root mean square error over the stated relativeError; seconds, of all seeds.
+/// and beside them: unknown, the tissue of which map and file say nothing; unmet, the tissue that no sample has met,
+/// and unmet_stated, what is said of that in the mean; ratio, the root mean square error over the stated relativeError;
+/// seconds, of all seeds.
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -24,7 +24,7 @@
 
 #include "app/bench/options.h"
 #include "app/cli/scene_input.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "tests/bench/stated_figures.h"
 
 namespace pdr::test {

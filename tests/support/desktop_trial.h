@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/desktop.h"
-#include "app/looks.h"
+#include "app/looks/looks.h"
 #include "tests/support/patience.h"
 
 namespace pdr::app {

@@ -1,4 +1,4 @@
-#include "app/looks.h"
+#include "app/looks/looks.h"
 
 #include <QFile>
 

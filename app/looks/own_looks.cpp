@@ -1,11 +1,11 @@
-#include "app/own_looks.h"
+#include "app/looks/own_looks.h"
 
 #include <QDir>
 #include <QFile>
 #include <QStandardPaths>
 #include <QUrl>
 
-#include "app/look_files.h"
+#include "app/looks/look_files.h"
 
 namespace pdr::app {
 namespace {

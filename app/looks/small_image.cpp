@@ -1,4 +1,4 @@
-#include "app/small_image.h"
+#include "app/looks/small_image.h"
 
 #include <utility>
 

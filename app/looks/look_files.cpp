@@ -1,4 +1,4 @@
-#include "app/look_files.h"
+#include "app/looks/look_files.h"
 
 #include <QFile>
 #include <QFileInfo>

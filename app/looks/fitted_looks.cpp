@@ -1,4 +1,4 @@
-#include "app/fitted_looks.h"
+#include "app/looks/fitted_looks.h"
 
 #include <algorithm>
 #include <cassert>
