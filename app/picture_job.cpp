@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "app/film_memory.h"
-#include "app/final_image.h"
-#include "app/picture_writing.h"
+#include "app/output/film_memory.h"
+#include "app/output/final_image.h"
+#include "app/output/picture_writing.h"
 #include "render/film/levels_text.h"
 #include "ui/accuracy_text.h"
 #include "ui/annotation/image_painter.h"

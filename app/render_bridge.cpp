@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/picture_writing.h"
+#include "app/output/picture_writing.h"
 #include "render/device/device_list.h"
 #include "render/scene/scene.h"
 #include "render/tiles/reference_tiles.h"

@@ -11,7 +11,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
 #include "app/cli/run_command.h"
-#include "app/image_files.h"
+#include "app/output/image_files.h"
 #include "app/program/interrupt.h"
 #include "render/base/errors.h"
 #include "render/base/replacing_file.h"

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "app/film_memory.h"
+#include "app/output/film_memory.h"
 #include "render/base/errors.h"
 #include "render/base/free_memory.h"
 

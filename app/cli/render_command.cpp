@@ -11,7 +11,7 @@
 #include "app/cli/render_options.h"
 #include "app/cli/render_report.h"
 #include "app/cli/run_command.h"
-#include "app/final_image.h"
+#include "app/output/final_image.h"
 #include "app/program/interrupt.h"
 #include "render/accuracy/quality.h"
 #include "render/base/errors.h"

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "app/picture_writing.h"
+#include "app/output/picture_writing.h"
 #include "render/device/device_list.h"
 #include "render/scene/scene.h"
 #include "render/session/batch_render.h"

@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "app/keep_looks.h"
-#include "app/provenance.h"
+#include "app/output/provenance.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/hand_on_window.h"
 #include "tests/support/named_widget.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/provenance.h"
+#include "app/output/provenance.h"
 #include "render/film/image_file.h"
 #include "render/film/smoothed_view.h"
 #include "render/session/bias_lattice.h"

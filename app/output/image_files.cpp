@@ -1,4 +1,4 @@
-#include "app/image_files.h"
+#include "app/output/image_files.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
-#include "app/picture_writing.h"
+#include "app/output/picture_writing.h"
 
-#include "app/image_files.h"
-#include "app/judged_image.h"
+#include "app/output/image_files.h"
+#include "app/output/judged_image.h"
 #include "render/film/picture_format.h"
 #include "ui/annotation/image_painter.h"
 #include "ui/to_qt.h"

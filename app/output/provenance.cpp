@@ -1,4 +1,4 @@
-#include "app/provenance.h"
+#include "app/output/provenance.h"
 
 #include <cmath>
 

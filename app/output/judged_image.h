@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/provenance.h"
+#include "app/output/provenance.h"
 #include "render/film/image_file.h"
 #include "render/film/shown_status.h"
 #include "render/scene/scene.h"
@@ -15,9 +15,9 @@ namespace pdr::app {
 
 class JudgedImage {
   public:
-    /// Judges the denoised image where `wanted` asks for it and the scene allows it. `film` and `scene` outlive this, as
-    /// does `onScreen`: what is known of the same film's denoised image there, which is judged anew where it is stale, so
-    /// that screen and file say the same. Null: it is on no screen.
+    /// Judges the denoised image where `wanted` asks for it and the scene allows it. `film` and `scene` outlive this,
+    /// as does `onScreen`: what is known of the same film's denoised image there, which is judged anew where it is
+    /// stale, so that screen and file say the same. Null: it is on no screen.
     JudgedImage(const Film& film, const Scene& scene, const Display& wanted, Rendered rendered,
                 const std::stop_token& stop, SmoothedView* onScreen = nullptr);
     JudgedImage(const JudgedImage&) = delete;

@@ -1,4 +1,4 @@
-#include "app/judged_image.h"
+#include "app/output/judged_image.h"
 
 #include <utility>
 

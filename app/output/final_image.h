@@ -8,8 +8,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/image_files.h"
-#include "app/provenance.h"
+#include "app/output/image_files.h"
+#include "app/output/provenance.h"
 #include "render/device/device.h"
 #include "render/film/image_file.h"
 #include "render/film/shown_status.h"
@@ -39,7 +39,8 @@ struct FinalSteps {
 struct FinalImage {
     BatchResult result;
     std::vector<Bias> biases;
-    /// Where denoising was wanted: why an image is not denoised, or its error is not known, as a sentence; null: neither.
+    /// Where denoising was wanted: why an image is not denoised, or its error is not known, as a sentence; null:
+    /// neither.
     const char* denoisingNote = nullptr;
     WrittenFiles written;
     std::optional<Error> biasUnknown;  ///< why it could not be measured; the files are there all the same

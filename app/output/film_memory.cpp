@@ -1,4 +1,4 @@
-#include "app/film_memory.h"
+#include "app/output/film_memory.h"
 
 #include <string>
 

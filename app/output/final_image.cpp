@@ -1,6 +1,6 @@
-#include "app/final_image.h"
+#include "app/output/final_image.h"
 
-#include "app/judged_image.h"
+#include "app/output/judged_image.h"
 #include "render/base/errors.h"
 #include "render/session/bias_measurements.h"
 
