@@ -6,7 +6,7 @@
 #include <new>
 #include <system_error>
 
-#include "app/import_job.h"
+#include "app/jobs/import_job.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
 #include "ui/to_qt.h"
@@ -46,7 +46,8 @@ void TestImportJob::initTestCase() {
 
 /// A job that has scanned the folder, and holds the volume that it loaded last.
 struct ScannedFolder {
-    explicit ScannedFolder(const QString& folder, std::chrono::milliseconds patience = std::chrono::milliseconds(test::kPatience))
+    explicit ScannedFolder(const QString& folder,
+                           std::chrono::milliseconds patience = std::chrono::milliseconds(test::kPatience))
         : job(patience) {
         QObject::connect(&job, &ImportJob::loaded,
                          [this](std::shared_ptr<const Volume> loaded, int) { volume = std::move(loaded); });

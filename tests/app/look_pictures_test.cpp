@@ -3,7 +3,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/look_pictures.h"
+#include "app/jobs/look_pictures.h"
 #include "app/looks/looks.h"
 #include "app/looks/small_image.h"
 #include "render/volume/phantom.h"

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "app/document.h"
+#include "app/jobs/picture_job.h"
 #include "app/looks/looks.h"
-#include "app/picture_job.h"
 #include "render/device/device_list.h"
 #include "render/film/image_file.h"
 #include "render/film/tone_map.h"

@@ -5,8 +5,8 @@
 #include <QStandardItemModel>
 #include <QTest>
 
+#include "app/jobs/series_pictures.h"
 #include "app/scan/series_choice.h"
-#include "app/series_pictures.h"
 #include "dicom/export.h"
 #include "render/volume/phantom.h"
 #include "tests/support/desktop_trial.h"

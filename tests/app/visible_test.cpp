@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/mask_job.h"
+#include "app/jobs/mask_job.h"
 #include "dicom/export.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/lying_patients.h"

@@ -1,4 +1,4 @@
-#include "app/model_trial.h"
+#include "app/jobs/model_trial.h"
 
 #include "render/device/device.h"
 #include "render/session/effect_trial.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/background_job.h"
+#include "app/jobs/background_job.h"
 #include "render/scene/named_look.h"
 #include "render/segment/body_parts.h"
 
@@ -24,10 +24,10 @@ class LookPictures : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// Ends with a made() for each of the tasks, in their order, unless others come first. The same again, in any order, do nothing.
-    /// The first ones of a volume come as fast as they can, but after the first only when the large image stands; later
-    /// ones begin when nothing has come for a while, and take a third of the time. `parts`: of the same scan. `body`: the part of its grid that the pictures are filled
-    /// with.
+    /// Ends with a made() for each of the tasks, in their order, unless others come first. The same again, in any
+    /// order, do nothing. The first ones of a volume come as fast as they can, but after the first only when the large
+    /// image stands; later ones begin when nothing has come for a while, and take a third of the time. `parts`: of the
+    /// same scan. `body`: the part of its grid that the pictures are filled with.
     void make(const std::shared_ptr<const pdr::Volume>& volume,
               const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::VolumeGeometry& body,
               const std::vector<pdr::app::LookTask>& tasks);
@@ -54,7 +54,7 @@ class LookPictures : public BackgroundJob {
 
     std::weak_ptr<const Volume> volume_;  ///< of the newest tasks
     std::vector<LookTask> tasks_;
-    Coarse coarse_;                       ///< of that volume, as far as it is there
+    Coarse coarse_;  ///< of that volume, as far as it is there
     std::atomic<bool> imageStands_ = true;
 };
 

@@ -2,7 +2,7 @@
 /// A picture of any size, made beside the session on a device of its own. Both share the processor, so that the session
 /// has about half of it; a session that holds gives it all. Render nodes work for the picture until it is done.
 
-#include "app/background_job.h"
+#include "app/jobs/background_job.h"
 #include "render/accuracy/stop_rule.h"
 #include "render/film/display.h"
 #include "render/scene/scene.h"

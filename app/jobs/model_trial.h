@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "app/background_job.h"
+#include "app/jobs/background_job.h"
 #include "render/film/display.h"
 #include "render/scene/scene.h"
 

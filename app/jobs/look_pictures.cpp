@@ -1,4 +1,4 @@
-#include "app/look_pictures.h"
+#include "app/jobs/look_pictures.h"
 
 #include <QElapsedTimer>
 #include <algorithm>

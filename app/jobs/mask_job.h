@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/background_job.h"
+#include "app/jobs/background_job.h"
 #include "render/scene/visible.h"
 #include "render/segment/body_parts.h"
 

@@ -1,4 +1,4 @@
-#include "app/sky_job.h"
+#include "app/jobs/sky_job.h"
 
 #include <utility>
 

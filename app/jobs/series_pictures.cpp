@@ -1,4 +1,4 @@
-#include "app/series_pictures.h"
+#include "app/jobs/series_pictures.h"
 
 #include <algorithm>
 #include <utility>

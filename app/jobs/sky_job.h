@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/background_job.h"
+#include "app/jobs/background_job.h"
 #include "render/scene/environment_image.h"
 
 namespace pdr::app {

@@ -1,4 +1,4 @@
-#include "app/tissue_study.h"
+#include "app/jobs/tissue_study.h"
 
 #include <functional>
 #include <new>

@@ -1,4 +1,4 @@
-#include "app/mask_job.h"
+#include "app/jobs/mask_job.h"
 
 #include <utility>
 

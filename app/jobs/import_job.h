@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/background_job.h"
+#include "app/jobs/background_job.h"
 #include "app/scan/hidden_voxels.h"
 #include "dicom/series.h"
 #include "render/segment/findings.h"

@@ -1,4 +1,4 @@
-#include "app/picture_job.h"
+#include "app/jobs/picture_job.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "app/background_job.h"
+#include "app/jobs/background_job.h"
 
 #include <QElapsedTimer>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include <QImage>
 
-#include "app/background_job.h"
+#include "app/jobs/background_job.h"
 #include "dicom/series.h"
 
 namespace pdr::app {

@@ -1,4 +1,4 @@
-#include "app/import_job.h"
+#include "app/jobs/import_job.h"
 
 #include <QDeadlineTimer>
 #include <QThread>
