@@ -2,8 +2,10 @@
 /// The desktop's parts, for what brings them together.
 
 #include "app/battery_rest.h"
-#include "app/cut_edits.h"
-#include "app/document.h"
+#include "app/document/cut_edits.h"
+#include "app/document/document.h"
+#include "app/document/light_edits.h"
+#include "app/document/tissue_edits.h"
 #include "app/jobs/import_job.h"
 #include "app/jobs/look_pictures.h"
 #include "app/jobs/mask_job.h"
@@ -12,12 +14,10 @@
 #include "app/jobs/series_pictures.h"
 #include "app/jobs/sky_job.h"
 #include "app/jobs/tissue_study.h"
-#include "app/light_edits.h"
 #include "app/looks/own_looks.h"
 #include "app/nodes_job.h"
 #include "app/render_bridge.h"
 #include "app/settings.h"
-#include "app/tissue_edits.h"
 #include "ui/main_window.h"
 
 namespace pdr::app {

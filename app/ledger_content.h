@@ -1,7 +1,7 @@
 #pragma once
 /// What the window says of the effects' costs, and what its button does about them.
 
-#include "app/document.h"
+#include "app/document/document.h"
 #include "render/session/effect_ledger.h"
 #include "ui/effect_ledger.h"
 

@@ -1,7 +1,7 @@
 #include "app/requests.h"
 
 #include "app/annotating.h"
-#include "app/background_colour.h"
+#include "app/document/background_colour.h"
 #include "app/ledger_content.h"
 
 namespace pdr::app {

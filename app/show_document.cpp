@@ -1,6 +1,6 @@
 #include "app/show_document.h"
 
-#include "app/background_colour.h"
+#include "app/document/background_colour.h"
 #include "app/ledger_content.h"
 #include "app/look_text.h"
 #include "ui/room_text.h"

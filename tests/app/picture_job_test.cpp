@@ -8,7 +8,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "app/document.h"
+#include "app/document/document.h"
 #include "app/jobs/picture_job.h"
 #include "app/looks/looks.h"
 #include "render/device/device_list.h"

@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "app/document.h"
+#include "app/document/document.h"
 #include "tests/support/mouse.h"
 #include "tests/support/pictures.h"
 

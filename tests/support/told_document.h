@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/document.h"
+#include "app/document/document.h"
 
 namespace pdr::app {
 

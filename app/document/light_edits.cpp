@@ -1,4 +1,4 @@
-#include "app/light_edits.h"
+#include "app/document/light_edits.h"
 
 #include "render/scene/sky_picture.h"
 

@@ -1,4 +1,4 @@
-#include "app/background_colour.h"
+#include "app/document/background_colour.h"
 
 #include "render/film/tone_map.h"
 

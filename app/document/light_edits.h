@@ -5,7 +5,7 @@
 #include <QPointF>
 #include <memory>
 
-#include "app/document.h"
+#include "app/document/document.h"
 #include "render/scene/named_rig.h"
 
 namespace pdr::app {

@@ -5,7 +5,7 @@
 #include <QPointF>
 #include <optional>
 
-#include "app/document.h"
+#include "app/document/document.h"
 #include "render/prepare/focus.h"
 
 namespace pdr::app {

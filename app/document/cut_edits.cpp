@@ -1,4 +1,4 @@
-#include "app/cut_edits.h"
+#include "app/document/cut_edits.h"
 
 #include "ui/cut/cut_panel.h"
 

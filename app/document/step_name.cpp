@@ -1,4 +1,4 @@
-#include "app/step_name.h"
+#include "app/document/step_name.h"
 
 #include <QCoreApplication>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/tissue_edits.h"
+#include "app/document/tissue_edits.h"
 
 #include <algorithm>
 #include <cmath>

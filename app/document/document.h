@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/step_name.h"
 #include "app/looks/fitted_looks.h"
 #include "app/plan/setup_history.h"
 #include "app/scan/hidden_voxels.h"
-#include "app/step_name.h"
 #include "render/scene/fit_view.h"
 #include "render/segment/body_parts.h"
 #include "render/segment/hidden_table.h"

@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "app/document.h"
+#include "app/document/document.h"
 
 namespace pdr::app {
 
