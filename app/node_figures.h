@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/nodes/node_status.h"
+#include "app/coordinator/node_status.h"
 #include "render/tiles/worker_pool.h"
 #include "ui/nodes/node_row.h"
 

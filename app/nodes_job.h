@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "app/coordinator/render_nodes.h"
 #include "app/node_events.h"
 #include "app/node_figures.h"
-#include "app/nodes/render_nodes.h"
 #include "app/render_bridge.h"
 
 namespace pdr::app {

@@ -10,7 +10,7 @@
 #include "app/cli/cluster_options.h"
 #include "app/cli/run_command.h"
 #include "app/cli/slurm_job.h"
-#include "app/nodes/render_nodes.h"
+#include "app/coordinator/render_nodes.h"
 #include "app/program/interrupt.h"
 #include "render/device/device_list.h"
 #include "render/tiles/reference_tiles.h"

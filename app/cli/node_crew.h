@@ -8,7 +8,7 @@
 #include <stop_token>
 
 #include "app/cli/node_news.h"
-#include "app/nodes/render_nodes.h"
+#include "app/coordinator/render_nodes.h"
 #include "render/base/result.h"
 #include "render/device/device.h"
 #include "render/tiles/worker_pool.h"

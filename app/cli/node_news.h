@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/nodes/node_status.h"
+#include "app/coordinator/node_status.h"
 
 namespace pdr::app {
 

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <random>
 
+#include "app/coordinator/node_link.h"
+#include "app/coordinator/reference_bits.h"
 #include "app/node/node_service.h"
-#include "app/nodes/node_link.h"
-#include "app/nodes/reference_bits.h"
 #include "app/program/interrupt.h"
 #include "app/program/program.h"
 #include "app/remote/certificates.h"

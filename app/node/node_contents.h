@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "app/nodes/scene_order.h"
+#include "app/coordinator/scene_order.h"
 #include "app/wire/content.h"
 #include "render/base/free_memory.h"
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/nodes/reference_bits.h"
+#include "app/coordinator/reference_bits.h"
 #include "app/remote/certificates.h"
 #include "app/remote/dial.h"
 #include "app/remote/listener.h"

@@ -1,7 +1,7 @@
 #pragma once
 /// A node that introduces itself as every other does, and then does what a test says.
 
-#include "app/nodes/reference_bits.h"
+#include "app/coordinator/reference_bits.h"
 #include "app/remote/dial.h"
 #include "app/remote/listener.h"
 #include "render/tiles/reference_tiles.h"

@@ -1,8 +1,8 @@
 #pragma once
 /// A coordinator's end of one connection, in the thread of the test, which says when it looks for something to send.
 
-#include "app/nodes/node_link.h"
-#include "app/nodes/reference_bits.h"
+#include "app/coordinator/node_link.h"
+#include "app/coordinator/reference_bits.h"
 #include "app/remote/dial.h"
 #include "app/remote/listener.h"
 #include "render/tiles/reference_tiles.h"
@@ -28,7 +28,8 @@ struct OneLink {
         channel = other;
         link = std::make_unique<nodes::NodeLink>(channel, coordinator);
         QObject::connect(link.get(), &nodes::NodeLink::joined, &listener, [this] { hasJoined = true; });
-        QObject::connect(link.get(), &nodes::NodeLink::over, &listener, [this](const Text& why) { reason = QString::fromStdString(why); });
+        QObject::connect(link.get(), &nodes::NodeLink::over, &listener,
+                         [this](const Text& why) { reason = QString::fromStdString(why); });
     }
 
     static inline const remote::Identity kCoordinator{remote::Role::coordinator, std::nullopt};

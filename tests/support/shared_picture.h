@@ -1,7 +1,7 @@
 #pragma once
 /// A picture that render nodes help with, and the same one made alone.
 
-#include "app/nodes/render_nodes.h"
+#include "app/coordinator/render_nodes.h"
 #include "render/tiles/reference_tiles.h"
 #include "render/tiles/shared_device.h"
 #include "tests/support/node_process.h"

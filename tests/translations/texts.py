@@ -5,10 +5,11 @@ import json
 import re
 import xml.etree.ElementTree as ElementTree
 
-ROOMS = ("ui/**/*.cpp", "ui/**/*.h", "app/*.cpp", "app/*.h", "app/desktop/*.cpp", "app/desktop/*.h")
+DESKTOP = ("desktop", "document", "jobs", "looks", "output", "plan", "scan")
+ROOMS = ("ui/**/*.cpp", "ui/**/*.h", *(f"app/{room}/*.{end}" for room in DESKTOP for end in ("cpp", "h")))
 # Sentences of rooms that know no Qt: the patterns of phrase(...), see render/base/text.h.
-ROOMS_BELOW = ("render/**/*.cpp", "render/**/*.h", "render/**/*.cu", "dicom/*.cpp", "dicom/*.h", "app/*.cpp", "app/nodes/*.cpp",
-               "app/remote/*.cpp", "app/node/*.cpp", "app/wire/*.cpp")
+ROOMS_BELOW = ("render/**/*.cpp", "render/**/*.h", "render/**/*.cu", "dicom/**/*.cpp", "dicom/**/*.h",
+               *(f"app/{room}/*.cpp" for room in (*DESKTOP, "coordinator", "remote", "node", "wire")))
 PHRASE = re.compile(r"\bphrase\s*\(")
 UNMARKED = re.compile(r'\b(?:Error|FieldError\{|VpError\{|fail\()\s*\{\s*"([^"]+ [^"]*)"')
 # Other words of theirs: file, and where in it they stand.

@@ -42,7 +42,7 @@ class WallsTest : public QObject {
         {"app/bench/", "^app/(bench|program|selftest)/|^render/"},
         {"app/remote/", "^app/(remote|wire)/|^render/base/"},
         {"app/wire/", "^app/wire/|^render/base/"},
-        {"app/nodes/", "^app/(nodes|remote|wire)/|^render/(base|film|scene|tiles|volume)/"},
+        {"app/coordinator/", "^app/(coordinator|remote|wire)/|^render/(base|film|scene|tiles|volume)/"},
         {"app/", "^(app|ui|dicom|render)/"},
     };
 

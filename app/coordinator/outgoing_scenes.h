@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "app/nodes/scene_order.h"
+#include "app/coordinator/scene_order.h"
 #include "render/tiles/worker_pool.h"
 
 namespace pdr::nodes {

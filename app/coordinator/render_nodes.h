@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/nodes/node_status.h"
+#include "app/coordinator/node_status.h"
 #include "app/remote/address.h"
 #include "render/tiles/worker_pool.h"
 

@@ -1,4 +1,4 @@
-#include "app/nodes/reference_bits.h"
+#include "app/coordinator/reference_bits.h"
 
 #include <array>
 

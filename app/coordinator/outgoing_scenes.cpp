@@ -1,4 +1,4 @@
-#include "app/nodes/outgoing_scenes.h"
+#include "app/coordinator/outgoing_scenes.h"
 
 #include "app/wire/content_hash.h"
 

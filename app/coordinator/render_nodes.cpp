@@ -1,9 +1,9 @@
-#include "app/nodes/render_nodes.h"
+#include "app/coordinator/render_nodes.h"
 
 #include <utility>
 
-#include "app/nodes/node_desk.h"
-#include "app/nodes/reference_bits.h"
+#include "app/coordinator/node_desk.h"
+#include "app/coordinator/reference_bits.h"
 
 namespace pdr::nodes {
 namespace {

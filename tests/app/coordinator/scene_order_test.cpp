@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "app/nodes/scene_order.h"
+#include "app/coordinator/scene_order.h"
 #include "app/wire/content_hash.h"
 #include "tests/support/masks.h"
 #include "tests/support/tissue_scene.h"

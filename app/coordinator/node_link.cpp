@@ -1,4 +1,4 @@
-#include "app/nodes/node_link.h"
+#include "app/coordinator/node_link.h"
 
 #include <chrono>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "app/nodes/node_desk.h"
+#include "app/coordinator/node_desk.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "app/nodes/scene_order.h"
+#include "app/coordinator/scene_order.h"
 
 #include <cstring>
 #include <utility>

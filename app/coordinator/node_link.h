@@ -8,8 +8,8 @@
 #include <optional>
 #include <random>
 
-#include "app/nodes/node_status.h"
-#include "app/nodes/outgoing_scenes.h"
+#include "app/coordinator/node_status.h"
+#include "app/coordinator/outgoing_scenes.h"
 #include "app/remote/channel.h"
 #include "app/remote/heartbeat.h"
 #include "render/tiles/worker_pool.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/nodes/node_link.h"
+#include "app/coordinator/node_link.h"
 #include "app/remote/backoff.h"
 #include "app/remote/dial.h"
 #include "app/remote/listener.h"
