@@ -4,7 +4,7 @@
 #include <QFile>
 #include <QTest>
 
-#include "app/power_supply.h"
+#include "app/desktop/power_supply.h"
 #include "tests/support/desktop_trial.h"
 #include "ui/to_qt.h"
 

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "app/annotating.h"
-#include "app/copied_picture.h"
+#include "app/desktop/annotating.h"
+#include "app/desktop/copied_picture.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"

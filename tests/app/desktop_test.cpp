@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/show_frame.h"
+#include "app/desktop/show_frame.h"
 #include "render/film/levels_text.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"
@@ -198,7 +198,8 @@ void TestDesktop::brightnessWorksWithoutARestart() {
 void TestDesktop::aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne() {
     Trial trial;
     trial.openAndWait(series_);
-    QTRY_VERIFY_WITH_TIMEOUT(trial.said().contains(QString::fromUtf8("denoised: 95 % of the tissue within ±")), test::kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.said().contains(QString::fromUtf8("denoised: 95 % of the tissue within ±")),
+                             test::kPatience);
     const auto number = [&] {
         return QString::fromUtf8("denoised: 95 % of the tissue within ±%1 of 255 grey levels")
             .arg(ui::localNumber(levelsText(trial.frames.back()->smoothedError->levelsAtMost)));

@@ -5,7 +5,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "app/ledger_content.h"
+#include "app/desktop/ledger_content.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/phantom_series.h"
 #include "tests/support/scenes.h"

@@ -3,7 +3,7 @@
 #include <QSet>
 #include <QTest>
 
-#include "app/look_text.h"
+#include "app/desktop/look_text.h"
 #include "app/looks/looks.h"
 #include "tests/support/told_document.h"
 #include "ui/language.h"

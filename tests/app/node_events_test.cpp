@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "app/node_events.h"
+#include "app/desktop/node_events.h"
 
 namespace pdr::app {
 

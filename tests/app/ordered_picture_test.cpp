@@ -7,7 +7,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "app/desktop_parts.h"
+#include "app/desktop/desktop_parts.h"
 #include "render/device/device_list.h"
 #include "render/film/tone_map.h"
 #include "render/session/batch_render.h"

@@ -7,7 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/show_scan.h"
+#include "app/desktop/show_scan.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/failing_device.h"
 #include "tests/support/patience.h"

@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/desktop_parts.h"
+#include "app/desktop/desktop_parts.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"

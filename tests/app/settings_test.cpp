@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/settings.h"
+#include "app/desktop/settings.h"
 
 namespace pdr::app {
 

@@ -5,7 +5,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "app/requests.h"
+#include "app/desktop/requests.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/nearby_worker.h"
 #include "tests/support/phantom_series.h"

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/keep_looks.h"
+#include "app/desktop/keep_looks.h"
 #include "app/output/provenance.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/hand_on_window.h"

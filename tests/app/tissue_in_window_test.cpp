@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/show_scan.h"
+#include "app/desktop/show_scan.h"
 #include "render/scene/tissue_channels.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/hand_on_window.h"

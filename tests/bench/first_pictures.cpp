@@ -15,7 +15,7 @@
 #include <array>
 #include <cstdio>
 
-#include "app/desktop.h"
+#include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
 #include "render/film/tone_map.h"
 #include "ui/theme.h"

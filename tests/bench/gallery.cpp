@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "app/desktop.h"
+#include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
 
 int main(int argc, char** argv) {

@@ -21,7 +21,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/desktop.h"
+#include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
 #include "app/program/program.h"
 #include "tests/support/event_times.h"

@@ -14,7 +14,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/desktop.h"
+#include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
 #include "app/program/program.h"
 #include "render/device/device_list.h"

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/desktop.h"
+#include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
 #include "tests/support/patience.h"
 

@@ -1,0 +1,45 @@
+#include "app/desktop/copied_picture.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "app/desktop/annotating.h"
+#include "app/desktop/show_message.h"
+#include "ui/annotation/image_painter.h"
+
+namespace pdr::app {
+namespace {
+
+/// Pixels of its own, each 4 bytes without a gap between the rows.
+QImage ownImage(const std::vector<std::uint8_t>& rgba, ivec2 size) {
+    return QImage(rgba.data(), size.x, size.y, 4 * qsizetype(size.x), QImage::Format_RGBX8888).copy();
+}
+
+std::vector<std::uint8_t> stretched(const Frame& frame, ivec2 size) {
+    const QImage image = ownImage(frame.rgba, frame.size)
+                             .scaled(size.x, size.y, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                             .convertToFormat(QImage::Format_RGBX8888);
+    return {image.constBits(), image.constBits() + image.sizeInBytes()};
+}
+
+}  // namespace
+
+QImage copyOf(const Frame& frame, ivec2 fullSize, const std::optional<ui::Annotations>& annotations) {
+    const ivec2 size = frame.coarse ? fullSize : frame.size;
+    std::vector<std::uint8_t> rgba = frame.coarse ? stretched(frame, size) : frame.rgba;
+    if (const PaintOver paintOver = ui::imagePainter(annotations, frame.stop.levels)(shownOf(frame)))
+        paintOver(size, rgba);
+    return ownImage(rgba, size);
+}
+
+void copyPicture(const DesktopParts& parts) {
+    const auto& frame = parts.bridge.lastFrame();
+    if (!frame)
+        return;
+    const auto annotations = leaving(annotationsOf(parts, *frame), usualAnnotate(parts));
+    QGuiApplication::clipboard()->setImage(copyOf(*frame, parts.document.scene().film, annotations));
+    parts.window.status().showForAWhile(ui::MainWindow::tr("copied"));
+    showWhoCanBeKnown(parts);
+}
+
+}  // namespace pdr::app

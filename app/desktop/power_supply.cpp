@@ -1,0 +1,37 @@
+#include "app/desktop/power_supply.h"
+
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace pdr::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The first word of a short file; empty where there is none.
+std::string word(const fs::path& file) {
+    std::ifstream stream(file);
+    std::string text;
+    stream >> text;
+    return text;
+}
+
+}  // namespace
+
+/// Mice and keyboards have batteries, too: their scope is Device.
+bool onBattery(const fs::path& folder) {
+    bool discharges = false;
+    std::error_code problem;
+    for (fs::directory_iterator supply(folder, problem), end; !problem && supply != end; supply.increment(problem)) {
+        const fs::path& path = supply->path();
+        if (word(path / "scope") == "Device")
+            continue;
+        if (word(path / "type") != "Battery" && word(path / "online") == "1")
+            return false;
+        discharges = discharges || (word(path / "type") == "Battery" && word(path / "status") == "Discharging");
+    }
+    return discharges;
+}
+
+}  // namespace pdr::app

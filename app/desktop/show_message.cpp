@@ -1,0 +1,55 @@
+#include "app/desktop/show_message.h"
+
+#include <algorithm>
+
+#include "render/scene/tissue_channels.h"
+
+namespace pdr::app {
+namespace {
+
+/// Where air ends and skin begins, some light is stopped: more than a hundredth of what dense tissue stops.
+bool showsSkin(const TransferFunction& function) {
+    constexpr float kSkin[] = {-250, -200, -150, -100};  // [HU] of voxels that skin and air share, and of fat below
+    const Curve opacity = curveOf(function, TissueChannel::opacity);
+    const float most = heightOf(opacity);
+    return std::ranges::any_of(kSkin, [&](float hu) { return valueAt(opacity, hu) > 0.01f * most; });
+}
+
+}  // namespace
+
+void showFailure(const DesktopParts& parts, const Error& error) {
+    parts.window.message().showError(error);
+}
+
+void showSaved(const DesktopParts& parts, const QString& file) {
+    parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file));
+    showWhoCanBeKnown(parts);
+}
+
+void showWhoCanBeKnown(const DesktopParts& parts) {
+    if (parts.said.skin || !showsSkin(parts.document.setup().look.transferFunction))
+        return;
+    parts.said.skin = true;
+    showNotice(parts, ui::MainWindow::tr("This image shows skin: share it like a photograph of the patient."));
+}
+
+void showNotice(const DesktopParts& parts, const QString& sentences) {
+    parts.window.message().showNotice(sentences);
+}
+
+/// Said below what the folder that is opened has to say, until its series is there.
+void showOthersLeftOut(const DesktopParts& parts) {
+    auto* meanwhile = new QObject(&parts.window);
+    const auto say = [parts] {
+        parts.window.message().add(ui::MainWindow::tr("Only the first of the folders that were dropped is opened."));
+    };
+    const auto end = [meanwhile] { meanwhile->deleteLater(); };
+    QObject::connect(&parts.import, &ImportJob::scanned, meanwhile, say);
+    QObject::connect(&parts.import, &ImportJob::loaded, meanwhile, say);
+    QObject::connect(&parts.import, &ImportJob::failed, meanwhile, say);
+    QObject::connect(&parts.import, &ImportJob::loaded, meanwhile, end);
+    QObject::connect(&parts.import, &ImportJob::failed, meanwhile, end);
+    QObject::connect(&parts.import, &ImportJob::cancelled, meanwhile, end);
+}
+
+}  // namespace pdr::app
