@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QScrollArea>
 
-#include "ui/status_text.h"
+#include "ui/text/status_text.h"
 
 namespace pdr::ui {
 namespace {

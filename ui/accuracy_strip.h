@@ -6,8 +6,8 @@
 #include <QAbstractSlider>
 #include <optional>
 
-#include "ui/accuracy_text.h"
 #include "ui/strip_axis.h"
+#include "ui/text/accuracy_text.h"
 
 namespace pdr::ui {
 

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "ui/error_marks.h"
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {

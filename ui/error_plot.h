@@ -5,9 +5,9 @@
 
 #include <QWidget>
 
-#include "ui/accuracy_text.h"
 #include "ui/error_axes.h"
 #include "ui/plot_event.h"
+#include "ui/text/accuracy_text.h"
 
 namespace pdr::ui {
 

@@ -4,7 +4,7 @@
 #include <QStyle>
 #include <algorithm>
 
-#include "ui/room_text.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::ui {
 

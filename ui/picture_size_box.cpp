@@ -6,8 +6,8 @@
 
 #include "render/accuracy/quality.h"
 #include "render/film/levels_text.h"
-#include "ui/accuracy_text.h"
-#include "ui/language.h"
+#include "ui/text/accuracy_text.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {

@@ -4,10 +4,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/room_text.h"
 #include "ui/series_delegate.h"
-#include "ui/series_text.h"
-#include "ui/to_qt.h"
+#include "ui/text/room_text.h"
+#include "ui/text/series_text.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QMenu>
 
 #include "ui/cut/cut_tools.h"
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "ui/annotation/annotation_text.h"
-#include "ui/series_text.h"
+#include "ui/text/series_text.h"
 
 namespace pdr::app {
 

@@ -4,7 +4,7 @@
 
 #include "app/desktop/look_text.h"
 #include "ui/annotation/annotation_text.h"
-#include "ui/room_text.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::app {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/desktop/show_scan.h"
 #include "app/desktop/wiring.h"
 #include "render/device/device_list.h"
-#include "ui/status_text.h"
+#include "ui/text/status_text.h"
 
 namespace pdr::app {
 

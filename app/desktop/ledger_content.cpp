@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "render/accuracy/ledger_text.h"
-#include "ui/language.h"
-#include "ui/room_text.h"
+#include "ui/text/language.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::app {
 namespace {

@@ -20,7 +20,7 @@
 #include "app/program/program.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
-#include "ui/language.h"
+#include "ui/text/language.h"
 #include "ui/theme.h"
 
 namespace pdr::app {

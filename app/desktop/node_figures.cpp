@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/room_text.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::app {
 namespace {

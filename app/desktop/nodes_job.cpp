@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/remote/address.h"
-#include "ui/room_text.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::app {
 namespace {

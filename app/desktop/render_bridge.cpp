@@ -8,7 +8,7 @@
 #include "render/device/device_list.h"
 #include "render/scene/scene.h"
 #include "render/tiles/reference_tiles.h"
-#include "ui/room_text.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::app {
 namespace {

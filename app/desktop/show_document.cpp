@@ -3,7 +3,7 @@
 #include "app/desktop/ledger_content.h"
 #include "app/desktop/look_text.h"
 #include "app/document/background_colour.h"
-#include "ui/room_text.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::app {
 namespace {

@@ -8,13 +8,13 @@
 #include "app/desktop/look_text.h"
 #include "app/desktop/show_message.h"
 #include "render/accuracy/quality.h"
-#include "ui/accuracy_text.h"
 #include "ui/annotation/orientation_letters.h"
 #include "ui/error_colours.h"
-#include "ui/room_text.h"
-#include "ui/series_text.h"
-#include "ui/status_text.h"
-#include "ui/to_qt.h"
+#include "ui/text/accuracy_text.h"
+#include "ui/text/room_text.h"
+#include "ui/text/series_text.h"
+#include "ui/text/status_text.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 namespace {

@@ -4,8 +4,8 @@
 #include "app/desktop/show_frame.h"
 #include "app/desktop/show_message.h"
 #include "app/scan/series_choice.h"
-#include "ui/room_text.h"
-#include "ui/series_text.h"
+#include "ui/text/room_text.h"
+#include "ui/text/series_text.h"
 
 namespace pdr::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "render/base/thrown.h"
-#include "ui/room_text.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::app {
 

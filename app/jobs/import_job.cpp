@@ -7,7 +7,7 @@
 #include "app/scan/scene_volume.h"
 #include "dicom/import.h"
 #include "render/base/errors.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 namespace {

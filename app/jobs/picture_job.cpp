@@ -6,10 +6,10 @@
 #include "app/output/final_image.h"
 #include "app/output/picture_writing.h"
 #include "render/film/levels_text.h"
-#include "ui/accuracy_text.h"
 #include "ui/annotation/image_painter.h"
-#include "ui/language.h"
-#include "ui/to_qt.h"
+#include "ui/text/accuracy_text.h"
+#include "ui/text/language.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 namespace {

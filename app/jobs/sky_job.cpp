@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/scan/environment_picture.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

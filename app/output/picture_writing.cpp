@@ -4,7 +4,7 @@
 #include "app/output/judged_image.h"
 #include "render/film/picture_format.h"
 #include "ui/annotation/image_painter.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

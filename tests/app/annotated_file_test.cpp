@@ -15,7 +15,7 @@
 #include "render/scene/scene.h"
 #include "render/session/batch_render.h"
 #include "tests/support/axis_views.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 namespace {

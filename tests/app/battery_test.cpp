@@ -6,7 +6,7 @@
 
 #include "app/desktop/power_supply.h"
 #include "tests/support/desktop_trial.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

@@ -9,7 +9,7 @@
 #include "tests/support/desktop_trial.h"
 #include "tests/support/hand_on_window.h"
 #include "tests/support/phantom_series.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

@@ -12,8 +12,8 @@
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
-#include "ui/accuracy_text.h"
-#include "ui/to_qt.h"
+#include "ui/text/accuracy_text.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

@@ -17,8 +17,8 @@
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
 #include "tests/support/shared_data.h"
-#include "ui/language.h"
-#include "ui/to_qt.h"
+#include "ui/text/language.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

@@ -10,7 +10,7 @@
 #include "tests/support/phantom_series.h"
 #include "tests/support/scenes.h"
 #include "tests/support/told_document.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

@@ -11,8 +11,8 @@
 #include "tests/support/shared_data.h"
 #include "tests/support/sky_file.h"
 #include "tests/support/tissue_hand.h"
+#include "ui/text/to_qt.h"
 #include "ui/theme.h"
-#include "ui/to_qt.h"
 
 namespace pdr::app {
 

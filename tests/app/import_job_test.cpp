@@ -9,7 +9,7 @@
 #include "app/jobs/import_job.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

@@ -7,7 +7,7 @@
 #include "tests/support/hand_on_window.h"
 #include "tests/support/named_widget.h"
 #include "tests/support/phantom_series.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

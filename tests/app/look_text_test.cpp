@@ -6,7 +6,7 @@
 #include "app/desktop/look_text.h"
 #include "app/looks/looks.h"
 #include "tests/support/told_document.h"
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 namespace pdr::app {
 

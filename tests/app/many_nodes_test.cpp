@@ -17,8 +17,8 @@
 #include "tests/support/event_times.h"
 #include "tests/support/phantom_series.h"
 #include "tests/support/taken_port.h"
+#include "ui/text/to_qt.h"
 #include "ui/theme.h"
-#include "ui/to_qt.h"
 
 namespace pdr::app {
 

@@ -16,7 +16,7 @@
 #include "tests/support/node_process.h"
 #include "tests/support/phantom_series.h"
 #include "tests/support/taken_port.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

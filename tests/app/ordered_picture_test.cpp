@@ -14,7 +14,7 @@
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

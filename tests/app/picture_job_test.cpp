@@ -18,7 +18,7 @@
 #include "render/volume/phantom.h"
 #include "tests/support/failing_device.h"
 #include "tests/support/patience.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

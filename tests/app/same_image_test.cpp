@@ -10,7 +10,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/phantom_series.h"
 #include "tests/support/program_run.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

@@ -11,7 +11,7 @@
 #include "render/volume/phantom.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

@@ -17,7 +17,7 @@
 #include "tests/support/named_widget.h"
 #include "tests/support/phantom_series.h"
 #include "tests/support/sky_file.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 

@@ -11,7 +11,7 @@
 #include "tests/support/desktop_trial.h"
 #include "tests/support/lying_patients.h"
 #include "tests/support/program_run.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 namespace {

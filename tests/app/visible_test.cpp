@@ -13,7 +13,7 @@
 #include "tests/support/masks.h"
 #include "tests/support/program_run.h"
 #include "tests/support/told_document.h"
-#include "ui/to_qt.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 namespace {

@@ -3,11 +3,11 @@
 #include <QMenuBar>
 #include <QTest>
 
-#include "ui/accuracy_text.h"
-#include "ui/language.h"
 #include "ui/main_window.h"
-#include "ui/series_text.h"
-#include "ui/status_text.h"
+#include "ui/text/accuracy_text.h"
+#include "ui/text/language.h"
+#include "ui/text/series_text.h"
+#include "ui/text/status_text.h"
 
 namespace pdr::ui {
 

@@ -21,8 +21,8 @@
 #include "render/timing/split_choice.h"
 #include "tests/support/scenes.h"
 #include "tests/support/slice_folder.h"
-#include "ui/language.h"
-#include "ui/room_text.h"
+#include "ui/text/language.h"
+#include "ui/text/room_text.h"
 
 namespace pdr {
 namespace {

@@ -1,6 +1,6 @@
 """What the window says: all texts in the sources that are to be translated, and those that have been.
 
-A text has one translation wherever it stands: the files know no contexts (see ui/language.h)."""
+A text has one translation wherever it stands: the files know no contexts (see ui/text/language.h)."""
 import json
 import re
 import xml.etree.ElementTree as ElementTree

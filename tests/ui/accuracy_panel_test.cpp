@@ -7,7 +7,7 @@
 #include "tests/support/contrast.h"
 #include "ui/error_marks.h"
 #include "ui/main_window.h"
-#include "ui/status_text.h"
+#include "ui/text/status_text.h"
 #include "ui/theme.h"
 
 namespace pdr::ui {

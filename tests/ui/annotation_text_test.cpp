@@ -4,9 +4,9 @@
 
 #include "ui/annotation/annotation_text.h"
 #include "ui/annotation/scale_bar.h"
-#include "ui/cut/cut_text.h"
 #include "ui/light/light_text.h"
-#include "ui/series_text.h"
+#include "ui/text/cut_text.h"
+#include "ui/text/series_text.h"
 
 namespace pdr::ui {
 

@@ -11,9 +11,9 @@
 #include "ui/render_panel.h"
 #include "ui/series_delegate.h"
 #include "ui/series_panel.h"
-#include "ui/series_text.h"
 #include "ui/status_line.h"
-#include "ui/status_text.h"
+#include "ui/text/series_text.h"
+#include "ui/text/status_text.h"
 
 namespace pdr::ui {
 
@@ -245,7 +245,8 @@ void TestPanels::brightnessBeyondTheSliderIsKeptAtItsEnd() {
 }
 
 void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
-    const QString within = QString::fromUtf8("denoised: 95 % of the tissue within ±7, thin structures may be further off");
+    const QString within =
+        QString::fromUtf8("denoised: 95 % of the tissue within ±7, thin structures may be further off");
     SmoothedError error{.levels = 4.2, .levelsAtMost = 6.9};
     QCOMPARE(smoothedTexts(error, 0), QStringList{within});
     error.hiddenContrast = 0.371;

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "ui/cut/cut_text.h"
+#include "ui/text/cut_text.h"
 
 namespace pdr::ui {
 

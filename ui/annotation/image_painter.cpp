@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ui/accuracy_text.h"
+#include "ui/text/accuracy_text.h"
 
 namespace pdr::ui {
 

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {

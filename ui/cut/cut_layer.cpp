@@ -4,8 +4,8 @@
 #include <QMouseEvent>
 #include <utility>
 
-#include "ui/cut/cut_text.h"
 #include "ui/shown_picture.h"
+#include "ui/text/cut_text.h"
 
 namespace pdr::ui {
 

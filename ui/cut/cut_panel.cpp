@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
-#include "ui/cut/cut_text.h"
+#include "ui/text/cut_text.h"
 
 namespace pdr::ui {
 

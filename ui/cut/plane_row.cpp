@@ -3,7 +3,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
-#include "ui/cut/cut_text.h"
+#include "ui/text/cut_text.h"
 
 namespace pdr::ui {
 

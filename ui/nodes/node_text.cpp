@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {

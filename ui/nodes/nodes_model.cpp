@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/language.h"
 #include "ui/nodes/node_text.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {
@@ -16,7 +16,8 @@ struct ColumnText {
 };
 
 const std::array<ColumnText, NodesModel::kColumns> kTexts{
-    {{QT_TRANSLATE_NOOP("NodesModel", "Render node"), QT_TRANSLATE_NOOP("NodesModel", "Its name and where it is reached")},
+    {{QT_TRANSLATE_NOOP("NodesModel", "Render node"),
+      QT_TRANSLATE_NOOP("NodesModel", "Its name and where it is reached")},
      {QT_TRANSLATE_NOOP("NodesModel", "State"),
       QT_TRANSLATE_NOOP("NodesModel", "What it is doing. What a lost node had in hand is rendered by others")},
      {QT_TRANSLATE_NOOP("NodesModel", "Device"), QT_TRANSLATE_NOOP("NodesModel", "What it computes with")},

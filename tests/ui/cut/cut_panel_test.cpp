@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "ui/cut/cut_text.h"
+#include "ui/text/cut_text.h"
 
 namespace pdr::ui {
 

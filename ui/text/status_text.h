@@ -22,8 +22,9 @@ QString stretchedText(ivec2 picture, QSize view);
 /// `lostLines` it lacks, which the error map marks.
 QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines);
 
-/// What stands beside a picture with a box, whose status is `box`: "in the box 95 % of the tissue within ±4", of what is
-/// shown, as that of the whole `picture`; or, where it is `first` and gets all samples, what of the whole picture is true meanwhile.
+/// What stands beside a picture with a box, whose status is `box`: "in the box 95 % of the tissue within ±4", of what
+/// is shown, as that of the whole `picture`; or, where it is `first` and gets all samples, what of the whole picture is
+/// true meanwhile.
 QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture);
 
 /// "at least 11 % of the tissue not seen yet": no number is said of that; nothing below 1 %.

@@ -1,4 +1,4 @@
-#include "ui/cut/cut_text.h"
+#include "ui/text/cut_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {

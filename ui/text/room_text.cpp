@@ -1,9 +1,9 @@
-#include "ui/room_text.h"
+#include "ui/text/room_text.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {

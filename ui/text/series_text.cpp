@@ -1,4 +1,4 @@
-#include "ui/series_text.h"
+#include "ui/text/series_text.h"
 
 #include <QCoreApplication>
 #include <QDate>
@@ -6,7 +6,7 @@
 #include <QStringList>
 #include <algorithm>
 
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {

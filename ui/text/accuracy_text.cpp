@@ -1,4 +1,4 @@
-#include "ui/accuracy_text.h"
+#include "ui/text/accuracy_text.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 #include "render/accuracy/quality.h"
 #include "render/film/levels_text.h"
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 namespace pdr::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/status_text.h"
+#include "ui/text/status_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -8,8 +8,8 @@
 
 #include "render/film/health_text.h"
 #include "render/film/levels_text.h"
-#include "ui/language.h"
-#include "ui/room_text.h"
+#include "ui/text/language.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::ui {
 namespace {
