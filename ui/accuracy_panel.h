@@ -5,7 +5,7 @@
 #include <QLabel>
 
 #include "ui/error_plot.h"
-#include "ui/stop_row.h"
+#include "ui/widgets/stop_row.h"
 
 namespace pdr::ui {
 

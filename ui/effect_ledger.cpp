@@ -3,7 +3,7 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "ui/scrolled.h"
+#include "ui/widgets/scrolled.h"
 
 namespace pdr::ui {
 namespace {

@@ -3,8 +3,8 @@
 /// small letters what else is true. Setters are silent.
 
 #include "ui/accuracy_strip.h"
-#include "ui/elided_label.h"
 #include "ui/status_line.h"
+#include "ui/widgets/elided_label.h"
 
 namespace pdr::ui {
 

@@ -3,7 +3,7 @@
 #include <QInputDialog>
 #include <QMessageBox>
 
-#include "ui/file_dialogs.h"
+#include "ui/widgets/file_dialogs.h"
 
 namespace pdr::ui {
 

@@ -10,10 +10,10 @@
 #include <QVBoxLayout>
 
 #include "render/base/version.h"
-#include "ui/file_dialogs.h"
 #include "ui/keys_dialog.h"
 #include "ui/program_icon.h"
-#include "ui/wheel_guard.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/wheel_guard.h"
 
 namespace pdr::ui {
 namespace {

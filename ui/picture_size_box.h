@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "ui/picture_order.h"
-#include "ui/stop_row.h"
+#include "ui/widgets/stop_row.h"
 
 namespace pdr::ui {
 

@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/elided_label.h"
+#include "ui/widgets/elided_label.h"
 
 namespace pdr::ui {
 

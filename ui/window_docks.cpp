@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ui/panel_title.h"
-#include "ui/scrolled.h"
+#include "ui/widgets/scrolled.h"
 
 namespace pdr::ui {
 namespace {

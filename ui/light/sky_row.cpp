@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render/scene/sky_picture.h"
-#include "ui/file_dialogs.h"
+#include "ui/widgets/file_dialogs.h"
 
 namespace pdr::ui {
 

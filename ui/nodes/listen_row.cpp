@@ -4,7 +4,7 @@
 #include <QSignalBlocker>
 
 #include "render/base/network_address.h"
-#include "ui/file_dialogs.h"
+#include "ui/widgets/file_dialogs.h"
 
 namespace pdr::ui {
 

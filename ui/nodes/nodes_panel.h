@@ -8,11 +8,11 @@
 #include <QTableView>
 #include <optional>
 
-#include "ui/elided_label.h"
 #include "ui/nodes/address_row.h"
 #include "ui/nodes/listen_row.h"
 #include "ui/nodes/nodes_model.h"
 #include "ui/nodes/split_box.h"
+#include "ui/widgets/elided_label.h"
 
 namespace pdr::ui {
 

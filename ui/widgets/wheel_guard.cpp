@@ -1,4 +1,4 @@
-#include "ui/wheel_guard.h"
+#include "ui/widgets/wheel_guard.h"
 
 #include <QAbstractSpinBox>
 #include <QComboBox>

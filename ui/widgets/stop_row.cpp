@@ -1,4 +1,4 @@
-#include "ui/stop_row.h"
+#include "ui/widgets/stop_row.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
