@@ -9,12 +9,12 @@
 #include "app/desktop/show_message.h"
 #include "render/accuracy/quality.h"
 #include "ui/annotation/orientation_letters.h"
-#include "ui/error_colours.h"
 #include "ui/text/accuracy_text.h"
 #include "ui/text/room_text.h"
 #include "ui/text/series_text.h"
 #include "ui/text/status_text.h"
 #include "ui/text/to_qt.h"
+#include "ui/view/error_colours.h"
 
 namespace pdr::app {
 namespace {

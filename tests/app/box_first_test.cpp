@@ -4,8 +4,8 @@
 
 #include "tests/support/desktop_trial.h"
 #include "tests/support/phantom_series.h"
-#include "ui/region_box.h"
 #include "ui/text/to_qt.h"
+#include "ui/view/region_box.h"
 
 namespace pdr::app {
 

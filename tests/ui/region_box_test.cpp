@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "tests/support/mouse.h"
-#include "ui/region_box.h"
+#include "ui/view/region_box.h"
 
 namespace pdr::ui {
 

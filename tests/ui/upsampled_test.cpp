@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "ui/shown_picture.h"
-#include "ui/upsampled.h"
+#include "ui/view/shown_picture.h"
+#include "ui/view/upsampled.h"
 
 namespace pdr::ui {
 

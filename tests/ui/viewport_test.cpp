@@ -8,7 +8,7 @@
 
 #include "render/scene/orbit.h"
 #include "tests/support/patience.h"
-#include "ui/viewport.h"
+#include "ui/view/viewport.h"
 
 namespace pdr::ui {
 

@@ -6,7 +6,8 @@
 
 #include "tests/support/places.h"
 
-/// Reads every #include of the tree and fails where one crosses a wall of the house (design in resources/manual/developer.md).
+/// Reads every #include of the tree and fails where one crosses a wall of the house (design in
+/// resources/manual/developer.md).
 class WallsTest : public QObject {
     Q_OBJECT
 
@@ -115,8 +116,8 @@ class WallsTest : public QObject {
                                     "png.h", "nlohmann/json.hpp", "cuda_runtime.h"})
             QCOMPARE(crossings("render/film/film.cpp", QStringLiteral("\n#include <%1>\n").arg(include)).size(), 1);
         QCOMPARE(crossings("render/film/film.cpp", "#include <vector>\n#include \"render/base/result.h\"").size(), 0);
-        QCOMPARE(crossings("ui/viewport.cpp", "#include <QWidget>\n#include \"dicom/import.h\""),
-                 QStringList{"ui/viewport.cpp includes dicom/import.h"});
+        QCOMPARE(crossings("ui/view/viewport.cpp", "#include <QWidget>\n#include \"dicom/import.h\""),
+                 QStringList{"ui/view/viewport.cpp includes dicom/import.h"});
     }
 };
 

@@ -4,8 +4,8 @@
 #include <QMouseEvent>
 #include <utility>
 
-#include "ui/shown_picture.h"
 #include "ui/text/cut_text.h"
+#include "ui/view/shown_picture.h"
 
 namespace pdr::ui {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "ui/cut/cut_marks.h"
-#include "ui/picture_layer.h"
+#include "ui/view/picture_layer.h"
 
 class QMouseEvent;
 

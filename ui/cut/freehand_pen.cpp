@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "render/scene/drawn_outline.h"
-#include "ui/shown_picture.h"
+#include "ui/view/shown_picture.h"
 
 namespace pdr::ui {
 namespace {

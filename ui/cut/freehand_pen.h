@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "render/scene/clip.h"
-#include "ui/picture_layer.h"
+#include "ui/view/picture_layer.h"
 
 namespace pdr::ui {
 

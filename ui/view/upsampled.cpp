@@ -1,4 +1,4 @@
-#include "ui/upsampled.h"
+#include "ui/view/upsampled.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "ui/error_legend.h"
+#include "ui/view/error_legend.h"
 
 #include <QCoreApplication>
 #include <QFontMetrics>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/error_colours.h"
+#include "ui/view/error_colours.h"
 
 namespace pdr::ui {
 namespace {
@@ -46,7 +46,8 @@ void paintErrorLegend(QPainter& painter, const QRect& area, bool beforeDenoising
     small.setPointSizeF(kSmall * small.pointSizeF());
     painter.setFont(small);
     const QFontMetrics metrics = painter.fontMetrics();
-    const QString title = translated(beforeDenoising ? "Where it is rough before denoising" : "Where it is still rough");
+    const QString title =
+        translated(beforeDenoising ? "Where it is rough before denoising" : "Where it is still rough");
     const QString unit = translated("each pixel's 95 % margin, of 255"), unknown = translated("not known yet");
     const int line = metrics.height(), barHeight = line * 3 / 4, end = metrics.horizontalAdvance("±64") / 2;
     const int width = std::max(metrics.horizontalAdvance(title), metrics.horizontalAdvance(unit));

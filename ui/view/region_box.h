@@ -5,7 +5,7 @@
 #include <QRectF>
 #include <optional>
 
-#include "ui/picture_layer.h"
+#include "ui/view/picture_layer.h"
 
 namespace pdr::ui {
 

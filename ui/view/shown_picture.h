@@ -13,13 +13,14 @@ namespace pdr::ui {
 
 /// A picture and what it shows.
 struct ShownPicture {
-    QImage image;             ///< of whatever size: it is stretched to the view's height
-    Camera camera;            ///< that it was made with; letters and cube are painted from it
-    QString texts;            ///< what it shows, in lines; written into a corner, ...
-    QString mark;             ///< ... with what else must be known of the picture; empty: nothing
-    QList<QLineF> lostLines;  ///< that are missing in the image [its pixels]: brackets stand at their ends, with the map
-    QString caption;          ///< below the mark, where nothing beside the picture says it: PictureView::caption
-    QImage errorMap;          ///< painted over the image, with a legend; null: none
+    QImage image;   ///< of whatever size: it is stretched to the view's height
+    Camera camera;  ///< that it was made with; letters and cube are painted from it
+    QString texts;  ///< what it shows, in lines; written into a corner, ...
+    QString mark;   ///< ... with what else must be known of the picture; empty: nothing
+    QList<QLineF>
+        lostLines;    ///< that are missing in the image [its pixels]: brackets stand at their ends, with the map
+    QString caption;  ///< below the mark, where nothing beside the picture says it: PictureView::caption
+    QImage errorMap;  ///< painted over the image, with a legend; null: none
     bool beforeDenoising = false;  ///< the map is of what the image was then
 };
 

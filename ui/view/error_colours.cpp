@@ -1,4 +1,4 @@
-#include "ui/error_colours.h"
+#include "ui/view/error_colours.h"
 
 #include <algorithm>
 #include <cmath>

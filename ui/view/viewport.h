@@ -9,7 +9,7 @@
 
 #include "render/scene/camera.h"
 #include "ui/annotation/orientation_letters.h"
-#include "ui/shown_picture.h"
+#include "ui/view/shown_picture.h"
 
 class QHelpEvent;
 

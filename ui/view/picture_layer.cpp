@@ -1,4 +1,4 @@
-#include "ui/picture_layer.h"
+#include "ui/view/picture_layer.h"
 
 #include <QEvent>
 

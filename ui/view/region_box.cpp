@@ -1,9 +1,9 @@
-#include "ui/region_box.h"
+#include "ui/view/region_box.h"
 
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "ui/shown_picture.h"
+#include "ui/view/shown_picture.h"
 
 namespace pdr::ui {
 namespace {

@@ -1,13 +1,13 @@
-#include "ui/shown_picture.h"
+#include "ui/view/shown_picture.h"
 
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/annotation/annotations.h"
-#include "ui/error_legend.h"
-#include "ui/picture_layer.h"
-#include "ui/upsampled.h"
+#include "ui/view/error_legend.h"
+#include "ui/view/picture_layer.h"
+#include "ui/view/upsampled.h"
 
 namespace pdr::ui {
 namespace {
