@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "render/scene/camera.h"
-#include "ui/accuracy_panel.h"
+#include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/effect_ledger.h"
+#include "ui/accuracy/foot.h"
 #include "ui/camera/camera_panel.h"
 #include "ui/cut/cut_tools.h"
-#include "ui/effect_ledger.h"
-#include "ui/foot.h"
 #include "ui/key_bindings.h"
 #include "ui/keys_overlay.h"
 #include "ui/light/light_panel.h"

@@ -3,7 +3,7 @@
 
 #include "app/document/document.h"
 #include "render/session/effect_ledger.h"
-#include "ui/effect_ledger.h"
+#include "ui/accuracy/effect_ledger.h"
 
 namespace pdr::app {
 

@@ -6,8 +6,8 @@
 #include <QList>
 #include <cstdint>
 
+#include "ui/accuracy/plot_event.h"
 #include "ui/nodes/node_row.h"
-#include "ui/plot_event.h"
 
 namespace pdr::app {
 

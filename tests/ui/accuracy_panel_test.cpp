@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tests/support/contrast.h"
-#include "ui/error_marks.h"
+#include "ui/accuracy/error_marks.h"
 #include "ui/main_window.h"
 #include "ui/text/status_text.h"
 #include "ui/theme.h"

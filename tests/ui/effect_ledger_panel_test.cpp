@@ -3,15 +3,16 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "ui/effect_ledger.h"
+#include "ui/accuracy/effect_ledger.h"
 
 namespace pdr::ui {
 
 static EffectRows twoEffects() {
     EffectRows rows;
-    rows.needed = {{"shadows", "light crosses tissue on its way", "2.31 (2.04 to 2.70)", "51 % (42 to 55)",
-                    "65.7 (62.9 to 68.3)", "122.3 (115.8 to 128.8)", "36 % (22 to 60)"},
-                   {"highlights", "a point of the curve is specular", "< 0.47", "< 11 %", "0", "0", "100 % (97 to 103)", true}};
+    rows.needed = {
+        {"shadows", "light crosses tissue on its way", "2.31 (2.04 to 2.70)", "51 % (42 to 55)", "65.7 (62.9 to 68.3)",
+         "122.3 (115.8 to 128.8)", "36 % (22 to 60)"},
+        {"highlights", "a point of the curve is specular", "< 0.47", "< 11 %", "0", "0", "100 % (97 to 103)", true}};
     rows.off = {"emission: no point of the curve emits light", "depth of field: the aperture is 0"};
     rows.how = "Measured on a picture of 96 x 70 pixels";
     rows.leftOut = {"highlights (the picture changes by 0.00 levels)"};

@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "tests/support/mouse.h"
-#include "ui/foot.h"
+#include "ui/accuracy/foot.h"
 #include "ui/main_window.h"
 #include "ui/theme.h"
 
@@ -148,8 +148,10 @@ void TestFoot::onePlaceIsToldInWords() {
     QCOMPARE(hereText({true, 11.2f, 3, 2.81f}, ErrorOf::beforeDenoising),
              QString::fromUtf8("here ±12; over 1 mm ±2.9, before denoising"));
     QCOMPARE(hereText({true, 5.2f, 3, 2.81f}, ErrorOf::denoised), QString::fromUtf8("here ±6"));
-    QCOMPARE(hereText({true, 11.2f, 3, kUnknown}, ErrorOf::film), QString::fromUtf8("here ±12; over 1 mm: not known yet"));
-    QCOMPARE(hereText({true, 11.2f, 0, 11.2f}, ErrorOf::film), QString::fromUtf8("here ±12; a pixel is larger than 1 mm"));
+    QCOMPARE(hereText({true, 11.2f, 3, kUnknown}, ErrorOf::film),
+             QString::fromUtf8("here ±12; over 1 mm: not known yet"));
+    QCOMPARE(hereText({true, 11.2f, 0, 11.2f}, ErrorOf::film),
+             QString::fromUtf8("here ±12; a pixel is larger than 1 mm"));
     QCOMPARE(hereText({true, kUnknown, 3, kUnknown}, ErrorOf::beforeDenoising), "here: not known yet");
     QCOMPARE(hereText({false, 0, 3, 0}, ErrorOf::film), QString());
 }

@@ -6,12 +6,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "ui/accuracy/status_line.h"
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
 #include "ui/render_panel.h"
 #include "ui/series_delegate.h"
 #include "ui/series_panel.h"
-#include "ui/status_line.h"
 #include "ui/text/series_text.h"
 #include "ui/text/status_text.h"
 

@@ -1,4 +1,4 @@
-#include "ui/effect_ledger.h"
+#include "ui/accuracy/effect_ledger.h"
 
 #include <QVBoxLayout>
 #include <array>

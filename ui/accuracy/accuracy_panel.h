@@ -4,7 +4,7 @@
 
 #include <QLabel>
 
-#include "ui/error_plot.h"
+#include "ui/accuracy/error_plot.h"
 #include "ui/widgets/stop_row.h"
 
 namespace pdr::ui {

@@ -2,8 +2,8 @@
 /// The foot of the window: a sentence that says how good the picture is, a strip that says what more costs, and in
 /// small letters what else is true. Setters are silent.
 
-#include "ui/accuracy_strip.h"
-#include "ui/status_line.h"
+#include "ui/accuracy/accuracy_strip.h"
+#include "ui/accuracy/status_line.h"
 #include "ui/widgets/elided_label.h"
 
 namespace pdr::ui {

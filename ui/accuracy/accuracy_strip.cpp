@@ -1,4 +1,4 @@
-#include "ui/accuracy_strip.h"
+#include "ui/accuracy/accuracy_strip.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>

@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-#include "ui/error_axes.h"
-#include "ui/plot_event.h"
+#include "ui/accuracy/error_axes.h"
+#include "ui/accuracy/plot_event.h"
 #include "ui/text/accuracy_text.h"
 
 namespace pdr::ui {

@@ -5,8 +5,8 @@
 #include <QPainter>
 #include <QPalette>
 
-#include "ui/error_axes.h"
-#include "ui/plot_event.h"
+#include "ui/accuracy/error_axes.h"
+#include "ui/accuracy/plot_event.h"
 
 namespace pdr::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/error_plot.h"
+#include "ui/accuracy/error_plot.h"
 
 #include <QHelpEvent>
 #include <QLocale>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/error_marks.h"
+#include "ui/accuracy/error_marks.h"
 #include "ui/text/language.h"
 
 namespace pdr::ui {

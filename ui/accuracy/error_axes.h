@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/accuracy/forecast.h"
-#include "ui/strip_axis.h"
+#include "ui/accuracy/strip_axis.h"
 
 namespace pdr::ui {
 

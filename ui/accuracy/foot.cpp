@@ -1,4 +1,4 @@
-#include "ui/foot.h"
+#include "ui/accuracy/foot.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>

@@ -1,4 +1,4 @@
-#include "ui/accuracy_panel.h"
+#include "ui/accuracy/accuracy_panel.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>

@@ -6,7 +6,7 @@
 #include <QAbstractSlider>
 #include <optional>
 
-#include "ui/strip_axis.h"
+#include "ui/accuracy/strip_axis.h"
 #include "ui/text/accuracy_text.h"
 
 namespace pdr::ui {

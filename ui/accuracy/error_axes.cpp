@@ -1,4 +1,4 @@
-#include "ui/error_axes.h"
+#include "ui/accuracy/error_axes.h"
 
 #include <algorithm>
 #include <array>

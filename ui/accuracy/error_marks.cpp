@@ -1,4 +1,4 @@
-#include "ui/error_marks.h"
+#include "ui/accuracy/error_marks.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -1,4 +1,4 @@
-#include "ui/strip_axis.h"
+#include "ui/accuracy/strip_axis.h"
 
 #include <algorithm>
 #include <cmath>
