@@ -10,8 +10,8 @@
 #include "ui/look_panel.h"
 #include "ui/message_bar.h"
 #include "ui/render_panel.h"
-#include "ui/series_delegate.h"
-#include "ui/series_panel.h"
+#include "ui/series/series_delegate.h"
+#include "ui/series/series_panel.h"
 #include "ui/text/series_text.h"
 #include "ui/text/status_text.h"
 

@@ -1,10 +1,10 @@
-#include "ui/series_panel.h"
+#include "ui/series/series_panel.h"
 
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/series_delegate.h"
+#include "ui/series/series_delegate.h"
 #include "ui/text/room_text.h"
 #include "ui/text/series_text.h"
 #include "ui/text/to_qt.h"

@@ -1,4 +1,4 @@
-#include "ui/series_delegate.h"
+#include "ui/series/series_delegate.h"
 
 #include <QApplication>
 #include <QPainter>
