@@ -15,7 +15,8 @@
 #include "ui/key_bindings.h"
 #include "ui/keys_overlay.h"
 #include "ui/light/light_panel.h"
-#include "ui/look_panel.h"
+#include "ui/looks/look_panel.h"
+#include "ui/looks/visible_row.h"
 #include "ui/message_bar.h"
 #include "ui/nodes/nodes_panel.h"
 #include "ui/picture_order.h"
@@ -26,7 +27,6 @@
 #include "ui/tissue/tissue_panel.h"
 #include "ui/view/region_box.h"
 #include "ui/view/viewport.h"
-#include "ui/visible_row.h"
 #include "ui/window_actions.h"
 #include "ui/window_docks.h"
 

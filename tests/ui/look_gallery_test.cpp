@@ -5,7 +5,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "ui/look_panel.h"
+#include "ui/looks/look_panel.h"
 
 using namespace pdr::ui;
 

@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "ui/accuracy/status_line.h"
-#include "ui/look_panel.h"
+#include "ui/looks/look_panel.h"
 #include "ui/message_bar.h"
 #include "ui/render_panel.h"
 #include "ui/series/series_delegate.h"

@@ -1,4 +1,4 @@
-#include "ui/look_gallery.h"
+#include "ui/looks/look_gallery.h"
 
 #include <QGridLayout>
 #include <QPixmap>

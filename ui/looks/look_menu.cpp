@@ -1,4 +1,4 @@
-#include "ui/look_menu.h"
+#include "ui/looks/look_menu.h"
 
 #include <QInputDialog>
 #include <QMessageBox>

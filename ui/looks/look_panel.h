@@ -8,8 +8,8 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "ui/look_gallery.h"
-#include "ui/look_menu.h"
+#include "ui/looks/look_gallery.h"
+#include "ui/looks/look_menu.h"
 
 namespace pdr::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/look_panel.h"
+#include "ui/looks/look_panel.h"
 
 #include <QScrollArea>
 #include <QSignalBlocker>

@@ -1,4 +1,4 @@
-#include "ui/visible_row.h"
+#include "ui/looks/visible_row.h"
 
 #include <QFormLayout>
 #include <QSignalBlocker>
