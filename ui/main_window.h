@@ -20,7 +20,7 @@
 #include "ui/message_bar.h"
 #include "ui/nodes/nodes_panel.h"
 #include "ui/picture_order.h"
-#include "ui/render_panel.h"
+#include "ui/rendering/render_panel.h"
 #include "ui/series/series_panel.h"
 #include "ui/start_panel.h"
 #include "ui/theme.h"

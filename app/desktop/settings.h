@@ -12,7 +12,7 @@
 
 #include "render/accuracy/stop_rule.h"
 #include "render/base/split.h"
-#include "ui/render_panel.h"
+#include "ui/rendering/render_panel.h"
 #include "ui/theme.h"
 
 namespace pdr::app {

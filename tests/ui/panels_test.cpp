@@ -9,7 +9,7 @@
 #include "ui/accuracy/status_line.h"
 #include "ui/looks/look_panel.h"
 #include "ui/message_bar.h"
-#include "ui/render_panel.h"
+#include "ui/rendering/render_panel.h"
 #include "ui/series/series_delegate.h"
 #include "ui/series/series_panel.h"
 #include "ui/text/series_text.h"

@@ -3,7 +3,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "ui/render_panel.h"
+#include "ui/rendering/render_panel.h"
 
 namespace pdr::ui {
 

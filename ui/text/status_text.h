@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "render/film/smoothing_judgement.h"
-#include "ui/render_panel.h"
+#include "ui/rendering/render_panel.h"
 
 namespace pdr::ui {
 

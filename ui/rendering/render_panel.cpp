@@ -1,4 +1,4 @@
-#include "ui/render_panel.h"
+#include "ui/rendering/render_panel.h"
 
 #include <QFormLayout>
 #include <QLabel>
