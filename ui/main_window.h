@@ -19,7 +19,7 @@
 #include "ui/looks/visible_row.h"
 #include "ui/message_bar.h"
 #include "ui/nodes/nodes_panel.h"
-#include "ui/picture_order.h"
+#include "ui/output/picture_order.h"
 #include "ui/rendering/render_panel.h"
 #include "ui/series/series_panel.h"
 #include "ui/start_panel.h"

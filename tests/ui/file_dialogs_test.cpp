@@ -8,7 +8,7 @@
 #include <QTimer>
 
 #include "ui/main_window.h"
-#include "ui/picture_size_box.h"
+#include "ui/output/picture_size_box.h"
 
 namespace pdr::ui {
 

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "ui/picture_size_box.h"
+#include "ui/output/picture_size_box.h"
 
 namespace pdr::ui {
 

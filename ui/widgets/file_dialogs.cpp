@@ -10,7 +10,7 @@
 #include <QVariant>
 #include <array>
 
-#include "ui/picture_size_box.h"
+#include "ui/output/picture_size_box.h"
 
 namespace pdr::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "ui/picture_order.h"
+#include "ui/output/picture_order.h"
 
 namespace pdr::ui {
 

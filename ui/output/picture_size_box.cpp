@@ -1,4 +1,4 @@
-#include "ui/picture_size_box.h"
+#include "ui/output/picture_size_box.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -8,7 +8,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "ui/picture_order.h"
+#include "ui/output/picture_order.h"
 #include "ui/widgets/stop_row.h"
 
 namespace pdr::ui {
