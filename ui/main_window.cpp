@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "render/base/version.h"
-#include "ui/keys_dialog.h"
+#include "ui/keys/keys_dialog.h"
 #include "ui/program_icon.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/wheel_guard.h"

@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "ui/keys_dialog.h"
+#include "ui/keys/keys_dialog.h"
 #include "ui/main_window.h"
 
 namespace pdr::ui {

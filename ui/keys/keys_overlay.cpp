@@ -1,11 +1,11 @@
-#include "ui/keys_overlay.h"
+#include "ui/keys/keys_overlay.h"
 
 #include <QApplication>
 #include <QPainter>
 #include <algorithm>
 #include <array>
 
-#include "ui/key_bindings.h"
+#include "ui/keys/key_bindings.h"
 
 namespace pdr::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/key_bindings.h"
+#include "ui/keys/key_bindings.h"
 
 #include <QCoreApplication>
 #include <algorithm>

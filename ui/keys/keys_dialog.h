@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QTreeWidget>
 
-#include "ui/key_bindings.h"
+#include "ui/keys/key_bindings.h"
 
 namespace pdr::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/keys_dialog.h"
+#include "ui/keys/keys_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
