@@ -23,7 +23,7 @@
 #include "ui/rendering/render_panel.h"
 #include "ui/series/series_panel.h"
 #include "ui/start_panel.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 #include "ui/tissue/tissue_panel.h"
 #include "ui/view/region_box.h"
 #include "ui/view/viewport.h"

@@ -21,7 +21,7 @@
 #include "render/base/version.h"
 #include "render/device/device_list.h"
 #include "ui/text/language.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::app {
 namespace {

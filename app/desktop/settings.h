@@ -13,7 +13,7 @@
 #include "render/accuracy/stop_rule.h"
 #include "render/base/split.h"
 #include "ui/rendering/render_panel.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::app {
 

@@ -12,7 +12,7 @@
 #include "tests/support/sky_file.h"
 #include "tests/support/tissue_hand.h"
 #include "ui/text/to_qt.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::app {
 

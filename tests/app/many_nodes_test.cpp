@@ -18,7 +18,7 @@
 #include "tests/support/phantom_series.h"
 #include "tests/support/taken_port.h"
 #include "ui/text/to_qt.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::app {
 

@@ -18,7 +18,7 @@
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
 #include "render/film/tone_map.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::app {
 namespace {

@@ -25,7 +25,7 @@
 #include "app/looks/looks.h"
 #include "app/program/program.h"
 #include "tests/support/event_times.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::app {
 namespace {

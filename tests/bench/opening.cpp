@@ -19,7 +19,7 @@
 #include "app/program/program.h"
 #include "render/device/device_list.h"
 #include "tests/support/processor_time.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::app {
 namespace {

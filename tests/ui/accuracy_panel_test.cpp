@@ -8,7 +8,7 @@
 #include "ui/accuracy/error_marks.h"
 #include "ui/main_window.h"
 #include "ui/text/status_text.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::ui {
 

@@ -10,7 +10,7 @@
 #include "tests/support/named_widget.h"
 #include "ui/camera/camera_panel.h"
 #include "ui/camera/camera_text.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include "tests/support/mouse.h"
 #include "ui/accuracy/foot.h"
 #include "ui/main_window.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::ui {
 

@@ -10,7 +10,7 @@
 #include "tests/support/contrast.h"
 #include "tests/support/named_widget.h"
 #include "ui/light/light_panel.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::ui {
 

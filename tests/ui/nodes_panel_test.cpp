@@ -13,7 +13,7 @@
 #include "ui/nodes/node_address.h"
 #include "ui/nodes/node_text.h"
 #include "ui/nodes/nodes_panel.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::ui {
 

@@ -6,8 +6,8 @@
 #include <QTest>
 
 #include "tests/support/contrast.h"
-#include "ui/theme.h"
-#include "ui/theme_style.h"
+#include "ui/theme/theme.h"
+#include "ui/theme/theme_style.h"
 
 namespace pdr::ui {
 

@@ -9,7 +9,7 @@
 #include "render/volume/volume.h"
 #include "tests/support/contrast.h"
 #include "tests/support/tissue_hand.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::ui {
 

@@ -4,7 +4,7 @@
 #include <QProxyStyle>
 #include <QStyleOptionSlider>
 
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace pdr::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/theme_style.h"
+#include "ui/theme/theme_style.h"
 
 #include <QPainter>
 #include <QStyleOption>

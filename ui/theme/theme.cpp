@@ -1,6 +1,6 @@
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
-#include "ui/theme_style.h"
+#include "ui/theme/theme_style.h"
 
 namespace pdr::ui {
 namespace {
