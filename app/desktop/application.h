@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "render/base/thrown.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::app {
 

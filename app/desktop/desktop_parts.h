@@ -18,7 +18,7 @@
 #include "app/jobs/sky_job.h"
 #include "app/jobs/tissue_study.h"
 #include "app/looks/own_looks.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::app {
 

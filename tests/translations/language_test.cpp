@@ -3,11 +3,11 @@
 #include <QMenuBar>
 #include <QTest>
 
-#include "ui/main_window.h"
 #include "ui/text/accuracy_text.h"
 #include "ui/text/language.h"
 #include "ui/text/series_text.h"
 #include "ui/text/status_text.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

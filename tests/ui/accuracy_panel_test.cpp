@@ -6,9 +6,9 @@
 
 #include "tests/support/contrast.h"
 #include "ui/accuracy/error_marks.h"
-#include "ui/main_window.h"
 #include "ui/text/status_text.h"
 #include "ui/theme/theme.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

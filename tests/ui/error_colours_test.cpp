@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "tests/support/contrast.h"
-#include "ui/main_window.h"
 #include "ui/view/error_colours.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

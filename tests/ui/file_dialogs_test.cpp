@@ -7,8 +7,8 @@
 #include <QTest>
 #include <QTimer>
 
-#include "ui/main_window.h"
 #include "ui/output/picture_size_box.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

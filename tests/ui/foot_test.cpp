@@ -8,8 +8,8 @@
 
 #include "tests/support/mouse.h"
 #include "ui/accuracy/foot.h"
-#include "ui/main_window.h"
 #include "ui/theme/theme.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

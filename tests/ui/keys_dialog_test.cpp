@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "ui/keys/keys_dialog.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

@@ -8,8 +8,8 @@
 #include <QTest>
 
 #include "tests/support/named_widget.h"
-#include "ui/main_window.h"
-#include "ui/program_icon.h"
+#include "ui/window/main_window.h"
+#include "ui/window/program_icon.h"
 
 namespace pdr::ui {
 

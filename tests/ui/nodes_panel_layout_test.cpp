@@ -9,7 +9,7 @@
 #include "tests/support/named_widget.h"
 #include "tests/support/node_rows.h"
 #include "tests/support/processor_time.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

@@ -8,12 +8,12 @@
 
 #include "ui/accuracy/status_line.h"
 #include "ui/looks/look_panel.h"
-#include "ui/message_bar.h"
 #include "ui/rendering/render_panel.h"
 #include "ui/series/series_delegate.h"
 #include "ui/series/series_panel.h"
 #include "ui/text/series_text.h"
 #include "ui/text/status_text.h"
+#include "ui/window/message_bar.h"
 
 namespace pdr::ui {
 

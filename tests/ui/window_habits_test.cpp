@@ -9,8 +9,8 @@
 #include <QWheelEvent>
 
 #include "tests/support/named_widget.h"
-#include "ui/main_window.h"
 #include "ui/text/language.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

@@ -4,7 +4,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

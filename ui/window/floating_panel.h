@@ -3,7 +3,7 @@
 
 #include <QAction>
 
-#include "ui/floating.h"
+#include "ui/window/floating.h"
 
 namespace pdr::ui {
 

@@ -7,7 +7,7 @@
 #include <QMainWindow>
 #include <QMap>
 
-#include "ui/floating_panel.h"
+#include "ui/window/floating_panel.h"
 
 namespace pdr::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/floating.h"
+#include "ui/window/floating.h"
 
 #include <QEvent>
 

@@ -1,4 +1,4 @@
-#include "ui/panel_title.h"
+#include "ui/window/panel_title.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>

@@ -1,4 +1,4 @@
-#include "ui/message_bar.h"
+#include "ui/window/message_bar.h"
 
 #include <QHBoxLayout>
 #include <QStyle>

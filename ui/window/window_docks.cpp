@@ -1,4 +1,4 @@
-#include "ui/window_docks.h"
+#include "ui/window/window_docks.h"
 
 #include <QAction>
 #include <QMenuBar>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/panel_title.h"
 #include "ui/widgets/scrolled.h"
+#include "ui/window/panel_title.h"
 
 namespace pdr::ui {
 namespace {

@@ -6,7 +6,7 @@
 #include <QMenuBar>
 #include <array>
 
-#include "ui/recent_menu.h"
+#include "ui/window/recent_menu.h"
 
 namespace pdr::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -11,9 +11,9 @@
 
 #include "render/base/version.h"
 #include "ui/keys/keys_dialog.h"
-#include "ui/program_icon.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/wheel_guard.h"
+#include "ui/window/program_icon.h"
 
 namespace pdr::ui {
 namespace {

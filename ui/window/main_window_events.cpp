@@ -6,7 +6,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace pdr::ui {
 

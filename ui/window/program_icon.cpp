@@ -1,4 +1,4 @@
-#include "ui/program_icon.h"
+#include "ui/window/program_icon.h"
 
 /// Qt's macro must stand outside of any namespace; without it the linker drops the resources of a static library.
 static void keepIcons() {

@@ -1,9 +1,9 @@
-#include "ui/floating_panel.h"
+#include "ui/window/floating_panel.h"
 
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/panel_title.h"
+#include "ui/window/panel_title.h"
 
 namespace pdr::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/recent_menu.h"
+#include "ui/window/recent_menu.h"
 
 namespace pdr::ui {
 

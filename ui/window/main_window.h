@@ -17,18 +17,18 @@
 #include "ui/light/light_panel.h"
 #include "ui/looks/look_panel.h"
 #include "ui/looks/visible_row.h"
-#include "ui/message_bar.h"
 #include "ui/nodes/nodes_panel.h"
 #include "ui/output/picture_order.h"
 #include "ui/rendering/render_panel.h"
 #include "ui/series/series_panel.h"
-#include "ui/start_panel.h"
 #include "ui/theme/theme.h"
 #include "ui/tissue/tissue_panel.h"
 #include "ui/view/region_box.h"
 #include "ui/view/viewport.h"
-#include "ui/window_actions.h"
-#include "ui/window_docks.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/start_panel.h"
+#include "ui/window/window_actions.h"
+#include "ui/window/window_docks.h"
 
 namespace pdr::ui {
 

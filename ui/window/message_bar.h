@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "render/base/result.h"
-#include "ui/floating.h"
+#include "ui/window/floating.h"
 
 namespace pdr::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/start_panel.h"
+#include "ui/window/start_panel.h"
 
 #include <QDir>
 #include <QLabel>
