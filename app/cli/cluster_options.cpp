@@ -4,7 +4,7 @@
 #include <QDir>
 #include <QSysInfo>
 
-#include "app/cli/option_reader.h"
+#include "app/command_line/option_reader.h"
 
 namespace pdr::app {
 namespace {

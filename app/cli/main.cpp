@@ -19,7 +19,7 @@
 #include "app/cli/looks_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/replay_command.h"
-#include "app/program/command_words.h"
+#include "app/command_line/command_words.h"
 #include "app/program/program.h"
 #include "render/base/version.h"
 

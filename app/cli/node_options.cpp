@@ -1,6 +1,6 @@
 #include "app/cli/node_options.h"
 
-#include "app/cli/option_reader.h"
+#include "app/command_line/option_reader.h"
 
 namespace pdr::app {
 

@@ -3,8 +3,8 @@
 #include <QRegularExpression>
 
 #include "app/cli/node_options.h"
-#include "app/cli/option_reader.h"
 #include "app/cli/scene_options.h"
+#include "app/command_line/option_reader.h"
 #include "render/film/picture_format.h"
 
 namespace pdr::app {

@@ -2,7 +2,7 @@
 
 #include <QRegularExpression>
 
-#include "app/cli/option_reader.h"
+#include "app/command_line/option_reader.h"
 #include "app/looks/look_files.h"
 #include "app/looks/looks.h"
 #include "render/base/image_size.h"

@@ -10,13 +10,13 @@
 #include <iostream>
 #include <string_view>
 
+#include "app/command_line/command_words.h"
 #include "app/desktop/application.h"
 #include "app/desktop/desktop.h"
 #include "app/desktop/options.h"
 #include "app/desktop/power_supply.h"
 #include "app/desktop/show_message.h"
 #include "app/looks/looks.h"
-#include "app/program/command_words.h"
 #include "app/program/program.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"

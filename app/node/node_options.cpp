@@ -3,7 +3,7 @@
 #include <QCommandLineParser>
 #include <QSysInfo>
 
-#include "app/cli/option_reader.h"
+#include "app/command_line/option_reader.h"
 
 namespace pdr::node {
 namespace {
