@@ -1,13 +1,11 @@
 #include "app/document/cut_edits.h"
 
-#include "ui/cut/cut_panel.h"
-
 namespace pdr::app {
 
 void CutEdits::addPlane(int axis) {
     Clip clip = document_.setup().clip;
     const std::optional<ClipBox> uncut = document_.uncut();
-    if (!uncut || int(clip.planes.size()) >= ui::CutPanel::kMostPlanes)
+    if (!uncut || clip.planes.size() >= kMostPlanes)
         return;
     const Camera& camera = document_.setup().camera;
     clip.planes.push_back(axis < 0 ? facingPlane(camera, *uncut) : planeAcross(axis, camera, *uncut));

@@ -28,6 +28,9 @@ struct ClipPlane {
     bool operator==(const ClipPlane&) const = default;
 };
 
+/// Planes that can be added by hand; a file may hold more.
+inline constexpr std::size_t kMostPlanes = 8;
+
 /// A point of a picture, in fractions of its height from its middle.
 struct PicturePoint {
     double x = 0, y = 0;  ///< to the right and downwards; each in [-1000, 1000]

@@ -82,12 +82,12 @@ class TestCutInWindow : public QObject {
         QVERIFY(glm::dot(document.setup().clip.planes[0].normal, document.setup().camera.forward()) < -0.999);
         for (int i = 0; i < 12; ++i)
             emit window.cut().panel().planeWanted(i % 3);
-        QCOMPARE(int(document.setup().clip.planes.size()), ui::CutPanel::kMostPlanes);
+        QCOMPARE(document.setup().clip.planes.size(), kMostPlanes);
         QVERIFY(document.setup().clip.check());
         emit window.cut().uncutWanted();
         QVERIFY(document.setup().clip.empty());
         document.undo();
-        QCOMPARE(int(document.setup().clip.planes.size()), ui::CutPanel::kMostPlanes);
+        QCOMPARE(document.setup().clip.planes.size(), kMostPlanes);
     }
 
     /// Places in one patient mean nothing in another.

@@ -8,6 +8,7 @@
 #include "ui/tissue/curve_painter.h"
 #include "ui/tissue/curve_shape.h"
 #include "ui/tissue/histogram_bars.h"
+#include "ui/widgets/screen_colour.h"
 
 namespace pdr::ui {
 

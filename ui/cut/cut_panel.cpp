@@ -100,7 +100,7 @@ void CutPanel::setCuts(const Clip& clip, const std::optional<Uncut>& uncut) {
     }
     showPlanes();
     for (QPushButton* button : addPlane_)
-        button->setEnabled(int(clip.planes.size()) < kMostPlanes);
+        button->setEnabled(clip.planes.size() < kMostPlanes);
     lines_.setText(tr("Lines drawn: %1").arg(clip.freehand.size()));
     for (QWidget* part : std::initializer_list<QWidget*>{&lines_, &removeLine_})
         part->setVisible(!clip.freehand.empty());

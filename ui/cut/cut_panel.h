@@ -18,8 +18,6 @@ class CutPanel : public QWidget {
     Q_OBJECT
 
   public:
-    static constexpr int kMostPlanes = 8;
-
     explicit CutPanel(QWidget* parent = nullptr);
 
     /// `uncut`: what there is to cut; none: nothing can be.

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/tissue/curve_painter.h"
+#include "ui/widgets/screen_colour.h"
 
 namespace pdr::ui {
 namespace {

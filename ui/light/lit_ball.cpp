@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "ui/tissue/curve_painter.h"
+#include "ui/widgets/screen_colour.h"
 
 namespace pdr::ui {
 namespace {

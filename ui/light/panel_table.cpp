@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "render/scene/light_rig.h"
-#include "ui/tissue/curve_painter.h"
+#include "ui/widgets/screen_colour.h"
 
 namespace pdr::ui {
 namespace {

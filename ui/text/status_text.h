@@ -6,8 +6,10 @@
 #include <QStringList>
 #include <optional>
 
+#include "render/film/film_status.h"
 #include "render/film/smoothing_judgement.h"
-#include "ui/rendering/render_panel.h"
+#include "render/scene/model.h"
+#include "render/scene/schedule.h"
 
 namespace pdr::ui {
 

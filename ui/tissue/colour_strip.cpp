@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/tissue/curve_painter.h"
+#include "ui/widgets/screen_colour.h"
 
 namespace pdr::ui {
 namespace {

@@ -1,7 +1,5 @@
 #include "ui/tissue/curve_painter.h"
 
-#include <QColorSpace>
-#include <QColorTransform>
 #include <QCoreApplication>
 #include <QLocale>
 #include <QPainter>
@@ -11,6 +9,7 @@
 #include <cmath>
 
 #include "render/scene/tissue_bands.h"
+#include "ui/widgets/screen_colour.h"
 
 namespace pdr::ui {
 namespace {
@@ -61,19 +60,6 @@ QPolygonF outlineOf(const Curve& curve, const PlotView& view) {
     }
     appendColumn(outline, column);
     return outline << QPointF(area.right(), view.y(double(valueAt(curve, float(view.highHu())))));
-}
-
-QColor screenColour(vec3 linear) {
-    static const QColorTransform toScreen =
-        QColorSpace(QColorSpace::SRgbLinear).transformationToColorSpace(QColorSpace::SRgb);
-    return toScreen.map(QColor::fromRgbF(linear.x, linear.y, linear.z));
-}
-
-vec3 linearColour(const QColor& colour) {
-    static const QColorTransform toLinear =
-        QColorSpace(QColorSpace::SRgb).transformationToColorSpace(QColorSpace::SRgbLinear);
-    const QColor linear = toLinear.map(colour);
-    return {linear.redF(), linear.greenF(), linear.blueF()};
 }
 
 /// Colours are mixed as light is, not as the screen's numbers are, so not the stops are told but many places between.

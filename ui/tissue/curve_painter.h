@@ -23,9 +23,6 @@ QPolygonF outlineOf(const Curve& curve, const PlotView& view);
 vec3 albedoAt(const std::vector<ColourStop>& stops, double hu);
 /// The tissue's colours from edge to edge.
 QLinearGradient gradientOf(const std::vector<ColourStop>& stops, const PlotView& view);
-/// As it is shown on the screen.
-QColor screenColour(vec3 linear);
-vec3 linearColour(const QColor& colour);
 
 /// With their names above the area, as far as there is room.
 void paintTissueBands(QPainter& painter, const PlotView& view, const QPalette& palette);

@@ -1,4 +1,5 @@
 #include "ui/tissue/tissue_panel.h"
+#include "ui/widgets/screen_colour.h"
 
 #include <QLabel>
 #include <QSignalBlocker>

@@ -1,16 +1,8 @@
 #include "ui/widgets/file_dialogs.h"
 
 #include <QCoreApplication>
-#include <QDir>
-#include <QFileDialog>
-#include <QGridLayout>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QUrl>
-#include <QVariant>
-#include <array>
 
-#include "ui/output/picture_size_box.h"
+#include "ui/widgets/forgetful_dialog.h"
 
 namespace pdr::ui {
 namespace {
@@ -18,38 +10,6 @@ namespace {
 QString translated(const char* text) {
     return QCoreApplication::translate("fileDialogs", text);
 }
-
-/// What Qt's dialogs have written about places, by this program or another; written again when it dies.
-class KeptPlaces {
-  public:
-    KeptPlaces() {
-        for (std::size_t i = 0; i < kKeys.size(); ++i)
-            values_[i] = settings_.value(kKeys[i]);
-    }
-    ~KeptPlaces() {
-        for (std::size_t i = 0; i < kKeys.size(); ++i)
-            values_[i].isValid() ? settings_.setValue(kKeys[i], values_[i]) : settings_.remove(kKeys[i]);
-    }
-
-  protected:
-    static constexpr std::array kKeys{"FileDialog/history", "FileDialog/lastVisited", "FileDialog/shortcuts"};
-    std::array<QVariant, kKeys.size()> values_;
-    QSettings settings_{QSettings::UserScope, "QtProject"};
-};
-
-/// Qt's own dialog, since what a desktop's keeps is out of our hands. It writes its settings when it dies: by then it
-/// has nothing to tell, and what was there before comes back after it.
-class ForgetfulDialog : KeptPlaces, public QFileDialog {
-  public:
-    ForgetfulDialog(QWidget* parent, const QString& title) : QFileDialog(parent, title) {
-        setOption(QFileDialog::DontUseNativeDialog);
-    }
-    ~ForgetfulDialog() override {
-        setDirectory(QDir::rootPath());
-        setHistory({});
-        setSidebarUrls({});
-    }
-};
 
 QString askForFolderOf(QWidget* parent, const QString& title, const QString& start) {
     ForgetfulDialog dialog(parent, title);
@@ -65,18 +25,6 @@ QString askForFile(QWidget* parent, const QString& title, const QString& filter)
     dialog.setFileMode(QFileDialog::ExistingFile);
     dialog.setNameFilter(filter);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
-}
-
-/// Where people look for what they have saved.
-QString documents() {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return QDir(folder).exists() ? folder : QDir::homePath();
-}
-
-/// Below the files: the layout of Qt's own dialog is a grid.
-void addBelow(QFileDialog& dialog, QWidget* widget) {
-    if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout()))
-        grid->addWidget(widget, grid->rowCount(), 0, 1, -1);
 }
 
 }  // namespace
@@ -111,31 +59,6 @@ QString askWhereToShare(QWidget* parent, const QString& name) {
     });
     dialog.selectFile(QString(name).replace('/', '-'));
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
-}
-
-std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, const PictureOffer& offer) {
-    const QString png = translated("PNG picture (*.png)");
-    const QString exr = translated("OpenEXR with the error of every pixel (*.exr)");
-    ForgetfulDialog dialog(parent, translated("Save the picture"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilters({png, exr});
-    dialog.setDirectory(offer.folder.isEmpty() ? documents() : offer.folder);
-    // With a suffix from the dialog itself it also asks before it overwrites.
-    dialog.setDefaultSuffix("png");
-    auto* box = new PictureSizeBox(offer);
-    addBelow(dialog, box);
-    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& filter) {
-        dialog.setDefaultSuffix(filter == exr ? "exr" : "png");
-        box->setAnnotatable(filter != exr);
-    });
-    QObject::connect(&save, &QAction::enabledChanged, &dialog, [&](bool enabled) {
-        if (!enabled)
-            dialog.reject();
-    });
-    dialog.selectFile(offer.name);
-    if (dialog.exec() != QDialog::Accepted)
-        return std::nullopt;
-    return PictureOrder{dialog.selectedFiles().value(0), box->chosenSize(), box->stop(), box->annotate()};
 }
 
 }  // namespace pdr::ui

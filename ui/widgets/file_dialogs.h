@@ -2,12 +2,8 @@
 /// The dialogs for folders and files. Qt keeps where its dialogs have been in the user's settings, but a folder's name
 /// may be a patient's: these leave the settings as they were.
 
-#include <QAction>
 #include <QString>
 #include <QWidget>
-#include <optional>
-
-#include "ui/output/picture_order.h"
 
 namespace pdr::ui {
 
@@ -16,11 +12,6 @@ QString askForFolder(QWidget* parent, const QString& start);
 
 /// Asks for a folder with certificates, beginning in `start`; empty: the user cancelled.
 QString askForCertificates(QWidget* parent, const QString& start);
-
-/// Asks for a file to save the picture in, for its size, for how good it is to be and what is written over it,
-/// beginning with `offer`. None: the user cancelled, or `save` was disabled meanwhile: a name that was thought of for
-/// one patient must not go to the next.
-std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, const PictureOffer& offer);
 
 /// Asks for a file with a look: ours (.json) or 3D Slicer's (.vp.json, .vp); empty: the user cancelled.
 QString askForLook(QWidget* parent);

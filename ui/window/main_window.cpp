@@ -11,6 +11,7 @@
 
 #include "render/base/version.h"
 #include "ui/keys/keys_dialog.h"
+#include "ui/output/save_dialog.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/window/program_icon.h"

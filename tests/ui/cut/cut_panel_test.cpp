@@ -82,7 +82,7 @@ class TestCutPanel : public QObject {
         QSignalSpy wanted(&live.panel, &CutPanel::planeWanted);
         live.button("Coronal")->click();
         QCOMPARE(wanted.front().front().toInt(), 1);
-        live.clip.planes.assign(CutPanel::kMostPlanes, ClipPlane{});
+        live.clip.planes.assign(kMostPlanes, ClipPlane{});
         live.panel.setCuts(live.clip, kBody);
         QVERIFY(!live.button("Coronal")->isEnabled() && !live.button("Facing")->isEnabled());
     }

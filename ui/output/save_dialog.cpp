@@ -1,0 +1,57 @@
+#include "ui/output/save_dialog.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QGridLayout>
+#include <QStandardPaths>
+
+#include "ui/output/picture_size_box.h"
+#include "ui/widgets/forgetful_dialog.h"
+
+namespace pdr::ui {
+namespace {
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("fileDialogs", text);
+}
+
+/// Where people look for what they have saved.
+QString documents() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QDir(folder).exists() ? folder : QDir::homePath();
+}
+
+/// Below the files: the layout of Qt's own dialog is a grid.
+void addBelow(QFileDialog& dialog, QWidget* widget) {
+    if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout()))
+        grid->addWidget(widget, grid->rowCount(), 0, 1, -1);
+}
+
+}  // namespace
+
+std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, const PictureOffer& offer) {
+    const QString png = translated("PNG picture (*.png)");
+    const QString exr = translated("OpenEXR with the error of every pixel (*.exr)");
+    ForgetfulDialog dialog(parent, translated("Save the picture"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({png, exr});
+    dialog.setDirectory(offer.folder.isEmpty() ? documents() : offer.folder);
+    // With a suffix from the dialog itself it also asks before it overwrites.
+    dialog.setDefaultSuffix("png");
+    auto* box = new PictureSizeBox(offer);
+    addBelow(dialog, box);
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& filter) {
+        dialog.setDefaultSuffix(filter == exr ? "exr" : "png");
+        box->setAnnotatable(filter != exr);
+    });
+    QObject::connect(&save, &QAction::enabledChanged, &dialog, [&](bool enabled) {
+        if (!enabled)
+            dialog.reject();
+    });
+    dialog.selectFile(offer.name);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return PictureOrder{dialog.selectedFiles().value(0), box->chosenSize(), box->stop(), box->annotate()};
+}
+
+}  // namespace pdr::ui
