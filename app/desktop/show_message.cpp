@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/scene/tissue_channels.h"
+#include "render/scene/edit/tissue_channels.h"
 
 namespace pdr::app {
 namespace {

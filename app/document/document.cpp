@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "render/base/image_size.h"
-#include "render/scene/camera_edits.h"
+#include "render/scene/edit/camera_edits.h"
 
 namespace pdr::app {
 Document::Document(std::vector<NamedLook> looks) : looks_(std::move(looks)) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/scene/curve_shapes.h"
-#include "render/scene/tissue_channels.h"
+#include "render/scene/edit/curve_shapes.h"
+#include "render/scene/edit/tissue_channels.h"
 
 namespace pdr::app {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/scene/drawn_outline.h"
-#include "render/scene/view_geometry.h"
+#include "render/scene/edit/drawn_outline.h"
+#include "render/scene/edit/view_geometry.h"
 
 namespace pdr {
 namespace {

@@ -8,7 +8,7 @@
 #include <array>
 #include <utility>
 
-#include "render/scene/camera_edits.h"
+#include "render/scene/edit/camera_edits.h"
 #include "ui/camera/camera_text.h"
 
 namespace pdr::ui {

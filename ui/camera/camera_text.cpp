@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "render/scene/camera_edits.h"
+#include "render/scene/edit/camera_edits.h"
 
 namespace pdr::ui {
 namespace {

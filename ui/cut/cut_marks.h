@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/scene/cut_handles.h"
+#include "render/scene/edit/cut_handles.h"
 
 namespace pdr::ui {
 

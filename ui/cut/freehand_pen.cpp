@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/scene/drawn_outline.h"
+#include "render/scene/edit/drawn_outline.h"
 #include "ui/view/shown_picture.h"
 
 namespace pdr::ui {

@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "render/scene/cut_handles.h"
+#include "render/scene/edit/cut_handles.h"
 
 namespace pdr::ui {
 

@@ -4,7 +4,7 @@
 #include <QString>
 #include <optional>
 
-#include "render/scene/cut_handles.h"
+#include "render/scene/edit/cut_handles.h"
 
 namespace pdr::ui {
 

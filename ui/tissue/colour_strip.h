@@ -2,7 +2,7 @@
 /// The tissue's colours along Hounsfield units, with stops of their own below. Ctrl and a press, or Ins, adds a stop;
 /// Enter or a double click on one asks for its colour. Setters are silent.
 
-#include "render/scene/tissue_channels.h"
+#include "render/scene/edit/tissue_channels.h"
 #include "ui/tissue/points_plot.h"
 
 namespace pdr::ui {

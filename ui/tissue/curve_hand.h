@@ -5,7 +5,7 @@
 #include <Qt>
 #include <optional>
 
-#include "render/scene/curve.h"
+#include "render/scene/edit/curve.h"
 #include "ui/tissue/plot_view.h"
 
 namespace pdr::ui {

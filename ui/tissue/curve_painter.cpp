@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/scene/tissue_bands.h"
+#include "render/scene/edit/tissue_bands.h"
 #include "ui/widgets/screen_colour.h"
 
 namespace pdr::ui {

@@ -7,8 +7,8 @@
 #include <QPolygonF>
 #include <vector>
 
-#include "render/scene/curve.h"
-#include "render/scene/tissue_channels.h"
+#include "render/scene/edit/curve.h"
+#include "render/scene/edit/tissue_channels.h"
 #include "ui/tissue/plot_view.h"
 
 class QPainter;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/scene/curve_shapes.h"
+#include "render/scene/edit/curve_shapes.h"
 
 namespace pdr::ui {
 namespace {

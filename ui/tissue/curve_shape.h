@@ -4,7 +4,7 @@
 #include <QString>
 #include <array>
 
-#include "render/scene/curve.h"
+#include "render/scene/edit/curve.h"
 #include "render/volume/histogram.h"
 
 namespace pdr::ui {

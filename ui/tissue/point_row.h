@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <optional>
 
-#include "render/scene/curve.h"
+#include "render/scene/edit/curve.h"
 
 namespace pdr::ui {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "render/scene/curve.h"
+#include "render/scene/edit/curve.h"
+#include "render/scene/edit/tissue_channels.h"
 #include "render/scene/named_look.h"
-#include "render/scene/tissue_channels.h"
 
 namespace pdr::slicer {
 

@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "app/desktop/show_scan.h"
-#include "render/scene/tissue_channels.h"
+#include "render/scene/edit/tissue_channels.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/hand_on_window.h"
 #include "tests/support/patience.h"

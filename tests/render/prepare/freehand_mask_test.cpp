@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "render/scene/view_geometry.h"
+#include "render/scene/edit/view_geometry.h"
 #include "tests/support/pictures.h"
 
 using namespace pdr;

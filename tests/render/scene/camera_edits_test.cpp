@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "render/scene/camera_edits.h"
-#include "render/scene/fit_view.h"
+#include "render/scene/edit/camera_edits.h"
+#include "render/scene/edit/fit_view.h"
 #include "render/scene/orbit.h"
 
 using namespace pdr;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "render/scene/curve_shapes.h"
+#include "render/scene/edit/curve_shapes.h"
 
 using namespace pdr;
 

@@ -1,6 +1,6 @@
 /// What a drag does to a cut: faces and planes follow the hand, one looks at them from wherever one likes.
 
-#include "render/scene/cut_handles.h"
+#include "render/scene/edit/cut_handles.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 /// Lines that a hand has drawn: their corners, and how far away they are.
 
-#include "render/scene/drawn_outline.h"
+#include "render/scene/edit/drawn_outline.h"
 
 #include <QTest>
 #include <random>

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "render/scene/needed_nodes.h"
-#include "render/scene/tissue_channels.h"
+#include "render/scene/edit/needed_nodes.h"
+#include "render/scene/edit/tissue_channels.h"
 
 using namespace pdr;
 

@@ -1,6 +1,6 @@
 /// Places and points of the picture: there and back, and as the renderer sees them.
 
-#include "render/scene/view_geometry.h"
+#include "render/scene/edit/view_geometry.h"
 
 #include <QTest>
 

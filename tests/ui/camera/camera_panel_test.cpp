@@ -5,7 +5,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "render/scene/camera_edits.h"
+#include "render/scene/edit/camera_edits.h"
 #include "tests/support/contrast.h"
 #include "tests/support/named_widget.h"
 #include "ui/camera/camera_panel.h"

@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "render/scene/drawn_outline.h"
+#include "render/scene/edit/drawn_outline.h"
 #include "tests/support/mouse.h"
 
 namespace pdr::ui {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "render/scene/clip.h"
-#include "render/scene/view_geometry.h"
+#include "render/scene/edit/view_geometry.h"
 
 namespace pdr {
 

@@ -1,4 +1,4 @@
-#include "render/scene/curve_shapes.h"
+#include "render/scene/edit/curve_shapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/scene/cut_handles.h"
+#include "render/scene/edit/cut_handles.h"
 
 #include <algorithm>
 #include <cmath>

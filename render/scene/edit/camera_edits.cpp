@@ -1,4 +1,4 @@
-#include "render/scene/camera_edits.h"
+#include "render/scene/edit/camera_edits.h"
 
 #include <algorithm>
 #include <cmath>

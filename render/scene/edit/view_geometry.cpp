@@ -1,4 +1,4 @@
-#include "render/scene/view_geometry.h"
+#include "render/scene/edit/view_geometry.h"
 
 #include <cmath>
 

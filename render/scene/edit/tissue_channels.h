@@ -2,7 +2,7 @@
 /// A TransferFunction taken apart into curves that are edited one at a time, and put together again. Its nodes carry
 /// all properties at once; a curve has only the points that its own property needs.
 
-#include "render/scene/curve.h"
+#include "render/scene/edit/curve.h"
 #include "render/scene/transfer_function.h"
 
 namespace pdr {

@@ -1,4 +1,4 @@
-#include "render/scene/drawn_outline.h"
+#include "render/scene/edit/drawn_outline.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Curves that a few numbers say, from 0 to `top`.
 
-#include "render/scene/curve.h"
+#include "render/scene/edit/curve.h"
 
 namespace pdr {
 

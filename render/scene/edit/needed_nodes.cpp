@@ -1,4 +1,4 @@
-#include "render/scene/needed_nodes.h"
+#include "render/scene/edit/needed_nodes.h"
 
 #include <algorithm>
 #include <array>

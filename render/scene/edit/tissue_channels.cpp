@@ -1,10 +1,10 @@
-#include "render/scene/tissue_channels.h"
+#include "render/scene/edit/tissue_channels.h"
 
 #include <algorithm>
 #include <cassert>
 #include <functional>
 
-#include "render/scene/needed_nodes.h"
+#include "render/scene/edit/needed_nodes.h"
 
 namespace pdr {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/scene/curve.h"
+#include "render/scene/edit/curve.h"
 
 #include <algorithm>
 #include <iterator>
