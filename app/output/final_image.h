@@ -11,8 +11,8 @@
 #include "app/output/image_files.h"
 #include "app/output/provenance.h"
 #include "render/device/device.h"
+#include "render/film/error/shown_status.h"
 #include "render/film/image_file.h"
-#include "render/film/shown_status.h"
 #include "render/scene/scene.h"
 #include "render/session/batch_render.h"
 

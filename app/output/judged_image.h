@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/output/provenance.h"
+#include "render/film/error/shown_status.h"
 #include "render/film/image_file.h"
-#include "render/film/shown_status.h"
 #include "render/scene/scene.h"
 
 namespace pdr::app {

@@ -10,7 +10,7 @@
 #include "render/accuracy/bias_estimate.h"
 #include "render/base/health.h"
 #include "render/base/text.h"
-#include "render/film/smoothing_judgement.h"
+#include "render/film/error/smoothing_judgement.h"
 #include "render/scene/model.h"
 #include "render/scene/schedule.h"
 

@@ -2,7 +2,7 @@
 /// How a film and its denoised image became better, and when the one that is shown will be how good.
 
 #include "render/accuracy/forecast.h"
-#include "render/film/shown_status.h"
+#include "render/film/error/shown_status.h"
 
 namespace pdr {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/film/noisy_film.h"
+#include "render/film/error/noisy_film.h"
 #include "render/film/tone_curve.h"
 
 namespace pdr {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "render/film/noisy_film.h"
+#include "render/film/error/noisy_film.h"
 
 namespace pdr {
 

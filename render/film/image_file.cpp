@@ -20,9 +20,9 @@
 #include "render/base/image_size.h"
 #include "render/base/plain_file.h"
 #include "render/base/replacing_file.h"
+#include "render/film/error/likely_error.h"
+#include "render/film/error/local_error.h"
 #include "render/film/levels_text.h"
-#include "render/film/likely_error.h"
-#include "render/film/local_error.h"
 #include "render/film/smoothed_view.h"
 #include "render/film/tone_map.h"
 

@@ -3,7 +3,7 @@
 /// known to be as good, that is shown, so that the view becomes the film by itself.
 
 #include "render/film/display.h"
-#include "render/film/smoothing_judgement.h"
+#include "render/film/error/smoothing_judgement.h"
 
 namespace pdr {
 

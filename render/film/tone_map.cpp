@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "render/base/srgb.h"
+#include "render/film/error/noisy_film.h"
 #include "render/film/levels.h"
-#include "render/film/noisy_film.h"
 #include "render/film/tone_curve.h"
 
 namespace pdr {

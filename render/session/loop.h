@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "render/accuracy/shown_history.h"
-#include "render/film/error_map_view.h"
+#include "render/film/error/error_map_view.h"
 #include "render/film/smoothed_view.h"
 #include "render/session/bias_measurements.h"
 #include "render/session/film_on_device.h"

@@ -11,10 +11,10 @@
 
 #include "render/accuracy/forecast.h"
 #include "render/device/device.h"
-#include "render/film/level_error_map.h"
-#include "render/film/likely_error.h"
-#include "render/film/local_error.h"
-#include "render/film/noisy_film.h"
+#include "render/film/error/level_error_map.h"
+#include "render/film/error/likely_error.h"
+#include "render/film/error/local_error.h"
+#include "render/film/error/noisy_film.h"
 #include "render/film/smoothed_view.h"
 #include "render/film/tone_curve.h"
 
@@ -27,7 +27,7 @@ struct StatedImage {
     FilmStatus status;
     std::optional<SmoothedError> denoisedError;
     std::vector<dvec3> light, denoised;
-    std::vector<dvec3> error, bound;  ///< of an OpenEXR file
+    std::vector<dvec3> error, bound;      ///< of an OpenEXR file
     std::vector<float> map, denoisedMap;  ///< levels; infinite: not known, or more than a map tells
     std::vector<bool> tissue;
 };

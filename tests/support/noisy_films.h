@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "render/film/noisy_film.h"
+#include "render/film/error/noisy_film.h"
 #include "tests/support/known_films.h"
 
 namespace pdr::test {

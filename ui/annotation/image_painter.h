@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
+#include "render/film/error/shown_status.h"
 #include "render/film/image_file.h"
-#include "render/film/shown_status.h"
 #include "ui/annotation/annotations.h"
 
 namespace pdr::ui {

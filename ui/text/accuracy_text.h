@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "render/accuracy/stop_rule.h"
-#include "render/film/level_error_map.h"
-#include "render/film/shown_status.h"
+#include "render/film/error/level_error_map.h"
+#include "render/film/error/shown_status.h"
 
 namespace pdr::ui {
 

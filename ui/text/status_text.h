@@ -6,8 +6,8 @@
 #include <QStringList>
 #include <optional>
 
+#include "render/film/error/smoothing_judgement.h"
 #include "render/film/film_status.h"
-#include "render/film/smoothing_judgement.h"
 #include "render/scene/model.h"
 #include "render/scene/schedule.h"
 

@@ -6,7 +6,7 @@
 #include <QColor>
 #include <QList>
 
-#include "render/film/level_error_map.h"
+#include "render/film/error/level_error_map.h"
 
 namespace pdr::ui {
 

@@ -5,7 +5,7 @@
 
 #include "render/accuracy/true_error.h"
 #include "render/film/display.h"
-#include "render/film/smoothing_judgement.h"
+#include "render/film/error/smoothing_judgement.h"
 
 namespace pdr::bench {
 

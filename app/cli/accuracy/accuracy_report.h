@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/accuracy/accuracy_curve.h"
-#include "render/film/smoothing_judgement.h"
+#include "render/film/error/smoothing_judgement.h"
 
 namespace pdr::app {
 

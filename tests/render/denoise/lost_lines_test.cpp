@@ -4,7 +4,7 @@
 #include <QTest>
 #include <numbers>
 
-#include "render/film/smoothing_judgement.h"
+#include "render/film/error/smoothing_judgement.h"
 #include "tests/support/noisy_films.h"
 #include "tests/support/tissue_scene.h"
 
@@ -207,7 +207,8 @@ class LostLinesTest : public QObject {
         QFETCH(double, angle);
         const Drawn line{dvec2(kFilm) / 2.0, angle, 120};
         const Truth brighter = drawn([&](int x, int y) { return 0.5 * (1 + 0.3 * line.cover(x, y)); });
-        const Film plain = noisyFilmOf(kFilm, [](int, int) { return 0.5; }, 32);
+        const Film plain = noisyFilmOf(
+            kFilm, [](int, int) { return 0.5; }, 32);
         const std::vector<LostLine> marks = marksBeside(noisyFilmOf(kFilm, brighter, 32), plain);
         QCOMPARE(marks.size(), 1u);
         QVERIFY(line.has(marks[0]) && !marks[0].darker);

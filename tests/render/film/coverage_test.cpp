@@ -9,9 +9,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "render/film/level_error_map.h"
-#include "render/film/likely_error.h"
-#include "render/film/local_error.h"
+#include "render/film/error/level_error_map.h"
+#include "render/film/error/likely_error.h"
+#include "render/film/error/local_error.h"
 #include "tests/support/coverage_scenes.h"
 #include "tests/support/known_films.h"
 

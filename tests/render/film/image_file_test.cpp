@@ -15,9 +15,9 @@
 #include <csignal>
 #include <fstream>
 
+#include "render/film/error/likely_error.h"
+#include "render/film/error/local_error.h"
 #include "render/film/image_file.h"
-#include "render/film/likely_error.h"
-#include "render/film/local_error.h"
 #include "render/film/tone_map.h"
 #include "tests/support/exr_channels.h"
 #include "tests/support/noisy_films.h"
@@ -140,9 +140,8 @@ class ImageFileTest : public QObject {
         QVERIFY(text({1, false}).isEmpty());
         const QImage raw(folder_.filePath("a.png"));
         QVERIFY2(
-            QRegularExpression(
-                "^95 % of the tissue within [0-9.]+ of 255 levels; lines of 2 pixels below [0-9]+ % "
-                "contrast may be missing$")
+            QRegularExpression("^95 % of the tissue within [0-9.]+ of 255 levels; lines of 2 pixels below [0-9]+ % "
+                               "contrast may be missing$")
                 .match(text({1, true}))
                 .hasMatch(),
             qPrintable(text({1, true})));

@@ -1,11 +1,11 @@
 /// The map of what is still rough, against films whose error is known.
 
-#include "render/film/level_error_map.h"
+#include "render/film/error/level_error_map.h"
 
 #include <QTest>
 #include <cmath>
 
-#include "render/film/likely_error.h"
+#include "render/film/error/likely_error.h"
 #include "tests/support/noisy_films.h"
 
 using namespace pdr;

@@ -1,6 +1,6 @@
 /// What is stated of single pixels.
 
-#include "render/film/local_error.h"
+#include "render/film/error/local_error.h"
 
 #include <QTest>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/film/smoothing_judgement.h"
+#include "render/film/error/smoothing_judgement.h"
 #include "tests/support/coverage_scenes.h"
 #include "tests/support/known_films.h"
 

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "render/device/emulated/emulated_gpu.h"
-#include "render/film/shown_status.h"
+#include "render/film/error/shown_status.h"
 #include "render/film/smoothed_view.h"
 #include "render/film/tone_map.h"
 #include "tests/support/noisy_films.h"

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <future>
 
-#include "render/film/error_map_view.h"
+#include "render/film/error/error_map_view.h"
 #include "tests/support/fake_clock.h"
 #include "tests/support/reel.h"
 #include "tests/support/screen.h"
@@ -101,8 +101,8 @@ class ErrorMapTest : public QObject {
         view.keep(levelErrorMap(Film(ivec2(8, 8), 1), 1), kFilm, 40, 1);
         QVERIFY(!view.isDue(kFilm, 49, 1, 1.25) && view.isDue(kFilm, 50, 1, 1.25));
         QVERIFY(!view.isDue(kFilm, 79, 1, 2) && view.isDue(kFilm, 80, 1, 2));
-        QVERIFY(view.isDue(kFilm, 41, 2, 2));               // another display
-        QVERIFY(view.isDue(kFilm, 39, 1, 2));               // another part
+        QVERIFY(view.isDue(kFilm, 41, 2, 2));              // another display
+        QVERIFY(view.isDue(kFilm, 39, 1, 2));              // another part
         QVERIFY(view.isDue(ErrorOf::denoised, 41, 1, 2));  // another image
     }
 };

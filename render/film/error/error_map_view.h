@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "render/film/level_error_map.h"
-#include "render/film/shown_status.h"
+#include "render/film/error/level_error_map.h"
+#include "render/film/error/shown_status.h"
 
 namespace pdr {
 
@@ -13,9 +13,9 @@ class ErrorMapView {
   public:
     /// Another film, or none is wanted any more.
     void clear() { *this = {}; }
-    /// Whether the map is to be made of an image of a film, the part of which that is being sampled has so many samples,
-    /// on a display of that exposure: when they are `growth` times as many, and enough to know errors; where that is
-    /// another image or part, and on another display.
+    /// Whether the map is to be made of an image of a film, the part of which that is being sampled has so many
+    /// samples, on a display of that exposure: when they are `growth` times as many, and enough to know errors; where
+    /// that is another image or part, and on another display.
     bool isDue(ErrorOf of, std::uint64_t samples, float exposure, double growth) const {
         const bool better = samples >= kSamplesToEstimate && double(samples) >= growth * double(samples_);
         return !map_ || of != of_ || exposure != exposure_ || better || samples < samples_;

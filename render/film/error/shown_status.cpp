@@ -1,4 +1,4 @@
-#include "render/film/shown_status.h"
+#include "render/film/error/shown_status.h"
 
 namespace pdr {
 namespace {

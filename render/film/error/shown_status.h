@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "render/film/error/smoothing_judgement.h"
 #include "render/film/film_status.h"
-#include "render/film/smoothing_judgement.h"
 
 namespace pdr {
 

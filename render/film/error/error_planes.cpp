@@ -1,4 +1,4 @@
-#include "render/film/error_planes.h"
+#include "render/film/error/error_planes.h"
 
 #include <algorithm>
 #include <limits>

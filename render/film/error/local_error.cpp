@@ -1,4 +1,4 @@
-#include "render/film/local_error.h"
+#include "render/film/error/local_error.h"
 
 #include <cmath>
 #include <limits>

@@ -1,8 +1,8 @@
-#include "render/film/likely_error.h"
+#include "render/film/error/likely_error.h"
 
 #include <cmath>
 
-#include "render/film/local_error.h"
+#include "render/film/error/local_error.h"
 
 namespace pdr {
 namespace {

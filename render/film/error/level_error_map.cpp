@@ -1,9 +1,9 @@
-#include "render/film/level_error_map.h"
+#include "render/film/error/level_error_map.h"
 
 #include <algorithm>
 
 #include "render/film/display_error.h"
-#include "render/film/likely_error.h"
+#include "render/film/error/likely_error.h"
 
 namespace pdr {
 namespace {

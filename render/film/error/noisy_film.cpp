@@ -1,4 +1,4 @@
-#include "render/film/noisy_film.h"
+#include "render/film/error/noisy_film.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 /// well of itself: in forward-scattering fog two of its own standard errors hold the truth in 41 % of pixels (64
 /// samples), two of these in 97 %.
 
-#include "render/film/error_planes.h"
+#include "render/film/error/error_planes.h"
 
 namespace pdr {
 

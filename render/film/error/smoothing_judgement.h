@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "render/denoise/lost_lines.h"
-#include "render/film/level_error_map.h"
-#include "render/film/noisy_film.h"
+#include "render/film/error/level_error_map.h"
+#include "render/film/error/noisy_film.h"
 
 namespace pdr {
 
@@ -36,8 +36,9 @@ class SmoothingJudgement {
     /// has been seen that may come: too little is known.
     std::optional<SmoothedError> over(const Tile& region, double exposure) const;
     std::optional<SmoothedError> overAll(double exposure) const { return over(area_, exposure); }
-    /// Where the denoised image is still rough on a display of that exposure: of each pixel of tissue twice the root mean
-    /// square of the errors in 21 x 21 pixels around it, at least an eighth of `stated`, which one square tells nothing of.
+    /// Where the denoised image is still rough on a display of that exposure: of each pixel of tissue twice the root
+    /// mean square of the errors in 21 x 21 pixels around it, at least an eighth of `stated`, which one square tells
+    /// nothing of.
     LevelErrorMap errorMap(double exposure, double stated) const;
     /// That are known to be missing, though the stated error does not tell; see denoise/lost_lines.h.
     const std::vector<denoise::LostLine>& lostLines() const { return lostLines_; }
@@ -64,7 +65,7 @@ class SmoothingJudgement {
     Tile area_;
     double unit_;
     double samples_;  ///< that every pixel has
-    double sigmas_;  ///< of the sums over tiles, for 95 %
+    double sigmas_;   ///< of the sums over tiles, for 95 %
     std::vector<Evidence> evidence_;
     bool tissue_ = false;  ///< there is some: only that counts
     std::vector<denoise::LostLine> lostLines_;

@@ -1,4 +1,4 @@
-#include "render/film/smoothing_judgement.h"
+#include "render/film/error/smoothing_judgement.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Where an image is still rough: each pixel's own 95 % margin [display levels of 255], from what its neighbourhood tells
-/// of its error (likely_error.h), put through the display (display_error.h). Where all pixels together are within 8
-/// levels, about a fifth of them have wider margins of their own: most of these are nevertheless off by less.
+/// Where an image is still rough: each pixel's own 95 % margin [display levels of 255], from what its neighbourhood
+/// tells of its error (likely_error.h), put through the display (display_error.h). Where all pixels together are within
+/// 8 levels, about a fifth of them have wider margins of their own: most of these are nevertheless off by less.
 
 #include <cmath>
 #include <cstdint>
