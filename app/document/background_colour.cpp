@@ -1,6 +1,6 @@
 #include "app/document/background_colour.h"
 
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 
 namespace pdr::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/looks/looks.h"
 #include "app/looks/small_image.h"
 #include "render/device/device.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 
 namespace pdr::app {
 namespace {

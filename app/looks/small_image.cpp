@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "render/base/errors.h"
-#include "render/film/exposure.h"
+#include "render/film/display/exposure.h"
 #include "render/scene/edit/fit_view.h"
 #include "render/scene/visible_mask.h"
 #include "render/volume/coarser.h"

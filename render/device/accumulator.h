@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "render/base/result.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 
 namespace pdr {
 

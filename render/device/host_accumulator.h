@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "render/device/accumulator.h"
+#include "render/film/display/tone_map.h"
 #include "render/film/film.h"
-#include "render/film/tone_map.h"
 
 namespace pdr {
 

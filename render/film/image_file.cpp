@@ -20,11 +20,11 @@
 #include "render/base/image_size.h"
 #include "render/base/plain_file.h"
 #include "render/base/replacing_file.h"
+#include "render/film/display/smoothed_view.h"
+#include "render/film/display/tone_map.h"
 #include "render/film/error/likely_error.h"
 #include "render/film/error/local_error.h"
 #include "render/film/levels_text.h"
-#include "render/film/smoothed_view.h"
-#include "render/film/tone_map.h"
 
 namespace pdr {
 namespace {

@@ -11,9 +11,9 @@
 #include "render/base/progress.h"
 #include "render/base/result.h"
 #include "render/film/display.h"
+#include "render/film/display/smoothed_view.h"
 #include "render/film/film.h"
 #include "render/film/provenance.h"
-#include "render/film/smoothed_view.h"
 
 namespace pdr {
 
@@ -36,8 +36,8 @@ struct RadianceImage {
     std::vector<vec3> pixels;
 };
 
-/// The R, G, B (or Y) channels of an OpenEXR file; at most kLongestSide pixels an edge. Errors: no such file, no OpenEXR file,
-/// damaged, too large, without these channels; cancelled().
+/// The R, G, B (or Y) channels of an OpenEXR file; at most kLongestSide pixels an edge. Errors: no such file, no
+/// OpenEXR file, damaged, too large, without these channels; cancelled().
 Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress& progress = noProgress);
 
 /// Scene-linear OpenEXR, float, with the provenance as attributes: R, G, B; error.R, error.G, error.B, standard errors

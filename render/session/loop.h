@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "render/accuracy/shown_history.h"
+#include "render/film/display/smoothed_view.h"
 #include "render/film/error/error_map_view.h"
-#include "render/film/smoothed_view.h"
 #include "render/session/bias_measurements.h"
 #include "render/session/film_on_device.h"
 #include "render/session/live_ledger.h"

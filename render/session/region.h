@@ -6,8 +6,8 @@
 
 #include "render/accuracy/shown_history.h"
 #include "render/accuracy/stop_rule.h"
+#include "render/film/display/smoothed_view.h"
 #include "render/film/film.h"
-#include "render/film/smoothed_view.h"
 
 namespace pdr {
 

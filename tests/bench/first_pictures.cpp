@@ -17,7 +17,7 @@
 
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "ui/theme/theme.h"
 
 namespace pdr::app {

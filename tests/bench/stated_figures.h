@@ -11,11 +11,11 @@
 
 #include "render/accuracy/forecast.h"
 #include "render/device/device.h"
+#include "render/film/display/smoothed_view.h"
 #include "render/film/error/level_error_map.h"
 #include "render/film/error/likely_error.h"
 #include "render/film/error/local_error.h"
 #include "render/film/error/noisy_film.h"
-#include "render/film/smoothed_view.h"
 #include "render/film/tone_curve.h"
 
 namespace pdr::test {

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "render/kernel/random.h"
 #include "tests/support/one_pixel.h"
 #include "tests/support/pictures.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "render/kernel/transport/event.h"
 #include "tests/support/pictures.h"
 #include "tests/support/screen.h"

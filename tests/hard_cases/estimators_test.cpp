@@ -8,7 +8,7 @@
 
 #include "render/accuracy/forecast.h"
 #include "render/device/cpu/replay.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "tests/hard_cases/trusting_is_nan.h"
 #include "tests/support/one_pixel.h"
 #include "tests/support/pictures.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/device/emulated/emulated_gpu.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "render/kernel/pixel.h"
 
 namespace pdr::test {

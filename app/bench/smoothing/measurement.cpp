@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render/base/processor_time.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 
 namespace pdr::bench {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/desktop/desktop_parts.h"
 #include "render/device/device_list.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "render/session/batch_render.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"

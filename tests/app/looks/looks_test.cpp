@@ -8,8 +8,8 @@
 #include <random>
 
 #include "app/looks/looks.h"
-#include "render/film/exposure.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/exposure.h"
+#include "render/film/display/tone_map.h"
 #include "render/scene/edit/fit_view.h"
 #include "render/volume/coarser.h"
 #include "render/volume/raw_file.h"

@@ -1,7 +1,7 @@
 #include <tbb/global_control.h>
 #include <QTest>
 
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "tests/support/noisy_films.h"
 
 using namespace pdr;

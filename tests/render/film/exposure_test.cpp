@@ -2,8 +2,8 @@
 
 #include <QTest>
 
-#include "render/film/exposure.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/exposure.h"
+#include "render/film/display/tone_map.h"
 #include "tests/support/scenes.h"
 
 using namespace pdr;

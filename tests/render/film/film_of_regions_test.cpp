@@ -3,7 +3,7 @@
 #include <random>
 
 #include "render/device/emulated/emulated_gpu.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "render/kernel/pixel.h"
 #include "tests/support/scenes.h"
 #include "tests/support/statistics.h"

@@ -2,9 +2,9 @@
 #include <QTest>
 
 #include "render/device/emulated/emulated_gpu.h"
+#include "render/film/display/smoothed_view.h"
+#include "render/film/display/tone_map.h"
 #include "render/film/error/shown_status.h"
-#include "render/film/smoothed_view.h"
-#include "render/film/tone_map.h"
 #include "tests/support/noisy_films.h"
 #include "tests/support/processor_time.h"
 #include "tests/support/tissue_scene.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/film/display/tone_map.h"
 #include "render/film/levels.h"
-#include "render/film/tone_map.h"
 
 using namespace pdr;
 

@@ -6,7 +6,7 @@
 #include "render/device/emulated/emulated_gpu.h"
 #include "render/device/emulated/host_gpu.h"
 #include "render/device/gpu_device.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "render/kernel/volume_sampling.h"
 #include "tests/support/faulty_gpu.h"
 #include "tests/support/pictures.h"

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "tests/support/scenes.h"
 
 using namespace pdr;

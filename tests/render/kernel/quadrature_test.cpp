@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/device/cpu/projection_batch.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "render/prepare/flatten_optics.h"
 #include "tests/support/ray_reference.h"
 #include "tests/support/scenes.h"

@@ -6,7 +6,7 @@
 
 #include "render/device/baseline/kroes_accumulator.h"
 #include "render/device/emulated/host_gpu.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 #include "tests/support/pictures.h"
 #include "tests/support/random_scenes.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "render/denoise/guided.h"
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 
 namespace pdr {
 

@@ -1,4 +1,4 @@
-#include "render/film/smoothed_view.h"
+#include "render/film/display/smoothed_view.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "render/film/exposure.h"
+#include "render/film/display/exposure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/film/tone_map.h"
+#include "render/film/display/tone_map.h"
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "render/film/guided_picture.h"
+#include "render/film/display/guided_picture.h"
 
 #include <utility>
 
