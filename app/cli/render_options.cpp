@@ -5,7 +5,7 @@
 #include "app/cli/node_options.h"
 #include "app/cli/scene_options.h"
 #include "app/command_line/option_reader.h"
-#include "render/film/picture_format.h"
+#include "render/film/file/picture_format.h"
 
 namespace pdr::app {
 namespace {

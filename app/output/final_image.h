@@ -12,7 +12,7 @@
 #include "app/output/provenance.h"
 #include "render/device/device.h"
 #include "render/film/error/shown_status.h"
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 #include "render/scene/scene.h"
 #include "render/session/batch_render.h"
 

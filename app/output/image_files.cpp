@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "render/base/replacing_file.h"
-#include "render/film/picture_format.h"
+#include "render/film/file/picture_format.h"
 
 namespace pdr::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "render/film/picture_format.h"
+#include "render/film/file/picture_format.h"
 
 namespace pdr::app {
 

@@ -8,7 +8,7 @@
 
 #include "app/output/provenance.h"
 #include "render/film/error/shown_status.h"
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 #include "render/scene/scene.h"
 
 namespace pdr::app {

@@ -2,7 +2,7 @@
 
 #include "app/output/image_files.h"
 #include "app/output/judged_image.h"
-#include "render/film/picture_format.h"
+#include "render/film/file/picture_format.h"
 #include "ui/annotation/image_painter.h"
 #include "ui/text/to_qt.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 #include "render/session/session.h"
 #include "ui/annotation/annotations.h"
 

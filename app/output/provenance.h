@@ -4,7 +4,7 @@
 #include <string>
 
 #include "render/accuracy/bias.h"
-#include "render/film/provenance.h"
+#include "render/film/file/provenance.h"
 #include "render/scene/schedule.h"
 
 namespace pdr {

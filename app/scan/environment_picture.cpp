@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 #include "render/scene/sky_picture.h"
 
 namespace pdr::app {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 
 namespace pdr::test {
 

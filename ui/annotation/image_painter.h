@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "render/film/error/shown_status.h"
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 #include "ui/annotation/annotations.h"
 
 namespace pdr::ui {

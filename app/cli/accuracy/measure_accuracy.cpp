@@ -8,7 +8,7 @@
 
 #include "app/output/provenance.h"
 #include "render/film/display/smoothed_view.h"
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 #include "render/session/bias_lattice.h"
 #include "render/session/bias_measurements.h"
 

@@ -13,7 +13,7 @@
 #include "app/looks/looks.h"
 #include "render/device/device_list.h"
 #include "render/film/display/tone_map.h"
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 #include "render/session/batch_render.h"
 #include "render/volume/phantom.h"
 #include "tests/support/failing_device.h"

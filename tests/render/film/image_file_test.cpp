@@ -18,7 +18,7 @@
 #include "render/film/display/tone_map.h"
 #include "render/film/error/likely_error.h"
 #include "render/film/error/local_error.h"
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 #include "tests/support/exr_channels.h"
 #include "tests/support/noisy_films.h"
 

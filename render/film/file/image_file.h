@@ -12,8 +12,8 @@
 #include "render/base/result.h"
 #include "render/film/display.h"
 #include "render/film/display/smoothed_view.h"
+#include "render/film/file/provenance.h"
 #include "render/film/film.h"
-#include "render/film/provenance.h"
 
 namespace pdr {
 

@@ -1,4 +1,4 @@
-#include "render/film/provenance.h"
+#include "render/film/file/provenance.h"
 
 #include <algorithm>
 #include <cmath>

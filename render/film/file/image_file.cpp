@@ -1,4 +1,4 @@
-#include "render/film/image_file.h"
+#include "render/film/file/image_file.h"
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
