@@ -12,7 +12,7 @@
 #include <random>
 #include <system_error>
 
-#include "dicom/codecs.h"
+#include "dicom/read/codecs.h"
 #include "render/base/errors.h"
 #include "render/base/version.h"
 

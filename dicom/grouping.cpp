@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "dicom/damaged_files.h"
-#include "dicom/pixels.h"
-#include "dicom/refusal.h"
+#include "dicom/read/pixels.h"
+#include "dicom/read/refusal.h"
 #include "dicom/stack_geometry.h"
 #include "dicom/stack_notes.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "dicom/slice_header.h"
+#include "dicom/read/slice_header.h"
 #include "render/base/progress.h"
 
 namespace pdr::dicom {

@@ -7,7 +7,7 @@
 
 #include "dicom/import.h"
 #include "dicom/parallel.h"
-#include "dicom/pixels.h"
+#include "dicom/read/pixels.h"
 #include "render/base/errors.h"
 #include "render/base/free_memory.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "dicom/codecs.h"
+#include "dicom/read/codecs.h"
 
 namespace pdr::dicom {
 

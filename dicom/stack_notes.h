@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dicom/slice_header.h"
+#include "dicom/read/slice_header.h"
 
 namespace pdr::dicom {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "dicom/pixels.h"
+#include "dicom/read/pixels.h"
 
 namespace pdr::app {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <fstream>
 
-#include "dicom/byte_source.h"
-#include "dicom/file_structure.h"
 #include "dicom/import.h"
+#include "dicom/read/byte_source.h"
+#include "dicom/read/file_structure.h"
 
 using namespace pdr;
 using namespace pdr::dicom;

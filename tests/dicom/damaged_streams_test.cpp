@@ -8,8 +8,8 @@
 #include <atomic>
 #include <thread>
 
-#include "dicom/decoder_warnings.h"
-#include "dicom/jpeg_stream.h"
+#include "dicom/read/decoder_warnings.h"
+#include "dicom/read/jpeg_stream.h"
 
 using namespace pdr;
 using test::Outcome;

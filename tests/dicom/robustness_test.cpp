@@ -7,10 +7,10 @@
 #include <fstream>
 #include <random>
 
-#include "dicom/file_structure.h"
 #include "dicom/import.h"
-#include "dicom/pixels.h"
-#include "dicom/slice_header.h"
+#include "dicom/read/file_structure.h"
+#include "dicom/read/pixels.h"
+#include "dicom/read/slice_header.h"
 #include "tests/support/shared_data.h"
 
 using namespace pdr;

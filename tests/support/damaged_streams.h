@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
-#include "dicom/codecs.h"
-#include "dicom/pixels.h"
+#include "dicom/read/codecs.h"
+#include "dicom/read/pixels.h"
 #include "tests/support/slice_file.h"
 
 namespace pdr::test {

@@ -8,7 +8,7 @@
 #include "app/wire/map_reader.h"
 #include "app/wire/map_writer.h"
 #include "dicom/import.h"
-#include "dicom/refusal.h"
+#include "dicom/read/refusal.h"
 #include "dicom/stack_geometry.h"
 #include "dicom/stack_notes.h"
 #include "render/accuracy/ledger_text.h"

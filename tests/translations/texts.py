@@ -14,7 +14,7 @@ PHRASE = re.compile(r"\bphrase\s*\(")
 UNMARKED = re.compile(r'\b(?:Error|FieldError\{|VpError\{|fail\()\s*\{\s*"([^"]+ [^"]*)"')
 # Other words of theirs: file, and where in it they stand.
 WORDS = (("render/scene/edit/tissue_bands.h", r'\{"([^"]+)"'), ("render/scene/named_look.cpp", r'[?:] "([^"]+)"'),
-         ("render/film/health_text.cpp", r'return "([^"]+)"'), ("dicom/jpeg_scan.cpp", r'(?:return|[?=]) "([^"]+)"'),
+         ("render/film/health_text.cpp", r'return "([^"]+)"'), ("dicom/read/jpeg_scan.cpp", r'(?:return|[?=]) "([^"]+)"'),
          ("app/wire/map_reader.cpp", r'"(\w+ [^"]+)"'), ("app/wire/payload.cpp", r'(?:return|\?) "([^"]+)"'))
 # What a long step does, as its Progress says it (render/base/progress.h).
 STEPS = re.compile(r'(?:\bprogress_?\([^;"]*,|\bonAllCores\([^;"]*,|\bstring_view kStep =)\s*"([^"]+)"')

@@ -1,4 +1,4 @@
-#include "dicom/coded_bits.h"
+#include "dicom/read/coded_bits.h"
 
 namespace pdr::dicom {
 

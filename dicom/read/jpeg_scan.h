@@ -3,7 +3,7 @@
 /// anything; here a code that does not exist, a run beyond the end of a block, a mean beyond what a sample can hold, a
 /// scan that is not used up exactly by its pixels, and long runs of zero bytes that stand for a change are damage.
 
-#include "dicom/jpeg_stream.h"
+#include "dicom/read/jpeg_stream.h"
 
 namespace pdr::dicom {
 

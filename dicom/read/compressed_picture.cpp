@@ -1,4 +1,4 @@
-#include "dicom/compressed_picture.h"
+#include "dicom/read/compressed_picture.h"
 
 #include <dcmtk/config/osconfig.h>
 
@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "dicom/codecs.h"
-#include "dicom/decoder_warnings.h"
-#include "dicom/jpeg_scan.h"
-#include "dicom/rle_stream.h"
+#include "dicom/read/codecs.h"
+#include "dicom/read/decoder_warnings.h"
+#include "dicom/read/jpeg_scan.h"
+#include "dicom/read/rle_stream.h"
 
 namespace pdr::dicom {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// From compressed pixel data to plain pixels, without believing it.
 
-#include "dicom/slice_header.h"
+#include "dicom/read/slice_header.h"
 
 class DcmDataset;
 

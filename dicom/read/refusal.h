@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "dicom/slice_header.h"
+#include "dicom/read/slice_header.h"
 
 namespace pdr::dicom {
 

@@ -1,10 +1,10 @@
-#include "dicom/jpeg_scan.h"
+#include "dicom/read/jpeg_scan.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <vector>
 
-#include "dicom/coded_bits.h"
+#include "dicom/read/coded_bits.h"
 
 namespace pdr::dicom {
 

@@ -1,4 +1,4 @@
-#include "dicom/file_structure.h"
+#include "dicom/read/file_structure.h"
 
 #include <dcmtk/config/osconfig.h>
 
@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "dicom/element.h"
+#include "dicom/read/element.h"
 
 namespace pdr::dicom {
 

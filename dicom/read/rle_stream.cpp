@@ -1,4 +1,4 @@
-#include "dicom/rle_stream.h"
+#include "dicom/read/rle_stream.h"
 
 #include <algorithm>
 

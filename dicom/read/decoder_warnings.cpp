@@ -1,4 +1,4 @@
-#include "dicom/decoder_warnings.h"
+#include "dicom/read/decoder_warnings.h"
 
 #include <dcmtk/config/osconfig.h>
 

@@ -1,4 +1,4 @@
-#include "dicom/jpeg_stream.h"
+#include "dicom/read/jpeg_stream.h"
 
 namespace pdr::dicom {
 

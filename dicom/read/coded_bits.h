@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "dicom/jpeg_stream.h"
+#include "dicom/read/jpeg_stream.h"
 
 namespace pdr::dicom {
 

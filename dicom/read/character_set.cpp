@@ -1,4 +1,4 @@
-#include "dicom/character_set.h"
+#include "dicom/read/character_set.h"
 
 #include <iconv.h>
 

@@ -1,4 +1,4 @@
-#include "dicom/pixels.h"
+#include "dicom/read/pixels.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <sys/stat.h>
@@ -9,9 +9,9 @@
 #include <cmath>
 #include <new>
 
-#include "dicom/compressed_picture.h"
-#include "dicom/refusal.h"
-#include "dicom/slice_header.h"
+#include "dicom/read/compressed_picture.h"
+#include "dicom/read/refusal.h"
+#include "dicom/read/slice_header.h"
 #include "render/base/errors.h"
 #include "render/base/plain_file.h"
 

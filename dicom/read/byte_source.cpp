@@ -1,4 +1,4 @@
-#include "dicom/byte_source.h"
+#include "dicom/read/byte_source.h"
 
 #include <zlib.h>
 

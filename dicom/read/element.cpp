@@ -1,4 +1,4 @@
-#include "dicom/element.h"
+#include "dicom/read/element.h"
 
 #include <dcmtk/config/osconfig.h>
 

@@ -1,4 +1,4 @@
-#include "dicom/slice_header.h"
+#include "dicom/read/slice_header.h"
 
 #include <dcmtk/config/osconfig.h>
 
@@ -10,9 +10,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "dicom/character_set.h"
-#include "dicom/codecs.h"
-#include "dicom/file_structure.h"
+#include "dicom/read/character_set.h"
+#include "dicom/read/codecs.h"
+#include "dicom/read/file_structure.h"
 
 namespace pdr::dicom {
 

@@ -1,6 +1,6 @@
-#include "dicom/refusal.h"
+#include "dicom/read/refusal.h"
 
-#include "dicom/codecs.h"
+#include "dicom/read/codecs.h"
 
 namespace pdr::dicom {
 

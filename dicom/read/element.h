@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "dicom/byte_source.h"
+#include "dicom/read/byte_source.h"
 
 namespace pdr::dicom {
 

@@ -1,4 +1,4 @@
-#include "dicom/codecs.h"
+#include "dicom/read/codecs.h"
 
 #include <dcmtk/config/osconfig.h>
 
@@ -13,7 +13,7 @@
 
 #include <mutex>
 
-#include "dicom/decoder_warnings.h"
+#include "dicom/read/decoder_warnings.h"
 
 namespace pdr::dicom {
 
