@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dicom/stack_geometry.h"
+#include "dicom/stack/stack_geometry.h"
 
 using namespace pdr;
 using namespace pdr::dicom;

@@ -7,12 +7,12 @@
 #include <system_error>
 #include <utility>
 
-#include "dicom/damaged_files.h"
-#include "dicom/grouping.h"
 #include "dicom/import.h"
 #include "dicom/parallel.h"
 #include "dicom/read/codecs.h"
 #include "dicom/read/slice_header.h"
+#include "dicom/stack/damaged_files.h"
+#include "dicom/stack/grouping.h"
 #include "render/base/errors.h"
 
 namespace pdr::dicom {

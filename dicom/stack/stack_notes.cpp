@@ -1,4 +1,4 @@
-#include "dicom/stack_notes.h"
+#include "dicom/stack/stack_notes.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "dicom/sorted_stack.h"
+#include "dicom/stack/sorted_stack.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "dicom/damaged_files.h"
+#include "dicom/stack/damaged_files.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "dicom/stack_notes.h"
+#include "dicom/stack/stack_notes.h"
 #include "render/base/file_ending.h"
 
 namespace pdr::dicom {

@@ -1,10 +1,10 @@
-#include "dicom/stack_geometry.h"
+#include "dicom/stack/stack_geometry.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "dicom/sorted_stack.h"
+#include "dicom/stack/sorted_stack.h"
 
 namespace pdr::dicom {
 

@@ -1,4 +1,4 @@
-#include "dicom/slice_plane.h"
+#include "dicom/stack/slice_plane.h"
 
 #include <algorithm>
 #include <cmath>

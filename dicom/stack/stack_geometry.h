@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "dicom/series.h"
-#include "dicom/slice_plane.h"
+#include "dicom/stack/slice_plane.h"
 
 namespace pdr::dicom {
 

@@ -1,4 +1,4 @@
-#include "dicom/grouping.h"
+#include "dicom/stack/grouping.h"
 
 #include <algorithm>
 #include <fstream>
@@ -6,11 +6,11 @@
 #include <set>
 #include <tuple>
 
-#include "dicom/damaged_files.h"
 #include "dicom/read/pixels.h"
 #include "dicom/read/refusal.h"
-#include "dicom/stack_geometry.h"
-#include "dicom/stack_notes.h"
+#include "dicom/stack/damaged_files.h"
+#include "dicom/stack/stack_geometry.h"
+#include "dicom/stack/stack_notes.h"
 
 namespace pdr::dicom {
 
