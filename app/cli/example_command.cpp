@@ -7,7 +7,7 @@
 #include "app/cli/failed.h"
 #include "app/cli/progress_line.h"
 #include "app/program/interrupt.h"
-#include "dicom/export.h"
+#include "dicom/write/export.h"
 #include "render/volume/phantom.h"
 
 namespace pdr::app {

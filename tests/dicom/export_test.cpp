@@ -9,8 +9,8 @@
 #include <csignal>
 #include <fstream>
 
-#include "dicom/export.h"
 #include "dicom/import.h"
+#include "dicom/write/export.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_tool.h"
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "dicom/export.h"
+#include "dicom/write/export.h"
 #include "render/volume/phantom.h"
 
 namespace pdr {

@@ -7,7 +7,7 @@
 
 #include "app/jobs/series_pictures.h"
 #include "app/scan/series_choice.h"
-#include "dicom/export.h"
+#include "dicom/write/export.h"
 #include "render/volume/phantom.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/patience.h"

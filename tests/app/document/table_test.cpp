@@ -7,7 +7,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "dicom/export.h"
+#include "dicom/write/export.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/lying_patients.h"
 #include "tests/support/program_run.h"

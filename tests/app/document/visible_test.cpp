@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "app/jobs/mask_job.h"
-#include "dicom/export.h"
+#include "dicom/write/export.h"
 #include "tests/support/desktop_trial.h"
 #include "tests/support/lying_patients.h"
 #include "tests/support/masks.h"

@@ -1,4 +1,4 @@
-#include "dicom/export.h"
+#include "dicom/write/export.h"
 
 #include <dcmtk/config/osconfig.h>
 
