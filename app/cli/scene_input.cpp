@@ -13,7 +13,7 @@
 #include "render/base/file_ending.h"
 #include "render/prepare/flatten.h"
 #include "render/prepare/focus.h"
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 #include "render/scene/visible_mask.h"
 
 namespace pdr::app {

@@ -12,7 +12,7 @@
 #include "app/looks/fitted_looks.h"
 #include "app/plan/setup_history.h"
 #include "app/scan/hidden_voxels.h"
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 #include "render/segment/body_parts.h"
 #include "render/segment/hidden_table.h"
 

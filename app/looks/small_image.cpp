@@ -4,7 +4,7 @@
 
 #include "render/base/errors.h"
 #include "render/film/display/exposure.h"
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 #include "render/scene/visible_mask.h"
 #include "render/volume/coarser.h"
 

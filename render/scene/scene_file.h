@@ -11,7 +11,7 @@
 
 #include "render/base/progress.h"
 #include "render/base/result.h"
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 #include "render/scene/scene.h"
 #include "render/scene/table.h"
 #include "render/segment/hidden_table.h"

@@ -1,7 +1,7 @@
 #include "app/bench/paper/head_scene.h"
 
 #include "app/bench/paper/plan.h"
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 #include "render/scene/named_look.h"
 
 namespace pdr::bench::paper {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 #include "render/volume/phantom.h"
 
 namespace pdr::bench {

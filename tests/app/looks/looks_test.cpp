@@ -10,7 +10,7 @@
 #include "app/looks/looks.h"
 #include "render/film/display/exposure.h"
 #include "render/film/display/tone_map.h"
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 #include "render/volume/coarser.h"
 #include "render/volume/raw_file.h"
 #include "tests/support/shared_data.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render/scene/edit/camera_edits.h"
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 #include "render/scene/orbit.h"
 
 using namespace pdr;

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 
 namespace pdr {
 

@@ -1,4 +1,4 @@
-#include "render/scene/edit/fit_view.h"
+#include "render/scene/fit_view.h"
 
 #include <algorithm>
 #include <cmath>
