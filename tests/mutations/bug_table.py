@@ -82,6 +82,40 @@ def _file_of(source: Path, place: Place) -> str:
     return str(found[0].relative_to(source))
 
 
+def _has_place(source: Path, place: Place) -> bool:
+    try:
+        _span((source / _file_of(source, place)).read_text(), place)
+        return True
+    except (TableError, OSError):
+        return False
+
+
+def moved_places(source: Path, bugs: list[Bug]) -> list[tuple[Bug, Place, str]]:
+    """Pieces whose file has gone or holds them no more, each with the one other file that holds it now: what a renamed
+    file, or code that has moved to another room, leaves behind."""
+    lost = [(bug, place) for bug in bugs for place in bug.places if not _has_place(source, place)]
+    files = [path for room in ("app", "dicom", "render", "ui") for path in sorted((source / room).rglob("*"))
+             if path.suffix in (".h", ".cpp", ".cu", ".cuh")] if lost else []
+    texts = {str(path.relative_to(source)): path.read_text() for path in files}
+    found = []
+    for bug, place in lost:
+        holders = [file for file, text in texts.items() if text.count(place.within or place.was) == 1]
+        if len(holders) == 1:
+            found.append((bug, place, holders[0]))
+    return found
+
+
+def mend_places(folder: Path, moved: list[tuple[Bug, Place, str]]) -> None:
+    """Writes the new files into the table's rows. A row whose pieces went to several files is left to its author."""
+    for bug, place, file in moved:
+        for path in sorted(folder.glob("*.toml")):
+            text = path.read_text()
+            row = re.search(rf'\[\[bug\]\]\nname = "{re.escape(bug.name)}"\n(?:(?!\[\[bug\]\]).*\n?)*', text)
+            if row:
+                mended = row[0].replace(f'file = "{place.file}"', f'file = "{file}"')
+                path.write_text(text[:row.start()] + mended + text[row.end():])
+
+
 def _is_list(text: str) -> bool:
     """Whether a comma stands outside of all brackets: `a, b` is no expression that a switch may stand around."""
     depth = 0
