@@ -12,7 +12,7 @@ namespace pdr::bench {
 
 namespace {
 
-/// FNV-1a: nobody is to be deceived here, only differences are to be seen.
+/// FNV-1a hash. It must show differences, not resist an attacker.
 class Digest {
   public:
     void add(const void* data, std::size_t size) {

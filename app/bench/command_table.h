@@ -1,5 +1,5 @@
 #pragma once
-/// The commands of pdrender-bench with what a user is told about them.
+/// Commands of pdrender-bench with their help texts.
 
 #include <span>
 #include <string>
@@ -11,16 +11,16 @@ namespace pdr::bench {
 struct Command {
     const char* name;
     int (*run)(const Arguments&);
-    const char* usage;        ///< the words after the name, where options are in brackets
-    const char* explanation;  ///< what it does, in lines of their own
-    const char* options;      ///< each in a line of its own
+    const char* usage;        ///< words after the name; optional ones in brackets
+    const char* explanation;  ///< what the command does, in complete lines
+    const char* options;      ///< one line for each option
 };
 
 std::span<const Command> commandTable();
 
-/// The usage of one command, its explanation, and what each option means.
+/// Returns the usage of one command, its explanation, and the meaning of each option.
 std::string helpOf(const Command& command);
-/// The usage of all.
+/// Returns the usage of all commands.
 std::string helpOfAll();
 
 }  // namespace pdr::bench

@@ -17,7 +17,7 @@ namespace pdr::bench {
 
 namespace {
 
-/// Linear radiance as a little-endian colour PFM, bottom row first.
+/// Writes linear radiance as a little-endian colour PFM, bottom row first.
 bool writeColours(const Film& film, const std::string& path) {
     std::ofstream file(path, std::ios::binary);
     file << "PF\n" << film.size().x << ' ' << film.size().y << "\n-1\n";

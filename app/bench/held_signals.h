@@ -1,5 +1,5 @@
 #pragma once
-/// Ctrl-C and SIGTERM as a question that is asked when there is time for the answer.
+/// Ctrl-C and SIGTERM as signals that the program polls when it has time.
 
 #include <signal.h>
 #include <time.h>
@@ -10,7 +10,8 @@
 
 namespace pdr::bench {
 
-/// They wait until somebody asks for them. Made before any thread starts: threads inherit it.
+/// Blocks the signals until they are polled. Must be constructed before any thread starts, because threads inherit the
+/// blocked signals.
 class HeldSignals {
   public:
     HeldSignals() {
@@ -23,7 +24,7 @@ class HeldSignals {
     HeldSignals(const HeldSignals&) = delete;
     HeldSignals& operator=(const HeldSignals&) = delete;
 
-    /// Of one thread.
+    /// Returns whether a signal has come. Must be called by one thread only.
     bool came() {
         const timespec now{0, 0};
         came_ = came_ || sigtimedwait(&set_, nullptr, &now) > 0;
@@ -35,7 +36,8 @@ class HeldSignals {
     bool came_ = false;
 };
 
-/// Turns them into a stop request, also while everybody else is busy. Nobody else may then ask `signals`.
+/// Turns the signals into a stop request, on a thread of its own, so that it works while all others are busy. No other
+/// thread may then poll `signals`.
 class StopOnSignal {
   public:
     explicit StopOnSignal(HeldSignals& signals)

@@ -1,5 +1,5 @@
 #pragma once
-/// A device with a scene on it and an empty film of it: where most measurements begin.
+/// Device with an uploaded scene and an empty film: the start of most measurements.
 
 #include <memory>
 #include <string>
@@ -10,10 +10,11 @@ namespace pdr::bench {
 
 struct LivePicture {
     std::unique_ptr<Device> device;
-    std::unique_ptr<Accumulator> live;  ///< after the device: it must not outlive it
+    std::unique_ptr<Accumulator> live;  ///< declared after the device, which must outlive it
 };
 
-/// `device`: its name; `threads` of the CPU, 0 = one per core. Errors: the device's.
+/// Opens a device by its name, uploads `scene` and makes an empty film. `threads`: CPU threads; 0: one per core.
+/// Errors: those of the device.
 Result<LivePicture> startFilm(const Scene& scene, const std::string& device, int threads = 0);
 
 }  // namespace pdr::bench

@@ -1,5 +1,5 @@
 #pragma once
-/// Scene files for the benchmark: raw volumes only, since this program reads no DICOM.
+/// Reader of scene files for the benchmark. They must have raw volumes, because this program does not read DICOM.
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace pdr::bench {
 
-/// The scene with its voxels.
+/// Returns the scene with its voxels.
 Result<Scene> loadScene(const std::string& path);
 
-/// Says what is wrong on standard error; returns the exit code for it.
+/// Writes the error to standard error and returns the exit code for it.
 int fail(const Error& error);
 
 }  // namespace pdr::bench

@@ -1,4 +1,5 @@
-/// pdrender-bench: measures the renderer alone. No window, no DICOM, so that it also runs on a bare machine with a GPU.
+/// Entry point of pdrender-bench, which measures the renderer alone. It has no window and no DICOM, so that it also
+/// runs on a bare machine with a GPU.
 
 #include <algorithm>
 #include <cstdio>

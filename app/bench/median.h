@@ -5,7 +5,7 @@
 
 namespace pdr::bench {
 
-/// Of one value or more; of an even number the upper one of the two in the middle.
+/// Returns the median of at least one value; for an even number of values, the upper of the two in the middle.
 inline double median(std::vector<double> values) {
     std::ranges::sort(values);
     return values[values.size() / 2];

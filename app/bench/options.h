@@ -1,5 +1,5 @@
 #pragma once
-/// The words of a command line: files in order, and numbers by name.
+/// Parsed command line: files in their order, and options by name.
 
 #include <charconv>
 #include <cmath>
@@ -15,7 +15,8 @@ struct Options {
     std::vector<std::string> files;
     std::map<std::string, std::string> named;  ///< "--samples" -> "64"
 
-    /// Nothing for a name that is not `known` or that lacks its value; `flags` are names without one.
+    /// Parses `words`. Returns null for a name that is not `known` or that lacks its value. `flags`: names without a
+    /// value.
     static std::optional<Options> read(const std::vector<std::string>& words, const std::set<std::string>& known,
                                        const std::set<std::string>& flags = {}) {
         Options options;
@@ -36,13 +37,13 @@ struct Options {
         return options;
     }
 
-    /// The word after `name`, `otherwise` where it is not given.
+    /// Returns the word after `name`, or `otherwise` if it is not given.
     std::string word(const std::string& name, const std::string& otherwise) const {
         const auto found = named.find(name);
         return found == named.end() ? otherwise : found->second;
     }
 
-    /// A whole number of at least `least`, `otherwise` where it is not given, nothing where it is something else.
+    /// Returns a whole number of at least `least`, `otherwise` if it is not given, or null if it is something else.
     std::optional<int> number(const std::string& name, int otherwise, int least) const {
         const auto found = named.find(name);
         if (found == named.end())
@@ -55,7 +56,7 @@ struct Options {
         return value;
     }
 
-    /// A decimal number above 0, likewise.
+    /// Returns a finite number above 0, `otherwise` if it is not given, or null if it is something else.
     std::optional<double> positive(const std::string& name, double otherwise) const {
         const auto found = named.find(name);
         if (found == named.end())

@@ -1,5 +1,5 @@
 #pragma once
-/// Portable float maps of one channel: what renderers exchange when a picture must stay exact.
+/// Portable float maps (PFM) of one channel, a format in which renderers exchange exact images.
 
 #include <filesystem>
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace pdr::bench {
 
-/// Linear radiance, row by row from the top.
+/// Image of linear radiance, row by row from the top.
 struct GreyImage {
     ivec2 size{0};
     std::vector<float> pixels;
 };
 
-/// Little-endian, one channel ("Pf", scale < 0). Errors: no such file, another format, too short.
+/// Reads a little-endian file of one channel ("Pf", scale < 0). Errors: no such file, another format, too short.
 Result<GreyImage> readPfm(const std::filesystem::path& path);
 Result<void> writePfm(const GreyImage& image, const std::filesystem::path& path);
 

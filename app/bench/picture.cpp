@@ -22,7 +22,7 @@ GreyImage greyImage(const Film& film) {
     return image;
 }
 
-/// JSON has no infinity.
+/// Returns the error as JSON: null if it is not finite, because JSON has no infinity.
 std::string errorInJson(double relativeError) {
     char text[32];
     std::snprintf(text, sizeof text, "%.5g", relativeError);
@@ -44,6 +44,7 @@ int picture(const Arguments& arguments) {
     if (!film)
         return fail(film.error());
 
+    // Time the rendering up to the image that is shown
     const auto start = std::chrono::steady_clock::now();
     const auto accumulated = film->live->accumulate(std::uint32_t(*samples), {});
     const auto ordered = accumulated ? film->live->resolve({}) : accumulated;

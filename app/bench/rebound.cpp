@@ -22,7 +22,7 @@ namespace pdr::bench {
 
 namespace {
 
-/// A curve as a hand drags it: a few nodes at random places, bands and steps included.
+/// Returns a curve as a user may draw it: a few nodes at random places, with bands and steps.
 TransferFunction editedFunction(std::mt19937& random) {
     std::uniform_real_distribution<float> hu(-1000, 2000), opacity(0, 1);
     TransferFunction function;
@@ -36,7 +36,7 @@ double wallMilliseconds() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Edit after edit of one scene's transfer function.
+/// Successive edits of the transfer function of one scene.
 struct Edits {
     Scene scene;
     std::mt19937 random{1};
@@ -50,21 +50,21 @@ struct Edits {
 
 using Milliseconds = Result<std::vector<double>>;
 
-/// On one core of the host: from the curve to its bounds.
+/// Measures the time from the curve to its majorants on one core of the host.
 Milliseconds boundsOnHost(Edits edits, int count) {
     const tbb::global_control oneCore(tbb::global_control::max_allowed_parallelism, 1);
     const CellRanges ranges(*edits.scene.volume);
     std::vector<double> took;
     for (int i = 0; i < count; ++i) {
         const Scene& scene = edits.next();
-        const std::clock_t start = std::clock();  // time on the core: neighbours do not count
+        const std::clock_t start = std::clock();  // time on the core, which excludes other programs
         const Majorants majorants(ranges, TransferTables(scene.transferFunction), scene.volume->size());
         took.push_back(1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
     }
     return took;
 }
 
-/// A device with a memory of its own: from the edited scene to the device being ready to render it.
+/// Measures the time from the edited scene until a device with its own memory is ready to render it.
 Milliseconds boundsOnDevice(Edits edits, int count, Device& device) {
     std::vector<double> took;
     for (int i = 0; i <= count; ++i) {
@@ -72,13 +72,13 @@ Milliseconds boundsOnDevice(Edits edits, int count, Device& device) {
         const double start = wallMilliseconds();
         if (const auto uploaded = device.upload(scene); !uploaded)
             return uploaded.error();
-        if (i > 0)  // the first one brings the volume
+        if (i > 0)  // the first upload includes the volume
             took.push_back(wallMilliseconds() - start);
     }
     return took;
 }
 
-/// From the edited scene to its first picture of one sample, in the film that the scene before it left.
+/// Measures the time from the edited scene to its first image of one sample, in the film of the scene before it.
 Milliseconds pictures(Edits edits, int count, Device& device) {
     auto film = startFilm(device, edits.next());
     if (!film)
@@ -114,6 +114,7 @@ int rebound(const Arguments& arguments) {
     const auto device = openDevice(options->word("--device", "cpu"));
     if (!device)
         return fail(device.error());
+    // Make a head that is seen from the front
     Edits first;
     first.scene.volume = std::make_shared<Volume>(headPhantom(ivec3(*size), dvec3(250.0 / *size), 1));
     const VolumeGeometry& head = first.scene.volume->geometry();
@@ -121,6 +122,7 @@ int rebound(const Arguments& arguments) {
         standardView(StandardView::anterior, head.centreMm(), head.radiusMm(), double(*width) / *height);
     first.scene.environment = {vec3(1), false};
     first.scene.film = {*width, *height};
+    // Measure the majorants, then the images
     const bool onHost = (*device)->info().hostMemory;
     const Milliseconds bounds = onHost ? boundsOnHost(first, *edits) : boundsOnDevice(first, *edits, **device);
     const Milliseconds shown = bounds ? pictures(first, *edits, **device) : bounds;

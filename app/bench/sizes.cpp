@@ -13,14 +13,14 @@ namespace pdr::bench {
 
 namespace {
 
-constexpr double kHeadMm = 250;  ///< the same for all
+constexpr double kHeadMm = 250;  ///< edge of the head's volume, the same for all
 constexpr ivec2 kFilm{480, 320};
 
-/// A head and what its samples have cost.
+/// A head and the measured cost of its samples.
 struct Head {
-    int edge;  ///< voxels
+    int edge;  ///< voxels along an edge
     LivePicture picture;
-    std::vector<double> nanoseconds;  ///< per sample, by round
+    std::vector<double> nanoseconds;  ///< time per sample in each round
 };
 
 Result<Head> startHead(int edge) {
@@ -53,6 +53,7 @@ int sizes(const Arguments& arguments) {
     const auto samples = number("--samples", 16), rounds = number("--rounds", 5);
     if (!smallest || !largest || !samples || !rounds || *smallest > *largest || !options->files.empty())
         return 2;
+    // Hold all heads in memory and measure them in turn
     std::vector<Head> heads;
     for (int edge = *smallest; edge <= *largest; edge *= 2) {
         auto head = startHead(edge);

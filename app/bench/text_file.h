@@ -1,5 +1,5 @@
 #pragma once
-/// Results as files that appear whole or not at all.
+/// Writer of result files that appear whole or not at all.
 
 #include <filesystem>
 #include <string>

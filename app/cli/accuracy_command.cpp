@@ -23,9 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the time, for the picture that all others are compared with: half of its error is then about that of the best.
+/// Share of the time for the reference that all images are compared with: its error is then about half that of the
+/// best.
 constexpr double kReferenceShare = 0.6;
-constexpr double kSceneShare = 0.7;  ///< for the scene itself; the rest is for other pictures of it
+/// Share of the time for the scene itself; the rest is for other images of its anatomy.
+constexpr double kSceneShare = 0.7;
 
 Result<void> makeFolder(const fs::path& folder) {
     std::error_code trouble;
@@ -43,7 +45,7 @@ Result<void> writeText(const std::string& text, const fs::path& path) {
     return file->commit();
 }
 
-/// What all measurements share.
+/// Arguments that all measurements share.
 struct Work {
     const AccuracyOptions& options;
     const Display& display;
@@ -52,8 +54,8 @@ struct Work {
     AccuracyProgress progress;
 };
 
-/// The truth of `scene`. Where a folder is named, it goes on from what an earlier run has left there, and leaves its
-/// own: also when it is interrupted.
+/// Renders the reference of `scene`. If `folder` is not empty, continues from the film that an earlier run saved there,
+/// and saves its own, even after an interrupt.
 Result<KeptFilm> reference(const Scene& scene, double seconds, const fs::path& folder, const Work& work) {
     const fs::path file = folder / "reference.film";
     const std::uint64_t key = folder.empty() ? 0 : filmKey(scene, work.device.info().name);
@@ -66,7 +68,7 @@ Result<KeptFilm> reference(const Scene& scene, double seconds, const fs::path& f
     return film;
 }
 
-/// Renders the reference, then each way in turn, in so many seconds.
+/// Renders the reference, then each way in turn, in `seconds` of rendering time in all.
 Result<AccuracyPicture> measured(const std::string& name, const std::vector<AccuracyWay>& ways, double seconds,
                                  const fs::path& folder, const Work& work) {
     const auto truth = reference(referenceScene(ways.front().scene), kReferenceShare * seconds, folder, work);
@@ -75,7 +77,7 @@ Result<AccuracyPicture> measured(const std::string& name, const std::vector<Accu
     AccuracyPicture picture{name, truth->film->samplesPerPixel()};
     if (const auto judgement = SmoothingJudgement::of(*truth->film))
         picture.referenceError = judgement->overAll(work.display.exposure);
-    // As long for each: where two curves cross shows only in the time that both had.
+    // Give each way the same time: a crossing of two curves shows only in the time that both cover.
     const double each = (1 - kReferenceShare) * seconds / double(ways.size());
     for (std::size_t i = 0; i < ways.size() && !work.stop.stop_requested(); ++i) {
         const AccuracyPlan plan{each, work.display, folder, work.device.info().name};
@@ -114,6 +116,7 @@ Result<AccuracyReport> measured(const Scene& scene, const Work& work) {
 }
 
 Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) {
+    // Check that all outputs can be written before time is spent on rendering
     if (auto ok = makeFolder(options.folder); !ok)
         return ok.error();
     Paths outputs;
@@ -121,6 +124,7 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
         outputs.push_back(options.folder / name);
     if (auto ok = checkWritable(outputs); !ok)
         return ok.error();
+    // Open the device and load the scene
     const auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu);
     if (!opened)
         return opened.error();
@@ -129,6 +133,7 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
         return loaded.error();
     if (auto room = roomForFilm(loaded->scene.film, (*opened)->info()); !room)
         return room.error();
+    // Measure all ways
     ProgressLine line;
     const std::stop_token stop = interrupt.token();
     const auto found =
@@ -137,6 +142,7 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
     line.finish();
     if (!found)
         return found.error();
+    // Write the report
     for (const auto& [text, name] :
          {std::pair(csvText(*found), "accuracy.csv"), std::pair(jsonText(*found), "accuracy.json"),
           std::pair(pageText(*found, options.folder), "accuracy.html"),

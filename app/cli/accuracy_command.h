@@ -1,11 +1,11 @@
 #pragma once
-/// pdrender-cli accuracy FOLDER|SCENE.json -o DIR: what accuracy costs in time, measured on this machine.
+/// Command `pdrender-cli accuracy FOLDER|SCENE.json -o DIR`: measures on this machine how much time accuracy costs.
 
 #include <QStringList>
 
 namespace pdr::app {
 
-/// `arguments` are those after the word `accuracy`. Returns the exit code.
+/// Runs the command with `arguments`, those after the word `accuracy`. Returns the exit code.
 int runAccuracy(const QStringList& arguments);
 
 }  // namespace pdr::app

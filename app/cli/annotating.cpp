@@ -11,7 +11,7 @@ namespace pdr::app {
 
 namespace {
 
-/// Without a font all letters are one box, or nothing.
+/// Draws a letter, to detect a missing font: without one, all letters are the same box or nothing.
 QImage picture(const QString& letter) {
     QImage image(32, 32, QImage::Format_Grayscale8);
     image.fill(Qt::black);

@@ -1,5 +1,5 @@
 #pragma once
-/// What is written over the PNG files of the command line.
+/// Annotations that the command line paints over PNG files.
 
 #include <optional>
 
@@ -8,13 +8,15 @@
 
 namespace pdr::app {
 
-/// Whether `arguments`, which begin with the command, may end in an image with letters, which takes a QGuiApplication.
+/// Returns whether the command line may end in an image with letters, which requires a QGuiApplication. `argv[1]` is
+/// the command.
 bool mayWriteLetters(int argc, const char* const* argv);
 
-/// Errors: letters are wanted, and this machine has no font.
+/// Checks that this machine has a font if `wanted` requires letters. Errors: there is none.
 Result<void> checkFonts(ui::Annotate wanted);
 
-/// Errors: the patient is wanted, and the voxels are of a raw file, which knows none.
+/// Returns the annotations of an image; null if none are requested. Errors: the patient's data is requested and the
+/// voxels come from a raw file, which has none.
 Result<std::optional<ui::Annotations>> annotationsOf(const LoadedScene& loaded, ui::Annotate wanted);
 
 }  // namespace pdr::app

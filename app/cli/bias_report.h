@@ -1,5 +1,5 @@
 #pragma once
-/// Bias as JSON.
+/// JSON forms of biases.
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -10,10 +10,10 @@
 
 namespace pdr::app {
 
-/// value, low, high
+/// Returns an object with value, low and high.
 QJsonObject intervalObject(const Between& between);
-/// Each with cause, ofComputing, text; brightness and levels as intervals, levelsAtMost, shareAtMost: null where not
-/// known.
+/// Returns an array of objects with cause, ofComputing, text, brightness and levels (intervals), levelsAtMost and
+/// shareAtMost. The last four are null where not known.
 QJsonArray biasArray(const std::vector<Bias>& biases);
 
 }  // namespace pdr::app

@@ -27,7 +27,7 @@ void say(const QString& line) {
     std::fprintf(stderr, "%s\n", line.toUtf8().constData());
 }
 
-/// Until `wanted` nodes are there at once; false: the time is up, or `stop` came first.
+/// Waits until `wanted` nodes are connected at the same time. Returns false if the time is up or `stop` comes first.
 bool await(RenderNodes& nodes, int wanted, int seconds, const std::stop_token& stop) {
     std::set<nodes::NodeId> there;
     QEventLoop loop;
@@ -63,7 +63,7 @@ void sayHowToGoOn(const ClusterOptions& options, const QString& job, double seco
         qUtf8Printable(bundle), options.nodes, options.idleMinutes, qUtf8Printable(job));
 }
 
-/// Where nodes dial what listens at `listening`.
+/// Returns the address at which nodes dial this machine, which listens at `listening`.
 remote::Address dialled(const ClusterOptions& options, remote::Address listening) {
     if (!options.host.isEmpty())
         listening.host = options.host;
@@ -79,6 +79,7 @@ Result<void> start(const ClusterOptions& options, const std::stop_token& stop) {
     const auto bits = referenceTiles(**device);
     if (!bits)
         return bits.error();
+    // Listen first: the job needs the address of this machine
     RenderNodes nodes(std::make_shared<WorkerPool>(0), *bits);
     nodes.setBundle(options.bundle);
     const auto listening = nodes.listen(options.listen);
@@ -86,6 +87,7 @@ Result<void> start(const ClusterOptions& options, const std::stop_token& stop) {
         return listening.error();
     QElapsedTimer took;
     took.start();
+    // Submit the job and wait for its nodes
     const auto job = submitNodes(options, dialled(options, *listening));
     if (!job)
         return job.error();

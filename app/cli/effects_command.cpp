@@ -11,9 +11,10 @@ namespace pdr::app {
 namespace {
 
 constexpr Calibration::Effort kEffort{.longestSide = 256, .seconds = 7};
-constexpr double kModelSeconds = 3;  ///< of processor time for all models
+constexpr double kModelSeconds = 3;  ///< processor time for all models
 
-/// The same scene under every model, in turn: what each costs, so that the slowest cannot tax the simplest unseen.
+/// Measures what the scene costs under each model. The models take turns. The list of all models shows if the code of
+/// the slowest makes the simplest one slower.
 Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) {
     std::vector<TrialPicture> pictures;
     pictures.reserve(std::size(kModels));
@@ -21,7 +22,7 @@ Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) 
         Scene other = scene;
         other.model = model;
         if (!other.check())
-            other.estimator = Estimator::unbiased;  // of the other models there is no other
+            other.estimator = Estimator::unbiased;  // the other models have no other estimator
         pictures.emplace_back(std::move(other), device, TrialPicture::Use::shared);
     }
     std::vector<Iterate> iterates;

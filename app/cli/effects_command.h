@@ -1,11 +1,11 @@
 #pragma once
-/// pdrender-cli effects FOLDER|SCENE.json: what the picture is made of, and what each part costs.
+/// Command `pdrender-cli effects FOLDER|SCENE.json`: lists the effects in an image and what each of them costs.
 
 #include <QStringList>
 
 namespace pdr::app {
 
-/// `arguments` are those after the word `effects`. Returns the exit code.
+/// Runs the command with `arguments`, those after the word `effects`. Returns the exit code.
 int runEffects(const QStringList& arguments);
 
 }  // namespace pdr::app

@@ -1,5 +1,5 @@
 #pragma once
-/// What `pdrender-cli effects` says: what a picture calls for, what that costs, and what it would cost otherwise.
+/// Output of `pdrender-cli effects`: the effects that an image needs, their cost, and the cost of the other models.
 
 #include <string>
 #include <vector>
@@ -10,29 +10,30 @@ namespace pdr::app {
 
 struct TriedModel {
     Model model;
-    CostBand milliseconds;  ///< per iteration
+    CostBand milliseconds;  ///< cost per iteration
 };
 
 struct EffectsReport {
     EffectLedger ledger;
-    std::vector<TriedModel> models;  ///< the same scene under each
+    std::vector<TriedModel> models;  ///< costs of the scene under each model
 };
 
-/// "needed", "off" or "could be left out": an effect that shows nowhere in the picture, though it is looked for.
+/// Returns "needed", "off" or "could be left out". The last is an effect that is enabled but changes nothing visible.
 std::string verdictText(const TriedEffect& tried);
 
-/// A table of effects, one of what is off, and one of models. Milliseconds are processor time.
+/// Returns a table of all effects, including those that are off, and a table of models. Milliseconds are processor
+/// time.
 std::string plainText(const EffectsReport& report);
 
-/// A JSON object: width, height, device, model, seconds (of processor time that measuring took); effects; models (name,
-/// milliseconds). Of each effect its name, verdict and reason, and, null where it is off, cannot be left out, or is not
-/// known:
-///   milliseconds        per iteration that it costs: low, median, high
-///   share               of an iteration's time, 1 is all: low, median, high
-///   meanLevels, levels95   by which the picture changes without it, mean and 95th percentile: value, low, high
-///   timeWithout         to any target without it, 1 is as long as with it: value, low, high
-/// Low and high of the last three hold the truth in 95 of 100 cases; those of the first two are the smallest and the
-/// largest of six.
+/// Returns a JSON object: width, height, device, model, seconds (processor time of the measurement), effects, and
+/// models (name, milliseconds). An effect has its name, verdict and reason, and these figures, which are null if it is
+/// off, cannot be left out, or was not measured:
+///   milliseconds           cost per iteration: low, median, high
+///   share                  share of an iteration's time, 1 is all of it: low, median, high
+///   meanLevels, levels95   change of the image without it, mean and 95th percentile [display levels]: value, low, high
+///   timeWithout            time to any target without it, 1 is as long as with it: value, low, high
+/// Low and high of the last three rows are 95 % intervals. Those of the first two rows are the smallest and the largest
+/// value in six measurements.
 std::string jsonText(const EffectsReport& report);
 
 }  // namespace pdr::app

@@ -1,5 +1,5 @@
 #pragma once
-/// What the command line says about a picture's error.
+/// Texts of the command line about the error of an image.
 
 #include <string>
 
@@ -7,9 +7,10 @@
 
 namespace pdr::app {
 
-/// For a line that changes: "95 % of the tissue within +-9 of 255 grey levels, error 12 %"; "error not known yet".
+/// Returns a short text for the progress line: "95 % of the tissue within +-9 of 255 grey levels, error 12 %"; "error
+/// not known yet".
 std::string errorText(const FilmStatus& status);
-/// For the end: a whole sentence.
+/// Returns a complete sentence for the final report.
 std::string errorSentence(const FilmStatus& status);
 
 }  // namespace pdr::app

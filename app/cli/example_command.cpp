@@ -23,7 +23,7 @@ constexpr const char* kHelp =
 
 struct Request {
     std::string folder;
-    std::string cranium;  ///< empty: the phantom
+    std::string cranium;  ///< path of matrix.dat; empty: the phantom
 };
 
 std::optional<Request> parse(QStringList arguments) {

@@ -1,5 +1,5 @@
 #pragma once
-/// `pdrender-cli example FOLDER [--cranium MATRIX.DAT]`: a CT series to try the program with.
+/// Command `pdrender-cli example FOLDER [--cranium MATRIX.DAT]`: writes a CT series for trying out the program.
 
 #include <QStringList>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How every command ends on an error.
+/// Messages on standard error that all commands share.
 
 #include <cstdio>
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace pdr::app {
 
-/// Says `error` on standard error and returns the exit code for it.
+/// Writes `error` to standard error and returns the exit code for it.
 inline int failed(const Error& error) {
     std::fprintf(stderr, "pdrender-cli: %s\n", error.text().c_str());
     return 1;
 }
 
-/// Says on standard error why "auto" does not render on its GPU.
+/// Writes to standard error why the device "auto" does not render on a GPU.
 inline void tellOfCpu(const Error& why) {
     const std::string place = why.where.empty() ? "" : why.where + ": ";
     std::fprintf(stderr, "note: the CPU renders, since a GPU cannot: %s%s.\n", place.c_str(), why.what.c_str());

@@ -1,5 +1,5 @@
 #pragma once
-/// What a large picture takes of the memory, for whoever waits at a terminal.
+/// Memory check for large images, with a message for the user at a terminal.
 
 #include "render/base/portable.h"
 #include "render/base/result.h"
@@ -7,7 +7,8 @@
 
 namespace pdr::app {
 
-/// Says on standard error what a large film takes and what is free. Errors: it does not fit.
+/// Writes to standard error how much memory a film of 1 GB or more takes and how much is free. Errors: the film does
+/// not fit.
 Result<void> roomForFilm(ivec2 size, const DeviceInfo& device);
 
 }  // namespace pdr::app

@@ -21,7 +21,7 @@ std::string groupName(LookGroup group) {
     return "";
 }
 
-/// "with lungs, without contrast in the blood"; empty: any scan.
+/// Returns the scans that a look is meant for: "with lungs, without contrast in the blood"; empty: any scan.
 std::string meantFor(const Suits& suits) {
     std::string text;
     const auto add = [&](std::optional<bool> wanted, const char* what) {

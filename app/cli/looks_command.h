@@ -1,11 +1,12 @@
 #pragma once
-/// `pdrender-cli looks`: what there is to choose from.
+/// Command `pdrender-cli looks`: lists the bundled looks.
 
 #include <QStringList>
 
 namespace pdr::app {
 
-/// `arguments` come after the word "looks". Prints to stdout. Returns 0, 1 on an error, 2 on wrong usage.
+/// Runs the command with `arguments`, those after the word "looks". Prints to stdout. Returns 0, 1 on an error, 2 on
+/// wrong usage.
 int runLooks(const QStringList& arguments);
 
 }  // namespace pdr::app

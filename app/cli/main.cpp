@@ -1,5 +1,5 @@
-/// pdrender-cli: info, looks, render, accuracy, effects, replay, cluster, example. Exit codes: 0, 1 for an error, 2 for
-/// wrong usage.
+/// Entry point of pdrender-cli with its commands info, looks, render, accuracy, effects, replay, cluster, example. Exit
+/// codes: 0 on success, 1 on an error, 2 on wrong usage.
 
 #include <QGuiApplication>
 #include <QLocale>
@@ -86,7 +86,8 @@ constexpr const char* kNoLetters =
     "pdrender-cli: letters cannot be painted on this machine. Install Qt's platform plugins (qt6-qpa-plugins), or add "
     "--annotations none.\n";
 
-/// Qt ends the program with a signal where it has nothing to paint with.
+/// Exits with an explanation on a fatal message of Qt. Qt would otherwise end the program with a signal if it has no
+/// platform plugin to paint with.
 void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type != QtFatalMsg)
         return;
@@ -94,7 +95,8 @@ void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString&
     std::_Exit(1);
 }
 
-/// Fonts need more of Qt, and no display. Numbers are written as in English, whatever the system speaks.
+/// Creates the Qt application. Letters require fonts, and fonts require a QGuiApplication, which works without a
+/// display. Numbers are formatted as in English in every locale.
 std::unique_ptr<QCoreApplication> applicationFor(int& argc, char** argv) {
     QLocale::setDefault(QLocale::c());
     if (!mayWriteLetters(argc, argv))

@@ -33,7 +33,7 @@ NodeCrew::NodeCrew(const NodesWanted& wanted, const std::vector<std::byte>& bits
     nodes_.setBundle(wanted.bundle);
 }
 
-/// In the network's thread: this one is busy.
+/// Handles the signals directly in the network thread, because this thread is busy rendering.
 void NodeCrew::listenToNews() {
     using nodes::NodeStatus;
     using nodes::RenderNodes;

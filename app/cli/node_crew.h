@@ -1,5 +1,5 @@
 #pragma once
-/// Render nodes of a command that renders: dials those that were named, lets others come, and waits for them.
+/// Render nodes of a rendering command: dials the nodes that were named, accepts others, and waits for them.
 
 #include <QStringList>
 #include <memory>
@@ -16,26 +16,28 @@
 namespace pdr::app {
 
 struct NodesWanted {
-    QStringList nodes;              ///< addresses to dial
-    std::optional<QString> listen;  ///< where nodes may dial
+    QStringList nodes;              ///< addresses of nodes to dial
+    std::optional<QString> listen;  ///< address at which nodes may dial this machine; null: none
     QString bundle;                 ///< folder of certificates
-    int await = 0;                  ///< so many must be ready before it begins
-    int awaitSeconds = 120;         ///< and that so soon
-    bool nodesOnly = false;         ///< this machine only checks what they send
-    std::optional<Split> split;     ///< none: chosen
+    int await = 0;                  ///< number of nodes that must be ready before rendering begins
+    int awaitSeconds = 120;         ///< longest wait for these nodes
+    bool nodesOnly = false;         ///< true: this machine only checks what the nodes send
+    std::optional<Split> split;     ///< null: chosen automatically
 
     bool any() const { return !nodes.isEmpty() || listen.has_value(); }
 };
 
 class NodeCrew {
   public:
-    /// `device` shared with them from now on. Errors: addresses, certificates, or the device's.
+    /// Connects to the nodes and replaces `device` with one that shares its work with them. Errors: those of addresses,
+    /// certificates and the device.
     static Result<std::unique_ptr<NodeCrew>> gather(const NodesWanted& wanted, std::unique_ptr<Device>& device);
 
-    /// Until as many as are wanted have the scene of the device. Errors: `stop` or the end of the time came first, or
-    /// too few can still come.
+    /// Waits until as many nodes as requested have the scene of the device. Errors: `stop` was requested or the time is
+    /// up first, or too few nodes can still come.
     Result<void> await(const std::stop_token& stop) const;
-    /// One line for each node that was named or took part: what it has done.
+    /// Returns one line for each node that was named or took part, with what it has done, and a line on how the work
+    /// was divided.
     std::string report();
 
   private:
@@ -46,7 +48,7 @@ class NodeCrew {
 
     NodesWanted wanted_;
     mutable std::mutex mutex_;
-    NodeNews news_;  ///< guarded by mutex_: it comes in the network's thread
+    NodeNews news_;  ///< guarded by mutex_: updated in the network thread
     std::shared_ptr<WorkerPool> pool_;
     nodes::RenderNodes nodes_;
 };

@@ -14,7 +14,8 @@ QString reasonOf(const NodeStatus& node) {
     return QString::fromStdString(node.reason);
 }
 
-/// A node that was dialled keeps its address, one that dialled has another port each time.
+/// Returns the key that identifies a node across connections: its address if it was dialled; its name if it dialled,
+/// because its port differs each time.
 QString keyOf(const NodeStatus& node) {
     return node.dialled ? node.address : node.name;
 }
@@ -62,6 +63,7 @@ QString NodeNews::turnedAway(const QString& peer, const QString& reason) {
 }
 
 QStringList NodeNews::report(const std::vector<WorkerStatus>& workers, double ownWork) const {
+    // Take the latest counters of connections that still exist, and sum all work
     std::map<nodes::NodeId, Part> parts = parts_;
     double all = ownWork;
     for (auto& [id, part] : parts)
@@ -72,6 +74,7 @@ QStringList NodeNews::report(const std::vector<WorkerStatus>& workers, double ow
             all += work.work;
         }
     QStringList lines;
+    // Write one line for each node
     for (const auto& [id, part] : parts) {
         WorkerStatus sum;
         for (const auto& [connection, work] : part.work) {

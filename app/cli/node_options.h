@@ -1,5 +1,5 @@
 #pragma once
-/// The options of `pdrender-cli render` for render nodes that help.
+/// Options of `pdrender-cli render` for render nodes that help.
 
 #include <QCommandLineParser>
 
@@ -9,7 +9,7 @@ namespace pdr::app {
 
 void describeNodeOptions(QCommandLineParser& parser);
 
-/// Throws an Error that names the first option that is wrong.
+/// Reads the options. Throws an Error that names the first wrong option.
 NodesWanted readNodeOptions(const QCommandLineParser& parser);
 
 }  // namespace pdr::app

@@ -1,5 +1,5 @@
 #pragma once
-/// Says on stderr how far it is: one line that is drawn anew on a terminal, plain lines now and then elsewhere.
+/// Progress on stderr: one line that is redrawn on a terminal, plain lines from time to time elsewhere.
 
 #include <chrono>
 #include <string>
@@ -14,11 +14,11 @@ class ProgressLine {
     ProgressLine();
     ~ProgressLine();
 
-    /// A step with a known fraction, such as reading slices.
+    /// Shows a step with a known fraction, such as reading slices.
     void show(double fraction, std::string_view step);
-    /// The rendering, with error and time left.
+    /// Shows the progress of rendering, with error and time left.
     void show(const BatchState& state);
-    /// Ends the line, so that something else can be written.
+    /// Ends the line, so that other output can follow.
     void finish();
 
   private:
@@ -30,9 +30,9 @@ class ProgressLine {
     std::chrono::steady_clock::time_point lastPlain_;
 };
 
-/// "0:07", "12:30", "2:05:00"
+/// Returns a duration as "0:07", "12:30" or "2:05:00".
 std::string clockText(double seconds);
-/// "1 sample per pixel", "64 samples per pixel"
+/// Returns "1 sample per pixel" or "64 samples per pixel".
 std::string samplesText(std::uint64_t samplesPerPixel);
 
 }  // namespace pdr::app

@@ -23,7 +23,7 @@ namespace {
 
 struct Finished {
     StopReason reason;
-    bool allInPlace;  ///< every image is where it was asked for
+    bool allInPlace;  ///< true: every image was written to its path
 };
 
 ui::Annotate annotateOf(const RenderOptions& options) {
@@ -36,11 +36,12 @@ FinalOrder orderOf(const RenderOptions& options, const LoadedScene& work, std::o
             options.stops,
             WhenStopped::keep,
             options.outputs,
-            // A preview until it is as good as was asked for, or for planning.
+            // Mark the image as a preview until it meets the requested error, or the one for planning.
             ui::imagePainter(std::move(annotations), options.stops.levels.value_or(kPlanningLevels))};
 }
 
-/// Nodes have to be there before the first sample; what they have done is said after the last.
+/// Returns the callbacks of the render. Before the first sample, memory is checked and nodes are awaited; after the
+/// last, what the nodes have done is reported.
 FinalSteps stepsOf(const LoadedScene& work, const Device& device, NodeCrew* crew, ProgressLine& line,
                    const std::stop_token& stop) {
     return {[&work, &device, crew, stop]() -> Result<void> {
@@ -56,7 +57,7 @@ FinalSteps stepsOf(const LoadedScene& work, const Device& device, NodeCrew* crew
             }};
 }
 
-/// What is to be known of the image beside the report.
+/// Writes to standard error what the report does not contain: notes and files that could not be written.
 void tellTroubles(const FinalImage& image) {
     if (image.denoisingNote)
         std::fprintf(stderr, "note: %s\n", image.denoisingNote);
@@ -64,12 +65,14 @@ void tellTroubles(const FinalImage& image) {
         failed(trouble);
 }
 
-/// Everything between the options and the exit code.
+/// Does everything between the options and the exit code.
 Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interrupt) {
+    // Check what can be checked before the scene is loaded
     if (auto ok = checkWritable(options.outputs); !ok)
         return ok.error();
     if (auto ok = checkFonts(annotateOf(options)); !ok)
         return ok.error();
+    // Open the device and connect the render nodes
     auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu);
     if (!opened)
         return opened.error();
@@ -81,6 +84,7 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
         crew = *std::move(gathered);
     }
     Device& device = **opened;
+    // Load the scene
     ProgressLine line;
     const std::stop_token stop = interrupt.token();
     auto work = loadScene(options.scene, [&](double fraction, std::string_view step) {
@@ -94,6 +98,7 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     if (auto ok = checkSpared(work->files, options.outputs); !ok)
         return ok.error();
 
+    // Render, write the images and print the report
     auto annotations = annotationsOf(*work, annotateOf(options));
     if (!annotations)
         return annotations.error();

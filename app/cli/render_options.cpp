@@ -87,7 +87,7 @@ int readThreads(const QCommandLineParser& parser) {
     return int(Reader(parser).whole("threads", 1, 1024).value_or(0));
 }
 
-/// Whether it is there is found out when it is opened.
+/// Reads the name of the device. Whether the device exists is known only when it is opened.
 std::string readDevice(const QCommandLineParser& parser) {
     const QString name = parser.value("device");
     if (!QRegularExpression("^(auto|cpu|cuda(:\\d{1,3})?)$").match(name).hasMatch())
@@ -145,7 +145,8 @@ void readReplay(const QCommandLineParser& parser, ReplayOptions& options) {
     options.sample = Reader(parser).whole("sample", 0, UINT64_MAX).value_or(0);
 }
 
-/// Parses `arguments` of `command` as `describe` says and hands them to `read`, unless they only ask for help.
+/// Parses `arguments` of `command` with the options that `describe` adds, and passes them to `read` unless they ask for
+/// help.
 template <class Options>
 Result<Options> parsed(const QString& command, const QStringList& arguments, void (*describe)(QCommandLineParser&),
                        void (*read)(const QCommandLineParser&, Options&)) {
@@ -168,7 +169,7 @@ std::string optionsText(void (*describe)(QCommandLineParser&)) {
     QCommandLineParser parser;
     describe(parser);
     QString text = parser.helpText();
-    text.remove(0, text.indexOf('\n') + 1);  // the parser's usage line knows nothing of the command's word
+    text.remove(0, text.indexOf('\n') + 1);  // the parser's usage line lacks the command word
     return text.toStdString();
 }
 

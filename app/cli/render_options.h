@@ -1,5 +1,5 @@
 #pragma once
-/// What the commands that render were asked for.
+/// Options of the commands that render.
 
 #include <QStringList>
 
@@ -20,17 +20,17 @@ namespace pdr::app {
 struct RenderOptions {
     SceneInput scene;
     std::vector<std::filesystem::path> outputs;   ///< at least one; each .png or .exr
-    Stops stops;                                  ///< 256 samples when nothing was asked for
-    std::string device = "auto";                  ///< as openDevice() takes it
+    Stops stops;                                  ///< 256 samples per pixel by default
+    std::string device = "auto";                  ///< name as openDevice() takes it
     int threads = 0;                              ///< 0 = one per core
     NodesWanted nodes;                            ///< other machines that help
-    bool smoothed = false;                        ///< PNG files
-    ui::Annotate annotate = ui::Annotate::sides;  ///< PNG files
+    bool smoothed = false;                        ///< PNG files are denoised
+    ui::Annotate annotate = ui::Annotate::sides;  ///< annotations over PNG files
     bool json = false;
     bool help = false;
 };
 
-/// What `pdrender-cli effects` was asked for.
+/// Options of `pdrender-cli effects`.
 struct EffectsOptions {
     SceneInput scene;
     int threads = 0;  ///< 0 = one per core
@@ -38,17 +38,17 @@ struct EffectsOptions {
     bool help = false;
 };
 
-/// What `pdrender-cli accuracy` was asked for.
+/// Options of `pdrender-cli accuracy`.
 struct AccuracyOptions {
     SceneInput scene;
-    std::filesystem::path folder;  ///< for the report
-    double seconds = 0;            ///< of rendering, in all
+    std::filesystem::path folder;  ///< folder for the report
+    double seconds = 0;            ///< total rendering time
     std::string device = "auto";
     int threads = 0;  ///< 0 = one per core
     bool help = false;
 };
 
-/// What `pdrender-cli replay` was asked for.
+/// Options of `pdrender-cli replay`.
 struct ReplayOptions {
     SceneInput scene;
     ivec2 pixel{0};
@@ -56,15 +56,15 @@ struct ReplayOptions {
     bool help = false;
 };
 
-/// `arguments` are those after the word `render`. An error is one of usage and names the option in `where`.
+/// Parses `arguments`, those after the word `render`. Errors are usage errors and name the option in `where`.
 Result<RenderOptions> renderOptions(const QStringList& arguments);
 
-/// The same for the words `accuracy`, `effects` and `replay`.
+/// Parses the arguments after the words `accuracy`, `effects` and `replay`, with the same errors.
 Result<AccuracyOptions> accuracyOptions(const QStringList& arguments);
 Result<EffectsOptions> effectsOptions(const QStringList& arguments);
 Result<ReplayOptions> replayOptions(const QStringList& arguments);
 
-/// The texts for --help.
+/// Returns the text for --help.
 std::string renderHelp();
 std::string accuracyHelp();
 std::string effectsHelp();

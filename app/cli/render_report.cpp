@@ -31,7 +31,7 @@ const char* reasonWord(StopReason reason) {
     return "interrupted";
 }
 
-/// Each cause that happened: how often, and the first sample that can be replayed.
+/// Returns for each fault how often it happened and, if it did, the first sample, which can be replayed.
 QJsonObject healthObject(const Health& health, int width) {
     QJsonObject object;
     for (int i = 0; i < kFaults; ++i) {
@@ -51,7 +51,7 @@ std::string replayArguments(const FaultCount& fault, const RenderReport& report)
            std::to_string(fault.pixel / report.size.x) + " --sample " + std::to_string(fault.sample);
 }
 
-/// JSON has no infinity: null.
+/// Returns `value`, or null if it is not finite: JSON has no infinity.
 QJsonValue known(double value) {
     return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
 }

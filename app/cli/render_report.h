@@ -1,5 +1,5 @@
 #pragma once
-/// What `pdrender-cli render` says on standard output when a picture is written.
+/// Report that `pdrender-cli render` prints to standard output when an image is written.
 
 #include <cstdint>
 #include <filesystem>
@@ -20,17 +20,17 @@ struct RenderReport {
     std::uint64_t seed = 0;
     DeviceInfo device;
     BatchResult result;
-    std::vector<Warning> warnings;  ///< of the scene
+    std::vector<Warning> warnings;  ///< warnings about the scene
     std::vector<Bias> biases;
 };
 
-/// A JSON object: outputs, width, height, samplesPerPixel, rejectedSamples, health, seconds, samplesPerSecond (of all
-/// pixels together), warnings (names: overDense), relativeError and displayError (null while unknown), tissuePixels,
-/// unseenShare, biases (each with cause, ofComputing, text; brightness and levels with value, low, high;
-/// levelsAtMost, shareAtMost; null where not known), meanLuminance, stoppedBy (samples, seconds, error, levels,
+/// Returns a JSON object: outputs, width, height, samplesPerPixel, rejectedSamples, warnings (names: overDense), biases
+/// (each with cause, ofComputing, text; brightness and levels with value, low, high; levelsAtMost, shareAtMost; null
+/// where not known), health, seconds, samplesPerSecond (of all pixels together), relativeError and displayError (null
+/// while unknown), tissuePixels, unseenTissue, unseenShare, meanLuminance, stoppedBy (samples, seconds, error, levels,
 /// interrupted), device, seed (as text: 64 bits do not fit a JSON number).
 std::string jsonText(const RenderReport& report);
-/// The same for a person, in a few lines.
+/// Returns the report for a person, in a few lines.
 std::string plainText(const RenderReport& report);
 
 }  // namespace pdr::app

@@ -64,6 +64,7 @@ void printSegment(int number, const ReplayedSegment& segment) {
 }
 
 Result<void> tell(const ReplayOptions& options) {
+    // Load the scene and check that the sample can be replayed
     auto loaded = loadSceneShown(options.scene);
     if (!loaded)
         return loaded.error();
@@ -78,6 +79,7 @@ Result<void> tell(const ReplayOptions& options) {
         return Error{"lies outside the picture of " + std::to_string(scene.film.x) + " x " +
                          std::to_string(scene.film.y) + " pixels",
                      "--pixel", ""};
+    // Replay the sample and print its path
     const Replay replay = replayed(*Flattener().prepare(scene), options.pixel, options.sample);
     std::printf("pixel %d,%d sample %llu seed %llu, %s\n", options.pixel.x, options.pixel.y,
                 static_cast<unsigned long long>(options.sample), static_cast<unsigned long long>(scene.seed),

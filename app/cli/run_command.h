@@ -1,5 +1,5 @@
 #pragma once
-/// How every command that renders begins: with its options, or with what is wrong about them, or with its help.
+/// Common start of the commands that render: reads the options, or prints what is wrong with them, or the help.
 
 #include <cstdio>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace pdr::app {
 
-/// `run` takes the options and returns the exit code; 2 where the options are wrong.
+/// Calls run(options) and returns its exit code; returns 2 if the options are wrong, 0 if they ask for help.
 template <class Options, class Run>
 int runCommand(const char* name, const Result<Options>& options, std::string (*help)(), Run&& run) {
     if (!options) {

@@ -26,7 +26,7 @@ bool isFile(const SceneInput& input) {
     return std::filesystem::is_regular_file(input.path, ignored);
 }
 
-/// What the input says, before the voxels are there.
+/// Reads the scene file, or makes a scene for a folder, and applies the options that do not need the voxels.
 Result<SceneFile> readInput(const SceneInput& input) {
     SceneFile file;
     if (isFile(input) && fileEnding(input.path) != ".json")
@@ -53,7 +53,8 @@ Result<SceneFile> readInput(const SceneInput& input) {
     return file;
 }
 
-/// Takes the voxels, what is to be said of them, and the camera that sees them first.
+/// Stores the voxels and the notes about them, and sets the initial camera unless the scene file has one that is to be
+/// used.
 void take(LoadedScene& work, const SceneInput& input, const FetchedVolume& volume) {
     const Framed& framed = volume.wanted.framed;
     work.uncut = boxAround(framed.box);
@@ -68,8 +69,8 @@ void take(LoadedScene& work, const SceneInput& input, const FetchedVolume& volum
                                        double(work.scene.film.x) / double(work.scene.film.y), kViewFilled);
 }
 
-/// The look that was asked for; a folder, which has none of its own, gets the first that makes sense of it, as in the
-/// window. None: the scene file's own.
+/// Returns the requested look. Without one, a folder gets the first look that suits the scan, as in the window; null
+/// for a scene file, which has its own.
 Result<std::optional<NamedLook>> chosenLook(const SceneInput& input, const segment::Findings& findings,
                                             std::vector<std::string>& notes) {
     if (!input.look && isFile(input))
@@ -85,7 +86,7 @@ Result<std::optional<NamedLook>> chosenLook(const SceneInput& input, const segme
     return std::optional(looks[chosen]);
 }
 
-/// Takes the look, and then what was asked for beside it.
+/// Applies the look, and then the options that override it.
 Result<void> dress(LoadedScene& work, const SceneInput& input, const std::optional<NamedLook>& look,
                    const VolumeGeometry& body) {
     if (look) {
@@ -100,13 +101,15 @@ Result<void> dress(LoadedScene& work, const SceneInput& input, const std::option
     return work.scene.check();
 }
 
-/// An image must not bear the name of a look that it does not show.
+/// Marks the look's name as changed if the scene differs from the look: an image must not bear the name of a look that
+/// it does not show.
 void nameLook(Scene& scene, const NamedLook& look) {
     if (scene.model != look.model || scene.visible != look.look.visible)
         scene.lookName += kChangedLook;
 }
 
-/// Hides what is not to be seen. What only the look wants, of a scan that does not have it, is told and left out.
+/// Makes the mask that hides tissue. If the scan lacks a part that only the look asks for, adds a note and shows
+/// everything.
 Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::BodyParts& parts,
                   const Progress& progress) {
     Visible& visible = work.scene.visible;
@@ -126,7 +129,7 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::Bod
     return {};
 }
 
-/// Brings the tissue into the middle of the display.
+/// Sets the exposure so that the tissue lies in the middle of the display range.
 Result<void> expose(LoadedScene& work, const segment::BodyParts& parts, const VolumeGeometry& body) {
     Scene coarse = work.scene;
     coarse.volume = coarseCopy(*work.scene.volume);
@@ -156,6 +159,7 @@ Result<void> focus(Scene& scene, ivec2 pixel) {
 }  // namespace
 
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress) {
+    // Read the scene file, the voxels and the environment image
     auto file = readInput(input);
     if (!file)
         return file.error();
@@ -167,16 +171,18 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     if (!environment)
         return environment.error();
 
+    // Assemble the scene and choose its look
     LoadedScene work{std::move(file->scene), {}, {}, {input.path, file->source.raw.path, file->environmentImage}};
     work.scene.environment.image = *std::move(environment);
     take(work, input, *volume);
     const VolumeGeometry body = volume->wanted.framed.box;
-    volume->wanted = {};  // voxels that are not shown leave the memory
+    volume->wanted = {};  // frees voxels that are not shown
     const auto look = chosenLook(input, segment::findingsOn(*work.scene.volume, body), work.notes);
     if (!look)
         return look.error();
     if (auto ok = dress(work, input, *look, body); !ok)
         return ok.error();
+    // Apply what depends on the tissue: mask, exposure, focus
     const segment::BodyParts parts(work.scene.volume);
     if (auto ok = hide(work, input, parts, partOf(progress, 0.9, 1)); !ok)
         return ok.error();

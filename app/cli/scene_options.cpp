@@ -10,7 +10,7 @@
 namespace pdr::app {
 namespace {
 
-/// Each view by its name, and as the window calls it.
+/// Names of a view: its own, and the letter and the plain word of the window.
 struct ViewName {
     const char *name, *letter, *plain;
     StandardView view;

@@ -1,5 +1,5 @@
 #pragma once
-/// The options of all commands that render: what is shown, and how.
+/// Options of all commands that render: what is shown, and how.
 
 #include <QCommandLineParser>
 
@@ -11,10 +11,12 @@ namespace pdr::app {
 
 void describeSceneOptions(QCommandLineParser& parser);
 
-/// `command`: the word that they were given to. Throws an Error that names the first option that is wrong.
+/// Reads the options. `command`: the command word that they belong to, for messages. Throws an Error that names the
+/// first wrong option.
 SceneInput readSceneOptions(const QCommandLineParser& parser, const QString& command);
 
-/// A pixel such as 400,300; none: the option of that name was not given. Throws an Error where it is none.
+/// Reads the pixel of the option `name`, such as 400,300; null if the option was not given. Throws an Error if it is
+/// not a pixel.
 std::optional<ivec2> readPixel(const QCommandLineParser& parser, const QString& name);
 
 }  // namespace pdr::app

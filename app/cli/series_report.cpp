@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A verdict for other programs, and in words.
+/// A verdict as a name for other programs and as words for a person.
 struct Verdict {
     dicom::Stack stack;
     const char *name, *words;
@@ -54,7 +54,7 @@ void addGrid(Json& report, const VolumeGeometry& geometry) {
     report["columnDirection"] = vectorOf(dvec3(geometry.patientFromIndex[1]) / spacing.y);
 }
 
-/// Lowest, highest and mean of the voxels that `counts` takes.
+/// Returns the lowest, highest and mean value of the voxels for which counts(index) is true; null if there are none.
 template <class Counts>
 Json statisticsOf(const Volume& volume, Counts counts) {
     std::int64_t sum = 0, count = 0;
@@ -119,7 +119,7 @@ std::string joined(const Json& numbers, const char* separator) {
     return line;
 }
 
-/// "CT series 3", and the description where it was asked for and there is one.
+/// Returns "CT series 3", followed by the description if it was requested and there is one.
 std::string headline(const Json& report) {
     const auto modality = report["modality"].get<std::string>();
     std::string line =

@@ -6,7 +6,7 @@
 #include <QProcess>
 #include <QProcessEnvironment>
 
-static void initResources() {  // outside of any namespace, as Qt wants it
+static void initResources() {  // outside of any namespace, as Qt requires
     Q_INIT_RESOURCE(resources);
 }
 
@@ -21,7 +21,7 @@ QByteArray batchScript() {
     return script.open(QIODevice::ReadOnly) ? script.readAll() : QByteArray();
 }
 
-/// What the nodes are to know: Slurm hands it on to them.
+/// Returns the environment of sbatch, which Slurm passes on to the nodes.
 QProcessEnvironment environment(const ClusterOptions& options, const remote::Address& coordinator) {
     QProcessEnvironment known = QProcessEnvironment::systemEnvironment();
     known.insert("PDR_COORDINATOR", coordinator.text());

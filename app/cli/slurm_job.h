@@ -1,13 +1,13 @@
 #pragma once
-/// Jobs of Slurm, by its own programs.
+/// Slurm jobs, submitted with Slurm's own programs.
 
 #include "app/cli/cluster_options.h"
 #include "app/remote/address.h"
 
 namespace pdr::app {
 
-/// Submits installer/slurm/pdrender-node.sbatch, which this program carries inside it, for nodes that dial
-/// `coordinator`; returns the job's number. Errors: no sbatch here, and what it says.
+/// Submits installer/slurm/pdrender-node.sbatch, which is embedded in this program, for nodes that dial `coordinator`.
+/// Returns the job's number. Errors: sbatch cannot be started, and those that it reports.
 Result<QString> submitNodes(const ClusterOptions& options, const remote::Address& coordinator);
 
 }  // namespace pdr::app

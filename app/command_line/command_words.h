@@ -1,5 +1,5 @@
 #pragma once
-/// The words of a command line, as Qt hands them on.
+/// Check that the words of a command line are valid UTF-8.
 
 #include <QByteArray>
 #include <QString>
@@ -9,8 +9,8 @@
 
 namespace pdr::app {
 
-/// What is wrong with the words behind the program's name: Qt makes other names of what is no UTF-8, as folders of old
-/// discs may be called, and would look for, or write, something else.
+/// Returns an error for the first word after the program's name that is not valid UTF-8, as names on old discs may be;
+/// null if there is none. Qt would change such a name, and the program would read or write another path.
 inline std::optional<Error> unreadableWord(int argc, char** argv) {
     for (int i = 1; i < argc; ++i)
         if (const QString read = QString::fromUtf8(argv[i]); read.toUtf8() != argv[i])

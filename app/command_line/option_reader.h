@@ -1,5 +1,5 @@
 #pragma once
-/// Options as text, numbers and whole numbers, each with a sentence where it is something else.
+/// Reader of command-line options as text, numbers and whole numbers, with an error message for a wrong value.
 
 #include <QCommandLineParser>
 
@@ -16,8 +16,8 @@ namespace pdr::app {
     throw Error{what, option.toStdString(), hint};
 }
 
-/// Reads the options of a parsed command line, absent ones as nothing, and throws an Error that names the first wrong
-/// one.
+/// Reader of the options of a parsed command line. Returns null for an absent option, and throws an Error that names
+/// the first wrong one.
 class Reader {
   public:
     explicit Reader(const QCommandLineParser& parser) : parser_(parser) {}
@@ -32,7 +32,7 @@ class Reader {
         return inRange(name, parser_.value(name), 1, range);
     }
 
-    /// A number, or with a percent sign a hundred times that; the range is of the number.
+    /// Reads a fraction: a number, or a percentage such as 5%. The range is that of the fraction.
     std::optional<double> fraction(const QString& name, const Range& range) const {
         if (!parser_.isSet(name))
             return std::nullopt;

@@ -1,5 +1,5 @@
 #pragma once
-/// What is written over the images of the window, on the screen and where they leave it.
+/// Annotations over the images of the window, on the screen, in saved files and on the clipboard.
 
 #include <optional>
 
@@ -8,14 +8,16 @@
 
 namespace pdr::app {
 
-/// What is said of `frame`: its own view, look, part and cut, and who the patient is, as far as the window says it.
+/// Returns the annotations of `frame`: its view, look, visible part and cut, and the patient's lines as far as the
+/// window shows them.
 ui::Annotations annotationsOf(const DesktopParts& parts, const Frame& frame);
-/// What is said of an image that is still to be made of `scene`: the document's own but for its film.
+/// Returns the annotations of an image that is still to be rendered from `scene`, the document's scene but for its
+/// film.
 ui::Annotations annotationsOf(const DesktopParts& parts, const Scene& scene);
 
-/// What of `all` an image carries that leaves the window.
+/// Returns the annotations of `all` that an image carries when it leaves the window; none for Annotate::none.
 std::optional<ui::Annotations> leaving(ui::Annotations all, ui::Annotate choice);
-/// What it carries where nobody is asked.
+/// Returns the choice for images that leave the window without a question to the user.
 ui::Annotate usualAnnotate(const DesktopParts& parts);
 
 }  // namespace pdr::app

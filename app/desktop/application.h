@@ -10,11 +10,12 @@
 
 namespace pdr::app {
 
-/// What an event's handler throws ends as a sentence, and the window stays.
+/// The application. An exception thrown by an event's handler becomes a message, and the window stays open.
 class Application : public QApplication {
   public:
     Application(int& argc, char** argv) : QApplication(argc, argv) {
-        // Qt paints on this pool's threads and would wait for ever for one that the system refuses later.
+        // Qt paints on this pool's threads and would wait forever for one that the system refuses later: start one now
+        // and keep it.
         QThreadPool& pool = *QThreadPool::globalInstance();
         pool.setMaxThreadCount(1);
         pool.setExpiryTimeout(-1);

@@ -22,7 +22,7 @@ BatteryRest::BatteryRest(RenderBridge& bridge, std::filesystem::path supplies)
     look();
 }
 
-/// A pause of the hand's own is left alone.
+/// Pauses or resumes rendering if the power supply has changed. A pause by the user is left alone.
 void BatteryRest::look() {
     const bool now = onBattery(supplies_);
     if (std::exchange(onBattery_, now) == now)

@@ -1,6 +1,6 @@
 #pragma once
-/// Rendering rests on battery: it is paused once when the machine begins to run on it, and goes on with the mains
-/// unless the hand has done so before.
+/// Pauses rendering once when the machine starts to run on battery, and resumes it on mains power unless the user has
+/// resumed it before.
 
 #include <QObject>
 #include <QTimer>
@@ -14,12 +14,13 @@ class BatteryRest : public QObject {
     Q_OBJECT
 
   public:
-    /// `supplies`: see onBattery(); empty: the machine is taken to have mains. Looks at once and every few seconds.
+    /// Checks at once and every 10 seconds. `supplies`: see onBattery(); empty: the machine counts as running on mains
+    /// power.
     BatteryRest(RenderBridge& bridge, std::filesystem::path supplies);
 
-    /// The image is paused for the battery.
+    /// Whether rendering is paused because of the battery.
     bool rests() const { return rests_; }
-    /// Looks now.
+    /// Checks the power supply now.
     void look();
 
   signals:

@@ -10,7 +10,7 @@
 namespace pdr::app {
 namespace {
 
-/// Pixels of its own, each 4 bytes without a gap between the rows.
+/// Returns an image that owns its pixels, 4 bytes each without gaps between the rows.
 QImage ownImage(const std::vector<std::uint8_t>& rgba, ivec2 size) {
     return QImage(rgba.data(), size.x, size.y, 4 * qsizetype(size.x), QImage::Format_RGBX8888).copy();
 }

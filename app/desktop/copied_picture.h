@@ -1,5 +1,5 @@
 #pragma once
-/// The picture on the screen for other programs: its pixels and its annotations, and nothing of whom it shows.
+/// The clipboard image: the image on the screen with its annotations, without the patient's name.
 
 #include <QImage>
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace pdr::app {
 
-/// `frame`, which has a picture, with `annotations` over it and whether it is unfinished. A coarse one is stretched to
-/// `fullSize` [pixels].
+/// Returns the image of `frame`, which must have one, with `annotations` and a note if it is unfinished. A coarse image
+/// is stretched to `fullSize` [pixels].
 QImage copyOf(const Frame& frame, ivec2 fullSize, const std::optional<ui::Annotations>& annotations);
 
-/// Puts the picture on the clipboard and says so; does nothing where there is none.
+/// Puts the image on the clipboard and reports it in the status bar; does nothing if there is no image.
 void copyPicture(const DesktopParts& parts);
 
 }  // namespace pdr::app

@@ -19,7 +19,7 @@ namespace pdr::app {
 
 namespace {
 
-/// The devices of this machine to choose from, and the one in use, which may be none of them.
+/// Fills the list of devices with those of this machine and the one in use, which may be none of them.
 void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
     std::vector<DeviceInfo> devices = devicesHere();
     const auto known = std::find_if(devices.begin(), devices.end(),
@@ -37,7 +37,8 @@ void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
     panel.setDevice(QString::fromStdString(inUse.name));
 }
 
-/// Where `bootstrap run` writes it, beside the programs that it builds; empty: it is not there.
+/// Returns the folder of the example scan, which `bootstrap run` writes beside the programs that it builds; empty if
+/// there is none.
 QString exampleFolder() {
     const QDir programs(QCoreApplication::applicationDirPath());
     for (const char* name : {"cranium", "phantom"})
@@ -47,7 +48,7 @@ QString exampleFolder() {
     return {};
 }
 
-/// Settings may be damaged, or from a larger screen: no window is larger than its screen, or lies beside it.
+/// Shrinks and moves `window` so that it fits its screen: saved geometry may be damaged, or from a larger screen.
 void holdOnScreen(QWidget& window) {
     const QRect room = window.screen()->availableGeometry();
     const bool isLarge = window.isMaximized() || window.isFullScreen();
@@ -70,6 +71,7 @@ Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, c
       bridge_(std::move(device), threads),
       ownLooks_(settingsFile.isEmpty() ? OwnLooks::usualFolder() : QFileInfo(settingsFile).path() + "/looks"),
       battery_(bridge_, std::move(powerSupplies)) {
+    // Restore the settings
     offerDevices(window_.rendering(), bridge_.firstDevice());
     window_.rendering().setPace(settings_.pace());
     bridge_.setPace(window_.rendering().pace());
@@ -78,10 +80,12 @@ Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, c
     window_.setLanguage(settings_.language());
     window_.setTheme(settings_.theme());
     window_.setKeys(settings_.keys());
+    // Place the window
     window_.resize(QSize(1480, 920).boundedTo(window_.screen()->availableSize() * 0.95));
     window_.restoreGeometry(settings_.windowGeometry());
     window_.restoreState(settings_.windowState());
     holdOnScreen(window_);
+    // Connect the parts and show the start page
     wire(parts());
     offerOwnLooks(parts());
     bridge_.setTarget(settings_.target());

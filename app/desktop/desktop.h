@@ -1,5 +1,5 @@
 #pragma once
-/// The desktop as a whole: its parts, put together and wired.
+/// The desktop program: owns all of its parts and connects them.
 
 #include <filesystem>
 #include <memory>
@@ -12,13 +12,14 @@ namespace pdr::app {
 
 class Desktop {
   public:
-    /// `looks` holds at least one. `settingsFile`: where to keep the settings, with the
-    /// user's looks beside them; empty: the user's own place.
-    /// `threads`: of the CPU, when another device is left for it; 0 = one per core.
-    /// `powerSupplies`: see onBattery(); empty: rendering takes no account of them.
+    /// `looks` holds at least one look.
+    /// `settingsFile`: where to save the settings, with the user's looks in a folder beside it; empty: the user's
+    /// configuration.
+    /// `threads`: number of CPU threads if the CPU takes over from another device; 0: one per core.
+    /// `powerSupplies`: see onBattery(); empty: rendering does not depend on the power supply.
     Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile = {},
             int threads = 0, std::filesystem::path powerSupplies = {});
-    /// Keeps the window's geometry for the next time.
+    /// Saves the window's geometry and state for the next run.
     ~Desktop();
 
     DesktopParts parts() {
@@ -27,7 +28,7 @@ class Desktop {
                 ownLooks_, nodes_,    said_,       seriesPictures_, battery_};
     }
     ui::MainWindow& window() { return window_; }
-    /// Reads a folder, or that of a file, and lists its series; where there is only one to show, it is shown.
+    /// Reads a folder, or the folder of a file, and lists its series; if only one can be shown, it is shown.
     void open(const QString& path) { import_.scanFolder(ui::folderOf(QFileInfo(path))); }
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-/// The desktop's parts, for what brings them together.
+/// References to the desktop's parts, for the functions that make them work together.
 
 #include "app/desktop/battery_rest.h"
 #include "app/desktop/nodes_job.h"
@@ -22,12 +22,12 @@
 
 namespace pdr::app {
 
-/// What has been said of the scan that is open, and is not said again.
+/// Messages that have been shown for the open scan and are not repeated.
 struct SaidOnce {
     bool skin = false;
 };
 
-/// The desktop's parts; whoever owns them keeps them together.
+/// References to the desktop's parts. Their owner keeps all of them alive together.
 struct DesktopParts {
     ImportJob& import;
     Document& document;

@@ -11,7 +11,7 @@
 namespace pdr::app {
 namespace {
 
-/// What is shown, with its brightness.
+/// Returns the look that is shown, with its brightness, under `name`.
 NamedLook shownLook(const Document& document, const std::string& name) {
     const PictureSetup& setup = document.setup();
     NamedLook named;
@@ -24,11 +24,11 @@ NamedLook shownLook(const Document& document, const std::string& name) {
     named.model = setup.model;
     named.look = setup.look;
     named.look.display.exposure = displayOf(setup).exposure;
-    named.look.environment = withoutPicture(named.look.environment);  // files of looks hold none
+    named.look.environment = withoutPicture(named.look.environment);  // look files contain no environment images
     return named;
 }
 
-/// Those that the program carries.
+/// Returns the looks that are bundled with the program.
 std::vector<NamedLook> carriedLooks(const Document& document) {
     std::vector<NamedLook> looks = document.looks().drawn();
     std::erase_if(looks, [](const NamedLook& look) { return look.group == LookGroup::own; });
@@ -42,7 +42,7 @@ Result<void> checkFree(const Document& document, const std::string& name) {
     return {};
 }
 
-/// Shows what a change has made of the looks, and chooses `name` of them where it is there.
+/// Shows the looks after a change, or its error, and chooses the look `name` if it exists.
 void showChange(const DesktopParts& parts, const Result<void>& changed, const std::string& name) {
     if (!changed)
         return showFailure(parts, changed.error());

@@ -1,19 +1,19 @@
 #pragma once
-/// What the user does with looks beside choosing them.
+/// Saves, renames, deletes, imports and exports looks for the user.
 
 #include "app/desktop/desktop_parts.h"
 
 namespace pdr::app {
 
-/// Offers the user's own looks beside the bundled ones; says which files cannot be read.
+/// Offers the user's own looks beside the bundled ones; reports the files that cannot be read.
 void offerOwnLooks(const DesktopParts& parts);
-/// The look that is shown, as it is with its brightness, becomes one of the user's own and is chosen.
+/// Saves the look that is shown, with its brightness, as one of the user's own, and chooses it.
 void saveLook(const DesktopParts& parts, const QString& name);
 void renameLook(const DesktopParts& parts, const QString& from, const QString& to);
 void deleteLook(const DesktopParts& parts, const QString& name);
-/// The look in `file` becomes one of the user's own and is chosen.
+/// Adds the look in `file` to the user's own, and chooses it.
 void importLook(const DesktopParts& parts, const QString& file);
-/// The look that is shown goes to `file`, in the format that its name says.
+/// Writes the look that is shown to `file`, in the format of its file name extension.
 void exportLook(const DesktopParts& parts, const QString& file);
 
 }  // namespace pdr::app

@@ -18,8 +18,8 @@ QString qt(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-/// "light from all around (the picture changes by 0.02 levels on average, 95 % of it by less than 0.31; any target
-/// takes 97 % of the time)"
+/// Returns a phrase: "light from all around (the picture changes by 0.02 levels on average, 95 % of it by less than
+/// 0.31; any target takes 97 % of the time)".
 QString phraseOf(const TriedEffect& row) {
     const EffectTrial& trial = *row.trial;
     QString phrase = tr("%1 (the picture changes by %2 levels on average, 95 % of it by less than %3")

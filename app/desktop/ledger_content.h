@@ -1,5 +1,5 @@
 #pragma once
-/// What the window says of the effects' costs, and what its button does about them.
+/// The panel of the effects' costs: its rows, and the setup without the effects that nobody would see.
 
 #include "app/document/document.h"
 #include "render/session/effect_ledger.h"
@@ -7,17 +7,17 @@
 
 namespace pdr::app {
 
-/// A setup without all that nobody would see.
+/// A setup without the effects whose absence nobody would see.
 struct LeanSetup {
     PictureSetup setup;
-    QStringList leftOut;  ///< phrases: what it leaves out, and by how much the picture changes; empty: nothing
+    QStringList leftOut;  ///< phrases: what it leaves out, and by how much the image changes; empty if nothing
 };
 
-/// Of the document, by the effects whose influence is known as the scene is seen now. What a setup cannot do without,
-/// as shadows, stays.
+/// Returns the lean setup of the document, by the effects whose influence has been measured for the current view.
+/// Effects that a setup cannot turn off, such as shadows, stay.
 LeanSetup leanSetup(const Document& document, const EffectLedger& ledger);
 
-/// The ledger as the panel shows it; nothing without effects. `leftOut`: see LeanSetup.
+/// Returns the cost table as the panel shows it; empty without effects. `leftOut`: see LeanSetup.
 ui::EffectRows effectRows(const EffectLedger& ledger, const QStringList& leftOut);
 
 }  // namespace pdr::app

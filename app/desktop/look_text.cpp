@@ -5,7 +5,7 @@
 namespace pdr::app {
 namespace {
 
-/// Of a text that stands in the program's looks or in a room without Qt; see tests/translations/texts.py.
+/// Translates a text of the bundled looks, or of code that knows no Qt; see tests/translations/texts.py.
 QString translated(const std::string& text) {
     return QCoreApplication::translate("looks", text.c_str());
 }

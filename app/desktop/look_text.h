@@ -1,5 +1,5 @@
 #pragma once
-/// Looks in the window's language. Files, provenance and what users have named keep the names that they have.
+/// Texts of looks in the window's language. Files, provenance and the user's own looks keep their original names.
 
 #include <QString>
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace pdr::app {
 
-/// What the window calls `look`: one of the program's in its language, the user's own as it is.
+/// Returns the window's name of `look`: translated for bundled looks, as it is for the user's own.
 QString nameText(const NamedLook& look);
-/// What the window calls a look by its `title`, as Scene::lookName has it, changed or not: see lookTitle().
+/// Returns the window's name of a look, changed or not, by its `title` as in Scene::lookName; see lookTitle().
 QString nameText(const FittedLooks& looks, const std::string& title);
-/// What it does not show, in sentences.
+/// Returns what `look` does not show, in sentences.
 QString doesNotShowText(const NamedLook& look);
-/// The same of a setup. Of a changed look it holds as long as the same tissue and the same part is seen.
+/// Returns what a setup does not show, in sentences; empty unless it shows the same tissue and part, with the same
+/// model, as the look that it began with.
 QString doesNotShowText(const FittedLooks& looks, const PictureSetup& setup);
-/// A reason of pdr::whyUnsuited(), a clause.
+/// Returns a reason given by pdr::whyUnsuited(), a clause, in the window's language; empty for none.
 QString unsuitedText(const std::string& reason);
 
 }  // namespace pdr::app

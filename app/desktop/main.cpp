@@ -1,4 +1,4 @@
-/// pdrender: the desktop. Exit codes: 0, 1 for an error, 2 for wrong usage.
+/// pdrender, the desktop program. Exit codes: 0 for success, 1 for an error, 2 for wrong usage.
 
 #include <QFile>
 #include <QPixmap>
@@ -30,7 +30,7 @@ constexpr const char* kNoDisplay =
     "pdrender: there is no display to open a window on. Start it on a desktop, or render to files with pdrender-cli, "
     "which needs none.\n";
 
-/// Shows a patient, so a new file is for its owner alone.
+/// Saves `picture` as a PNG. It shows a patient, so only the owner may read a new file.
 bool saveForOwner(const QPixmap& picture, const QString& path) {
     QFile file(path);
     const bool isNew = !file.exists();
@@ -46,7 +46,7 @@ void takeScreenshot(ui::MainWindow& window, const QString& file) {
     QApplication::exit(saved ? 0 : 1);
 }
 
-/// The one asked for; else the one chosen last, and where that is there no longer, the best.
+/// Opens the device requested on the command line; else the one chosen last; if that is not available, the best one.
 Result<std::unique_ptr<Device>> deviceFor(const DesktopOptions& options, const WhySpare& told) {
     if (!options.device.isEmpty())
         return openDevice(options.device.toStdString(), options.threads, told);
@@ -75,7 +75,8 @@ int run(const DesktopOptions& options) {
     if (!whyCpu.isEmpty())
         showNotice(desktop.parts(), whyCpu);
     if (!options.folder.isEmpty())
-        QTimer::singleShot(0, &desktop.window(), [&] { desktop.open(options.folder); });  // where exceptions end
+        // inside the event loop, which catches exceptions
+        QTimer::singleShot(0, &desktop.window(), [&] { desktop.open(options.folder); });
     if (!options.screenshot.isEmpty())
         QTimer::singleShot(int(options.afterSeconds * 1000), &desktop.window(),
                            [&] { takeScreenshot(desktop.window(), options.screenshot); });
@@ -96,7 +97,7 @@ bool hasDisplay(int argc, char** argv) {
     return anyOf(argc, argv, {"-platform", "--platform", "-display", "--display"});
 }
 
-/// Answers questions, and complains about wrong usage before it complains about the display.
+/// Answers --help and --version, and reports wrong usage before it reports the missing display.
 int runWithoutWindow(int argc, char** argv) {
     const QCoreApplication application(argc, argv);
     keepNumbersPlain();
@@ -106,7 +107,7 @@ int runWithoutWindow(int argc, char** argv) {
     return 1;
 }
 
-/// Qt ends the program with a signal where it cannot reach the display that is named.
+/// Ends the program with a message and exit code 1 if Qt cannot reach the display; Qt would end it with a signal.
 void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type != QtFatalMsg)
         return;
@@ -117,13 +118,13 @@ void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString&
 int runWithWindow(int argc, char** argv) {
     const QtMessageHandler usual = qInstallMessageHandler(endWhereQtGivesUp);
     giveMemoryBack();
-    qputenv("QT_NO_GLIB", "1");  // which ends the program where memory is short
+    qputenv("QT_NO_GLIB", "1");  // GLib ends the program if memory is short
     Application application(argc, argv);
     keepNumbersPlain();
     qInstallMessageHandler(usual);
     QApplication::setApplicationName("pdrender");
     QApplication::setApplicationVersion(PDR_VERSION);
-    QApplication::setDesktopFileName("pdrender");  // whose icon a task bar shows under Wayland
+    QApplication::setDesktopFileName("pdrender");  // a task bar shows its icon under Wayland
     const DesktopOptions options = desktopOptions(QApplication::arguments());
     if (options.answered)
         return *options.answered;

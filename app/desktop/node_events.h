@@ -1,6 +1,6 @@
 #pragma once
-/// When render nodes came and went, for the error plot of the picture in hand. Of a node that only fell silent nothing
-/// is said: it may still bring what it has.
+/// Records when render nodes joined and left, for the error plot of the current image. A node that only falls silent
+/// causes no event: it may still deliver its results.
 
 #include <QHash>
 #include <QList>
@@ -13,10 +13,10 @@ namespace pdr::app {
 
 class NodeEvents {
   public:
-    /// `nodes`: all that there are now. `picture`: the revision in hand, on which `seconds` have been spent; another
-    /// one has no events yet.
+    /// Records changes. `nodes`: all current nodes. `picture`: the revision being rendered, on which `seconds` have
+    /// been spent; a new revision starts without events.
     void follow(const QList<ui::NodeRow>& nodes, std::uint64_t picture, double seconds);
-    /// The last ones, in the order of time.
+    /// The last events, at most kMost, in order of time.
     const ui::PlotEvents& events() const { return events_; }
 
     static constexpr std::size_t kMost = 200;
@@ -24,7 +24,7 @@ class NodeEvents {
   private:
     void add(double seconds, const QString& text, bool joined);
 
-    QHash<quint64, ui::NodeRow> takingPart_;  ///< as they were told last
+    QHash<quint64, ui::NodeRow> takingPart_;  ///< by id, as last reported
     std::uint64_t picture_ = 0;
     ui::PlotEvents events_;
 };

@@ -35,17 +35,19 @@ ui::NodeState stateOf(nodes::NodeState state, bool rendering) {
 }  // namespace
 
 void NodeFigures::follow(const std::vector<nodes::NodeStatus>& nodes, const PictureInHand& picture, double now) {
+    // Begin another image
     const bool another = picture.revision != picture_.revision || picture.purpose != picture_.purpose;
     const bool windowEnds = now - windowBegan_ >= kWindow;
     if (another)
         ownWorkAtPicture_ = picture.ownWork;
     picture_ = picture;
     workOfPicture_ = picture.ownWork - ownWorkAtPicture_;
+    // Update the counters of every node
     QHash<nodes::NodeId, Followed> followed;
     for (const nodes::NodeStatus& node : nodes) {
         const Count count{node.work.work, node.work.busySeconds};
         Followed one = nodes_.value(node.id, {.now = count, .atWindow = count});
-        if (count.work < one.now.work)  // it has been connected anew, and is counted anew
+        if (count.work < one.now.work)  // the node has reconnected, and its counters have restarted
             one = {};
         if (another)
             one.atPicture = one.now;

@@ -1,6 +1,6 @@
 #pragma once
-/// What is told of render nodes in figures, made of what was counted: whether each has work, which part of its time
-/// goes into samples, and what it has added to the picture in hand.
+/// Figures that the window shows for each render node, computed from its counters: whether it has work, which part of
+/// its time goes into samples, and its share of the current image.
 ///   work   pixels times samples      times   seconds since some moment
 
 #include <QHash>
@@ -13,21 +13,21 @@
 
 namespace pdr::app {
 
-/// What the nodes are at.
+/// The image that the nodes are rendering.
 struct PictureInHand {
-    std::uint64_t revision = 0;  ///< among those of its purpose
-    double pixels = 0;           ///< 0: there is none
-    double ownWork = 0;          ///< that this machine has done, of all pictures
+    std::uint64_t revision = 0;  ///< unique among images of the same purpose
+    double pixels = 0;           ///< number of pixels; 0: there is no image
+    double ownWork = 0;          ///< work that this machine has done, for all images
     Purpose purpose = Purpose::viewport;
 };
 
 class NodeFigures {
   public:
     void follow(const std::vector<nodes::NodeStatus>& nodes, const PictureInHand& picture, double now);
-    /// Of a node that was followed; all but its id.
+    /// Returns the row of a node that follow() has seen, complete but for its id.
     ui::NodeRow rowOf(const nodes::NodeStatus& node) const;
 
-    static constexpr double kWindow = 2;  ///< over which rates are taken [s]
+    static constexpr double kWindow = 2;  ///< averaging window of rates [s]
 
   private:
     struct Count {
@@ -43,7 +43,7 @@ class NodeFigures {
     PictureInHand picture_;
     double ownWorkAtPicture_ = 0;
     double windowBegan_ = 0;
-    double workOfPicture_ = 0;  ///< everybody's
+    double workOfPicture_ = 0;  ///< work for the image by this machine and all nodes
 };
 
 }  // namespace pdr::app

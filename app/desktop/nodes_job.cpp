@@ -10,9 +10,10 @@
 namespace pdr::app {
 namespace {
 
-constexpr quint64 kDialledIn = quint64(1) << 32;  ///< ids of those that are wanted are smaller
+/// Added to the ids of nodes that dialled in; the ids of requested nodes are smaller.
+constexpr quint64 kDialledIn = quint64(1) << 32;
 
-/// Of the choice of audits, which nodes must not foresee.
+/// Returns a random seed for the choice of audits, which nodes must not be able to predict.
 std::uint64_t newSeed() {
     std::random_device random;
     return (std::uint64_t(random()) << 32) | random();
@@ -33,7 +34,7 @@ NodesJob::NodesJob(RenderBridge& bridge) : bridge_(bridge) {
     });
 }
 
-/// The nodes first: they still answer what the pool asks for.
+/// Destroys the nodes first: they still answer requests of the pool.
 NodesJob::~NodesJob() {
     nodes_.reset();
 }
@@ -126,7 +127,7 @@ void NodesJob::openPort() {
     nodes_->stopListening();
     if (!port_)
         return;
-    // Without certificates only this machine may be spoken to.
+    // Without certificates only programs on this machine may connect.
     const QString where = bundle_.isEmpty() ? QString("127.0.0.1:%1").arg(*port_) : QString::number(*port_);
     if (const Result<remote::Address> listens = nodes_->listen(where); !listens)
         emit failed(sentenceOf(listens.error()));
@@ -157,7 +158,7 @@ void NodesJob::setSplit(const std::optional<Split>& split) {
     emit wantedChanged();
 }
 
-/// With the first node that is wanted the device is shared; with the last it is alone again.
+/// Shares the device with the first node or port that is requested, and ends sharing with the last.
 void NodesJob::beginOrEnd() {
     const bool any = !wanted_.empty() || port_;
     if (any == (pool_ != nullptr))
@@ -172,7 +173,8 @@ void NodesJob::beginOrEnd() {
     bridge_.setPool(pool_);
 }
 
-/// The device is shared, or another one is: nodes that make other bits than that are of no use.
+/// Starts the nodes when the device has been shared, and restarts them when its bits differ: nodes must produce the
+/// same bits as the device.
 void NodesJob::takeBits(const std::vector<std::byte>& bits) {
     if (!pool_ || (nodes_ && bits == bits_))
         return;
@@ -200,7 +202,7 @@ const nodes::NodeStatus* NodesJob::statusOf(const Wanted& wanted) const {
     return found == nodes_->nodes().end() ? nullptr : &*found;
 }
 
-/// The picture that nodes are at: one that is being saved comes first.
+/// Returns the image that the nodes are rendering. One that is being saved comes first.
 PictureInHand NodesJob::pictureInHand(const Frame& frame) const {
     const PublishedScene wanted = pool_ ? pool_->scene() : PublishedScene();
     const double ownWork = pool_ ? pool_->ownWork() : 0;
@@ -216,6 +218,7 @@ void NodesJob::follow() {
     if (frame)
         figures_.follow(all, pictureInHand(*frame), double(clock_.elapsed()) / 1000);
     rows_.clear();
+    // Rows of the requested nodes
     for (const Wanted& one : wanted_) {
         const nodes::NodeStatus* status = statusOf(one);
         ui::NodeRow row = status ? figures_.rowOf(*status) : ui::NodeRow();
@@ -227,6 +230,7 @@ void NodesJob::follow() {
         }
         rows_ << row;
     }
+    // Rows of the nodes that dialled in
     for (const nodes::NodeStatus& status : all)
         if (!status.dialled) {
             rows_ << figures_.rowOf(status);

@@ -1,7 +1,7 @@
 #pragma once
-/// The render nodes of the window: those that are wanted, by hand or from the last time, those that dial in, and what
-/// becomes of them. As long as there are none, nothing of it costs anything; with the first one the device of the
-/// picture takes samples together with them. Ends with a goodbye to all nodes, which forget what they have.
+/// The render nodes of the window: those requested by the user, now or in an earlier run, and those that dial in. While
+/// none are requested they cost nothing; with the first one, the device that renders the image shares its work with
+/// them. The destructor says goodbye to all nodes, which then erase their data.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -21,47 +21,48 @@ class NodesJob : public QObject {
     Q_OBJECT
 
   public:
-    /// `bridge` must outlive it.
+    /// `bridge` must outlive this object.
     explicit NodesJob(RenderBridge& bridge);
     ~NodesJob() override;
 
-    /// As of the last change: those that are wanted first.
+    /// The nodes as of the last change, requested ones first.
     const QList<ui::NodeRow>& rows() const { return rows_; }
     const ui::PlotEvents& events() const { return events_.events(); }
-    QStringList addresses() const;  ///< of those that are wanted
+    QStringList addresses() const;  ///< addresses of the requested nodes
     std::optional<quint16> port() const { return port_; }
     const QString& bundle() const { return bundle_; }
     std::optional<Split> wantedSplit() const { return split_; }
-    /// How their work is split, and why; empty without any.
+    /// Returns how the work is split between nodes, and why; empty without work or without nodes that can take it.
     QString splitText() const;
 
   public slots:
-    /// Dials it from now on.
+    /// Requests a node, which is dialled from now on.
     void add(const QString& address);
     void remove(quint64 id);
     void setPaused(quint64 id, bool paused);
-    /// None: nobody may dial in.
+    /// Lets nodes dial in to `port`; none: no node may.
     void listen(const std::optional<quint16>& port);
-    /// The folder of this machine's certificates, for all connections from now on; empty: there are none. Those that
-    /// there are begin anew.
+    /// Sets the folder of this machine's certificates for all connections from now on; empty: there are none. Requested
+    /// nodes are dialled anew, and the port is opened anew.
     void setBundle(const QString& folder);
-    /// Of the work; none: as its costs say.
+    /// Sets how the work is split; none: by its costs.
     void setSplit(const std::optional<pdr::Split>& split);
 
   signals:
-    /// rows() or events() are others; some times a second at most.
+    /// Emitted when rows() or events() may have changed: when a node changes, and with each frame while there are
+    /// nodes.
     void changed();
-    /// addresses(), port(), bundle() or wantedSplit() are.
+    /// Emitted when addresses(), port(), bundle() or wantedSplit() have changed.
     void wantedChanged();
-    /// What was asked for could not be done: a sentence for the user.
+    /// Emitted when a request failed, with a sentence for the user.
     void failed(const QString& sentence);
 
   private:
     struct Wanted {
         quint64 id;
         QString address;
-        std::optional<nodes::NodeId> node = {};  ///< none: it is not dialled, for ...
-        QString problem = {};                    ///< ... this; empty: it will be soon
+        std::optional<nodes::NodeId> node = {};  ///< none: it is not dialled
+        QString problem = {};                    ///< why it cannot be dialled; empty: it is dialled, or will be soon
         bool paused = false;
     };
 
@@ -75,9 +76,9 @@ class NodesJob : public QObject {
     const nodes::NodeStatus* statusOf(const Wanted& wanted) const;
 
     RenderBridge& bridge_;
-    std::shared_ptr<WorkerPool> pool_;           ///< null: no nodes are wanted
-    std::unique_ptr<nodes::RenderNodes> nodes_;  ///< null: likewise, or not yet
-    std::vector<std::byte> bits_;                ///< that nodes have to make
+    std::shared_ptr<WorkerPool> pool_;           ///< null: neither nodes nor a port are requested
+    std::unique_ptr<nodes::RenderNodes> nodes_;  ///< null: there is no pool, or its device is not shared yet
+    std::vector<std::byte> bits_;                ///< reference tiles, which nodes must reproduce bit by bit
     std::vector<Wanted> wanted_;
     std::optional<quint16> port_;
     QString bundle_;

@@ -1,5 +1,5 @@
 #pragma once
-/// What `pdrender` was asked for on its command line.
+/// The command line of `pdrender`.
 
 #include <QString>
 #include <QStringList>
@@ -10,16 +10,16 @@ namespace pdr::app {
 
 struct DesktopOptions {
     QString folder;      ///< empty: nothing is opened
-    QString device;      ///< empty: as the last time
+    QString device;      ///< empty: the one chosen in the last run
     int threads = 0;     ///< 0 = one per core
-    QString screenshot;  ///< file for a picture of the window; empty: none
+    QString screenshot;  ///< file for an image of the window; empty: none
     double afterSeconds = 5;
-    /// The exit code where all is said already: 0 after --help and --version, 2 after a sentence about wrong usage.
+    /// The exit code if nothing is left to do: 0 after --help and --version, 2 after a message about wrong usage.
     std::optional<int> answered;
 };
 
-/// `arguments` begin with the program's name. Needs a QCoreApplication, no display. Help and version go to standard
-/// output.
+/// Parses `arguments`, which begin with the program's name. Needs a QCoreApplication, but no display. Help and version
+/// go to standard output.
 DesktopOptions desktopOptions(const QStringList& arguments);
 
 }  // namespace pdr::app

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first word of a short file; empty where there is none.
+/// Returns the first word of a short file; empty if it cannot be read.
 std::string word(const fs::path& file) {
     std::ifstream stream(file);
     std::string text;
@@ -19,7 +19,7 @@ std::string word(const fs::path& file) {
 
 }  // namespace
 
-/// Mice and keyboards have batteries, too: their scope is Device.
+/// Skips supplies of scope Device: mice and keyboards have batteries, too.
 bool onBattery(const fs::path& folder) {
     bool discharges = false;
     std::error_code problem;

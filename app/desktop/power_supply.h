@@ -1,16 +1,16 @@
 #pragma once
-/// Whether this machine runs on its battery.
+/// Finds out whether this machine runs on its battery.
 
 #include <filesystem>
 
 namespace pdr::app {
 
-/// Where Linux tells of batteries and mains.
+/// Folder in which Linux reports batteries and mains supplies.
 inline constexpr auto kPowerSupplies = "/sys/class/power_supply";
 
-/// True where a battery of the machine itself discharges and no mains or USB supply is online. `folder` is laid out as
-/// kPowerSupplies: a folder for each supply, with the files type, scope, status and online. False where nothing can be
-/// read.
+/// Returns true if a battery of the machine itself is discharging and no mains or USB supply is online; false if
+/// nothing can be read. `folder` is laid out as kPowerSupplies: a folder for each supply, with the files type, scope,
+/// status and online.
 bool onBattery(const std::filesystem::path& folder);
 
 }  // namespace pdr::app

@@ -13,7 +13,7 @@
 namespace pdr::app {
 namespace {
 
-/// A square of 1 mm in the sharp plane around the pixel at `place`.
+/// Returns the errors of the pixel at `place` and of a square of 1 mm around it in the plane of focus.
 LevelErrorsAt errorsAt(const FilmView& view, QPointF place, float exposure) {
     const ivec2 size = view.film.size();
     const ivec2 pixel(int(place.x() * size.x), int(place.y() * size.y));
@@ -34,7 +34,7 @@ RenderBridge::RenderBridge(std::unique_ptr<Device> device, int threads)
           std::move(device), [this](std::shared_ptr<const Frame> frame) { take(std::move(frame)); },
           [this]() -> Result<std::unique_ptr<Device>> { return shared(makeCpuDevice(threads_)); }) {}
 
-/// While the user drags, a picture that is a little behind is better than none; at rest only the newest scene counts.
+/// While the user drags, an image that is a little behind is better than none; at rest only the newest scene counts.
 void RenderBridge::submit(const Scene& scene, bool moving) {
     newest_ = scene.revision;
     if (!moving)
@@ -84,7 +84,7 @@ void RenderBridge::setDevice(const QString& name) {
     openAndGoOn(name);
 }
 
-/// The same device once more, since what it is in the middle of cannot be shared.
+/// Opens the same device again, since a film in progress cannot become shared or unshared.
 void RenderBridge::setPool(std::shared_ptr<WorkerPool> pool) {
     {
         const std::lock_guard lock(mutex_);
@@ -104,7 +104,7 @@ void RenderBridge::openAndGoOn(const QString& device) {
     });
 }
 
-/// On the render thread.
+/// Returns `device`, shared with pool_ if there is one. Called on the render thread.
 Result<std::unique_ptr<Device>> RenderBridge::shared(std::unique_ptr<Device> device) {
     std::shared_ptr<WorkerPool> pool;
     {
@@ -170,7 +170,7 @@ void RenderBridge::watchEffects(bool watch) {
                            }});
 }
 
-/// What was on its way when nobody looked any more is dropped.
+/// Takes a new cost table. One that arrives after watching has ended is dropped.
 void RenderBridge::takeLedger(std::shared_ptr<const EffectLedger> ledger) {
     if (!watching_)
         ledger = nullptr;
@@ -216,7 +216,7 @@ DeviceOpener RenderBridge::finalRenderDevice() const {
     };
 }
 
-/// On the render thread.
+/// Passes a frame on to the window's thread, in place of one that still waits. Called on the render thread.
 void RenderBridge::take(std::shared_ptr<const Frame> frame) {
     if (!frame->notice.empty()) {
         QMetaObject::invokeMethod(this, [this, notice = ui::inWords(frame->notice)] {
@@ -227,12 +227,12 @@ void RenderBridge::take(std::shared_ptr<const Frame> frame) {
         return;
     }
     const std::lock_guard lock(mutex_);
-    if (!waiting_)  // else the window is asked already; asked first, since asking may throw
+    if (!waiting_)  // else deliver() is queued already; queued before waiting_ is set, since queueing may throw
         QMetaObject::invokeMethod(this, &RenderBridge::deliver, Qt::QueuedConnection);
     waiting_ = std::move(frame);
 }
 
-/// On the window's thread.
+/// Delivers the newest frame. Called on the window's thread.
 void RenderBridge::deliver() {
     std::shared_ptr<const Frame> frame;
     {

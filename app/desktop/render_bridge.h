@@ -1,6 +1,6 @@
 #pragma once
-/// The render Session for the window: scenes go in at once, frames come out as signals on the window's thread. When the
-/// window is behind, frames are dropped; it never waits for the renderer, nor the renderer for it.
+/// Connects the window to the render session: scenes go in at once, frames come out as signals on the window's thread.
+/// Frames are dropped when the window is behind; neither ever waits for the other.
 
 #include <QObject>
 #include <QPointF>
@@ -22,72 +22,76 @@ class RenderBridge : public QObject {
     Q_OBJECT
 
   public:
-    /// `threads`: of the CPU, where the picture goes on when `device` fails or another is chosen; 0 = one per core.
+    /// `threads`: number of CPU threads if the image goes on on the CPU, because `device` fails or another is chosen;
+    /// 0: one per core.
     explicit RenderBridge(std::unique_ptr<Device> device, int threads = 0);
 
     bool paused() const { return paused_; }
-    /// The picture is as good as rendering makes it by itself; setPaused(false) goes on.
+    /// Whether rendering has stopped by itself, since the stop rule is met; setPaused(false) goes on.
     bool reached() const { return reached_; }
-    /// The device that it began with.
+    /// The device that was passed to the constructor.
     const DeviceInfo& firstDevice() const { return firstDevice_; }
     const StopRule& stop() const { return stop_; }
-    /// Pictures that leave the window are annotated, unless it is said otherwise.
+    /// Whether images that leave the window are annotated, unless the user chooses otherwise.
     bool captioned() const { return captioned_; }
-    /// The picture on the screen; null when there is none.
+    /// The frame on the screen; null if there is none.
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
-    /// Opens another device of the kind in use, or where that cannot be the CPU, for a picture that goes into a file:
-    /// workers who make its bits take samples of that picture first. Any thread's.
+    /// Returns an opener of a device for an image that goes into a file: another device of the kind in use, or the CPU
+    /// if that cannot be opened. Workers that produce the same bits sample that image first. The opener may be called
+    /// on any thread.
     DeviceOpener finalRenderDevice() const;
-    /// What effects cost, as far as it is known; null while nobody looks.
+    /// The cost table of the effects, as far as it is known; null while it is not watched.
     const std::shared_ptr<const EffectLedger>& lastLedger() const { return lastLedger_; }
 
   public slots:
-    /// Scenes of a moving hand are taken one at a time, the newest next, so that every one of them is seen.
+    /// Renders `scene`. `moving`: the user is dragging; such scenes are taken one at a time, so that each of them is
+    /// seen, and the newest one comes next.
     void submit(const pdr::Scene& scene, bool moving);
     void setDisplay(const pdr::Display& display);
-    /// Whether frames come with a map of their error.
+    /// Sets whether frames come with an error map.
     void setErrorMap(bool wanted);
-    /// Which part of the pictures gets its samples first, in fractions of their width and height; none: all alike.
+    /// Sets the part of the images that gets its samples first, in fractions of their width and height; none: all parts
+    /// alike.
     void setRegion(const std::optional<QRectF>& box);
-    /// How far the picture may be off at `place`, in fractions of its width and height, and over 1 mm around. Ends
-    /// with errorFound(), unless the picture is coarse or goes away.
+    /// Asks how far the image may be off at `place`, in fractions of its width and height, and over 1 mm around.
+    /// errorFound() answers, unless the image is coarse or is replaced.
     void askErrorAt(QPointF place);
     void setPace(const pdr::FrameBudget& pace);
-    /// The picture goes on there. A device that cannot be used ends with noticed().
+    /// Continues the image on another device. If that cannot be used, noticed() says why.
     void setDevice(const QString& name);
-    /// The device takes samples together with the workers of `pool` from now on, or alone (null); the picture goes on.
+    /// Shares the work of the device with the workers of `pool` from now on, or with none (null). The image goes on.
     void setPool(std::shared_ptr<pdr::WorkerPool> pool);
-    /// When rendering holds by itself.
+    /// Sets when rendering stops by itself.
     void setStop(const pdr::StopRule& rule);
-    /// The same, but for the levels.
+    /// Changes only the levels of the stop rule.
     void setTarget(double levels);
     void setCaptioned(bool captioned) { captioned_ = captioned; }
     void setPaused(bool paused);
-    /// Holds as well, as long as nobody can see the picture; the user's own pause stays what it is.
+    /// Also stops rendering while the user cannot see the image; paused() stays as it is.
     void setUnseen(bool unseen);
-    /// Nothing is rendered any more, and nothing of the scenes so far is kept.
+    /// Stops rendering and releases everything of the scenes so far.
     void clear();
-    /// What effects cost is measured, on the CPU, or not any more.
+    /// Starts or ends measuring what effects cost, on the CPU.
     void watchEffects(bool watch);
-    /// Writes the picture that is on the screen, with the samples that it has by then, and `annotations` of it over it,
-    /// if there are any; the name's end says the format:
-    /// ".exr" or ".png". Ends with saved() or saveFailed(), the latter also when another picture has taken its place.
+    /// Writes the image on the screen, with the samples that it has by then, and with `annotations` over it, if there
+    /// are any. The file name extension chooses the format: ".exr" or ".png". Ends with saved() or saveFailed(), the
+    /// latter also if another image has taken its place.
     void save(const QString& file, const std::optional<ui::Annotations>& annotations = {});
 
   signals:
-    /// The device in use takes samples together with others, which have to make the same bits as it does:
-    /// referenceTiles() of it.
+    /// Emitted when the device in use shares its work. `bits`: its referenceTiles(), which workers must reproduce.
     void sharedWith(const std::vector<std::byte>& bits);
     void frameReady(const std::shared_ptr<const pdr::Frame>& frame);
-    /// lastLedger() is another one.
+    /// Emitted when lastLedger() has changed.
     void ledgerChanged();
     void pausedChanged(bool paused);
     void stopChanged(const pdr::StopRule& rule);
-    /// Frames come from this device from now on; said again with each notice.
+    /// Emitted when frames come from another device, and again with each notice.
     void deviceChanged(const QString& name);
-    /// Something did not go as it was asked, and the rendering goes on: sentences for the user.
+    /// Emitted when a request failed but rendering goes on, with sentences for the user.
     void noticed(const QString& sentences);
-    /// The square is 1 mm large in the sharp plane; of side 0 where a pixel is larger.
+    /// Answers askErrorAt(). The square of `errors` is 1 mm large in the plane of focus; its side is 0 if 1 mm is less
+    /// than half a pixel.
     void errorFound(QPointF place, const pdr::LevelErrorsAt& errors);
     void saved(const QString& file);
     void saveFailed(const pdr::Error& error);
@@ -100,15 +104,15 @@ class RenderBridge : public QObject {
     Result<std::unique_ptr<Device>> shared(std::unique_ptr<Device> device);
 
     mutable std::mutex mutex_;
-    std::shared_ptr<WorkerPool> pool_;      ///< guarded by mutex_: who renders along; null: nobody
-    std::vector<std::byte> bits_;           ///< guarded by mutex_: those that they make
+    std::shared_ptr<WorkerPool> pool_;      ///< guarded by mutex_: workers that share the work; null if none do
+    std::vector<std::byte> bits_;           ///< guarded by mutex_: reference tiles of the shared device
     std::shared_ptr<const Frame> waiting_;  ///< guarded by mutex_: the newest frame that the window has not seen
     std::shared_ptr<const Frame> lastFrame_;
     std::shared_ptr<const EffectLedger> lastLedger_;
     bool watching_ = false;
-    std::optional<Scene> next_;      ///< of a moving hand, as long as the one before has not been seen
-    bool movingUnseen_ = false;      ///< the renderer is at a moving hand's scene
-    std::uint64_t submitted_ = 0;    ///< revision that the renderer is at
+    std::optional<Scene> next_;      ///< newest scene of a drag, until the one before has been seen
+    bool movingUnseen_ = false;      ///< a scene of a drag has been submitted and not been seen yet
+    std::uint64_t submitted_ = 0;    ///< revision of the scene submitted last
     std::uint64_t newest_ = 0;       ///< revision of the newest scene
     std::uint64_t oldestShown_ = 0;  ///< frames of earlier revisions are stale
     Display display_;
@@ -119,9 +123,9 @@ class RenderBridge : public QObject {
     bool reached_ = false;
     int threads_;
     DeviceInfo firstDevice_;
-    QString device_;                 ///< that the last frame came from
-    std::optional<QString> chosen_;  ///< that is to be another, as long as it has not been heard of
-    Session session_;                ///< last, so that it ends first: its thread calls take()
+    QString device_;                 ///< name of the device that made the last frame
+    std::optional<QString> chosen_;  ///< requested device, until a frame comes from it or a notice says why not
+    Session session_;                ///< last member, destroyed first: its thread calls take()
 };
 
 }  // namespace pdr::app

@@ -1,5 +1,5 @@
 #pragma once
-/// What the user asks of several parts at once.
+/// Requests of the user that involve several parts of the desktop.
 
 #include <QColor>
 
@@ -7,27 +7,27 @@
 
 namespace pdr::app {
 
-/// What the click on the picture asks for: what lies there.
+/// Finds the tissue at `place`, in fractions of the image's width and height.
 void pickTissue(const DesktopParts& parts, QPointF place);
-/// What the click on the picture asks for: how far away that is.
+/// Finds the depth of what lies at `place`, in fractions of the image's width and height, and focuses there.
 void pickFocus(const DesktopParts& parts, QPointF place);
-/// Puts that colour behind the volume, as the screen shows it; none: what lights it from all around.
+/// Sets the background to `colour` as the screen shows it; none: the environment.
 void setBackground(const DesktopParts& parts, const std::optional<QColor>& colour);
-/// Another model, and how it compares with the one before, as soon as it is known.
+/// Changes the optical model, and measures how it compares with the one before.
 void chooseModel(const DesktopParts& parts, Model model);
-/// Makes the picture that was ordered beside the session.
+/// Renders the requested image to a file, in parallel with the session.
 void makePicture(const DesktopParts& parts, const ui::PictureOrder& order);
-/// Writes the picture that is on the screen.
+/// Writes the image on the screen to `file`.
 void savePicture(const DesktopParts& parts, const QString& file, ui::Annotate annotate);
-/// Gives up what the progress is shown of: reading, looking for a part of the body, a picture of surroundings, or else
-/// a picture that is being made.
+/// Cancels what the progress bar shows: the import, the mask of a body part or an environment image that is read, or
+/// else an image that is rendered to a file.
 void cancelWhatRuns(const DesktopParts& parts);
-/// The film takes the view's size where its image is still coarse; one with samples worth keeping stays, and is scaled
-/// until something begins a new one.
+/// Gives the film the view's size if its image is still coarse. Otherwise the image keeps its samples and is scaled
+/// until another one begins.
 void keepOrFitFilm(const DesktopParts& parts);
-/// The film takes the view's size, and begins anew where that is another one.
+/// Gives the film the view's size; the image begins anew if that differs.
 void fitFilm(const DesktopParts& parts);
-/// Does what the panel of effects offers.
+/// Leaves out the effects that nobody would see, as the panel of effects offers.
 void leaveOutUnseen(const DesktopParts& parts);
 
 }  // namespace pdr::app

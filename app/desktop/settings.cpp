@@ -41,7 +41,8 @@ QString ownFile() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "pd-render", "pdrender").fileName();
 }
 
-/// QSettings gives a new file to all readers, and leaves an old one as it is.
+/// Makes `file` readable and writable by its owner only, and returns its name. QSettings lets everyone read a new file,
+/// and does not change the permissions of an existing one.
 QString madeTheOwnersAlone(const QString& file) {
     constexpr QFile::Permissions kOwners = QFile::ReadOwner | QFile::WriteOwner;
     QFile kept(file);
@@ -50,7 +51,7 @@ QString madeTheOwnersAlone(const QString& file) {
     return file;
 }
 
-/// The same, in a folder that is this program's own.
+/// Returns the user's own file after restricting it and its folder, which is this program's own, to the owner.
 QString ownFileAlone() {
     QString file = madeTheOwnersAlone(ownFile());
     QFile::setPermissions(QFileInfo(file).path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
@@ -84,7 +85,7 @@ FrameBudget Settings::pace() const {
             store_.value(kFrames, usual.framesPerSecond).toDouble()};
 }
 
-/// Files are edited by hand: what is no target is good for planning.
+/// Returns kPlanningLevels if the file, which may have been edited, holds no valid target.
 double Settings::target() const {
     const double kept = store_.value(kTarget, kPlanningLevels).toDouble();
     return kept >= kFinestTarget && kept <= kCoarsestTarget ? kept : kPlanningLevels;
@@ -179,7 +180,7 @@ void Settings::keepTheme(ui::ThemeChoice theme) {
     store_.setValue(kTheme, kThemes[std::size_t(theme)]);
 }
 
-/// Files are edited by hand: what is no address is left out.
+/// Leaves out invalid addresses: the file may have been edited.
 QStringList Settings::nodes() const {
     QStringList addresses;
     for (const QString& kept : store_.value(kNodes).toStringList().mid(0, kMostNodes))
@@ -221,7 +222,7 @@ void Settings::keepCertificates(const QString& folder) {
     store_.setValue(kCertificates, folder);
 }
 
-/// Each frame foretells it a little differently; the file is not written for that.
+/// Writes the file only if the time has changed by more than 10 %, since each frame's forecast is a little different.
 void Settings::keepPlanningSeconds(const QString& kind, double secondsPerPixel) {
     constexpr double kSame = 0.1;
     const std::optional<double> kept = planningSeconds(kind);

@@ -1,8 +1,7 @@
 #pragma once
-/// What the desktop keeps between two runs: the window's geometry, the device, the pace and the target that were
-/// chosen, the render nodes and where the certificates lie, and how long pictures took. No secrets, and nothing of a
-/// patient, so folders, whose names may be patients', only where that
-/// was chosen.
+/// The settings that the desktop saves between runs: window, device, pace, target, theme, language, keys, render nodes,
+/// the folder of certificates, and how long images took. They hold no secrets and nothing of a patient; folders, whose
+/// names may be patients' names, are saved only if the user has chosen that.
 
 #include <QByteArray>
 #include <QMap>
@@ -19,38 +18,40 @@ namespace pdr::app {
 
 class Settings {
   public:
-    /// In the user's own configuration, or in `file` if given; either way the owner alone may read it.
+    /// Opens the settings in the user's configuration, or in `file` if given. Only the owner may read the file.
     explicit Settings(const QString& file = {});
 
     QByteArray windowGeometry() const;
     QByteArray windowState() const;
-    QString device() const;  ///< "auto" as long as none was chosen
+    QString device() const;  ///< "auto" until one is chosen
     FrameBudget pace() const;
     double target() const;   ///< display levels, [kFinestTarget, kCoarsestTarget]
-    bool captioned() const;  ///< unfinished pictures say so
+    bool captioned() const;  ///< images that leave the window are annotated
     ui::ThemeChoice theme() const;
-    bool remembersFolders() const;      ///< not unless that was chosen: folders are called after patients
-    QStringList recentFolders() const;  ///< absolute, the newest first, 8 at most
-    /// What the last picture of `kind` took per pixel until it was good for planning [s]; none: there was none.
+    bool remembersFolders() const;      ///< false unless chosen: folders may be named after patients
+    QStringList recentFolders() const;  ///< absolute paths, the newest first, at most 8
+    /// Returns the time per pixel that the last image of `kind` took until it was good for planning [s]; none if there
+    /// was none.
     std::optional<double> planningSeconds(const QString& kind) const;
     void keepDevice(const QString& name);
     void keepPace(const FrameBudget& pace);
     void keepTarget(double levels);
     void keepCaptioned(bool captioned);
-    /// What was remembered is forgotten with the choice not to.
+    /// Saves whether folders are remembered; if not, the remembered ones are forgotten.
     void keepRemembersFolders(bool remembers);
-    /// As the newest, where folders are remembered; started elsewhere, the program finds it again.
+    /// Saves the newest folder, if folders are remembered, as an absolute path that does not depend on the working
+    /// directory.
     void keepFolder(const QString& folder);
     void forgetFolders();
-    QString language() const;  ///< empty: the system's
+    QString language() const;  ///< code of the language; empty: the system's
     void keepLanguage(const QString& code);
-    QMap<QString, QString> keys() const;  ///< as ui::KeyBindings::choices() has them
+    QMap<QString, QString> keys() const;  ///< as in ui::KeyBindings::choices()
     void keepKeys(const QMap<QString, QString>& keys);
     void keepTheme(ui::ThemeChoice theme);
-    QStringList nodes() const;                    ///< "gpu-07:4743", each once
-    std::optional<quint16> listenedPort() const;  ///< none: nobody may dial in
-    std::optional<Split> nodeSplit() const;       ///< none: as its costs say
-    QString certificates() const;                 ///< the folder of this machine's; empty: there are none
+    QStringList nodes() const;                    ///< addresses, "gpu-07:4743", each once
+    std::optional<quint16> listenedPort() const;  ///< none: no node may dial in
+    std::optional<Split> nodeSplit() const;       ///< none: by the costs of the work
+    QString certificates() const;                 ///< folder of this machine's certificates; empty: there are none
     void keepNodes(const QStringList& addresses);
     void keepListenedPort(std::optional<quint16> port);
     void keepNodeSplit(std::optional<Split> split);

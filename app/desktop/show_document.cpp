@@ -8,7 +8,7 @@
 namespace pdr::app {
 namespace {
 
-/// As the screen shows it; none: what lights the volume from all around.
+/// Returns the background's colour on the screen; none if the environment is visible.
 std::optional<QColor> backgroundOf(const Document& document) {
     const PictureSetup& setup = document.setup();
     if (!setup.background && setup.look.environment.visible)
@@ -16,7 +16,7 @@ std::optional<QColor> backgroundOf(const Document& document) {
     return shownColour(setup.background.value_or(vec3(0)), document.display());
 }
 
-/// Until the part that was chosen is told from the rest, that is not there yet.
+/// Returns what the mask hides, in sentences, or that the mask of the chosen part is still being made.
 QString notShownText(const Scene& scene) {
     if (scene.maskAwaited)
         return ui::MainWindow::tr("Still being told from the rest, which is shown until then.");

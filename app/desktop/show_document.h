@@ -1,13 +1,13 @@
 #pragma once
-/// What the window shows of the document: the setup of the picture, and what its effects cost.
+/// Shows the document in the window: the setup of the image, and what its effects cost.
 
 #include "app/desktop/desktop_parts.h"
 
 namespace pdr::app {
 
-/// Everything that follows the document: the camera that the user turns, look, brightness, undo.
+/// Updates everything that follows the document: the camera for the next drag, the look, brightness, undo and so on.
 void showDocument(const DesktopParts& parts);
-/// What the effects cost, as far as it is known.
+/// Shows what the effects cost, as far as it is known.
 void showEffects(const DesktopParts& parts);
 
 }  // namespace pdr::app

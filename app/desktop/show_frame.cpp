@@ -19,7 +19,7 @@
 namespace pdr::app {
 namespace {
 
-/// A view of bytes; the image keeps the frame alive that holds them.
+/// Returns an image that refers to `bytes` and keeps the frame alive that holds them.
 QImage imageOf(const std::shared_ptr<const Frame>& frame, const std::vector<std::uint8_t>& bytes, ivec2 size,
                QImage::Format format) {
     auto* kept = new std::shared_ptr<const Frame>(frame);
@@ -32,7 +32,7 @@ QImage pictureOf(const std::shared_ptr<const Frame>& frame) {
     return imageOf(frame, frame->rgba, frame->size, QImage::Format_RGBX8888);
 }
 
-/// Null where the frame has none.
+/// Returns the error map in colours; null if the frame has none.
 QImage errorMapOf(const std::shared_ptr<const Frame>& frame) {
     if (!frame->errorMap)
         return {};
@@ -41,12 +41,12 @@ QImage errorMapOf(const std::shared_ptr<const Frame>& frame) {
     return map;
 }
 
-/// What stands beside a smoothed picture; nothing beside another.
+/// Returns the remarks on a denoised image; nothing for another.
 QStringList smoothedTexts(const Frame& frame) {
     return frame.smoothed ? ui::smoothedTexts(frame.smoothedError, frame.lostLines.size()) : QStringList();
 }
 
-/// Of the smoothed picture: the film itself has them.
+/// Returns the lines that denoising has removed from the image; the film itself has them.
 QList<QLineF> lostLinesOf(const Frame& frame) {
     QList<QLineF> lines;
     if (!frame.smoothed)
@@ -56,7 +56,7 @@ QList<QLineF> lostLinesOf(const Frame& frame) {
     return lines;
 }
 
-/// Pictures that take about as long per pixel.
+/// Returns a key shared by images that take about as long per pixel: device and look.
 QString kindOf(const Frame& frame) {
     return QString::fromStdString(frame.device + "/" + frame.lookName);
 }
@@ -65,21 +65,22 @@ double pixelsOf(const Frame& frame) {
     return double(frame.size.x) * frame.size.y;
 }
 
-/// For the next picture of the kind.
+/// Saves the time per pixel that planning quality took, for the next image of the kind.
 void keepWhatItTook(Settings& settings, const Frame& frame) {
     for (const QualityStep& step : frame.steps)
         if (step.levels == kPlanningLevels && !step.atLeast())
             settings.keepPlanningSeconds(kindOf(frame), step.seconds.value / pixelsOf(frame));
 }
 
-/// What the last picture of the kind took per pixel, for those of the whole film: a coarse one has fewer.
+/// Returns the time that the last image of the kind took per pixel, multiplied by the pixels of the whole film: a
+/// coarse image has fewer.
 std::optional<double> lastTime(const DesktopParts& parts, const Frame& frame) {
     const ivec2 film = parts.document.scene().film;
     const std::optional<double> perPixel = parts.settings.planningSeconds(kindOf(frame));
     return perPixel ? std::optional(*perPixel * film.x * film.y) : std::nullopt;
 }
 
-/// By what this one took, or the last of its kind.
+/// Estimates the cost of an image from the time that this one took, or else the last one of its kind.
 std::optional<ui::PictureCost> costOf(const DesktopParts& parts, const Frame& frame) {
     const double error = frame.status.displayError;
     if (!frame.coarse && std::isfinite(error) && error > 0 && frame.seconds > 0)
@@ -89,7 +90,7 @@ std::optional<ui::PictureCost> costOf(const DesktopParts& parts, const Frame& fr
     return std::nullopt;
 }
 
-/// "Bones-alone_A_2026-11-25": look, the side that is seen, today. Nothing of the patient.
+/// Returns a file name, "Bones-alone_A_2030-01-31": look, visible side, today. It contains nothing of the patient.
 QString fileNameOf(const DesktopParts& parts, const Frame& frame) {
     static const QRegularExpression noLetters("[^\\w]+", QRegularExpression::UseUnicodePropertiesOption);
     QString look = nameText(parts.document.looks(), frame.lookName).replace(noLetters, "-");
@@ -99,7 +100,8 @@ QString fileNameOf(const DesktopParts& parts, const Frame& frame) {
     return QStringList{look, side, QDate::currentDate().toString(Qt::ISODate)}.join('_');
 }
 
-/// What makes the picture another one than it seems; or that nothing does.
+/// Returns remarks on what may mislead about the image: comparison modes, stretching and known bias; or that no bias is
+/// known.
 QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     QStringList remarks{ui::comparisonText(frame.schedule, frame.estimator)};
     if (frame.region)
@@ -109,7 +111,7 @@ QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
     remarks << smoothedTexts(frame) << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
     const std::vector<Bias> known = biases(frame.bias);
     for (const Bias& bias : known)
-        if (bias.cause != BiasCause::smoothing)  // more is said of that above
+        if (bias.cause != BiasCause::smoothing)  // smoothedTexts() says more
             remarks << ui::inWords(bias.text);
     if (noneOfComputing(known))
         remarks << ui::MainWindow::tr("No known bias in the computing");
@@ -123,7 +125,7 @@ ui::Holding holdingOf(const RenderBridge& bridge) {
     return bridge.reached() ? ui::Holding::reached : ui::Holding::no;
 }
 
-/// Of the box as long as it gets all samples; else of the whole picture.
+/// Returns the accuracy of the box while it gets all samples, else of the whole image.
 ui::Accuracy accuracyOf(const DesktopParts& parts, const Frame& frame) {
     const ShownStatus shown = shownOf(frame);
     ui::Accuracy accuracy{shown.status,  frame.coarse,          shown.of,
@@ -141,7 +143,7 @@ ui::Accuracy accuracyOf(const DesktopParts& parts, const Frame& frame) {
     return accuracy;
 }
 
-/// The same number as its colour says, of the image that is shown.
+/// Replaces the pixel's error by the level of its colour in the error map of the image that is shown.
 LevelErrorsAt asMapped(LevelErrorsAt errors, const LevelErrorMap& map, QPointF place) {
     const ivec2 pixel =
         glm::clamp(ivec2(int(place.x() * map.size.x), int(place.y() * map.size.y)), ivec2(0), map.size - 1);
@@ -193,7 +195,7 @@ void showStatus(const DesktopParts& parts) {
     const QStringList remarks = remarksOn(parts, *frame);
     foot.setMaking(making);
     QStringList beside = remarks;
-    for (const QString& text : smoothedTexts(*frame))  // which stands in the image
+    for (const QString& text : smoothedTexts(*frame))  // they are shown on the image already
         beside.removeAll(text);
     if (parts.battery.rests())
         beside.prepend(ui::MainWindow::tr("Rendering rests on battery: Space goes on"));

@@ -1,5 +1,5 @@
 #pragma once
-/// What the window shows of a frame: the picture, and how good it is.
+/// Shows a frame in the window: the image, and how good it is.
 
 #include <memory>
 
@@ -7,15 +7,15 @@
 
 namespace pdr::app {
 
-/// The place of the picture, with a few words in it.
+/// Clears the image and shows `message` in its place.
 void showNoPicture(const DesktopParts& parts, const QString& message);
-/// The picture with what it shows, and how good it is; or why there is none.
+/// Shows the image of `frame` and how good it is, or the reason why there is none.
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame);
-/// How good the picture is, in words; again when the rendering is held or goes on.
+/// Shows how good the image is, in words; also to be called when rendering stops or goes on.
 void showStatus(const DesktopParts& parts);
-/// When rendering holds, wherever that is said.
+/// Shows the rule by which rendering stops, wherever the window displays it.
 void showStop(const DesktopParts& parts, const StopRule& rule);
-/// How far the picture may be off where the mouse rests.
+/// Shows how far the image may be off where the mouse rests.
 void showErrorAt(const DesktopParts& parts, QPointF place, const LevelErrorsAt& errors);
 
 }  // namespace pdr::app

@@ -35,7 +35,7 @@ QString groupText(LookGroup group) {
     return ui::LookGallery::tr("My looks");
 }
 
-/// In the document's order.
+/// Returns the gallery's cards, in the document's order.
 QList<ui::LookCard> cardsOf(const Document& document) {
     QList<ui::LookCard> cards;
     for (int i = 0; document.looks().holds(i); ++i) {
@@ -46,7 +46,8 @@ QList<ui::LookCard> cardsOf(const Document& document) {
     return cards;
 }
 
-/// The look that is shown first, since its brightness is waited for; then those that make sense of the scan.
+/// Returns the image tasks: first the look that is shown, since its brightness is awaited; then those that suit the
+/// scan.
 std::vector<LookTask> tasksOf(const Document& document) {
     std::vector<LookTask> tasks;
     const auto rank = [&](int look) {
@@ -54,7 +55,7 @@ std::vector<LookTask> tasksOf(const Document& document) {
     };
     for (int i = 0; document.looks().holds(i); ++i) {
         tasks.push_back({i, document.setupWith(i)});
-        tasks.back().setup.stops = 0;  // the picture finds its own
+        tasks.back().setup.stops = 0;  // the small image finds the brightness
     }
     std::ranges::stable_sort(tasks, {}, [&](const LookTask& task) { return rank(task.look); });
     return tasks;

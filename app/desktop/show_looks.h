@@ -1,15 +1,15 @@
 #pragma once
-/// The looks to choose from, as the window shows them, with their pictures.
+/// Shows the looks to choose from in the window, with their images.
 
 #include "app/desktop/desktop_parts.h"
 
 namespace pdr::app {
 
-/// What there is to choose from.
+/// Fills the gallery with the document's looks.
 void showLooks(const DesktopParts& parts);
-/// Orders the pictures of the looks for the view as it is; while it moves there are none.
+/// Requests the images of the looks for the current view, and cancels them while it moves.
 void orderLookPictures(const DesktopParts& parts, bool moving);
-/// A picture has come. Of the first one the brightness of its look is taken.
+/// Shows the image of a look. The document takes the look's brightness from its first image.
 void showLookPicture(const DesktopParts& parts, int look, const QImage& picture, double stops);
 
 }  // namespace pdr::app

@@ -7,7 +7,7 @@
 namespace pdr::app {
 namespace {
 
-/// Where air ends and skin begins, some light is stopped: more than a hundredth of what dense tissue stops.
+/// Returns whether the boundary between air and skin stops light: its opacity exceeds a hundredth of the maximum.
 bool showsSkin(const TransferFunction& function) {
     constexpr float kSkin[] = {-250, -200, -150, -100};  // [HU] of voxels that skin and air share, and of fat below
     const Curve opacity = curveOf(function, TissueChannel::opacity);
@@ -37,7 +37,7 @@ void showNotice(const DesktopParts& parts, const QString& sentences) {
     parts.window.message().showNotice(sentences);
 }
 
-/// Said below what the folder that is opened has to say, until its series is there.
+/// Repeats the message below each message of the import, until the series is loaded.
 void showOthersLeftOut(const DesktopParts& parts) {
     auto* meanwhile = new QObject(&parts.window);
     const auto say = [parts] {

@@ -1,19 +1,20 @@
 #pragma once
-/// Messages. What was shown before stays.
+/// Shows messages in the window; the image stays as it is.
 
 #include "app/desktop/desktop_parts.h"
 
 namespace pdr::app {
 
-/// A message. What was shown before stays.
+/// Shows an error; the image stays as it is.
 void showFailure(const DesktopParts& parts, const Error& error);
-/// That the picture is in that file.
+/// Reports that the image has been saved in `file`.
 void showSaved(const DesktopParts& parts, const QString& file);
-/// After a picture has left the window: that the patient may be known by it, where it shows skin. Once for each scan.
+/// Warns that the patient may be recognised, if the image shows skin; called after an image has left the window. Once
+/// for each scan.
 void showWhoCanBeKnown(const DesktopParts& parts);
-/// Says that one of several folders that were dropped is opened.
+/// Reports that only the first of several dropped folders is opened.
 void showOthersLeftOut(const DesktopParts& parts);
-/// Sentences about something that did not go as it was asked; the rendering goes on.
+/// Shows sentences about a request that failed while rendering goes on.
 void showNotice(const DesktopParts& parts, const QString& sentences);
 
 }  // namespace pdr::app

@@ -1,17 +1,17 @@
 #pragma once
-/// What the window shows of render nodes, and what is kept of them.
+/// Shows render nodes in the window, and saves and restores the requested ones.
 
 #include "app/desktop/desktop_parts.h"
 
 namespace pdr::app {
 
-/// Which there are, what each does, and where they bent the error's curve.
+/// Shows the nodes, what each does, and when they joined or left, in the error plot.
 void showNodes(const DesktopParts& parts);
-/// What was asked for.
+/// Shows the requested port, certificates and split.
 void showWantedNodes(const DesktopParts& parts);
-/// Asks for the nodes of the last time.
+/// Requests the nodes, port, certificates and split of the last run.
 void wantNodesAgain(const DesktopParts& parts);
-/// For the next time.
+/// Saves the requested nodes, port, certificates and split for the next run.
 void keepNodes(const DesktopParts& parts);
 
 }  // namespace pdr::app

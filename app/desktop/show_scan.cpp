@@ -10,7 +10,7 @@
 namespace pdr::app {
 namespace {
 
-/// What the import remarked on a series and its table, one note a line.
+/// Returns the import's notes on a series and its table, one per line.
 QString notesOn(const std::vector<dicom::Note>& notes, const segment::HiddenTable& table) {
     QStringList lines;
     for (const dicom::Note& note : notes)

@@ -1,5 +1,5 @@
 #pragma once
-/// What the window shows of a folder, while it is read, and of the volume that comes of it.
+/// Shows a folder in the window, while it is read, and the volume that is read from it.
 
 #include <memory>
 
@@ -7,25 +7,25 @@
 
 namespace pdr::app {
 
-/// All that holds the document's volume, its parts or its masks beside it drops them: the next series waits for that.
+/// Makes all holders of the document's volume, its parts or its masks release them: the next series waits for that.
 void letGoOfVolume(const DesktopParts& parts);
-/// An invitation to open a folder, and no picture; nothing of the one before is kept.
+/// Shows the start page without an image, and releases everything of the previous one.
 void showNothing(const DesktopParts& parts);
-/// The series of `folder`. The only one that can be shown is loaded; else the list is there to choose from, and if
-/// there is none a message says why.
+/// Shows the series of `folder`. If only one can be shown, it is loaded; else the user chooses from the list, or a
+/// message says why none can be shown.
 void showScan(const DesktopParts& parts, const dicom::ScanResult& scan, const QString& folder);
-/// The folders opened last, as far as they are remembered.
+/// Shows the folders opened last, as far as they are remembered.
 void showRecentFolders(const DesktopParts& parts);
-/// Closes what is shown, so that there is room, and reads the series `index` of the last scan.
+/// Closes the current volume to free its memory, and reads the series `index` of the last scan.
 void showReading(const DesktopParts& parts, int index);
-/// The series `index` of the last scan, whose voxels without its `table` are `volume`; what was found in it, and the
-/// voxels that are hidden with the table.
+/// Shows the series `index` of the last scan. `volume`: its voxels without the `table`; `findings`: what was found in
+/// it; `hidden`: the voxels of the table.
 void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume, int index,
                 const segment::HiddenTable& table, const segment::Findings& findings,
                 std::shared_ptr<const HiddenVoxels> hidden);
-/// How far reading has come.
+/// Shows the progress of reading.
 void showProgress(const DesktopParts& parts, double fraction, const QString& step);
-/// Reading has ended without a new picture: what is shown stays, if anything is.
+/// Updates the window when reading has ended without a new image: the current image stays, if there is one.
 void showReadingEnded(const DesktopParts& parts);
 
 }  // namespace pdr::app

@@ -13,7 +13,7 @@
 namespace pdr::app {
 namespace {
 
-/// 1. The hand chooses files; they become a volume.
+/// 1. The user chooses files, which become a volume.
 void wireImport(const DesktopParts& parts) {
     ImportJob& import = parts.import;
     ui::MainWindow& window = parts.window;
@@ -42,16 +42,18 @@ void wireImport(const DesktopParts& parts) {
                      });
 }
 
-/// 2. The hand edits the document.
+/// 2. The user edits the document.
 void wireEdits(const DesktopParts& parts) {
     Document& document = parts.document;
     ui::MainWindow& window = parts.window;
+    // View and film
     QObject::connect(&window.viewport(), &ui::Viewport::cameraEdited, &document, &Document::setCamera);
     QObject::connect(&window.viewport(), &ui::Viewport::sizeInPixelsChanged, &window,
                      [parts] { keepOrFitFilm(parts); });
     QObject::connect(&window, &ui::MainWindow::fitRequested, &window, [parts] { fitFilm(parts); });
     QObject::connect(&window, &ui::MainWindow::viewChosen, &document, &Document::setView);
     QObject::connect(&window, &ui::MainWindow::resetRequested, &document, &Document::resetView);
+    // Table, look, visible parts and rendering
     QObject::connect(&window, &ui::MainWindow::tableChosen, &document,
                      [&document](bool shown) { document.setTable(shown ? Table::shown : Table::hidden); });
     QObject::connect(&window.message(), &ui::MessageBar::offerTaken, &document,
@@ -65,6 +67,7 @@ void wireEdits(const DesktopParts& parts) {
     QObject::connect(&window.rendering(), &ui::RenderPanel::scheduleChosen, &document, &Document::setSchedule);
     QObject::connect(&window.effects(), &ui::EffectLedger::leaveOutChosen, &document,
                      [parts] { leaveOutUnseen(parts); });
+    // Tissue, light and camera
     QObject::connect(&window.tissue(), &ui::TissuePanel::transferFunctionEdited, &parts.tissue,
                      &TissueEdits::setTransferFunction);
     QObject::connect(&window.viewport(), &ui::Viewport::tissueDragged, &parts.tissue, &TissueEdits::drag);
@@ -77,6 +80,7 @@ void wireEdits(const DesktopParts& parts) {
                      [&document](const Camera& camera) { document.setCamera(camera, false); });
     QObject::connect(&window.camera(), &ui::CameraPanel::backgroundChosen, &window,
                      [parts](const std::optional<QColor>& colour) { setBackground(parts, colour); });
+    // Optical model and focus
     QObject::connect(&window.light().model(), &ui::ModelChoice::modelChosen, &window,
                      [parts](Model model) { chooseModel(parts, model); });
     QObject::connect(&parts.modelTrial, &ModelTrial::measured, &window,
@@ -88,11 +92,12 @@ void wireEdits(const DesktopParts& parts) {
                      [parts](QPointF place) { pickFocus(parts, place); });
     QObject::connect(&parts.study, &TissueStudy::depthFound, &document,
                      [&document](double depthMm) { document.setFocus(depthMm); });
+    // History
     QObject::connect(&window, &ui::MainWindow::undoRequested, &document, &Document::undo);
     QObject::connect(&window, &ui::MainWindow::redoRequested, &document, &Document::redo);
 }
 
-/// The hand cuts.
+/// Connects the cutting tools to the document.
 void wireCuts(const DesktopParts& parts) {
     Document& document = parts.document;
     ui::CutTools& cut = parts.window.cut();
@@ -105,7 +110,7 @@ void wireCuts(const DesktopParts& parts) {
     QObject::connect(&cut, &ui::CutTools::uncutWanted, &parts.cut, &CutEdits::undoAll);
 }
 
-/// What the document wants to show is told from the rest of the body beside the window.
+/// Connects the document's requests for masks to the job that makes them in the background.
 void wireMasks(const DesktopParts& parts) {
     MaskJob& masks = parts.masks;
     ui::StatusLine& status = parts.window.status();
@@ -124,7 +129,7 @@ void wireMasks(const DesktopParts& parts) {
     QObject::connect(&masks, &MaskJob::cancelled, &parts.document, &Document::keepVisible);
 }
 
-/// A picture of surroundings becomes light.
+/// Connects the choice of an environment image to the job that reads it and to the light.
 void wireSky(const DesktopParts& parts) {
     SkyJob& sky = parts.sky;
     ui::MainWindow& window = parts.window;
@@ -190,7 +195,7 @@ void wireScreen(const DesktopParts& parts) {
     QObject::connect(&parts.document, &Document::displayChanged, &window, [parts] { showDocument(parts); });
 }
 
-/// Other machines take samples of the picture.
+/// Connects the panel of render nodes to the nodes.
 void wireNodes(const DesktopParts& parts) {
     NodesJob& nodes = parts.nodes;
     ui::NodesPanel& panel = parts.window.nodes();
@@ -208,7 +213,7 @@ void wireNodes(const DesktopParts& parts) {
     });
 }
 
-/// 5. Small pictures of the looks follow the view and come back to the gallery.
+/// 5. Small images of the looks follow the view and are shown in the gallery.
 void wireLooks(const DesktopParts& parts) {
     QObject::connect(&parts.document, &Document::sceneChanged, &parts.looks,
                      [parts](const Scene&, bool moving) { orderLookPictures(parts, moving); });
@@ -228,7 +233,7 @@ void wireLooks(const DesktopParts& parts) {
                      [parts](const QString& file) { exportLook(parts, file); });
 }
 
-/// 6. A picture that is made beside all this goes to a file.
+/// 6. An image that is rendered in parallel with the session goes to a file.
 void wirePicture(const DesktopParts& parts) {
     PictureJob& picture = parts.picture;
     ui::MainWindow& window = parts.window;
@@ -248,7 +253,7 @@ void wirePicture(const DesktopParts& parts) {
                      [parts](const Error& error) { showFailure(parts, error); });
 }
 
-/// 7. What was chosen for this machine is kept.
+/// 7. Choices for this machine are saved.
 void wireSettings(const DesktopParts& parts) {
     QObject::connect(&parts.window, &ui::MainWindow::rememberFoldersChosen, &parts.window, [parts](bool remembered) {
         parts.settings.keepRemembersFolders(remembered);

@@ -5,7 +5,8 @@
 namespace pdr::app {
 namespace {
 
-/// The least radiance that is shown at that level or above. Whatever the tone curve, levels grow with it.
+/// Returns the least radiance [per channel] that is shown at `level` or above. Bisection works with every tone curve,
+/// since levels grow with radiance.
 double leastAt(int level, const Display& display) {
     double below = 0, above = 1e3 * double(display.exposure);
     for (int i = 0; i < 60; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The colour behind the volume, as the screen shows it and as the renderer takes it.
+/// Converts the colour behind the volume between screen colours and the radiance that the renderer takes.
 
 #include <QColor>
 
@@ -8,9 +8,9 @@
 
 namespace pdr::app {
 
-/// How radiance is shown.
+/// Returns the screen colour of `radiance`.
 QColor shownColour(vec3 radiance, const Display& display);
-/// The radiance that is shown so.
+/// Returns the radiance that the screen shows as `colour`.
 vec3 radianceShownAs(const QColor& colour, const Display& display);
 
 }  // namespace pdr::app

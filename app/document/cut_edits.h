@@ -1,5 +1,5 @@
 #pragma once
-/// Cuts that are made from where one looks, as edits of the document.
+/// Cuts that depend on the camera, as edits of the document.
 
 #include <QObject>
 
@@ -11,15 +11,16 @@ class CutEdits : public QObject {
     Q_OBJECT
 
   public:
-    /// `document` outlives it.
+    /// `document` must outlive this object.
     explicit CutEdits(Document& document) : document_(document) {}
 
   public slots:
-    /// A plane through the middle that cuts off what is nearer to the viewer. `axis`: 0 sagittal, 1 coronal, 2 axial,
-    /// -1 facing the viewer. Nothing where there are as many as can be.
+    /// Adds a plane through the middle of the uncut box that cuts off the side nearer to the viewer. `axis`: 0
+    /// sagittal, 1 coronal, 2 axial, -1 facing the viewer. Does nothing without a volume, or if there are kMostPlanes
+    /// already.
     void addPlane(int axis);
     void addFreehand(const pdr::FreehandCut& cut);
-    /// Nothing is cut any more; where nothing was, it is no step to undo.
+    /// Removes all cuts. No step to undo if there were none.
     void undoAll();
 
   private:

@@ -20,7 +20,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     hidden_ = std::move(hidden);
     parts_ = std::make_shared<const segment::BodyParts>(volume_);
     setup_.table = Table::hidden;
-    setup_.clip = {};  // places in another patient
+    setup_.clip = {};  // its coordinates belong to another patient
     fitLooksTo(findings);
     setup_.camera = cameraOf(firstView(framed().box), {});
     show(false);
@@ -33,7 +33,7 @@ void Document::setLooks(std::vector<NamedLook> looks) {
     emit displayChanged(display());
 }
 
-/// A look that the user has changed stays as it is.
+/// Fits the looks to the volume. A look that the user has changed stays as it is.
 void Document::fitLooksTo(const std::optional<segment::Findings>& findings) {
     const int shown = look();
     looks_.fitTo(findings);
@@ -54,7 +54,7 @@ void Document::suggestBrightness(int look, double stops) {
     emit displayChanged(display());
 }
 
-/// The setup without what the look, if it is one, has cut away.
+/// Returns the setup without the cut of `look`; -1: no look, nothing is removed.
 PictureSetup Document::withoutCutOf(int look) const {
     PictureSetup setup = setup_;
     if (look >= 0 && looks_[look].cut && hasVolume())
@@ -66,7 +66,7 @@ PictureSetup Document::setupWith(int look) const {
     PictureSetup setup = withNamedLook(withoutCutOf(this->look()), looks_[look], table_.bodyBox);
     setup.stops = looks_.stops(look);
     if (!hasVolume())
-        setup.clip = {};  // it is cut when it is there
+        setup.clip = {};  // open() applies the look's cut
     return setup;
 }
 
@@ -117,7 +117,8 @@ void Document::setBackground(const std::optional<vec3>& radiance) {
     edit(std::move(setup));
 }
 
-/// Exposure Render's ways know one event on a path only.
+/// Resets the estimator with any model but single scattering: Exposure Render's estimators know one event per path
+/// only.
 void Document::setModel(Model model) {
     PictureSetup setup = setup_;
     setup.model = model;
@@ -175,7 +176,8 @@ void Document::keepVisible() {
     fallBackTo(shown_.visible);
 }
 
-/// What was chosen cannot be seen. Where the choice was all that its step changed, there is no such step.
+/// Replaces a choice that cannot be shown by `visible`. If the choice was all that its undo step changed, the step is
+/// removed.
 void Document::fallBackTo(const Visible& visible) {
     if (visible == setup_.look.visible)
         return;
@@ -240,7 +242,7 @@ void Document::redo() {
         comeBackTo(history_.redo(setup_));
 }
 
-/// Without a volume there is nothing to go back to.
+/// Records the current setup as a step to undo; without a volume there is nothing to return to.
 void Document::remember(Gesture gesture, bool moving) {
     if (hasVolume())
         history_.remember(setup_, gesture, moving);
@@ -253,7 +255,8 @@ void Document::setField(Field PictureSetup::*field, const Field& value, Gesture 
     edit(std::move(setup), gesture, moving);
 }
 
-/// A gesture ends where it has led: no other scene. Where it was another gesture there is nothing new at all.
+/// Applies an edit. If it changes nothing and ends the gesture in progress, the same scene is reported once more, now
+/// at rest. If another gesture was in progress, nothing is reported.
 void Document::edit(PictureSetup setup, Gesture gesture, bool moving) {
     if (setup == setup_ && !moving) {
         if (history_.end(gesture))
@@ -265,7 +268,8 @@ void Document::edit(PictureSetup setup, Gesture gesture, bool moving) {
     show(moving);
 }
 
-/// The revision is not undone: an earlier setup comes back as a new scene, unless only what is shown was another.
+/// Restores an earlier setup. The revision is not restored: the setup comes back as a new scene, unless only the
+/// display differs.
 void Document::comeBackTo(PictureSetup setup) {
     setup_ = std::move(setup);
     Scene scene = made();
@@ -275,7 +279,7 @@ void Document::comeBackTo(PictureSetup setup) {
     emit displayChanged(display());
 }
 
-/// Without a volume what was set up waits for one.
+/// Shows the scene of the setup. Without a volume, the setup waits for one.
 void Document::show(bool moving) {
     if (hasVolume())
         show(made(), moving);
@@ -291,7 +295,7 @@ void Document::show(Scene scene, bool moving) {
         emit maskWanted(parts_, setup_.look.visible);
 }
 
-/// The scene of the setup, with the newest mask that is known.
+/// Builds the scene of the setup. Its mask is that of the choice if it is known, else the one shown so far.
 Scene Document::made() {
     const Visible& visible = setup_.look.visible;
     const auto known = std::ranges::find(masks_, visible, &PartMask::visible);
@@ -314,7 +318,7 @@ std::shared_ptr<const Volume> Document::seen() const {
     return scan;
 }
 
-/// What a view is filled with.
+/// Returns what a view is fitted to: the body, or the whole grid if the table is shown.
 Framed Document::framed() const {
     if (setup_.table == Table::hidden)
         return {table_.bodyBox, table_.outlineMm};

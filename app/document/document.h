@@ -1,6 +1,6 @@
 #pragma once
-/// What is shown and how: a volume, what the user has set up of its picture, and the way back to earlier setups. The
-/// one place where a scene's revision grows.
+/// The document of the window: a volume, the user's setup of its image, and the history of earlier setups. Only this
+/// class increments a scene's revision.
 
 #include <QObject>
 #include <deque>
@@ -22,118 +22,124 @@ class Document : public QObject {
     Q_OBJECT
 
   public:
-    /// `looks` holds at least one.
+    /// `looks` holds at least one look.
     explicit Document(std::vector<NamedLook> looks);
 
-    /// What there is to choose from.
+    /// The looks to choose from, fitted to the volume.
     const FittedLooks& looks() const { return looks_; }
-    /// What choosing a look would set up.
+    /// Returns the setup that choosing `look` would lead to.
     PictureSetup setupWith(int look) const;
-    /// What is rendered of the scan under any look. With its table it is made anew where nobody holds it any more.
+    /// The volume that is rendered, with or without the table as set up; null without a volume. With the table it is
+    /// built anew once nobody holds it any longer.
     std::shared_ptr<const Volume> seen() const;
-    /// The parts of the patient to tell apart; null without a volume.
+    /// The parts of the body that can be shown or hidden; null without a volume.
     const std::shared_ptr<const segment::BodyParts>& parts() const { return parts_; }
     /// The part of the scan's grid that the body fills.
     const VolumeGeometry& bodyBox() const { return table_.bodyBox; }
     const PictureSetup& setup() const { return setup_; }
     bool hasVolume() const { return volume_ != nullptr; }
-    /// What is rendered; of no volume it holds nothing that counts.
+    /// The scene that is rendered. Without a volume its content is meaningless.
     const Scene& scene() const { return scene_; }
-    /// Whether there is a table, or what else is hidden with it, to show or hide.
+    /// Whether there is a table, or anything else hidden with it, that can be shown or hidden.
     bool hasTable() const { return hidden_ != nullptr; }
-    /// The look that is shown; -1: the user has changed it.
+    /// The index of the look that is shown; -1 if the user has changed it.
     int look() const { return looks_.indexOf(setup_); }
     Display display() const;
-    /// Whether the picture is shown without its noise.
+    /// Whether the image is shown denoised.
     bool smoothed() const { return smoothed_; }
-    /// What there is to cut: the smallest box along the patient's axes around what is framed; nothing without a volume.
+    /// The box that cuts begin with: the smallest box along the patient's axes around what is framed; none without a
+    /// volume.
     std::optional<ClipBox> uncut() const;
     bool canUndo() const { return history_.canUndo(); }
     bool canRedo() const { return history_.canRedo(); }
-    /// What the next step back brought, or the next one forth will bring; nothing where there is none.
+    /// The changes that the next undo reverts and the next redo applies; Change::nothing if there is none.
     Change undoable() const { return canUndo() ? changeOf(history_.previous(), setup_) : Change::nothing; }
     Change redoable() const { return canRedo() ? changeOf(setup_, history_.next()) : Change::nothing; }
 
   public slots:
-    /// Shows `volume`, a scan without what is known to be its table, from the side that a scan is seen from first,
-    /// uncut, with the look as it is, or where that makes no sense of it, the first that does. There is no way back to
-    /// the volume before. `findings`: what the volume holds, as far as it is known. `hidden`: its table; null: none.
+    /// Opens `volume`, a scan without its table, uncut and seen from the side that firstView() chooses. The look stays
+    /// as it is, or becomes the first one that suits the scan if it does not. The previous volume cannot be restored.
+    /// `table`: what was hidden. `findings`: what the volume holds, as far as it is known. `hidden`: the voxels of the
+    /// table; null if nothing is hidden.
     void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table,
               const std::optional<pdr::segment::Findings>& findings = {},
               std::shared_ptr<const pdr::app::HiddenVoxels> hidden = {});
-    /// The same of one that nothing is hidden of.
+    /// Opens a volume without a detected table.
     void open(std::shared_ptr<const pdr::Volume> volume);
-    /// Shows nothing.
+    /// Closes the volume and forgets the history.
     void close();
-    /// One gesture of the user (moving, ..., moving, at rest) is one step to undo. One that ends where it began makes
-    /// no other scene.
+    /// Sets the camera. One gesture of the user (moving, ..., moving, at rest) is one step to undo. A gesture that ends
+    /// where it began makes no new scene.
     void setCamera(const pdr::Camera& camera, bool moving);
-    /// Through the lens as it is.
+    /// Turns to a standard view and fits it, with the projection, field of view and aperture as they are.
     void setView(pdr::StandardView view);
-    /// Makes what lies `depthMm` in front of the eye, along the view, sharp; > 0.
+    /// Focuses at `depthMm` in front of the eye, along the view; > 0.
     void setFocus(double depthMm);
-    /// As the volume was seen first, through the lens it was seen with first.
+    /// Returns to the view that open() sets, with the default lens.
     void resetView();
-    /// What stands behind the volume; none: what lights it from all around.
+    /// Sets the radiance of the background; none: the environment, which becomes visible.
     void setBackground(const std::optional<pdr::vec3>& radiance);
     void setTable(pdr::Table table);
     void setModel(pdr::Model model);
-    /// With its model and its cut, at its own brightness: one step to undo. The cut of the look before goes.
+    /// Applies look `index` with its model, its cut and the brightness that suits it. One step to undo. The cut of the
+    /// previous look is removed.
     void chooseLook(int index);
-    /// Others to choose from; what is shown stays. `looks` holds at least one.
+    /// Replaces the looks to choose from; the image stays as it is. `looks` holds at least one look.
     void setLooks(std::vector<pdr::NamedLook> looks);
-    /// The brightness that suits this volume under a look, which it gets when it is chosen. The first one counts; where
-    /// the look is shown and its brightness untouched it is set at once. No step to undo: it may come amid a gesture.
+    /// Reports the brightness [stops] that suits this volume under a look; choosing the look then sets it. Only the
+    /// first report for a look counts. If the look is shown and its brightness is untouched, it is set at once. No step
+    /// to undo: it may come during a gesture.
     void suggestBrightness(int look, double stops);
-    /// The user's own; one gesture is one step to undo, as well.
+    /// Sets a look that the user has edited. One gesture is one step to undo.
     void setLook(const pdr::Look& look, bool moving = false);
-    /// One gesture is one step to undo, as well.
+    /// Sets what is cut away. One gesture is one step to undo.
     void setClip(const pdr::Clip& clip, bool moving = false);
-    /// As if the gesture in progress had not been.
+    /// Cancels the gesture in progress and restores the setup from before it.
     void giveUpGesture();
-    /// Which part of the patient is seen: a part of the look.
+    /// Sets which part of the patient is visible. It is a part of the look.
     void setVisible(const pdr::Visible& visible, bool moving = false);
-    /// The mask that was wanted of it; null: the scan does not have that part, and all of it is shown, as if nothing
-    /// else had been chosen.
+    /// Takes the mask that maskWanted() has requested for `visible`. Null: the scan does not have that part; all of the
+    /// patient is shown, as if no part had been chosen.
     void setMask(const pdr::Visible& visible, const std::shared_ptr<const pdr::Mask>& mask);
-    /// No mask will come: what is seen stays chosen. No step to undo.
+    /// Reports that the requested mask will not come: the choice returns to what the scene shows. No step to undo.
     void keepVisible();
-    /// All of it at once: one step to undo.
+    /// Replaces the whole setup. One step to undo.
     void setSetup(const pdr::PictureSetup& setup);
     void setEstimator(pdr::Estimator estimator);
     void setSchedule(const pdr::Schedule& schedule);
-    /// Only what is shown changes, not what is computed. A step to undo of its own, one for each gesture as well.
+    /// Sets the brightness [stops against the look's]. It changes the display only, not what is computed. One gesture
+    /// is one step to undo.
     void setBrightness(double stops, bool moving = false);
-    /// Only for the eye; no step to undo.
+    /// Sets whether the image is shown denoised. It changes the display only; no step to undo.
     void setSmoothed(bool smoothed);
-    /// Pixels of the films that begin from now on; the one that is there stays, with all its samples.
+    /// Sets the size [pixels] of films that begin from now on. The current film stays, with all its samples.
     void setNextFilm(pdr::ivec2 pixels);
-    /// The view's size in the screen's own pixels, of which the film has as many; no step to undo. The image begins
-    /// anew where that is another size.
+    /// Sets the view's size in physical screen pixels, which becomes the film's size. If it differs from the current
+    /// film's, the image begins anew. No step to undo.
     void setViewSize(pdr::ivec2 pixels);
     void undo();
     void redo();
 
   signals:
-    /// Before the volume goes: who holds it, its table, parts or masks, lets go of them now, since the next series
-    /// waits for their memory.
+    /// Emitted before the volume is closed. Every holder of the volume, its table, parts or masks releases them now,
+    /// since the next series waits for their memory.
     void closing();
-    /// There are other looks to choose from, or the same for another volume.
+    /// Emitted when the list of looks has changed, or the looks have been fitted to another volume.
     void looksChanged();
-    /// There is another scene to render. `moving`: more will follow at once.
+    /// Emitted when there is a new scene to render, and with the same scene when a gesture ends where it has led.
+    /// `moving`: more will follow at once.
     void sceneChanged(const pdr::Scene& scene, bool moving);
     void displayChanged(const pdr::Display& display);
-    /// What is to be seen of the volume with these parts, which is not known yet. Until setMask() the scene shows what
-    /// it showed.
+    /// Requests the mask of the parts that `visible` shows. Until setMask() the scene keeps the mask that it has.
     void maskWanted(const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::Visible& visible);
 
   private:
-    /// A choice and its mask.
+    /// A choice of visible parts and its mask.
     struct PartMask {
         Visible visible;
         std::shared_ptr<const Mask> mask;
     };
-    /// Masks that are kept for undo.
+    /// Number of masks that are kept for undo.
     static constexpr std::size_t kMasks = 4;
 
     void remember(Gesture gesture = Gesture::none, bool moving = false);
@@ -151,19 +157,20 @@ class Document : public QObject {
     void fitLooksTo(const std::optional<segment::Findings>& findings);
 
     FittedLooks looks_;
-    std::shared_ptr<const Volume> volume_;             ///< without its table
-    segment::HiddenTable table_;                       ///< of it
-    std::shared_ptr<const HiddenVoxels> hidden_;       ///< the table's; null: there is none
-    mutable std::weak_ptr<const Volume> withTable_;    ///< the scan as it was read, while somebody holds it
-    std::shared_ptr<const segment::BodyParts> parts_;  ///< of it, table or not
-    PictureSetup setup_;                               ///< all that undo brings back
+    std::shared_ptr<const Volume> volume_;           ///< the scan without its table
+    segment::HiddenTable table_;                     ///< the table that was detected in the scan, and the body's box
+    std::shared_ptr<const HiddenVoxels> hidden_;     ///< voxels of the table; null if there is none
+    mutable std::weak_ptr<const Volume> withTable_;  ///< the scan with its table, as long as someone holds it
+    /// The parts of the body in volume_, whether the table is shown or not.
+    std::shared_ptr<const segment::BodyParts> parts_;
+    PictureSetup setup_;  ///< everything that undo restores
     SetupHistory history_;
-    std::deque<PartMask> masks_;  ///< of the volume, the newest last
-    PartMask shown_;              ///< what the scene shows
+    std::deque<PartMask> masks_;  ///< masks of volume_, the newest last
+    PartMask shown_;              ///< choice and mask that the scene shows
     bool smoothed_ = true;
-    ivec2 film_ = Scene{}.film;      ///< of the scene
-    ivec2 nextFilm_ = Scene{}.film;  ///< of the next one
-    Scene scene_;                    ///< of the volume, with or without its table, setup and film
+    ivec2 film_ = Scene{}.film;      ///< size of the scene's film [pixels]
+    ivec2 nextFilm_ = Scene{}.film;  ///< size of the next film [pixels]
+    Scene scene_;                    ///< built from the volume with or without its table, the setup and the film's size
 };
 
 }  // namespace pdr::app

@@ -1,5 +1,5 @@
 #pragma once
-/// What the hand does to the lights, on the panel and on the picture, as edits of the document.
+/// Edits of the lights by the user, on the panel and on the image, as edits of the document.
 
 #include <QObject>
 #include <QPointF>
@@ -14,18 +14,19 @@ class LightEdits : public QObject {
     Q_OBJECT
 
   public:
-    /// `document` outlives it.
+    /// `document` must outlive this object.
     explicit LightEdits(Document& document) : document_(document) {}
 
     Lighting lighting() const;
 
   public slots:
-    /// One gesture is one step to undo.
+    /// Sets the lighting. One gesture is one step to undo.
     void setLighting(const pdr::Lighting& lighting, bool moving);
-    /// That picture of surroundings instead of the rig; a step to undo. See litBy() in render/scene/sky_picture.h.
+    /// Lights the volume with the environment image `picture` instead of the rig. One step to undo. See litBy() in
+    /// render/scene/sky_picture.h.
     void setSky(const std::shared_ptr<const pdr::EnvironmentImage>& picture);
-    /// A drag on the picture since the last, in fractions of the view's height: turns all lights as a hand on their
-    /// near side would.
+    /// Turns all lights by a drag on the image since the last call, in fractions of the view's height, as if the
+    /// pointer pulled at their near side.
     void turn(QPointF inHeights, bool moving);
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-/// What a step to undo is called, which follows from what it changed.
+/// The name of a step to undo, derived from what the step changed.
 
 #include <QString>
 
@@ -26,12 +26,12 @@ enum class Change {
     several
 };
 
-/// What was done to `before` so that it became `after`. A look that was chosen brings its own brightness.
+/// Returns the kind of change that turned `before` into `after`. Choosing a look includes its brightness.
 Change changeOf(const PictureSetup& before, const PictureSetup& after);
 
-/// "Undo turning the view": a whole phrase, for a menu.
+/// Returns a whole phrase for a menu: "Undo turning the view".
 QString undoText(Change change);
-/// "Redo turning the view".
+/// Returns a whole phrase for a menu: "Redo turning the view".
 QString redoText(Change change);
 
 }  // namespace pdr::app

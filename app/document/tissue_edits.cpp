@@ -13,7 +13,7 @@ constexpr double kHuPerHeight = 1000;
 constexpr double kWidthPerHeight = 4;
 constexpr float kNarrowestBell = 40, kWidestBell = 160;  ///< [HU]
 
-/// The middle of the way from where the opacity begins to rise to where it has risen.
+/// Returns the middle [HU] between where the opacity has risen to 5 % and to 95 % of its maximum.
 float middleOfRise(const TransferFunction& function) {
     const Curve opacity = curveOf(function, TissueChannel::opacity);
     const float top = heightOf(opacity);
@@ -30,7 +30,7 @@ void TissueEdits::setTransferFunction(const TransferFunction& function, bool mov
 
 void TissueEdits::drag(QPointF inHeights, bool moving) {
     if (!document_.hasVolume())
-        return beforeDrag_.reset();  // closed under the hand
+        return beforeDrag_.reset();  // the volume was closed during the drag
     if (!beforeDrag_)
         beforeDrag_ = document_.setup().look.transferFunction;
     const double shift = std::round(inHeights.x() * kHuPerHeight);
@@ -41,7 +41,8 @@ void TissueEdits::drag(QPointF inHeights, bool moving) {
         beforeDrag_.reset();
 }
 
-/// Half as high where a normal distribution would be.
+/// The bell's width follows the tissue's spread: 2.4 standard deviations, about the full width at half maximum of a
+/// normal distribution, clamped to [kNarrowestBell, kWidestBell].
 void TissueEdits::addBell(const TissueUnder& tissue) {
     const TransferFunction& function = document_.setup().look.transferFunction;
     const Curve opacity = curveOf(function, TissueChannel::opacity);

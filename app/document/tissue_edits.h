@@ -1,5 +1,5 @@
 #pragma once
-/// What the hand does to the tissue's curves, on the panel and on the picture, as edits of the document.
+/// Edits of the tissue's curves by the user, on the panel and on the image, as edits of the document.
 
 #include <QObject>
 #include <QPointF>
@@ -14,16 +14,17 @@ class TissueEdits : public QObject {
     Q_OBJECT
 
   public:
-    /// `document` outlives it.
+    /// `document` must outlive this object.
     explicit TissueEdits(Document& document) : document_(document) {}
 
   public slots:
-    /// One gesture is one step to undo.
+    /// Sets the transfer function. One gesture is one step to undo.
     void setTransferFunction(const pdr::TransferFunction& function, bool moving);
-    /// A drag on the picture, from where it began, in fractions of the view's height: to the right shifts all curves up
-    /// by 1000 HU a height; up widens them about the middle of the opacity's rise, fourfold a height.
+    /// Applies a drag on the image, measured from where it began, in fractions of the view's height. To the right it
+    /// shifts all curves up by 1000 HU per height; up it widens them about the middle of the opacity's rise, fourfold
+    /// per height.
     void drag(QPointF inHeights, bool moving);
-    /// A bell at the tissue's HU, as high as the opacity is anywhere: one step to undo.
+    /// Adds a bell to the opacity at the tissue's HU, as high as the maximum of the opacity. One step to undo.
     void addBell(const pdr::TissueUnder& tissue);
 
   private:

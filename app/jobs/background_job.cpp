@@ -27,7 +27,7 @@ void BackgroundJob::cancel() {
     emit cancelled();
 }
 
-/// The job's word on how far it is, from its thread to this one.
+/// Returns the job's Progress, which reports from the job's thread to the caller's thread.
 Progress BackgroundJob::progressOf(const std::stop_token& stop) {
     return [this, stop, sinceShown = QElapsedTimer()](double fraction, std::string_view step) mutable {
         constexpr qint64 kEveryMs = 30;  // the eye needs no more, and the window's queue stays short
@@ -62,7 +62,7 @@ void BackgroundJob::start(Work work) {
                                phrase("Close other programs, then try again.")}));
 }
 
-/// The one place of the thread where exceptions end.
+/// Runs `work`. All exceptions of the thread are caught here.
 std::function<void()> BackgroundJob::resultOf(const Work& work, const Progress& progress, const std::stop_token& stop) {
     try {
         return work(progress, stop);
@@ -75,7 +75,7 @@ std::function<void()> BackgroundJob::failure(const Error& error) {
     return [this, error] { emit failed(error); };
 }
 
-/// A job that was cancelled or overtaken has nothing to say.
+/// Calls the result, unless the job was cancelled or replaced by a newer one.
 void BackgroundJob::deliver(const std::stop_token& stop, const std::function<void()>& result) {
     if (stop.stop_requested())
         return;

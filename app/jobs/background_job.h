@@ -1,6 +1,6 @@
 #pragma once
-/// Work beside the window: on a thread of its own, with progress and a way to give it up, its results as signals on the
-/// caller's thread. A new job cancels the one before.
+/// Base of jobs in the background: each runs on a thread of its own, reports its progress, can be cancelled and
+/// delivers its result as a signal on the caller's thread. A new job cancels the one before.
 
 #include <QObject>
 #include <QThread>
@@ -17,30 +17,32 @@ class BackgroundJob : public QObject {
 
   public:
     BackgroundJob();
-    /// Cancels what runs and waits for it.
+    /// Cancels the running job and waits for it.
     ~BackgroundJob() override;
 
     bool isRunning() const { return running_; }
 
   public slots:
-    /// Gives up what runs; ends with cancelled(). Nothing happens when nothing runs.
+    /// Cancels the running job; ends with cancelled(). Does nothing if no job runs.
     void cancel();
 
   signals:
     void failed(const pdr::Error& error);
     void cancelled();
-    /// Of the job that runs: [0, 1], and what is being done.
+    /// Reports the progress of the running job: [0, 1], and what it is doing.
     void progressed(double fraction, const QString& step);
-    /// The job that runs has ended, one way or another; how, the next signal says.
+    /// Emitted when the running job has ended in any way; the next signal says how.
     void finished();
 
   protected:
-    /// Returns what is to be called with its result. It ends soon after a stop request, of which `progress` tells, too.
+    /// The work of a job; returns a function that is called with its result. The work ends soon after a stop request,
+    /// which `progress` reports, too.
     using Work = std::function<std::function<void()>(const Progress& progress, const std::stop_token& stop)>;
-    /// Runs `work` on the thread; what it returns is called back here, unless it was cancelled or a newer job has
-    /// begun. What it throws, and a thread that the system does not give, end with failed().
+    /// Runs `work` on the thread. The function that it returns is called on the caller's thread, unless the job was
+    /// cancelled or a newer one has begun. An exception from `work`, or a thread that the system refuses, ends with
+    /// failed().
     void start(Work work);
-    /// As a result: failed().
+    /// Returns a result that emits failed().
     std::function<void()> failure(const Error& error);
 
     QThread& thread() { return thread_; }
@@ -50,9 +52,9 @@ class BackgroundJob : public QObject {
     std::function<void()> resultOf(const Work& work, const Progress& progress, const std::stop_token& stop);
     void deliver(const std::stop_token& stop, const std::function<void()>& result);
 
-    std::stop_source stop_;  ///< of the newest job; older ones are stopped
+    std::stop_source stop_;  ///< belongs to the newest job; older ones are stopped
     bool running_ = false;
-    QThread thread_;  ///< begins with the first job
+    QThread thread_;  ///< starts with the first job
     QObject worker_;  ///< lives on thread_
 };
 

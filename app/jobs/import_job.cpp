@@ -12,8 +12,9 @@
 namespace pdr::app {
 namespace {
 
-/// Who is told of Document::closing() lets go soon, the renderer after the launch that is under way. The wait has an
-/// end all the same: somebody who does not let go is a fault, and must not keep a surgeon from a scan without a word.
+/// Waits until all holders have released `volume`. Those that receive Document::closing() release it soon, the renderer
+/// after the launch in progress. The wait is limited all the same: a holder that does not release it is a fault, which
+/// must be reported rather than keep a surgeon from a scan.
 Result<void> waitUntilFreed(const std::weak_ptr<const Volume>& volume, std::chrono::milliseconds patience,
                             const Progress& progress) {
     const QDeadlineTimer end(patience);
@@ -47,13 +48,16 @@ void ImportJob::loadSeries(int index) {
         return;
     start([this, index, series = scan_.series[std::size_t(index)], before = lastLoaded_, patience = patience_](
               const Progress& progress, const std::stop_token&) -> std::function<void()> {
+        // Wait for the memory of the previous volume
         if (auto freed = waitUntilFreed(before, patience, progress); !freed)
             return failure(freed.error());
+        // Read the series without its table
         auto fetched = fetchSeries(series, {.table = Table::hidden}, progress);
         if (!fetched)
             return failure(fetched.error());
         const WantedVolume& wanted = fetched->wanted;
         const segment::Findings findings = segment::findingsOn(*wanted.volume, wanted.framed.box);
+        // Pack the voxels of the table
         std::shared_ptr<const HiddenVoxels> hidden;
         if (wanted.table.body) {
             auto packed = HiddenVoxels::of(*wanted.scan, *wanted.table.body, progress);

@@ -1,5 +1,5 @@
 #pragma once
-/// Reading a folder and a series beside the window.
+/// Reads a folder of DICOM files, and a series of it, in the background.
 
 #include <chrono>
 #include <filesystem>
@@ -17,26 +17,26 @@ class ImportJob : public BackgroundJob {
     Q_OBJECT
 
   public:
-    /// `patience`: how long a series waits for the one before to be let go of, before it is refused.
+    /// `patience`: how long a series waits for the previous volume to be released, before it is refused.
     explicit ImportJob(std::chrono::milliseconds patience = std::chrono::minutes(1)) : patience_(patience) {}
 
-    /// The scan that the signals' indices refer to.
+    /// The result of the last scan, to which the signals' indices refer.
     const dicom::ScanResult& scan() const { return scan_; }
-    /// What is to be known of the series that was loaded last and of how its voxels were read.
+    /// Notes on the series that was loaded last and on how its voxels were read.
     const std::vector<dicom::Note>& loadNotes() const { return loadNotes_; }
 
   public slots:
     /// Reads the headers in `folder`; ends with scanned() or failed().
     void scanFolder(const QString& folder);
     /// Reads the pixels of a loadable series of the last scan, and looks for the scanner's table in them; ends with
-    /// loaded() or failed(). Begins when the volume that was loaded last has been let go of by all who held it: memory
-    /// may not have room for two. Those are told by Document::closing().
+    /// loaded() or failed(). Begins when all holders have released the volume that was loaded last, since there may not
+    /// be memory for two. Document::closing() notifies the holders.
     void loadSeries(int index);
 
   signals:
     void scanned(const pdr::dicom::ScanResult& scan, const QString& folder);
-    /// `volume`: the scan without its `table`, what the patient lies on. `findings`: of that volume. `hidden`: the
-    /// voxels that it lacks; null where these are none.
+    /// `volume`: the scan without its `table`, on which the patient lies. `findings`: what that volume holds. `hidden`:
+    /// the voxels that it lacks; null if there are none.
     void loaded(std::shared_ptr<const pdr::Volume> volume, int index, const pdr::segment::HiddenTable& table,
                 const pdr::segment::Findings& findings, std::shared_ptr<const pdr::app::HiddenVoxels> hidden);
 
@@ -44,7 +44,7 @@ class ImportJob : public BackgroundJob {
     std::chrono::milliseconds patience_;
     dicom::ScanResult scan_;
     std::vector<dicom::Note> loadNotes_;
-    std::weak_ptr<const Volume> lastLoaded_;  ///< without its table
+    std::weak_ptr<const Volume> lastLoaded_;  ///< the volume without its table
 };
 
 }  // namespace pdr::app

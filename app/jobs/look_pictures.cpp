@@ -11,17 +11,17 @@
 namespace pdr::app {
 namespace {
 
-constexpr qint64 kRestMs = 600;      ///< before pictures are made anew
-constexpr qint64 kRestsPerWork = 2;  ///< while they are
+constexpr qint64 kRestMs = 600;      ///< pause before images are made anew [ms]
+constexpr qint64 kRestsPerWork = 2;  ///< pause after each of them, in multiples of its time
 
-/// Returns false if it was stopped.
+/// Waits `ms` milliseconds. Returns false if it was stopped.
 bool waitFor(qint64 ms, const std::stop_token& stop) {
     for (; ms > 0 && !stop.stop_requested(); ms -= 10)
         QThread::msleep(10);
     return !stop.stop_requested();
 }
 
-/// Returns false if it was stopped.
+/// Waits until `stands` is true. Returns false if it was stopped.
 bool waitUntil(const std::atomic<bool>& stands, const std::stop_token& stop) {
     while (!stands && waitFor(10, stop)) {
     }
@@ -69,6 +69,7 @@ const std::shared_ptr<const Mask>& LookPictures::Coarse::maskOf(const Visible& v
 void LookPictures::make(const std::shared_ptr<const Volume>& volume,
                         const std::shared_ptr<const segment::BodyParts>& parts, const VolumeGeometry& body,
                         const std::vector<LookTask>& tasks) {
+    // Skip tasks that are running or done
     const bool first = volume_.lock() != volume;
     if (!first && std::ranges::is_permutation(tasks, tasks_))
         return;
@@ -76,6 +77,7 @@ void LookPictures::make(const std::shared_ptr<const Volume>& volume,
         coarse_ = {};
     volume_ = volume;
     tasks_ = tasks;
+    // Make the coarse copy, then one image after the other
     start([this, first, volume, parts, coarse = coarse_, body, tasks](
               const Progress&, const std::stop_token& stop) mutable -> std::function<void()> {
         if (!first && !waitFor(kRestMs, stop))

@@ -1,6 +1,6 @@
 #pragma once
-/// Small pictures of one volume under many looks, made beside the session on one thread of the processor, of a coarser
-/// copy of the volume: some 30 ms each.
+/// Renders small images of one volume under many looks, in parallel with the session on one CPU thread, from a coarser
+/// copy of the volume: about 30 ms each.
 
 #include <QImage>
 #include <atomic>
@@ -15,8 +15,8 @@
 namespace pdr::app {
 
 struct LookTask {
-    int look = 0;        ///< what the answer is of
-    PictureSetup setup;  ///< with the camera's direction; the distance is so that all of the body is seen
+    int look = 0;        ///< index of the look, repeated in made()
+    PictureSetup setup;  ///< sets the camera's direction; the distance is chosen so that all of the body is visible
     bool operator==(const LookTask&) const = default;
 };
 
@@ -24,26 +24,26 @@ class LookPictures : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// Ends with a made() for each of the tasks, in their order, unless others come first. The same again, in any
-    /// order, do nothing. The first ones of a volume come as fast as they can, but after the first only when the large
-    /// image stands; later ones begin when nothing has come for a while, and take a third of the time. `parts`: of the
-    /// same scan. `body`: the part of its grid that the pictures are filled with.
+    /// Renders `tasks` in their order and emits made() for each, unless newer tasks replace them. The same tasks again,
+    /// in any order, do nothing.
+    /// The first images of a volume come as fast as possible, but all after the first one wait for the large image.
+    /// Later ones begin after 600 ms without new tasks, and take a third of the time.
+    /// `parts`: parts of the same scan. `body`: the part of its grid that fills the images.
     void make(const std::shared_ptr<const pdr::Volume>& volume,
               const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::VolumeGeometry& body,
               const std::vector<pdr::app::LookTask>& tasks);
-    /// No volume: what runs ends, and nothing of one is kept.
+    /// Cancels the running tasks and releases the volume.
     void forget();
 
-    /// Whether there is a large image of the volume: until then the processors are left to it. True before the first
-    /// call.
+    /// Sets whether there is a large image of the volume: until then the CPU is left to it. True before the first call.
     void setImageStands(bool stands) { imageStands_ = stands; }
 
   signals:
-    /// `stops`: the brightness that the picture is shown at, which suits it.
+    /// Reports an image. `stops`: the brightness at which it is shown, and which suits the look.
     void made(int look, const QImage& picture, double stops);
 
   private:
-    /// What is made of a volume once.
+    /// What is computed once for each volume.
     struct Coarse {
         std::shared_ptr<const Volume> volume;
         std::vector<std::pair<Visible, std::shared_ptr<const Mask>>> masks;
@@ -52,9 +52,9 @@ class LookPictures : public BackgroundJob {
                                                   const std::stop_token& stop);
     };
 
-    std::weak_ptr<const Volume> volume_;  ///< of the newest tasks
+    std::weak_ptr<const Volume> volume_;  ///< volume of the newest tasks
     std::vector<LookTask> tasks_;
-    Coarse coarse_;  ///< of that volume, as far as it is there
+    Coarse coarse_;  ///< coarse copy and masks of that volume, as far as they have been computed
     std::atomic<bool> imageStands_ = true;
 };
 

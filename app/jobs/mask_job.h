@@ -1,5 +1,5 @@
 #pragma once
-/// Telling parts of the body apart beside the window.
+/// Computes masks of parts of the body in the background.
 
 #include <memory>
 
@@ -13,12 +13,13 @@ class MaskJob : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// The mask of what `visible` shows of the scan whose parts are `parts`; ends with made() or refused().
+    /// Computes the mask of what `visible` shows of the scan whose parts are `parts`; ends with made(), refused(),
+    /// failed() or cancelled().
     void make(const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::Visible& visible);
 
   signals:
     void made(const pdr::Visible& visible, const std::shared_ptr<const pdr::Mask>& mask);
-    /// It cannot be told from the rest of this scan.
+    /// Emitted when the parts cannot be told apart in this scan.
     void refused(const pdr::Visible& visible, const pdr::Error& error);
 };
 

@@ -6,11 +6,11 @@
 namespace pdr::app {
 namespace {
 
-constexpr int kLongestSide = 160;              ///< of the small picture [pixels]
-constexpr double kSeconds = 1.5;               ///< of processor time, about
-constexpr double kSecondsPerIteration = 0.02;  ///< at most
+constexpr int kLongestSide = 160;              ///< longest side of the small image [pixels]
+constexpr double kSeconds = 1.5;               ///< processor time for the measurement, about
+constexpr double kSecondsPerIteration = 0.02;  ///< maximum processor time of an iteration
 
-/// Nothing where it was given up or failed.
+/// Measures the difference; returns nothing if it was cancelled or failed.
 std::optional<EffectTrial> tried(Scene scene, Model before, const Display& display, const std::stop_token& stop) {
     const auto one = makeCpuDevice(1), other = makeCpuDevice(1);
     const auto film = trialFilm(scene, *one, kLongestSide, kSecondsPerIteration, stop);

@@ -1,5 +1,5 @@
 #pragma once
-/// What another model costs and changes, measured beside the window on a small picture of the scene.
+/// Measures in the background what another optical model costs and changes, on a small image of the scene.
 
 #include <QObject>
 
@@ -13,13 +13,13 @@ class ModelTrial : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// Compares `scene`, which has a volume, with the same under the model `before`. Ends with measured(), or without a
-    /// word where it cannot be known.
+    /// Compares `scene`, which must have a volume, with the same scene under the model `before`. Ends with measured(),
+    /// or without a signal if the comparison is not possible.
     void measure(const pdr::Scene& scene, pdr::Model before, const pdr::Display& display);
 
   signals:
-    /// `model`: the scene's. `timeFactor`: so many times as long does a sample take; `levels`: 95 % of the picture
-    /// changes by no more, of 255.
+    /// `model`: the scene's. `timeFactor`: the time of a sample relative to that under `before`. `levels`: 95 % of the
+    /// image changes by no more than this [levels of 255].
     void measured(pdr::Model model, pdr::Model before, double timeFactor, double levels);
 };
 

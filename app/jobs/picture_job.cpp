@@ -24,7 +24,7 @@ Stops stopsOf(const StopRule& rule) {
     return stops;
 }
 
-/// "making the picture: 80 samples in 25 s, within ±12 levels, 40 s left", as far as that is known.
+/// Returns the progress as far as it is known: "making the picture: 80 samples in 25 s, within ±12 levels, 40 s left".
 std::string progressText(const BatchState& state) {
     QString text = PictureJob::tr("making the picture: %1 samples in %2")
                        .arg(state.film.samplesPerPixel)
@@ -36,7 +36,7 @@ std::string progressText(const BatchState& state) {
     return text.toStdString();
 }
 
-/// What can be known before hours are spent.
+/// Checks the file name, the scene and that the file can be written, before hours are spent on rendering.
 Result<void> checkBefore(const PictureTask& task) {
     if (auto named = checkPictureName(task.file); !named)
         return named;
@@ -60,7 +60,7 @@ FinalSteps stepsOf(const PictureTask& task, const Device& device, const Progress
             [&] { progress(1, PictureJob::tr("writing the picture").toStdString()); }};
 }
 
-/// What went wrong of an image that was made, if anything.
+/// Returns the error of an image that was rendered, if any.
 Result<void> troubleOf(const FinalImage& image, const QString& file) {
     if (image.written.files.empty())
         return notSaved(file, image.written.troubles.front());

@@ -1,6 +1,7 @@
 #pragma once
-/// A picture of any size, made beside the session on a device of its own. Both share the processor, so that the session
-/// has about half of it; a session that holds gives it all. Render nodes work for the picture until it is done.
+/// Renders an image of any size to a file, in parallel with the session on a device of its own. Both share the
+/// processor: the session gets about half of it, and while the session is stopped, this job gets all of it. Render
+/// nodes sample this image until it is done.
 
 #include "app/jobs/background_job.h"
 #include "render/accuracy/stop_rule.h"
@@ -11,14 +12,14 @@
 
 namespace pdr::app {
 
-/// What is to be made. Of another shape than the view's it shows more or less at the sides: the camera's angle is that
-/// of the height.
+/// An image to render. If its aspect ratio differs from the view's it shows more or less at the sides, since the
+/// camera's angle is that of the height.
 struct PictureTask {
-    Scene scene;  ///< its film has the size
+    Scene scene;  ///< its film sets the size
     Display display;
-    std::optional<ui::Annotations> annotations;  ///< of the scene; none: its pixels alone
-    StopRule stop;                               ///< when it is good enough
-    QString file;                                ///< ".png" or ".exr"
+    std::optional<ui::Annotations> annotations;  ///< annotations of the scene; none: the pixels alone
+    StopRule stop;                               ///< when rendering stops
+    QString file;                                ///< file name, ".png" or ".exr"
     DeviceOpener device;                         ///< called on the job's thread
 };
 
@@ -26,8 +27,8 @@ class PictureJob : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// Ends with saved(), failed() or cancelled(); the file appears whole or not at all. While one is made, another
-    /// fails at once.
+    /// Renders the image and saves it; ends with saved(), failed() or cancelled(). The file appears whole or not at
+    /// all. While one image is rendered, a request for another fails at once.
     void make(const pdr::app::PictureTask& task);
 
   signals:

@@ -9,7 +9,7 @@ namespace pdr::app {
 namespace {
 
 constexpr int kSide = 96;                      ///< [px]
-constexpr int kDarkHu = -300, kWhiteHu = 500;  ///< all but bone and lungs in greys
+constexpr int kDarkHu = -300, kWhiteHu = 500;  ///< range of the greys [HU]: lungs are black, bone is white
 
 int grey(std::int16_t hu) {
     return std::clamp((int(hu) - kDarkHu) * 255 / (kWhiteHu - kDarkHu), 0, 255);

@@ -1,5 +1,6 @@
 #pragma once
-/// Small pictures of the series of a folder, by which they are told apart before one is chosen. In memory alone.
+/// Makes small images of the series of a folder, by which the user tells them apart before choosing one. They stay in
+/// memory and are not written to disk.
 
 #include <QImage>
 
@@ -12,16 +13,17 @@ class SeriesPictures : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// Reads the middle slice of each series that can be loaded. One that cannot be read has no picture.
+    /// Reads the middle slice of each loadable series and emits made() for each. A series that cannot be read gets no
+    /// image.
     void make(const pdr::dicom::ScanResult& scan);
 
   signals:
-    /// The middle slice of the series with index `series` in the scan.
+    /// Reports the middle slice of the series with index `series` in the scan.
     void made(int series, const QImage& picture);
 };
 
-/// The middle slice of `series`, which can be loaded, seen from the feet with the first row above, in its true shape
-/// and at most 96 pixels long. Null: it cannot be read.
+/// Returns the middle slice of `series`, which must be loadable, seen from the feet with the first row above, in its
+/// true shape and at most 96 pixels long. Null if it cannot be read.
 QImage seriesPicture(const dicom::Series& series);
 
 }  // namespace pdr::app

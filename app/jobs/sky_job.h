@@ -1,5 +1,5 @@
 #pragma once
-/// Reading a picture of surroundings beside the window.
+/// Reads an environment image in the background.
 
 #include <memory>
 
@@ -12,11 +12,11 @@ class SkyJob : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// Reads an OpenEXR file; ends with found() or failed().
+    /// Reads an OpenEXR file; ends with found(), failed() or cancelled().
     void read(const QString& file);
 
   signals:
-    /// Scaled to mean one; see render/scene/sky_picture.h.
+    /// Reports the environment image, scaled to a mean luminance of 1; see render/scene/sky_picture.h.
     void found(const std::shared_ptr<const pdr::EnvironmentImage>& picture);
 };
 

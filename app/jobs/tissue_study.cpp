@@ -18,8 +18,8 @@ TissueStudy::~TissueStudy() {
     thread_.wait();
 }
 
-/// `work` runs on the thread; what it returns is called back here, unless the volume has changed. Where memory does not
-/// suffice there is no answer, and all else goes on.
+/// Runs `work` on the thread. The function that it returns is called on the caller's thread, unless the volume has
+/// changed. If memory does not suffice there is no answer, and everything else goes on.
 template <class Work>
 void TissueStudy::start(Work work) {
     thread_.start();
@@ -47,7 +47,7 @@ void TissueStudy::setVolume(const std::shared_ptr<const Volume>& volume) {
     });
 }
 
-/// `find` gets the scene, prepared, and a pixel of it; `tell` what it has found.
+/// Calls `find` with the prepared scene and its pixel at `place`, and `tell` with the result.
 template <class Find, class Tell>
 void TissueStudy::look(const Scene& scene, QPointF place, Find find, Tell tell) {
     start([this, scene, place, find, tell]() -> std::function<void()> {

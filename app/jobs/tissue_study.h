@@ -1,6 +1,6 @@
 #pragma once
-/// What is to be known of a volume's tissue, found beside the window: its histogram, and what lies under a place of the
-/// picture, and how far away. A volume is held while it is looked at only.
+/// Examines a volume's tissue in the background: its histogram, the tissue at a place of the image, and its distance.
+/// Holds the volume only while it is examined.
 
 #include <QObject>
 #include <QPointF>
@@ -19,22 +19,24 @@ class TissueStudy : public QObject {
 
   public:
     TissueStudy();
-    /// Waits for what runs.
+    /// Waits for the work in progress.
     ~TissueStudy() override;
 
   public slots:
-    /// Ends with histogramFound(), unless another volume has come until then. Null: no volume, and no signal.
+    /// Computes the histogram; ends with histogramFound(), unless another volume has come until then. Null: no volume,
+    /// and no signal.
     void setVolume(const std::shared_ptr<const pdr::Volume>& volume);
-    /// What `scene`, which has a volume, shows at `place`, in fractions of its width and height. Ends with
-    /// tissueFound(), or nothingFound(); with neither when the volume has gone.
+    /// Finds the tissue that `scene`, which must have a volume, shows at `place`, in fractions of its width and height.
+    /// Ends with tissueFound() or nothingFound(), or with neither if the volume has changed.
     void pick(const pdr::Scene& scene, QPointF place);
-    /// How far away is what `scene` shows there. Ends with depthFound(), or as pick() does.
+    /// Finds the depth of what `scene` shows at `place`. Ends with depthFound() or nothingFound(), or with neither if
+    /// the volume has changed.
     void measureDepth(const pdr::Scene& scene, QPointF place);
 
   signals:
     void histogramFound(const std::shared_ptr<const pdr::Histogram>& histogram);
     void tissueFound(const pdr::TissueUnder& tissue);
-    /// Along the view [mm from the eye].
+    /// `depthMm`: along the view [mm from the eye].
     void depthFound(double depthMm);
     void nothingFound();
 
@@ -44,8 +46,8 @@ class TissueStudy : public QObject {
     template <class Find, class Tell>
     void look(const Scene& scene, QPointF place, Find find, Tell tell);
 
-    std::atomic<std::uint64_t> volume_ = 0;  ///< number of the volume; what belongs to an older one is dropped
-    QThread thread_;                         ///< begins with the first work
+    std::atomic<std::uint64_t> volume_ = 0;  ///< number of the volume; results of an older one are dropped
+    QThread thread_;                         ///< starts with the first work
     QObject worker_;                         ///< lives on thread_
 };
 

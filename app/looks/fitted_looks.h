@@ -1,5 +1,5 @@
 #pragma once
-/// The looks to choose from, as they are for the scan that is shown.
+/// The looks to choose from, fitted to the current scan: what suits it, and at which brightness.
 
 #include <optional>
 #include <string>
@@ -13,39 +13,39 @@ namespace pdr::app {
 
 class FittedLooks {
   public:
-    /// `drawn` holds at least one.
+    /// `drawn`: the looks as they were designed, at least one.
     explicit FittedLooks(std::vector<NamedLook> drawn);
 
-    /// Curves for contrast lie where the scan's blood does.
+    /// The looks fitted to the scan: curves for contrast are moved to the HU of its blood.
     const std::vector<NamedLook>& fitted() const { return fitted_; }
     const std::vector<NamedLook>& drawn() const { return drawn_; }
     const NamedLook& operator[](int look) const { return fitted_[std::size_t(look)]; }
     bool holds(int look) const { return look >= 0 && look < int(fitted_.size()); }
 
-    /// Others to choose from, of the same scan. `drawn` holds at least one.
+    /// Replaces the looks, for the same scan. `drawn` holds at least one look.
     void replace(std::vector<NamedLook> drawn);
-    /// Another scan, as far as it is known. No brightness is known of it.
+    /// Fits the looks to another scan, as far as it is known, and forgets all brightnesses.
     void fitTo(const std::optional<segment::Findings>& findings);
 
-    /// Why a look makes no sense of the scan; empty: it does, or nothing is known of it.
+    /// Returns why a look does not suit the scan; empty if it does, or if nothing is known of the scan.
     std::string whyUnsuited(int look) const;
-    /// `look` where it makes sense of the scan; otherwise the first that does, or where none does, `look` as well.
+    /// Returns `look` if it suits the scan, else the first look that does, or `look` if none does.
     int suitedOr(int look) const;
 
-    /// The look that a setup shows; -1: a changed one.
+    /// Returns the index of the look that a setup shows; -1 if it is a changed look.
     int indexOf(const PictureSetup& setup) const;
-    /// `setup`, which came out of one whose look was called `before`, under the name of the look that it shows, or as
-    /// that one changed: a picture must not bear the name of a look that it does not show.
+    /// Returns `setup` under the name of the look that it shows, or as a changed version of `before`, the name of the
+    /// look that it was made from. An image must not bear the name of a look that it does not show.
     PictureSetup named(PictureSetup setup, const std::string& before) const;
-    /// The look that a setup shows, or the one that it was before it was changed; null: there is none.
+    /// Returns the look that a setup shows or was changed from; null if there is none.
     const NamedLook* beginningOf(const PictureSetup& setup) const { return lookCalled(setup.lookName); }
-    /// Null: there is none.
+    /// Returns the look named `name`; null if there is none.
     const NamedLook* lookCalled(const std::string& name) const;
 
-    /// [stops] that suit the scan under a look; 0: not known yet.
+    /// Returns the brightness that suits the scan under a look [stops]; 0: not known yet.
     double stops(int look) const { return stops_[std::size_t(look)].value_or(0); }
-    /// The first suggestion counts. False where there was one, and for the user's own looks, whose brightness somebody
-    /// has chosen.
+    /// Takes the brightness that suits the scan under a look [stops]. Returns false if one is known already, and for
+    /// the user's own looks, whose brightness the user has chosen.
     bool suggestStops(int look, double stops);
 
   private:

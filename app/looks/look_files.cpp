@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = 16 << 20;
 
-/// The file's name without its ending.
+/// Returns the file name without its extensions.
 std::string plainName(const QString& path) {
     QString name = QFileInfo(path).fileName();
     for (const char* ending : {".json", ".vp"})

@@ -1,5 +1,5 @@
 #pragma once
-/// Looks in files: ours, and those of 3D Slicer.
+/// Reads and writes looks in files, of this program and of 3D Slicer.
 
 #include <QString>
 
@@ -8,14 +8,15 @@
 
 namespace pdr::app {
 
-/// Whether the name ends as a look's file does: ".json" or ".vp", in small letters or capitals.
+/// Returns whether the name ends as that of a look file, ".json" or ".vp", in upper or lower case.
 bool isLookFile(const QString& name);
 
-/// A look from ".json" (ours), ".vp.json" or ".vp" (Slicer's). What Slicer's files do not say, lights and brightness,
-/// is that of `base`; their look is called as the file. Errors: the file cannot be read; what it holds cannot be used.
+/// Reads a look from ".json" (this program's), ".vp.json" or ".vp" (Slicer's). Slicer's files contain no lights and no
+/// brightness: these are taken from `base`, and the name from the file's name. Errors: the file cannot be read, or its
+/// content cannot be used.
 Result<NamedLook> readLookFile(const QString& path, const NamedLook& base = {});
 
-/// The other way round, by the ending of `path`. The file appears whole or not at all.
+/// Writes a look in the format of the extension of `path`. The file appears whole or not at all.
 Result<void> writeLookFile(const NamedLook& look, const QString& path);
 
 }  // namespace pdr::app

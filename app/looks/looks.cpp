@@ -4,7 +4,8 @@
 
 #include "render/scene/named_look.h"
 
-/// Qt's macro must stand outside of any namespace; without it the linker drops the resources of a static library.
+/// Keeps the resources of this static library, which the linker would drop. Qt's macro must stand outside of any
+/// namespace.
 static void keepResources() {
     Q_INIT_RESOURCE(resources);
 }

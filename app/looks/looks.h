@@ -1,5 +1,5 @@
 #pragma once
-/// The looks that the programs carry inside them.
+/// The looks that are bundled with the programs.
 
 #include <vector>
 
@@ -8,12 +8,12 @@
 
 namespace pdr::app {
 
-/// In the order in which they are offered. The first one that makes sense of a scan is its default: Bone, or where
-/// there is contrast in the blood, what is bone without it.
+/// Returns the bundled looks in the order in which they are offered. The first one that suits a scan is its default:
+/// Bone, or with contrast in the blood, the look that shows what is bone without contrast.
 Result<std::vector<NamedLook>> bundledLooks();
 
-/// Whether the brightness of the model's pictures is to follow the tissue; an X-ray on a bright ground and the window
-/// of a maximum say themselves what is white.
+/// Returns whether the brightness of the model's images should follow the tissue. An X-ray on a bright ground and the
+/// window of a maximum intensity projection define white themselves.
 bool followsTissue(Model model);
 
 }  // namespace pdr::app

@@ -26,7 +26,7 @@ QString OwnLooks::usualFolder() {
     return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/looks";
 }
 
-/// Every name makes a name of a file, on every system.
+/// Returns the file of a look. Percent encoding makes a valid file name of every name, on every system.
 QString OwnLooks::fileOf(const std::string& name) const {
     return folder_ + "/" + QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(name), " ", ".~")) +
            ".json";

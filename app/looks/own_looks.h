@@ -1,5 +1,5 @@
 #pragma once
-/// The looks that a user has saved: a folder of files, one for each.
+/// The user's own looks: a folder with one file for each.
 
 #include <QString>
 #include <vector>
@@ -11,17 +11,18 @@ namespace pdr::app {
 
 class OwnLooks {
   public:
-    /// `folder` is made when the first look is saved.
+    /// `folder` is created when the first look is saved.
     explicit OwnLooks(QString folder) : folder_(std::move(folder)) {}
-    /// Where the user's settings are.
+    /// Returns the folder of looks in the user's configuration.
     static QString usualFolder();
 
     struct Read {
-        std::vector<NamedLook> looks;  ///< by name
+        std::vector<NamedLook> looks;  ///< sorted by file name
         std::vector<Error> problems;   ///< one for each file that cannot be read
     };
     Read read() const;
-    /// Takes the place of one of the same name. Errors: no name, too long a name, the folder cannot be written.
+    /// Saves a look, in place of one of the same name. Errors: an empty name, a name of more than 60 bytes, a folder or
+    /// file that cannot be written.
     Result<void> save(NamedLook look);
     Result<void> rename(const std::string& from, const std::string& to);
     Result<void> remove(const std::string& name);

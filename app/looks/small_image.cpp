@@ -11,8 +11,8 @@
 namespace pdr::app {
 namespace {
 
-constexpr double kEdgeMm = 2.5;         ///< of the coarse voxels: a pixel shows 2 to 5 mm
-constexpr std::uint32_t kSamples = 16;  ///< of each pixel
+constexpr double kEdgeMm = 2.5;         ///< edge of the coarse voxels: a pixel shows 2 to 5 mm
+constexpr std::uint32_t kSamples = 16;  ///< samples per pixel
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Whether there is memory for a picture, before hours are spent on it.
+/// Checks that there is memory for an image before hours are spent on it.
 
 #include <cstdint>
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace pdr::app {
 
-/// Bytes of the host's memory that a film of `size` pixels takes until its picture is written: the film, unless it is
-/// elsewhere, the copy that is written, and a picture of both.
+/// Returns the bytes of host memory that a film of `size` pixels takes until its image is written: the film, unless the
+/// device holds it elsewhere, the copy that is written, and the image itself.
 std::uint64_t filmBytes(ivec2 size, const DeviceInfo& device);
 
-/// `hint`: what to do about it. Errors: it does not fit.
+/// Checks that the film fits into free memory. `hint`: what the user can do about it. Error: it does not fit.
 Result<void> checkFilmFits(ivec2 size, const DeviceInfo& device, const Text& hint);
 
 }  // namespace pdr::app

@@ -7,7 +7,7 @@
 namespace pdr::app {
 namespace {
 
-/// FinalImage::denoisingNote of an image that was judged.
+/// Returns FinalImage::denoisingNote of a judged image.
 const char* denoisingNote(const FinalOrder& order, JudgedImage& image) {
     if (!order.display.smoothed)
         return nullptr;
@@ -22,7 +22,7 @@ const char* denoisingNote(const FinalOrder& order, JudgedImage& image) {
                                                    "too little tissue, or light that few samples have found.";
 }
 
-/// Writes what came of the samples. The device holds another scene afterwards.
+/// Measures the bias and writes the files. The device holds another scene afterwards.
 FinalImage finished(const FinalOrder& order, const Film& film, const BatchResult& result, Device& device,
                     const std::stop_token& stop) {
     const double exposure = double(order.display.exposure);
@@ -44,11 +44,13 @@ FinalImage finished(const FinalOrder& order, const Film& film, const BatchResult
 
 Result<FinalImage> renderFinal(const FinalOrder& order, Device& device, const FinalSteps& steps,
                                const std::stop_token& stop) {
+    // Upload the scene
     const Scene& scene = order.scene;
     if (auto ok = device.upload(scene); !ok)
         return ok.error();
     if (auto ready = steps.beforeSamples(); !ready)
         return ready.error();
+    // Take samples until a stop
     const auto film = device.film(scene.film, scene.revision, scene.schedule);
     if (!film)
         return film.error();
@@ -58,6 +60,7 @@ Result<FinalImage> renderFinal(const FinalOrder& order, Device& device, const Fi
         return result.error();
     if (order.whenStopped == WhenStopped::discard && stop.stop_requested())
         return cancelled();
+    // Measure the bias and write the files
     steps.afterSamples();
     if (result->film.samplesPerPixel == 0)
         return Error{phrase("ended before the first sample: nothing was written"), "", ""};

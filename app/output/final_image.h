@@ -1,7 +1,6 @@
 #pragma once
-/// The one final render: samples until a stop, the measure of its bias, and files, on the thread that asks for it. The
-/// window and `pdrender-cli render` make their images here, so that the same scene, samples and display are the same
-/// bits.
+/// The final render: takes samples until a stop, measures the bias, and writes files, on the calling thread. The window
+/// and `pdrender-cli render` share this code, so the same scene, samples and display give the same bits.
 
 #include <functional>
 #include <optional>
@@ -18,36 +17,37 @@
 
 namespace pdr::app {
 
-/// What is to be made.
+/// A request for a final render.
 struct FinalOrder {
-    Scene scene;      ///< which has passed Scene::check(); its film has the size
-    Display display;  ///< of PNG files; smoothed: denoised where that is known to be better
+    Scene scene;      ///< has passed Scene::check(); its film sets the size
+    Display display;  ///< display of PNG files; smoothed: denoised if that is known to be better
     Stops stops;
     WhenStopped whenStopped = WhenStopped::keep;
-    Paths outputs;  ///< each .png or .exr
-    /// What is painted over PNG files, of an image as good as that; empty: nothing.
+    Paths outputs;  ///< file names, each ".png" or ".exr"
+    /// Returns what is painted over PNG files, given how good the image is; empty: nothing is.
     std::function<PaintOver(const ShownStatus&)> painter;
 };
 
-/// Who is told of its steps; each of them is there.
+/// Callbacks for the steps of a final render. All of them must be set.
 struct FinalSteps {
-    std::function<Result<void>()> beforeSamples;  ///< the device holds the scene; an error ends it
+    std::function<Result<void>()> beforeSamples;  ///< called when the device holds the scene; an error ends the render
     BatchRender::Report report;
-    std::function<void()> afterSamples;  ///< what follows takes a fraction of the time
+    std::function<void()> afterSamples;  ///< the remaining steps take a fraction of the time
 };
 
 struct FinalImage {
     BatchResult result;
     std::vector<Bias> biases;
-    /// Where denoising was wanted: why an image is not denoised, or its error is not known, as a sentence; null:
-    /// neither.
+    /// If denoising was requested: why the image is not denoised, or why its error is not known, as a sentence; null if
+    /// neither applies.
     const char* denoisingNote = nullptr;
     WrittenFiles written;
-    std::optional<Error> biasUnknown;  ///< why it could not be measured; the files are there all the same
+    std::optional<Error> biasUnknown;  ///< why the bias could not be measured; the files are written all the same
 };
 
-/// Errors: those of the device and of `steps`; a stop before the first sample, or before the end where samples are
-/// discarded then. Files that cannot be written are no error: FinalImage::written says so.
+/// Renders `order` and writes its files. Errors: those of the device and of `steps`; a stop before the first sample,
+/// or, with WhenStopped::discard, any stop. Files that cannot be written are no error: FinalImage::written reports
+/// them.
 Result<FinalImage> renderFinal(const FinalOrder& order, Device& device, const FinalSteps& steps,
                                const std::stop_token& stop);
 

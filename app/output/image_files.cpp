@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A letter of UTF-8 may be several bytes.
+/// Removes the last character of UTF-8 text, which may be several bytes.
 std::string withoutLastLetter(std::string text) {
     while (text.size() > 1 && (text.back() & 0xC0) == 0x80)
         text.pop_back();
@@ -19,7 +19,7 @@ std::string withoutLastLetter(std::string text) {
     return text;
 }
 
-/// "head-2.png" in `folder`, or the first number after it that is free; nothing where none is.
+/// Returns "head-2.png" in `folder`, or the first number after it that is free, up to 99; nothing if none is.
 std::optional<fs::path> freeName(const fs::path& folder, const fs::path& name) {
     constexpr std::size_t kLongestName = 255;  // bytes
     std::error_code ignored;
@@ -35,7 +35,7 @@ std::optional<fs::path> freeName(const fs::path& folder, const fs::path& name) {
     return std::nullopt;
 }
 
-/// Where `output` could be written instead: beside its place, and here.
+/// Returns where `output` could be written instead: beside its place, and in the current folder.
 Paths substitutesFor(const fs::path& output) {
     Paths places;
     for (const fs::path& folder : {output.parent_path(), fs::path()})
@@ -54,7 +54,7 @@ Result<void> checkWritable(const Paths& outputs) {
 }
 
 Result<void> checkSpared(const Paths& inputs, const Paths& outputs) {
-    std::error_code ignored;  // a file that is not there is no input
+    std::error_code ignored;  // a file that does not exist is no input
     for (const auto& input : inputs)
         for (const auto& output : outputs)
             if (fs::equivalent(input, output, ignored))

@@ -1,5 +1,5 @@
 #pragma once
-/// The files that a rendering ends in: looked at before it begins, and written so that none is lost with another.
+/// The output files of a render: checked before it begins, and written so that a failure of one does not lose another.
 
 #include <filesystem>
 #include <functional>
@@ -11,20 +11,20 @@ namespace pdr::app {
 
 using Paths = std::vector<std::filesystem::path>;
 
-/// Nobody should wait for an image that cannot be written. Errors: those of ReplacingFile::open().
+/// Checks that all outputs can be written, before the render begins. Errors: those of ReplacingFile::open().
 Result<void> checkWritable(const Paths& outputs);
-/// Errors: one of `outputs` is, by whatever name, one of `inputs`.
+/// Checks that no output overwrites an input, by whatever name. Error: one does.
 Result<void> checkSpared(const Paths& inputs, const Paths& outputs);
-/// Whether one of them is PNG, by its ending.
+/// Returns whether one of `outputs` is a PNG file, by its extension.
 bool anyPng(const Paths& outputs);
 
 struct WrittenFiles {
-    Paths files;                  ///< where the images are
-    std::vector<Error> troubles;  ///< one for each output that is not where it was asked for
+    Paths files;                  ///< files that contain the images
+    std::vector<Error> troubles;  ///< one for each output that could not be written in its place
 };
 
-/// Calls `write` for every output. One that fails is tried under a free name beside its place ("head-2.png"), then in
-/// the current folder, unless `write` was cancelled.
+/// Calls `write` for every output. An output that fails is tried under a free name beside its place ("head-2.png"),
+/// then in the current folder, unless `write` was cancelled.
 WrittenFiles writeFiles(const Paths& outputs, const std::function<Result<void>(const std::filesystem::path&)>& write);
 
 }  // namespace pdr::app

@@ -1,6 +1,6 @@
 #pragma once
-/// A film as an image that leaves the program, with all that is known of it: denoised where that is wanted and known to
-/// be better. Window and command line write no other.
+/// A film as an image file with all that is known of it: denoised if that is requested and known to be better. Window
+/// and command line write all images through this class.
 
 #include <filesystem>
 #include <stop_token>
@@ -15,22 +15,23 @@ namespace pdr::app {
 
 class JudgedImage {
   public:
-    /// Judges the denoised image where `wanted` asks for it and the scene allows it. `film` and `scene` outlive this,
-    /// as does `onScreen`: what is known of the same film's denoised image there, which is judged anew where it is
-    /// stale, so that screen and file say the same. Null: it is on no screen.
+    /// Judges the denoised image if `wanted` asks for denoising and the scene allows it. `film` and `scene` must
+    /// outlive this object.
+    /// `onScreen`: what is known of the denoised image of the same film on the screen; null: it is on no screen. It
+    /// must outlive this object, and is judged anew if it is stale, so that screen and file agree.
     JudgedImage(const Film& film, const Scene& scene, const Display& wanted, Rendered rendered,
                 const std::stop_token& stop, SmoothedView* onScreen = nullptr);
     JudgedImage(const JudgedImage&) = delete;
     JudgedImage& operator=(const JudgedImage&) = delete;
 
-    /// Whether its PNG files are denoised.
+    /// Whether PNG files of the image are denoised.
     bool denoised() const { return denoised_; }
-    /// How good it is.
+    /// Returns how good the image is.
     ShownStatus shown();
     std::vector<Bias> biases();
 
-    /// In the format that the name's end says, PNG or OpenEXR, with its provenance. `paintOver`: for PNG files. Errors:
-    /// those of writePng() and writeExr().
+    /// Writes the image with its provenance, as PNG or OpenEXR by the file's extension. `paintOver`: for PNG files.
+    /// Errors: those of writePng() and writeExr().
     Result<void> write(const std::filesystem::path& file, const PaintOver& paintOver, const std::stop_token& stop);
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-/// What the window shows, as a file: PNG with its annotations, or OpenEXR, both with their provenance.
+/// Writes the image of the window to a file: PNG with its annotations, or OpenEXR, both with their provenance.
 
 #include <QString>
 #include <optional>
@@ -11,16 +11,16 @@
 
 namespace pdr::app {
 
-/// Errors: the end of the name says no format, which is ".png" or ".exr".
+/// Checks the extension of `file`. Error: it is neither ".png" nor ".exr".
 Result<void> checkPictureName(const QString& file);
 
-/// Writes the film of `view` in the format that the name's end says. A PNG carries `annotations`, if there are any, and
-/// with them whether it is unfinished; OpenEXR carries none. Any thread's. Errors: those of writePng() and writeExr();
-/// cancelled() after a stop request.
+/// Writes the film of `view` in the format of the file's extension. A PNG carries `annotations`, if there are any, and
+/// with them whether the image is unfinished; OpenEXR carries none. May be called on any thread. Errors: those of
+/// writePng() and writeExr(); cancelled() after a stop request.
 Result<void> writePicture(const FilmView& view, Display display, const std::optional<ui::Annotations>& annotations,
                           const QString& file, const std::stop_token& stop = {});
 
-/// `reason` as the reason why there is no `file`.
+/// Returns an error that gives `reason` as the reason why `file` was not saved.
 Error notSaved(const QString& file, const Error& reason);
 
 }  // namespace pdr::app

@@ -1,5 +1,5 @@
 #pragma once
-/// How a picture came about, from what is known of it.
+/// Assembles the provenance of an image from its scene and from how it was rendered.
 
 #include <string>
 
@@ -13,19 +13,20 @@ struct Scene;
 
 namespace pdr::app {
 
-/// A schedule that is for comparison: "Exposure Render's K1, blurred". Empty: ours.
+/// Returns the name of a schedule used for comparison: "Exposure Render's K1, blurred". Empty for this program's own
+/// schedule.
 std::string scheduleText(const Schedule& schedule);
 
-/// What a scene does not say of its picture.
+/// Facts about an image that its scene does not contain.
 struct Rendered {
-    FilmStatus status;  ///< on a display of `exposure`
+    FilmStatus status;  ///< status on a display of `exposure`
     float exposure = 1;
     double seconds = 0;
-    std::string device;   ///< its name: "cpu"
-    MeasuredBiases bias;  ///< of ways that only measuring tells it of
+    std::string device;   ///< name of the device: "cpu"
+    MeasuredBiases bias;  ///< biases that are known only by measuring
 };
 
-/// Of a picture that is not smoothed.
+/// Returns the facts about bias of an image that is not denoised.
 BiasFacts biasFactsOf(const Scene& scene, const Rendered& rendered);
 
 Provenance provenanceOf(const Scene& scene, const Rendered& rendered);

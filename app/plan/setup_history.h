@@ -1,6 +1,5 @@
 #pragma once
-/// The way back to earlier setups of a picture, and forth again. One gesture of the user (moving, ..., moving, at
-/// rest) is one step.
+/// The history of setups for undo and redo. One gesture of the user (moving, ..., moving, at rest) is one step.
 
 #include <deque>
 #include <optional>
@@ -10,38 +9,40 @@
 
 namespace pdr::app {
 
-/// What the hand is at.
+/// The kind of gesture that the user makes.
 enum class Gesture { none, camera, look, brightness, clip };
 
 class SetupHistory {
   public:
     bool canUndo() const { return !past_.empty(); }
     bool canRedo() const { return !future_.empty(); }
-    /// Where undo() leads; only where it can.
+    /// The setup that undo() returns; requires canUndo().
     const PictureSetup& previous() const { return past_.back(); }
-    /// Where redo() leads; only where it can.
+    /// The setup that redo() returns; requires canRedo().
     const PictureSetup& next() const { return future_.back(); }
     /// The gesture in progress.
     Gesture gesture() const { return gesture_; }
 
-    /// `now`, which is about to change, becomes a step, unless `gesture` goes on. `moving`: it will.
+    /// Records `now`, which is about to change, as a step, unless `gesture` continues the one in progress. `moving`:
+    /// the gesture goes on.
     void remember(const PictureSetup& now, Gesture gesture, bool moving);
-    /// Whether `gesture` was in progress. No gesture is any more.
+    /// Ends the gesture in progress. Returns whether it was `gesture`.
     bool end(Gesture gesture);
-    /// What was set up when the gesture in progress began, if one is.
+    /// Ends the gesture in progress, removes its step and returns the setup from before it; none if no gesture is in
+    /// progress.
     std::optional<PictureSetup> giveUpGesture();
-    /// What was set up before `now`; only where it can.
+    /// Returns the setup before `now`; requires canUndo().
     PictureSetup undo(const PictureSetup& now);
-    /// What `now` was undone from; only where it can.
+    /// Returns the setup that was undone to `now`; requires canRedo().
     PictureSetup redo(const PictureSetup& now);
-    /// Steps back to a picture that is named `lookName` and has no brightness of its own lead to that brightness.
+    /// Sets the brightness [stops] in earlier setups with the unchanged look `lookName` and a brightness of 0.
     void brighten(const std::string& lookName, double stops);
-    /// Where the last step back leads to `now` there is no such step any more.
+    /// Removes the last step if undoing it leads to `now`.
     void forgetStepTo(const PictureSetup& now);
     void forget();
 
   private:
-    /// More than anyone goes back, and little memory.
+    /// Maximum number of steps: more than anyone goes back, and little memory.
     static constexpr std::size_t kSteps = 300;
 
     std::deque<PictureSetup> past_;

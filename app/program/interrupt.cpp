@@ -14,7 +14,7 @@ sigset_t endingSignals() {
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
     struct sigaction hangUp {};
-    if (sigaction(SIGHUP, nullptr, &hangUp) == 0 && hangUp.sa_handler != SIG_IGN)  // nohup wants it ignored
+    if (sigaction(SIGHUP, nullptr, &hangUp) == 0 && hangUp.sa_handler != SIG_IGN)  // nohup ignores it
         sigaddset(&set, SIGHUP);
     return set;
 }
@@ -27,7 +27,8 @@ void watch(std::stop_token over, std::stop_source requested) {
             nanosleep(&patience, nullptr);
         } else if (sigtimedwait(&signals, nullptr, &patience) > 0) {
             requested.request_stop();
-            pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // the next one finds this thread and ends the program
+            // The next signal reaches this thread and ends the program.
+            pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
         }
     }
 }
@@ -35,7 +36,7 @@ void watch(std::stop_token over, std::stop_source requested) {
 }  // namespace
 
 Interrupt::Interrupt() {
-    std::signal(SIGPIPE, SIG_IGN);  // a reader of messages that is gone must not end the program before it has written
+    std::signal(SIGPIPE, SIG_IGN);  // if the reader of messages is gone, the program must still write its files
     const sigset_t signals = endingSignals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     watcher_ = std::jthread(watch, requested_);

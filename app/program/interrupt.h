@@ -1,7 +1,7 @@
 #pragma once
-/// Turns Ctrl-C (SIGINT), SIGTERM and the end of the terminal's session (SIGHUP, unless it is ignored as nohup does)
-/// into a stop request; the second one ends the program at once. While it is there, and after, broken pipes are errors
-/// of writing.
+/// Class that turns Ctrl-C (SIGINT), SIGTERM and the end of the terminal's session (SIGHUP, unless it is ignored as
+/// nohup does) into a stop request; the second signal ends the program at once. From its construction on, a broken pipe
+/// is a write error instead of a signal.
 
 #include <stop_token>
 #include <thread>
@@ -10,7 +10,8 @@ namespace pdr::app {
 
 class Interrupt {
   public:
-    /// Make it before any other thread starts: threads inherit that the signals are held back from them.
+    /// Blocks the signals. Must be constructed before any other thread starts, because threads inherit the blocked
+    /// signals.
     Interrupt();
     ~Interrupt();
 

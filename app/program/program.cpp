@@ -29,14 +29,14 @@ void sayUnexpected(const char* what) {
     std::fprintf(stderr, "%s: an unexpected error ended the program: %s.\n", programName, what);
 }
 
-/// oneTBB has no type of its own for a thread that cannot be started.
+/// Returns whether a thread could not be started. oneTBB has no exception type of its own for that.
 bool isThreadRefused(const std::exception& error) {
     const auto* system = dynamic_cast<const std::system_error*>(&error);
     return (system && system->code() == std::errc::resource_unavailable_try_again) ||
            std::strstr(error.what(), "pthread_create") != nullptr;
 }
 
-/// Says what `failure` is. It was thrown where nobody expected it, so memory or threads are the likely reason.
+/// Prints a message about an unexpected exception. The likely reason is a lack of memory or threads.
 void say(const std::exception_ptr& failure) {
     try {
         if (failure)
@@ -51,14 +51,15 @@ void say(const std::exception_ptr& failure) {
     }
 }
 
-/// For exceptions that no main() can catch: those of threads that a library started.
+/// Terminate handler for exceptions that no main() can catch: those of threads that a library started.
 [[noreturn]] void endWithSentence() {
     say(std::current_exception());
     ::_exit(1);
 }
 
-/// A file that is opened later must not become standard output by taking the number of a closed one. What takes its
-/// place cannot be written to, so that the closed stream is still noticed.
+/// Opens /dev/null in place of closed standard streams. Otherwise a file that is opened later could take the number of
+/// standard output. The replacement has the wrong direction for its stream, so that the closed stream is still
+/// detected.
 void occupyClosedStreams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF)
@@ -81,7 +82,7 @@ bool printedArrived() {
 void keepMemoryPrivate() {
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
-    ::prctl(PR_SET_DUMPABLE, 0);  // the limit alone does not count where a program collects core dumps
+    ::prctl(PR_SET_DUMPABLE, 0);  // the limit alone has no effect where a program collects core dumps
 }
 
 void keepNumbersPlain() {
@@ -90,7 +91,8 @@ void keepNumbersPlain() {
 
 void giveMemoryBack() {
 #ifdef __GLIBC__
-    ::mallopt(M_MMAP_THRESHOLD, 1 << 20);  // fixed: else it grows up to 32 MB with the blocks that are freed
+    // A fixed threshold; by default it grows up to 32 MB with the blocks that are freed.
+    ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
 #endif
 }
 
@@ -98,7 +100,7 @@ int runProgram(const char* name, const std::function<int()>& work) {
     keepMemoryPrivate();
     programName = name;
     std::set_terminate(endWithSentence);
-    std::signal(SIGXFSZ, SIG_IGN);  // the write fails with EFBIG then, and is told
+    std::signal(SIGXFSZ, SIG_IGN);  // the write then fails with EFBIG, which is reported
     occupyClosedStreams();
     int code = 1;
     try {

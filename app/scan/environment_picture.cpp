@@ -8,7 +8,7 @@
 namespace pdr::app {
 namespace {
 
-/// `where` is used in error texts.
+/// Reads and checks an environment image. `where` is used in error texts.
 Result<EnvironmentImage> readPicture(const std::filesystem::path& file, const std::string& where,
                                      const Progress& progress) {
     auto picture = readExr(file, progress);

@@ -1,5 +1,5 @@
 #pragma once
-/// Fetches pictures of surroundings.
+/// Reads environment images.
 
 #include <filesystem>
 #include <memory>
@@ -11,11 +11,12 @@
 
 namespace pdr::app {
 
-/// The one that the scene file asks for; null where it asks for none. Errors: those of readExr(), and texels that are
-/// no light.
+/// Reads the environment image of a scene file; null if it names none. Errors: those of readExr(), and texels that are
+/// not valid radiance.
 Result<std::shared_ptr<const EnvironmentImage>> fetchEnvironment(const SceneFile& file);
 
-/// One that is chosen as light, scaled to mean one. Errors: the same, cancelled(), and that it is black.
+/// Reads an environment image that the user has chosen as light, and scales it to a mean luminance of 1. Errors:
+/// invalid texels, a black image, those of readExr(), cancelled().
 Result<std::shared_ptr<const EnvironmentImage>> readSky(const std::filesystem::path& file, const Progress& progress);
 
 }  // namespace pdr::app

@@ -11,7 +11,7 @@
 namespace pdr::app {
 namespace {
 
-constexpr int kLevel = 1;  ///< of zstd
+constexpr int kLevel = 1;  ///< compression level of zstd
 
 std::size_t voxelsOfSlice(const Volume& volume) {
     return std::size_t(volume.size().x) * std::size_t(volume.size().y);
@@ -21,7 +21,7 @@ std::span<const std::int16_t> sliceOf(const Volume& volume, int z) {
     return volume.voxels().subspan(std::size_t(z) * voxelsOfSlice(volume), voxelsOfSlice(volume));
 }
 
-/// `out` may be either.
+/// Writes a xor b to `out`, which may be either of them.
 void combine(std::span<const std::int16_t> a, std::span<const std::int16_t> b, std::span<std::int16_t> out) {
     std::ranges::transform(a, b, out.begin(), [](int one, int other) { return std::int16_t(one ^ other); });
 }
@@ -36,7 +36,7 @@ std::vector<std::byte> packed(std::span<const std::int16_t> scan, std::span<cons
     return wire::packedFrame({}, halves, kLevel);
 }
 
-/// Makes the scan of what is seen, in the same `voxels`.
+/// Turns the slice without the table into that of the scan, in place.
 void unpack(const std::vector<std::byte>& frame, std::span<std::int16_t> voxels) {
     std::vector<std::byte> halves(voxels.size_bytes());
     [[maybe_unused]] const bool whole = wire::FrameUnpacker().unpack(frame, halves);

@@ -1,6 +1,6 @@
 #pragma once
-/// What a scan held where its copy without a table has air, packed to about a fifth of a scan: so that the table can be
-/// shown again, and a scan does not lie in memory twice. Immutable.
+/// The voxels of a scan where its copy without a table has air, packed to about a fifth of the scan's size. With them
+/// the table can be shown again without keeping the scan in memory twice. Immutable.
 
 #include <cstddef>
 #include <vector>
@@ -13,18 +13,19 @@ namespace pdr::app {
 
 class HiddenVoxels {
   public:
-    /// The voxels in which `scan` and `seen`, of one size, differ. Error: cancelled().
+    /// Packs the voxels in which `scan` and `seen`, of the same size, differ. Error: cancelled().
     static Result<HiddenVoxels> of(const Volume& scan, const Volume& seen, const Progress& progress);
 
-    /// The scan again, to the bit, from the same `seen`.
+    /// Restores the scan, to the bit, from the same `seen`.
     Volume scanOf(const Volume& seen) const;
-    /// Memory that the packed voxels take.
+    /// Memory that the packed voxels take [bytes].
     std::size_t bytes() const;
 
   private:
     HiddenVoxels() = default;
 
-    std::vector<std::vector<std::byte>> slices_;  ///< scan xor seen, as one zstd frame each; empty: they are alike
+    /// One zstd frame per slice, of scan xor seen; empty if the slices are equal.
+    std::vector<std::vector<std::byte>> slices_;
 };
 
 }  // namespace pdr::app

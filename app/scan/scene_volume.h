@@ -1,6 +1,6 @@
 #pragma once
-/// Fetches the voxels of a scene, from a DICOM folder or a raw file: the one way to them, for the window and the
-/// command line.
+/// Fetches the voxels of a scene, from a DICOM folder or a raw file. Both window and command line read voxels through
+/// this code.
 
 #include <memory>
 #include <string>
@@ -15,13 +15,13 @@ namespace pdr::app {
 
 struct FetchedVolume {
     WantedVolume wanted;
-    std::vector<dicom::Note> notes;               ///< what a user should know about how they were read
-    std::shared_ptr<const dicom::Series> series;  ///< whose they are; null: a raw file's
+    std::vector<dicom::Note> notes;               ///< what the user should know about how the voxels were read
+    std::shared_ptr<const dicom::Series> series;  ///< series of the voxels; null for a raw file
 };
 
-/// Those of `series`, as `source` wants them. Errors: those of the DICOM import; cancelled().
+/// Reads the voxels of `series`, as requested by `source`. Errors: those of the DICOM import; cancelled().
 Result<FetchedVolume> fetchSeries(const dicom::Series& series, const VolumeSource& source, const Progress& progress);
-/// Errors: those of the DICOM import and of raw files.
+/// Reads the voxels that `source` names. Errors: those of the DICOM import and of raw files.
 Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& progress);
 
 }  // namespace pdr::app

@@ -1,5 +1,5 @@
 #pragma once
-/// Which series of a folder is shown, and why none can be.
+/// Chooses the series of a folder to show, or explains why none can be shown.
 
 #include <string>
 
@@ -8,18 +8,18 @@
 
 namespace pdr::app {
 
-/// The place in scan.series of the first one that can be loaded; -1: none can.
+/// Returns the index in scan.series of the first loadable series; -1 if there is none.
 int firstLoadable(const dicom::ScanResult& scan);
 
-/// The place in scan.series of the only one that can be loaded, of the only patient there is; -1: somebody has to
-/// choose, or there is none.
+/// Returns the index in scan.series of the only loadable series, if all series are of one patient; -1 if the user has
+/// to choose, or if there is none.
 int onlyLoadable(const dicom::ScanResult& scan);
 
-/// Why none can, in one sentence per reason; `where` and `hint` are left to who asks.
+/// Returns why no series can be loaded, each reason once; the caller fills in `where` and `hint`.
 Error nothingLoadable(const dicom::ScanResult& scan);
 
-/// The entry with this `id` (SeriesFacts::id), or the first loadable one for an empty `id`. Errors: none is there, with
-/// the reasons why.
+/// Returns the series with this `id` (SeriesFacts::id), or the first loadable one for an empty `id`. Errors: there is
+/// none, with the reasons.
 Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::string& id);
 
 }  // namespace pdr::app

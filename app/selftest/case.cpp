@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The fields of one JSON object; done() refuses those that nobody asked for.
+/// Reader of the fields of one JSON object. done() throws if the object has fields that were not asked for.
 class Fields {
   public:
     explicit Fields(const Json& object) : object_(object) {
@@ -165,7 +165,7 @@ Result<Family> readFamily(std::string_view text, const std::string& where) {
         fields.done();
         for (const Json& one : cases) {
             at = where + ", " + one.value("name", "a case without a name");
-            Json whole = common;  // what all cases share, and what this one says
+            Json whole = common;  // the fields that all cases share, overridden by those of this case
             whole.merge_patch(one);
             family.cases.push_back(caseOf(whole));
         }

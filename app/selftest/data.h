@@ -1,5 +1,5 @@
 #pragma once
-/// The reference cases as they stand in tests/physics/*.json; the array is written by CMake.
+/// Texts of the reference cases, tests/physics/*.json. CMake writes the array.
 
 #include <span>
 

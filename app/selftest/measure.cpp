@@ -15,9 +15,10 @@ namespace pdr::selftest {
 namespace {
 
 constexpr double kPiExact = 3.14159265358979323846;
-constexpr std::uint32_t kSamplesPerLaunch = 16;  ///< few, so that Ctrl-C is heard soon
+constexpr std::uint32_t kSamplesPerLaunch = 16;  ///< few, so that Ctrl-C is noticed soon
 
-/// Mean over a picture, whose pixels are independent: so are the draws of their errors.
+/// Returns the mean over an image and its standard error. The pixels are independent, and so are the draws of their
+/// errors.
 Measurement pictureMean(const Film& film) {
     Measurement result;
     double squares = 0;
@@ -34,7 +35,7 @@ Measurement pictureMean(const Film& film) {
     return result;
 }
 
-/// Whole samples per pixel that come to at least `samples` in all.
+/// Returns the samples per pixel, at least 2, that give at least `samples` in all.
 std::uint64_t samplesPerPixel(const Scene& scene, std::uint64_t samples) {
     const std::uint64_t pixels = std::uint64_t(scene.film.x) * scene.film.y;
     return std::max<std::uint64_t>(2, (samples + pixels - 1) / pixels);
@@ -60,13 +61,13 @@ Result<Measurement> rendered(Device& device, const Scene& scene, std::uint64_t s
     return pictureMean(**film);
 }
 
-/// The picture's mean becomes the quantity by an affine map.
+/// Converts the mean of the image to the quantity of the case by an affine map.
 Measurement converted(const Case& reference, Measurement radiance) {
     const CaseScene& scene = reference.scene;
     double factor = 1, offset = 0;
     if (reference.quantity == Quantity::reflectanceFactor)
         factor = kPiExact / std::fabs(scene.beam.value_or(1));
-    if (reference.quantity == Quantity::discTransmittance) {  // outside the disc the picture shows the room
+    if (reference.quantity == Quantity::discTransmittance) {  // outside the disc the image shows the environment
         factor = kDiscWidth * kDiscWidth / kPiExact / scene.room;
         offset = 1 - factor * scene.room;
     }
@@ -77,7 +78,8 @@ Measurement converted(const Case& reference, Measurement radiance) {
     return radiance;
 }
 
-/// Every bin is a picture of its own, so that the counts are independent: chi-square has kFlightBins degrees.
+/// Renders an image of its own for each bin, so that the counts are independent: chi-square has kFlightBins degrees of
+/// freedom.
 Result<Measurement> freeFlights(Device& device, const Case& reference, std::uint64_t samples, std::uint64_t seed,
                                 const Cancelled& cancelled) {
     Measurement result;

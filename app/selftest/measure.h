@@ -1,5 +1,5 @@
 #pragma once
-/// What a device makes of a case.
+/// Measurement of a case on a device.
 
 #include <functional>
 
@@ -8,11 +8,11 @@
 
 namespace pdr::selftest {
 
-/// True: stop soon.
+/// Callback that returns true if the measurement is to stop soon.
 using Cancelled = std::function<bool()>;
 
-/// Takes about `samples` samples with random numbers of their own for each `seed`. Phase-function moments are drawn on
-/// the host, by the kernel's own function. Errors: the device fails; cancelled().
+/// Measures a case with about `samples` samples. Each `seed` gives independent random numbers. Phase-function moments
+/// are sampled on the host, with the kernel's own function. Errors: the device fails; cancelled().
 Result<Measurement> measure(Device& device, const Case& reference, std::uint64_t samples, std::uint64_t seed,
                             const Cancelled& cancelled);
 

@@ -12,7 +12,8 @@ bool isChosen(const Plan& plan, const Family& family, const Case& reference) {
                                [&](const std::string& word) { return text.find(word) != std::string::npos; });
 }
 
-/// Every case has random numbers of its own, whichever others are run: chance must not strike them all alike.
+/// Returns the seed of a case, which does not depend on the cases that are run. Each case has its own, because an
+/// unlucky choice of random numbers must not affect all of them alike.
 std::uint64_t seedOf(const Plan& plan, std::uint64_t number) {
     return plan.seed * 1'000'000'007 + number * 1'000'003;
 }

@@ -9,25 +9,25 @@ namespace pdr::selftest {
 
 namespace {
 
-constexpr int kSlabLayers = 24;       ///< voxels through a slab: its rays cross borders of fine and of coarse cells
+constexpr int kSlabLayers = 24;       ///< voxels through a slab; its rays cross borders of fine and of coarse cells
 constexpr int kBedLayers = 4;         ///< voxels through the bed
-constexpr float kBedHu = 1000;        ///< the slab holds 0 HU; half-way between lies the border
+constexpr float kBedHu = 1000;        ///< HU of the bed; the slab has 0 HU, and the border lies half-way
 constexpr double kBedDepth = 40;      ///< optical depth of the bed
-constexpr double kSlabWidth = 20000;  ///< in thicknesses
+constexpr double kSlabWidth = 20000;  ///< width of a slab in thicknesses
 constexpr int kRampSteps = 64;        ///< voxels from a ramp's bottom to its top
 constexpr int kRampHu = 100;          ///< HU from one voxel to the next
 constexpr double kRampTop = kRampSteps * kRampHu;
-constexpr double kRampFoot = 1e-3;  ///< HU: just above what the lowest half voxel holds
+constexpr double kRampFoot = 1e-3;  ///< HU just above those of the lowest half voxel
 constexpr int kRadiusVoxels = 60;   ///< voxels along a sphere's radius
 constexpr int kRadiusHu = 200;      ///< HU per voxel of distance from a sphere's centre
 constexpr int kSurfaceLayers = 8;   ///< voxels through the medium below a surface, and as many above it
 constexpr int kSurfaceHu = 256;     ///< HU per voxel of depth
 constexpr double kPlate = 1e-3;     ///< thickness of a plate with a slit, in half widths of the slit
-constexpr double kLensFar = 1000;   ///< from the lens to the plate, in half widths of the slit
+constexpr double kLensFar = 1000;   ///< distance from the lens to the plate, in half widths of the slit
 constexpr ivec2 kFilm(64, 64);
-constexpr int kMostEvents = 100000;  ///< on a path; the deepest white slab needs some thousands
+constexpr int kMostEvents = 100000;  ///< limit of events on a path; the deepest white slab needs some thousands
 
-/// A volume of hu(i, j, k) whose box is centred at the origin.
+/// Makes a volume with the values hu(i, j, k) whose box is centred at the origin.
 template <class Hu>
 std::shared_ptr<const Volume> makeVolume(ivec3 size, dvec3 spacing, Hu&& hu) {
     Voxels voxels;
@@ -49,7 +49,7 @@ TransferNode node(const CaseScene& scene, double hu, double opacity) {
             .roughness = float(scene.roughness)};
 }
 
-/// Direction from the horizontal plane upwards at `cosine` to the vertical, tilted to `side`.
+/// Returns the upward direction at `cosine` to the vertical, tilted towards `side`.
 dvec3 tilted(double cosine, dvec3 side) {
     return side * std::sqrt(1 - cosine * cosine) + dvec3(0, 0, cosine);
 }
@@ -57,7 +57,7 @@ dvec3 tilted(double cosine, dvec3 side) {
 struct Medium {
     std::shared_ptr<const Volume> volume;
     TransferFunction function;
-    double top, floor;  ///< heights [mm] of the medium's surface, and of where a camera inside stands
+    double top, floor;  ///< heights of the medium's surface and of the position of a camera inside [mm]
 };
 
 Medium slab(const CaseScene& scene) {
@@ -81,7 +81,8 @@ Medium slab(const CaseScene& scene) {
     return medium;
 }
 
-/// The border lies where the interpolated distance from the centre is the radius: round to (voxel / radius)^2 / 6.
+/// Makes a sphere. Its border lies where the interpolated distance from the centre is the radius, so it is round to
+/// (voxel / radius)^2 / 6.
 Medium sphere(const CaseScene& scene) {
     const double radius = extentMm(scene), voxel = radius / kRadiusVoxels;
     const int half = kRadiusVoxels + 4;
@@ -97,7 +98,8 @@ Medium sphere(const CaseScene& scene) {
     return medium;
 }
 
-/// A ramp from the lowest to the highest voxels' centres; below and above them there is nothing.
+/// Makes a ramp from the centres of the lowest to those of the highest voxels; below and above them the volume is
+/// empty.
 Medium ramp(const CaseScene& scene) {
     const double length = extentMm(scene), step = length / kRampSteps;
     const double side = length * kSlabWidth / kSlabLayers, densest = std::max(1.0, scene.endRatio);
@@ -112,7 +114,8 @@ Medium ramp(const CaseScene& scene) {
     return medium;
 }
 
-/// HU change by the same from voxel to voxel all through, so every event near the border meets the same gradient.
+/// Makes a surface. HU change by the same amount from voxel to voxel everywhere, so every event near the border has the
+/// same gradient.
 Medium surface(const CaseScene& scene) {
     const double thickness = extentMm(scene), layer = thickness / kSurfaceLayers;
     const double side = thickness * kSlabWidth / kSlabLayers, border = kSurfaceHu / 2.0;
@@ -126,7 +129,7 @@ Medium surface(const CaseScene& scene) {
     return medium;
 }
 
-/// Open are the two voxels in the middle; half-way to the next ones the plate begins.
+/// Makes a plate with a slit. The two voxels in the middle are open; the plate begins half-way to the next ones.
 Medium slit(const CaseScene& scene) {
     constexpr int kWidth = 16;
     const double half = extentMm(scene);
@@ -156,8 +159,8 @@ Medium mediumOf(const CaseScene& scene) {
     return slit(scene);
 }
 
-/// A lamp of irradiance 1 at `place`, in direction `wi` from there. Spheres and rectangles are 1e5 extents away and so
-/// small that light comes in parallel but for 1e-5.
+/// Returns a lamp of irradiance 1 at `place`, in direction `wi` from there. Spheres and rectangles are 1e5 extents away
+/// and so small that their light is parallel to within 1e-5.
 Light lampOf(const CaseScene& scene, dvec3 place, dvec3 wi) {
     constexpr double kPi64 = 3.14159265358979323846, kSize = 0.003;  // radius or edge over distance
     const double distance = 1e5 * extentMm(scene);
@@ -185,7 +188,7 @@ Camera cameraOf(const Case& reference, const Medium& medium) {
     Camera camera{.type = Camera::Type::orthographic, .up = {1, 0, 0}};
     if (scene.shape == CaseScene::Shape::slit) {
         camera.eyeMm = {0, 0, kLensFar * extent};
-        camera.focusMm = 2 * kLensFar * extent;  // half of the lens' width is left at the plate
+        camera.focusMm = 2 * kLensFar * extent;  // half of the lens's width is left at the plate
         camera.apertureMm = 4 * scene.blur * extent;
     } else if (scene.inside) {
         camera.eyeMm = {0, 0, medium.floor};
@@ -196,7 +199,7 @@ Camera cameraOf(const Case& reference, const Medium& medium) {
     }
     const bool disc =
         reference.quantity == Quantity::discTransmittance || reference.quantity == Quantity::escapeProbability;
-    camera.heightMm = disc ? extent * kDiscWidth : std::max(extent * 1e-4, 1e-6);  // a camera's least
+    camera.heightMm = disc ? extent * kDiscWidth : std::max(extent * 1e-4, 1e-6);  // camera's minimum
     return camera;
 }
 

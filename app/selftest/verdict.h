@@ -1,5 +1,5 @@
 #pragma once
-/// Whether a measurement agrees with physics, and whether it could have told if it did not.
+/// Verdict on a measurement: whether it agrees with physics, and whether it could detect a deviation.
 
 #include "app/selftest/case.h"
 #include "render/base/health.h"
@@ -15,24 +15,26 @@ struct Measurement {
 
 enum class Verdict {
     agrees,
-    deviates,  ///< farther off than chance, rounding and the voxels' shape explain
-    tooBlunt,  ///< too noisy to find the bias that the case must be able to find
-    faulty,    ///< samples went wrong: NaN, a bound that did not hold, a path that was cut
+    deviates,  ///< deviates by more than chance, rounding and the voxels' shape explain
+    tooBlunt,  ///< too noisy to detect the bias that the case must detect
+    faulty,    ///< some samples are faulty: NaN, a bound that did not hold, a path that was cut
 };
 
 struct Judgement {
     double z = 0;        ///< deviation in standard errors
-    double detects = 0;  ///< bias that such a run finds nine times out of ten; relative as in Sharpness
+    double detects = 0;  ///< bias that such a run detects nine times out of ten; relative as in Sharpness
     Verdict verdict = Verdict::agrees;
 };
 
-/// `allowed`: |z| that chance may reach, see allowedZ(). `sharpness`: what the run was meant to find.
+/// Judges a measurement of a case. `allowed`: |z| that chance may reach, see allowedZ(). `sharpness`: what the run must
+/// detect.
 Judgement judge(const Case& reference, const Measurement& got, const Sharpness& sharpness, double allowed);
 
-/// Single precision alone may shift a result by so much, relative.
+/// Relative shift of a result that single precision alone may cause.
 inline constexpr double kRounding = 2e-6;
 
-/// Bins of the free flights; the statistic has as many degrees of freedom, since each bin is drawn on its own.
+/// Number of bins of the free flights. The statistic has as many degrees of freedom, because each bin is sampled on its
+/// own.
 inline constexpr int kFlightBins = 64;
 
 }  // namespace pdr::selftest

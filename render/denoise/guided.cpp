@@ -6,13 +6,13 @@
 namespace pdr::denoise {
 namespace {
 
-constexpr int kSmooth = 4;            ///< coarse pixels around each one that share their light, along one direction
-constexpr int kSharpen = 2;           ///< and around each pixel of the guide
-constexpr float kNormalApart = 0.3f;  ///< normals so far apart count half
+constexpr int kSmooth = 4;            ///< radius in coarse pixels in which pixels share their light
+constexpr int kSharpen = 2;           ///< radius in coarse pixels around a pixel of the guide
+constexpr float kNormalApart = 0.3f;  ///< normals that differ by so much have half the weight
 constexpr float kLeastGuide = 1e-30f;
 static_assert(kSmooth <= Plane::kBorder);
 
-/// `factor`^2 pixels become one: their mean.
+/// Returns the means of `factor` x `factor` pixels.
 Plane reduced(const Plane& plane, int factor) {
     const ivec2 size = plane.size() / factor;
     Plane out(size);
@@ -36,13 +36,13 @@ void set(Colours& colours, int x, int y, vec3 value) {
         colours[c].row(y)[x] = value[c];
 }
 
-/// What two pixels are compared by.
+/// The properties by which two pixels are compared.
 struct Surfaces {
     Colours normal;
     Plane depth;
 };
 
-/// Of the coarse picture. The depth is that of what is there: what is empty has none.
+/// Returns the surfaces of the coarse image. The depth is averaged over non-empty pixels alone, weighted by opacity.
 Surfaces coarseSurfaces(const Guide& guide) {
     const Plane weighted =
         combined([](float depth, float opacity) { return depth * opacity; }, guide.depth, guide.opacity);
@@ -51,7 +51,7 @@ Surfaces coarseSurfaces(const Guide& guide) {
     return {reduced(guide.normal, guide.finer), depth};
 }
 
-/// What light makes of the guide, as a quotient that can be averaged.
+/// The light on the guide as a quotient lit / unlit, whose parts can be averaged.
 struct Light {
     vec3 lit{0.0f}, unlit{0.0f};
 };
@@ -61,7 +61,8 @@ class LightOnSurfaces {
     LightOnSurfaces(const Colours& lit, const Colours& unlit, const Surfaces& surfaces)
         : lit_(lit), unlit_(unlit), surfaces_(surfaces) {}
 
-    /// The mean around a place of the coarse picture, of what is like that normal and depth.
+    /// Returns the mean light around a place of the coarse image, weighted by how similar each pixel is to that normal
+    /// and depth.
     Light around(vec2 place, vec3 normal, float depth, int radius) const {
         const ivec2 corner(glm::floor(place));
         const float perRadius = 1.0f / float(radius * radius);
@@ -101,6 +102,7 @@ Guide guideOf(ivec2 coarseSize, int finer) {
 
 Colours guided(const Colours& coarse, const Guide& guide) {
     const ivec2 coarseSize = coarse[0].size(), size = guide.depth.size();
+    // Average the light among coarse pixels of similar surfaces
     const Surfaces surfaces = coarseSurfaces(guide);
     const Colours unlit = reduced(guide.radiance, guide.finer);
     Colours calmLit = coloursOf(coarseSize), calmUnlit = coloursOf(coarseSize);
@@ -117,6 +119,7 @@ Colours guided(const Colours& coarse, const Guide& guide) {
         calmLit[c].mirror();
         calmUnlit[c].mirror();
     }
+    // Upsample the light to the guide
     const LightOnSurfaces calm(calmLit, calmUnlit, surfaces);
     Colours out = coloursOf(size);
     eachBand(size.y, {}, [&](int begin, int end) {

@@ -12,21 +12,22 @@
 namespace pdr::denoise {
 namespace {
 
-constexpr double kFalseAlarms = 0.05;  ///< pictures with a false line
-constexpr double kGap = 1, kSide = 3;  ///< pixels between a line and its sides, and how wide these are
-constexpr double kSideZ = 4;           ///< by which a line differs from each: an edge has some thousand strips
-constexpr double kLikeSide = 0.5;      ///< of what was lost: an edge whose whole height is lost differs by less
-constexpr double kMostKept = 0.5;      ///< of a lost line
-constexpr double kSeen = 0.05;         ///< contrast that is hardly seen
-constexpr double kEverywhere = 0.3;    ///< of what a line lost on the mean, in each third of it: else it is a blot
-constexpr float kApart = 10;           ///< pixels between two lines; what is nearer is the same one
-constexpr float kStraight = 4;         ///< pixels off a line that still go on with it
+constexpr double kFalseAlarms = 0.05;  ///< share of images with a false line
+constexpr double kGap = 1, kSide = 3;  ///< pixels between a line and its sides, and width of the sides
+constexpr double kSideZ = 4;       ///< sigmas by which a line differs from each side: an edge has some thousand strips
+constexpr double kLikeSide = 0.5;  ///< share of the loss: an edge that is lost in full height differs by less
+constexpr double kMostKept = 0.5;  ///< share of a lost line's contrast that is left, at most
+constexpr double kSeen = 0.05;     ///< contrast that is barely visible
+/// Share of the line's mean loss that each third of it must have lost: else it is a blot.
+constexpr double kEverywhere = 0.3;
+constexpr float kApart = 10;    ///< pixels between two lines; nearer ones are the same line
+constexpr float kStraight = 4;  ///< pixels off a line at which another one still continues it
 
 /// Means over the pixels of a strip, or of one of its sides.
 struct Means {
     double raw = 0, smooth = 0;
-    double variance = 0;   ///< of a pixel, ...
-    double ofRemoved = 0;  ///< ... and mean square of what smoothing removed
+    double variance = 0;   ///< variance of one pixel's noise
+    double ofRemoved = 0;  ///< mean square of what denoising removed
     int pixels = 0;
 
     double lost() const { return raw - smooth; }
@@ -50,7 +51,8 @@ class Judge {
     }
 
   private:
-    /// Columns from `begin` to `end` of the strip, `width` pixels from `across`, as far as they are in the picture.
+    /// Returns the means over columns `begin` to `end` of the strip, `width` pixels from `across`, as far as they are
+    /// in the image.
     Means along(const Strip& strip, int begin, int end, int across, int width) const {
         const Direction way(strip.direction);
         Means sum;
@@ -73,13 +75,14 @@ class Judge {
         ++sum.pixels;
     }
 
-    /// More than what is removed beside it by chance, too: where the picture has a grain, that is more than noise.
+    /// Returns whether the loss exceeds the noise, and also what was removed beside the line by chance: where the image
+    /// has a grain, that is more than noise.
     bool isClear(const Means& line, const Means& left, const Means& right) const {
         const double beside = (left.ofRemoved + right.ofRemoved) / 2;
         return line.lost() * line.lost() * line.pixels > leastZ_ * leastZ_ * std::max(line.variance, beside);
     }
 
-    /// By how much the line really differs from that side; 0 where that may be noise.
+    /// Returns the difference between the line and that side; 0 where it may be noise.
     static double sharpness(const Means& line, const Means& side, double sign) {
         const double off = sign * (line.raw - side.raw);
         return off > kSideZ * std::sqrt(line.variance / line.pixels + side.variance / side.pixels) ? off : 0;
@@ -114,20 +117,20 @@ LostLine lineOf(const Strip& strip) {
     return {place(strip.u), place(strip.u + way.length - 1), strip.z < 0};
 }
 
-/// Of a place, in the frame of a line: x along it from its begin, y across it.
+/// Returns a place in the frame of a line: x along it from its beginning, y across it.
 vec2 seenFrom(const LostLine& line, vec2 place) {
     const vec2 along = glm::normalize(line.end - line.begin), from = place - line.begin;
     return {glm::dot(from, along), from.y * along.x - from.x * along.y};
 }
 
-/// Whether it is the same line, or a neighbour that is one only because the other is.
+/// Returns whether `other` is the same line, or a neighbour that was found only because of it.
 bool isNear(const LostLine& line, const LostLine& other) {
     const float length = glm::length(line.end - line.begin);
     const vec2 middle = seenFrom(line, (other.begin + other.end) / 2.0f);
     return glm::length(middle - vec2(glm::clamp(middle.x, 0.0f, length), 0)) < kApart;
 }
 
-/// With what goes on with it straight on, or nothing.
+/// Returns `line` extended by a line that continues it straight on, or nothing.
 std::optional<LostLine> lengthened(const LostLine& line, const LostLine& by) {
     vec2 from = seenFrom(line, by.begin), to = seenFrom(line, by.end);
     if (from.x > to.x)
@@ -141,7 +144,7 @@ std::optional<LostLine> lengthened(const LostLine& line, const LostLine& by) {
                     line.darker};
 }
 
-/// Pieces that a clearer line has reached since they were found.
+/// Drops pieces that a clearer line has reached since they were found.
 void dropCovered(std::vector<LostLine>& lines) {
     std::vector<LostLine> kept;
     for (const LostLine& line : lines)
@@ -154,11 +157,13 @@ void dropCovered(std::vector<LostLine>& lines) {
 
 std::vector<LostLine> lostLines(const Plane& raw, const Plane& smooth, const Plane& variance,
                                 const std::stop_token& stop) {
+    // Find strips whose sum exceeds the noise, allowing for the number of comparisons
     const double comparisons = double(raw.size().x) * raw.size().y * kDirections;
     const double leastZ = allowedZ(int(std::min(comparisons, double(std::numeric_limits<int>::max()))), kFalseAlarms);
     const Plane removed = combined([](float noisy, float calm) { return noisy - calm; }, raw, smooth);
     std::vector<Strip> strips = strongStrips(removed, variance, leastZ, stop);
     std::ranges::stable_sort(strips, std::greater(), [](const Strip& strip) { return std::fabs(strip.z); });
+    // Turn the strips into lines, the clearest first, and extend lines by strips that continue them
     const Judge judge(raw, smooth, variance, leastZ);
     std::vector<LostLine> lines;
     for (const Strip& strip : strips) {

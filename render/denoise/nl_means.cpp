@@ -6,27 +6,28 @@ namespace pdr::denoise {
 namespace {
 
 constexpr int kSearch = 5;         ///< radius of the window
-constexpr float kFall = 0.7f;      ///< by which its weight falls from its middle to its rim
-constexpr float kStrength = 0.8f;  ///< standard deviations of the noise that count as one
-constexpr float kCut = 4;          ///< distance from which patches have nothing in common
+constexpr float kFall = 0.7f;      ///< drop of the window's weight from its middle to its rim
+constexpr float kStrength = 0.8f;  ///< standard deviations of the noise that are the unit of distance
+constexpr float kCut = 4;          ///< distance from which on the weight is 0
 constexpr int kPatch = 2;          ///< radius of a patch
 constexpr int kSpread = 1;         ///< radius in which pixels share their weights
 constexpr int kReach = kPatch + kSpread;
 static_assert(kSearch + kReach <= Plane::kBorder);
 
-/// 0 outside of the window, which is round and fades: a square one leaves a cross-hatch.
+/// Returns the weight of the search window, 0 outside of it. The window is round and fades: a square one leaves a
+/// cross-hatch.
 float windowWeight(int dx, int dy) {
     const float radius = kSearch + 0.5f, squared = float(dx * dx + dy * dy) / (radius * radius);
     return squared > 1 ? 0 : 1 - kFall * squared;
 }
 
-/// Of a patch's mean distance. A polynomial: the same bits everywhere.
+/// Returns the weight for a patch's mean distance. A polynomial: the same bits everywhere.
 float likeness(float distance) {
     const float rest = std::max(0.0f, 1 - std::max(0.0f, distance) * (1 / kCut));
     return rest * rest * rest;
 }
 
-/// Some rows of the picture, for one neighbour (dx, dy) of all their pixels after the other.
+/// Denoises some rows of the image, one neighbour (dx, dy) of all their pixels after the other.
 class Band {
   public:
     Band(const NoisyPicture& picture, Colours& out, int begin, int end)
@@ -50,7 +51,7 @@ class Band {
             add(y, dx, dy);
     }
 
-    /// What was added becomes the mean.
+    /// Divides the sums by their weights.
     void finish() {
         for (int y = 0; y < rows_; ++y)
             for (int c = 0; c < 3; ++c) {
@@ -62,7 +63,8 @@ class Band {
     }
 
   private:
-    /// Squared differences less what the noise explains, in units of the noise, summed over the columns of a patch.
+    /// Computes the squared differences less what the noise explains, in units of the noise, summed over the columns of
+    /// a patch.
     void measure(int y, int dx, int dy) {
         const float *here = in_.luminance.row(begin_ + y) - kReach, *noiseHere = in_.variance.row(begin_ + y) - kReach;
         const float* there = in_.luminance.row(begin_ + y + dy) - kReach + dx;
@@ -78,7 +80,7 @@ class Band {
             sums[x] = ((d[x] + d[x + 1]) + (d[x + 2] + d[x + 3])) + d[x + 4];
     }
 
-    /// The weights of one row, summed over the columns that share them.
+    /// Computes the weights of one row, summed over the columns that share them.
     void weigh(int y) {
         const int wide = width_ + 2 * kSpread;
         const float* s = acrossRow(y - kPatch);
@@ -93,7 +95,7 @@ class Band {
             sums[x] = (l[x] + l[x + 1]) + l[x + 2];
     }
 
-    /// Differences, not values: where there is none the mean is the pixel itself, to the bit.
+    /// Adds weighted differences, not values: where there is no difference the mean is the pixel itself, to the bit.
     void add(int y, int dx, int dy) {
         const float window = windowWeight(dx, dy);
         const float *upper = sharedRow(y - 1), *middle = sharedRow(y), *lower = sharedRow(y + 1);
@@ -118,7 +120,7 @@ class Band {
     const NoisyPicture& in_;
     Colours& out_;
     int begin_, rows_, width_;
-    std::vector<float> distances_, likenesses_;  ///< of a row
+    std::vector<float> distances_, likenesses_;  ///< values of one row
     std::vector<float> across_, shared_, total_;
 };
 

@@ -7,9 +7,9 @@
 namespace pdr::denoise {
 namespace {
 
-constexpr int kBandRows = 32;  ///< whose numbers stay in a core's cache
+constexpr int kBandRows = 32;  ///< rows whose numbers stay in a core's cache
 
-/// to[i] += from[i], neither inside the other.
+/// Adds from[i] to to[i]; the arrays do not overlap.
 void add(const float* from, float* __restrict to, int count) {
     for (int i = 0; i < count; ++i)
         to[i] += from[i];

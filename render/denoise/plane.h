@@ -1,8 +1,7 @@
 #pragma once
-/// One number for each pixel of a picture, and what filters do with such planes. Beyond its edges a plane goes on as
-/// its mirror image, kBorder pixels far, so that a filter may read there without asking; who changes pixels calls
-/// mirror(). Every sum has a fixed order: the bits depend neither on threads nor on the instructions that a machine
-/// has.
+/// A plane: one number for each pixel of an image, with the basic filters. Beyond its edges a plane continues as its
+/// mirror image, kBorder pixels far, so that a filter may read there without checks; code that changes pixels must call
+/// mirror(). Every sum has a fixed order: the bits depend neither on threads nor on the instruction set of the machine.
 
 #include <array>
 #include <cstddef>
@@ -19,14 +18,14 @@ class Plane {
     static constexpr int kBorder = 16;
 
     Plane() = default;
-    /// Of zeros; at least 1 x 1.
+    /// Creates a plane of zeros; at least 1 x 1.
     explicit Plane(ivec2 size)
         : size_(size),
           stride_(size.x + 2 * kBorder),
           values_(std::size_t(stride_) * std::size_t(size.y + 2 * kBorder)) {}
 
     ivec2 size() const { return size_; }
-    /// From pixel (0, y); both may be kBorder outside.
+    /// Returns a pointer to pixel (0, y). Both x and y may be up to kBorder outside.
     float* row(int y) { return values_.data() + at(y); }
     const float* row(int y) const { return values_.data() + at(y); }
     void mirror();
@@ -39,14 +38,15 @@ class Plane {
     std::vector<float> values_;
 };
 
-/// Linear Rec. 709.
+/// The three channels of an image, linear Rec. 709.
 using Colours = std::array<Plane, 3>;
 Colours coloursOf(ivec2 size);
 
-/// work(first row, row after the last) for bands of some rows each, on many threads; none begins after a stop request.
+/// Calls work(first row, row after the last) for bands of some rows each, on many threads; no band begins after a stop
+/// request.
 void eachBand(int height, const std::stop_token& stop, const std::function<void(int, int)>& work);
 
-/// f(x, y...) of each pixel of planes of one size; on many threads.
+/// Returns f(x, y...) of each pixel of planes of one size; computed on many threads.
 template <class F, class... Planes>
 Plane combined(const F& f, const Plane& first, const Planes&... others) {
     Plane out(first.size());
@@ -60,11 +60,11 @@ Plane combined(const F& f, const Plane& first, const Planes&... others) {
 }
 
 Plane luminance(const Colours& colours);
-/// The mean over (2 radius + 1)^2 pixels, radius <= kBorder.
+/// Returns the mean over (2 radius + 1)^2 pixels, radius <= kBorder.
 Plane boxed(const Plane& plane, int radius);
-/// `scale` times the sum of 2 x 2 pixels: half as large, rounded up.
+/// Returns `scale` times the sum of 2 x 2 pixels, in half the size, rounded up.
 Plane halved(const Plane& plane, float scale);
-/// Adds `coarse`, half as large, bilinearly.
+/// Adds `coarse`, which is half as large, with bilinear interpolation.
 void addDoubled(const Plane& coarse, Plane& fine);
 
 }  // namespace pdr::denoise

@@ -9,17 +9,17 @@ namespace {
 
 constexpr int kWays = 16, kReach = 4;  ///< directions; pixels to either side of a line's middle
 constexpr int kLength = 2 * kReach + 1, kPixels = 2 * kLength;
-constexpr float kMost = 2.5f;  ///< standard deviations of a pixel that count: a bright sample alone is no line
-constexpr float kLeastZ = 3;   ///< of a line that comes back; one of 4 comes back by two thirds, of 6 nearly whole
+constexpr float kMost = 2.5f;  ///< clamp of a pixel's standard deviations: a bright sample alone is no line
+constexpr float kLeastZ = 3;   ///< least z of a line that is restored; z = 4 restores two thirds, z = 6 nearly all
 static_assert(kReach + 2 <= Plane::kBorder);
 
-/// A direction: pixels along a line, from the one in its middle, and the step to the line beside it.
+/// A direction: the pixels along a line, relative to its middle, and the step to the line beside it.
 struct Way {
     std::array<ivec2, kLength> along;
     ivec2 beside{0};
 };
 
-/// Half a turn in even steps.
+/// Returns the directions: half a turn in even steps.
 std::array<Way, kWays> ways() {
     std::array<Way, kWays> all;
     for (int index = 0; index < kWays; ++index) {
@@ -35,7 +35,7 @@ std::array<Way, kWays> ways() {
     return all;
 }
 
-/// What was taken of the luminance, in standard deviations, as far as it counts.
+/// Returns the luminance that denoising removed, in standard deviations of the noise, clamped to kMost.
 Plane takenSigmas(const Plane& raw, const Plane& smooth, const Plane& variance) {
     return combined(
         [](float noisy, float calm, float noise) {
@@ -44,7 +44,7 @@ Plane takenSigmas(const Plane& raw, const Plane& smooth, const Plane& variance) 
         raw, smooth, variance);
 }
 
-/// The clearest line of each pixel in some rows.
+/// Finds the clearest line of each pixel in some rows.
 class ClearestLines {
   public:
     ClearestLines(const Plane& taken, int begin, int end)
@@ -56,7 +56,7 @@ class ClearestLines {
           best_(std::size_t(rows_) * std::size_t(width_)),
           sides_(best_.size()) {}
 
-    /// Of that direction, too: the pixel's line together with the one on either side.
+    /// Considers the lines of one more direction: the pixel's line together with the one on either side.
     void look(int index, const Way& way) {
         for (int y = -1; y <= rows_; ++y)
             addUp(y, way);
@@ -65,13 +65,13 @@ class ClearestLines {
                 compare(y, 2 * index + side, side == 0 ? way.beside : -way.beside);
     }
 
-    /// Standard deviations of the sum along it.
+    /// Returns the sum along the clearest line in its standard deviations.
     float z(int x, int y) const { return best_[at(x, y - begin_)] / std::sqrt(float(kPixels)); }
-    /// Twice its direction, plus 1 where the line before it is the other one.
+    /// Returns twice the direction of the clearest line, plus 1 where its second row lies on the other side.
     int side(int x, int y) const { return sides_[at(x, y - begin_)]; }
 
   private:
-    /// One pixel more than the row on either side.
+    /// Sums along the direction for one row, with one pixel more on either side.
     void addUp(int y, const Way& way) {
         float* __restrict sums = sumsRow(y) - 1;
         std::fill_n(sums, width_ + 2, 0.0f);
@@ -99,12 +99,12 @@ class ClearestLines {
 
     const Plane& taken_;
     int begin_, rows_, width_;
-    std::vector<float> sums_;  ///< along the direction that was looked at last
+    std::vector<float> sums_;  ///< sums along the direction that was added last
     std::vector<float> best_;
     std::vector<int> sides_;
 };
 
-/// The mean along a line and the one beside it.
+/// Returns the mean along a line and the one beside it.
 float meanAlong(const Plane& plane, int x, int y, const Way& way, ivec2 beside) {
     float sum = 0;
     for (const ivec2 step : way.along) {
@@ -117,6 +117,7 @@ float meanAlong(const Plane& plane, int x, int y, const Way& way, ivec2 beside) 
 }  // namespace
 
 void regain(const Colours& raw, const Plane& variance, Colours& smooth, const std::stop_token& stop) {
+    // Compute what denoising removed
     const Plane taken = takenSigmas(luminance(raw), luminance(smooth), variance);
     Colours lost;
     for (int c = 0; c < 3; ++c)
@@ -126,6 +127,7 @@ void regain(const Colours& raw, const Plane& variance, Colours& smooth, const st
         ClearestLines lines(taken, begin, end);
         for (int index = 0; index < kWays && !stop.stop_requested(); ++index)
             lines.look(index, all[std::size_t(index)]);
+        // Put back the mean along the clearest line of each pixel
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < variance.size().x; ++x) {
                 const float unsure = kLeastZ / std::fabs(lines.z(x, y));

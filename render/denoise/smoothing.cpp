@@ -7,11 +7,11 @@
 namespace pdr::denoise {
 namespace {
 
-constexpr int kScales = 4, kSmallest = 16;  ///< pixels an edge, below which there is no coarser scale
+constexpr int kScales = 4, kSmallest = 16;  ///< scales; shorter edge [pixels] below which there is no coarser one
 constexpr int kVarianceRadius = 2, kRatioRadius = 10;
 constexpr float kMostRatio = 2, kLeastVariance = 1e-6f, kTiny = 1e-9f;
 
-/// What the coarser scale says takes the place of this one's low frequencies.
+/// Denoises on several scales: the coarser scale replaces the low frequencies of this one.
 Colours onScales(const NoisyPicture& picture, int scales, const std::stop_token& stop) {
     Colours fine = nonLocalMeans(picture, stop);
     const ivec2 size = picture.luminance.size();

@@ -1,26 +1,27 @@
 #pragma once
-/// A smoothed picture for the eye: non-local means on four scales, steered by luminance alone. It takes noise away and
-/// with it detail that the noise hides, so what is smoothed is never measured, and is always shown with its error.
-///   noise ratio   by how much the noise really differs from what independent samples would have: two halves of the
-///                 samples tell, as they are around each pixel. Without it pictures of stratified samples are blurred
+/// The denoiser: non-local means on four scales, steered by luminance alone. It removes noise and with it
+/// detail that the noise hides, so a denoised image is never measured, and is always shown with its error.
+///   noise ratio   real variance over that of independent samples, estimated around each pixel from the two
+///                 halves of the samples. Without it images of stratified samples are blurred
 
 #include "render/denoise/nl_means.h"
 
 namespace pdr::denoise {
 
-/// Real over presumed variance in 21 x 21 pixels, at most 2. `differences`: between the luminances of two independent
-/// estimates; `presumed`: the variance that these should have.
+/// Returns the real over the presumed variance in 21 x 21 pixels, at most 2. `differences`: between the luminances of
+/// two independent estimates; `presumed`: the variance that these should have.
 Plane noiseRatio(const Plane& differences, const Plane& presumed);
 
-/// The variance of a picture's luminance as its neighbours tell it, where nothing else is known: edges count as noise.
+/// Returns the variance of an image's luminance estimated from neighbours, where nothing else is known: edges count as
+/// noise.
 Plane varianceAround(const Plane& luminance);
 
-/// The real variance of a picture's luminance, averaged over 5 x 5 pixels. `variance`: the presumed one.
+/// Returns the real variance of an image's luminance, averaged over 5 x 5 pixels. `variance`: the presumed one.
 Plane realVariance(const Plane& variance, const Plane& ratio);
 
-/// `mean` without its noise, never below 0. `variance`: presumed for its luminance; where the real one is 0 the picture
-/// stays as it is. Radiances should be about 1: less than 0.1 % of that counts as noise. After a stop request it is
-/// worthless.
+/// Returns `mean` denoised, never below 0. `variance`: presumed for its luminance; where the real one is 0 the image
+/// stays as it is. Radiances should be about 1: less than 0.1 % of that counts as noise. Worthless after a stop
+/// request.
 Colours smoothed(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop = {});
 
 }  // namespace pdr::denoise

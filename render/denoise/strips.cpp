@@ -7,12 +7,12 @@
 namespace pdr::denoise {
 namespace {
 
-/// Of a pixel, a column of a strip, or all columns before one.
+/// Sums over a pixel, a column of a strip, or all columns before one.
 struct Sums {
     double value = 0, variance = 0;
 };
 
-/// The picture so that u runs along its rows.
+/// A copy of the image in which u runs along the rows.
 class Sheet {
   public:
     Sheet(const Plane& values, const Plane& variance, bool steep)
@@ -45,7 +45,7 @@ class Sheet {
     std::vector<Pixel> pixels_;
 };
 
-/// All strips of one direction.
+/// Scans all strips of one direction.
 class Scan {
   public:
     Scan(const Sheet& sheet, int index, double leastZ)
@@ -74,6 +74,7 @@ class Scan {
     }
 
     std::vector<Strip> inRow(int v, std::vector<Sums>& before) const {
+        // Find the columns in which a strip at v is inside the image
         int begin = 0, end = sheet_.size().x;
         while (begin < end && !inside(begin, v))
             ++begin;
@@ -84,6 +85,7 @@ class Scan {
             const Sums column = sheet_.column(int(u), v + shifts_[u], way_.width);
             before[u + 1] = {before[u].value + column.value, before[u].variance + column.variance};
         }
+        // Collect the strips whose sum is beyond the limit
         std::vector<Strip> strong;
         const auto length = std::size_t(way_.length);
         for (auto u = std::size_t(begin); u + length <= std::size_t(end); ++u) {
@@ -100,7 +102,7 @@ class Scan {
     Direction way_;
     double squaredZ_;
     std::vector<int> shifts_;
-    int first_, rows_;  ///< of v
+    int first_, rows_;  ///< first v of a strip, and number of them
 };
 
 }  // namespace

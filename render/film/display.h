@@ -1,12 +1,12 @@
 #pragma once
-/// How linear radiance becomes what a screen shows. Changing it never restarts a rendering.
+/// Settings that map linear radiance to what a screen shows. Changing them never restarts a rendering.
 
 namespace pdr {
 
 struct Display {
     float exposure = 1;     ///< radiance that is shown as 1 - 1/e; (0, 1e30]
-    bool smoothed = false;  ///< denoise/smoothing.h: the noise is taken away, and fine detail with it
-    bool surveyed = true;   ///< with all of its status; else with its counts alone, where that is less work
+    bool smoothed = false;  ///< show the denoised image (denoise/smoothing.h), which loses fine detail with the noise
+    bool surveyed = true;   ///< compute the full status; false: only its counts, where that is less work
     bool operator==(const Display&) const = default;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-/// How far what a display shows may be from what it would show without noise: |f(m + d) - f(m)| with the tone curve f,
-/// a mean m and a draw d of its error (errorDrawOf), clipped to what a display can show. Not f'(m) d: the curve is
-/// steep in the dark, where that would be wrong by tens of levels. The same numbers on every device.
+/// The difference between what a display shows and what it would show without noise: |f(m + d) - f(m)| with the tone
+/// curve f, a mean m and a draw d of its error (errorDrawOf), clipped to what a display can show. Not f'(m) d: the
+/// curve is steep in the dark, where that would be wrong by tens of levels. The same numbers on every device.
 
 #include <cmath>
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace pdr {
 
-/// Of a channel, in levels; mean and draw in units of the exposure.
+/// Returns the error of one channel in levels; `mean` and `draw` are in units of the exposure.
 PDR_HD inline float levelsOff(const float* curve, float mean, float draw) {
     const float shown = exactLevelOf(curve, mean), other = exactLevelOf(curve, mean + draw);
     return glm::max(shown - other, other - shown);
 }
 
-/// Of the worst channel of a pixel, in linear radiance.
+/// Returns the error of a pixel's worst channel in levels; `mean` and `draw` are linear radiance.
 PDR_HD inline float levelsOff(const float* curve, dvec3 mean, dvec3 draw, double exposure) {
     const vec3 shownMean(mean / exposure), shownDraw(draw / exposure);
     float worst = 0;
@@ -26,19 +26,20 @@ PDR_HD inline float levelsOff(const float* curve, dvec3 mean, dvec3 draw, double
     return worst;
 }
 
-/// Errors are counted in bins that are even in their square root: 1/16 level wide at 1 level, 1/4 at 16.
+/// The bins in which errors are counted are equally wide in the square root of the error: 1/16 level wide at 1 level,
+/// 1/4 at 16.
 inline constexpr int kErrorBins = 512, kErrorBinsPerRoot = 32;
 
 PDR_HD inline int errorBinOf(float levels) {
     return glm::min(int(float(kErrorBinsPerRoot) * std::sqrt(levels)), kErrorBins - 1);
 }
 
-/// Where a bin begins [levels].
+/// Returns the lower edge of a bin [levels].
 inline double errorBinBegin(int bin) {
     return double(bin) * bin / (double(kErrorBinsPerRoot) * kErrorBinsPerRoot);
 }
 
-/// How many pixels of an image have which error.
+/// A histogram of the errors of an image's pixels.
 struct ErrorCounts {
     std::uint32_t pixels[kErrorBins] = {};
 
@@ -48,7 +49,8 @@ struct ErrorCounts {
     }
 };
 
-/// The error [levels] that `fraction` of the pixels do not exceed, evenly spread inside a bin; 0 without pixels.
+/// Returns the error [levels] that `fraction` of the pixels do not exceed, evenly spread inside a bin; 0 without
+/// pixels.
 double errorQuantile(const ErrorCounts& counts, double fraction);
 
 }  // namespace pdr

@@ -41,7 +41,7 @@ bool allSameBits(std::span<const T> a, std::span<const T> b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return sameBits(x, y); });
 }
 
-/// Sums of at most `count` samples that are radiances.
+/// Returns whether these are sums of at most `count` samples that are radiances.
 bool areSums(const PixelSums& sums, std::uint32_t count) {
     const auto are = [](const auto& sum) {
         const double total = double(sum.x) + double(sum.y) + double(sum.z);
@@ -128,12 +128,14 @@ Result<void> Film::check(const TileResult& result) const {
                          std::to_string(result.samples.first),
                      phrase("Leave it; the tile is rendered again.")};
     };
+    // Check the scene and the tile
     if (result.revision != revision_)
         return refused(phrase("it is of another scene"));
     const std::size_t pixels =
         std::size_t(std::max(result.tile.width, 0)) * std::size_t(std::max(result.tile.height, 0));
     if (pixels == 0 || !progress_.isWholeCells(result.tile) || result.sums.size() != pixels)
         return refused(phrase("no such tile is asked for"));
+    // Check that the samples continue the tile's running block
     const std::vector<EvenTile> here = progress_.evenTiles(result.tile);
     const std::uint64_t next = here.front().next, block = next - next % kSamplesPerBlock;
     const SampleRange& samples = result.samples;
@@ -168,7 +170,7 @@ PixelEstimate Film::pixel(int x, int y) const {
     const std::size_t index = std::size_t(y) * std::size_t(area().width) + std::size_t(x);
     const Moments moments = at(index);
     const std::uint32_t seen = block_[index].seen;
-    return {moments.mean,      standardErrorOf(moments),   errorDrawOf(moments),  moments.count,
+    return {moments.mean,      standardErrorOf(moments),  errorDrawOf(moments),  moments.count,
             halvesOf(moments), (seen & kSeenTissue) != 0, isUnlit(moments, seen)};
 }
 
@@ -191,7 +193,7 @@ std::pair<StatusSums, ErrorCounts> Film::survey(const Tile& tile, const Look& lo
         a.second.add(b.second);
         return a;
     };
-    // Deterministic: the sums must not depend on how many threads there are.
+    // A deterministic reduction: the sums must not depend on the number of threads.
     return tbb::parallel_deterministic_reduce(Pixels(0, pixelsOf(tile), 16384), Sums{}, add, join);
 }
 

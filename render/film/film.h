@@ -1,10 +1,10 @@
 #pragma once
-/// What has been learned about an image, or about a part of it: mean and variance per pixel and channel, over any
-/// number of samples. Parts of it may be further than others.
+/// The film: the mean and the variance of each pixel and channel of an image, or of a part of it, over any number of
+/// samples. Parts of it may have more samples than others.
 ///   order      row by row from the top; pixel (x, y) of the film at y * width + x
 ///   tiles      in pixels of the image, of which the film holds area(); whole cells (tile_progress.h)
 ///   radiance   linear Rec. 709
-/// Stays right for 1e7 iterations: blocks of 64 samples in double, merged by Chan's formula.
+/// Stays accurate for 1e7 iterations: blocks of 64 samples in double, merged by Chan's formula.
 
 #include <cstdint>
 #include <functional>
@@ -19,48 +19,50 @@
 
 namespace pdr {
 
-/// One pixel, as far as it is known.
+/// The estimate of one pixel.
 struct PixelEstimate {
     dvec3 mean{0.0};
-    dvec3 standardError{0.0};  ///< of the mean, at most, as the pixel knows it (see localErrors()); 0 below 2 samples
-    dvec3 errorDraw{0.0};      ///< see errorDrawOf()
+    /// Standard error of the mean, an upper bound from this pixel's samples alone (see localErrors()); 0 below 2
+    /// samples.
+    dvec3 standardError{0.0};
+    dvec3 errorDraw{0.0};  ///< see errorDrawOf()
     std::uint64_t count = 0;
     HalfMeans halves;
-    bool tissue = false;  ///< a sample met some
+    bool tissue = false;  ///< a sample met tissue
     bool unlit = false;   ///< no sample brought light, though one may: see isUnlit()
 };
 
-/// All that a film knows, pixel by pixel: what another film, on another device, goes on from.
+/// The content of a film, pixel by pixel, from which another film, on another device, can continue.
 struct FilmContent {
     TileProgress progress;
-    std::vector<Moments> moments;  ///< of all full blocks
-    std::vector<PixelSums> block;  ///< of the running one
+    std::vector<Moments> moments;  ///< moments of all full blocks
+    std::vector<PixelSums> block;  ///< sums of the running block
     Health health;
 };
 
-/// Whether both know the same to the last bit, number by number: what lies between the numbers in memory is nobody's
-/// value. Health is left out.
+/// Returns whether both hold the same bits, number by number; padding between the numbers is ignored. Health is left
+/// out.
 bool sameBits(const FilmContent& a, const FilmContent& b);
 bool sameBits(std::span<const PixelSums> a, std::span<const PixelSums> b);
 
-/// Sums of a tile that were made elsewhere.
+/// Sums of a tile that were computed elsewhere.
 struct TileResult {
-    std::uint64_t revision = 0;  ///< of the scene
+    std::uint64_t revision = 0;  ///< revision of the scene
     Tile tile;
-    SampleRange samples;          ///< of which the sums are, all of them; in one block
+    SampleRange samples;          ///< samples that the sums hold, all of them; in one block
     std::vector<PixelSums> sums;  ///< row by row
-    Health health;                ///< of those samples that were never sent before
+    Health health;                ///< health of the samples that were never sent before
 };
 
 using PixelLook = std::function<void(std::size_t index, const Moments& known)>;
 
 class Film {
   public:
-    /// Empty; the first sample of each pixel is to have the number `first`.
+    /// Creates an empty film; the first sample of each pixel gets the number `first`.
     Film(const Tile& area, std::uint64_t revision, std::uint64_t first = 0);
-    /// Of a whole image.
+    /// Creates an empty film of a whole image.
     Film(ivec2 size, std::uint64_t revision) : Film(wholeImage(size), revision) {}
-    /// `content` of as many pixels as its progress speaks of.
+    /// Continues from `content`, which has as many pixels as its progress covers.
     Film(std::uint64_t revision, FilmContent content);
 
     const Tile& area() const { return progress_.area(); }
@@ -68,56 +70,57 @@ class Film {
     std::uint64_t revision() const { return revision_; }
     const TileProgress& progress() const { return progress_; }
     SampleCounts samples() const { return progress_.counts(); }
-    /// That every pixel has.
+    /// Returns the number of samples that every pixel has.
     std::uint64_t samplesPerPixel() const { return samples().least; }
 
-    /// Empties it, for another scene. No memory is taken where it was as large before.
+    /// Empties the film, for another scene. Allocates no memory where the film was as large before.
     void restart(const Tile& area, std::uint64_t revision);
 
-    /// The next samples of the whole area: at most `wanted`, never across a block's end. All of it must be equally far.
+    /// Returns the next samples of the whole area: at most `wanted`, never across a block's end. All pixels must
+    /// have the same samples.
     SampleRange nextSamples(std::uint32_t wanted) const;
-    /// The running block's sums of the pixels in `tile`, and the image's health; a device adds to both.
+    /// Returns the running block's sums of the pixels in `tile`, and the image's health; a device adds to both.
     TileSums sums(const Tile& tile);
-    /// Tells that all pixels of `tile` have got the samples of `range`, their next ones; merges a block that is full.
+    /// Records that all pixels of `tile` have got the samples of `range`, their next ones; merges a block that is full.
     void commit(const Tile& tile, SampleRange range);
     void commit(SampleRange range) { commit(area(), range); }
 
-    /// Takes sums that were made elsewhere: `result.samples` begin where the tile's running block begins and reach
-    /// further than what is here, whose place they take. So the order of the additions is the same wherever they were
-    /// made, and so are the bits. Errors: they are of another scene (stale), of no whole cells of this film (foreign),
-    /// here already (twice), behind a gap (early), or no sums; the film is as before then.
+    /// Merges sums that were computed elsewhere: `result.samples` begin where the tile's running block begins and reach
+    /// further than the film's own sums, which they replace. So the order of the additions, and with it every bit, does
+    /// not depend on where the sums were computed. Errors: the sums are of another scene (stale), of no whole cells of
+    /// this film (foreign), here already (twice), behind a gap (early), or no sums; the film is then as before.
     Result<void> merge(const TileResult& result);
 
     PixelEstimate pixel(int x, int y) const;
-    /// Without a display: its displayError is not known.
+    /// Returns the status without a display: displayError is not known.
     FilmStatus status() const;
-    /// On a display of that exposure, with a look at each pixel on the way: `look` gets its index and what is known of
-    /// it, on many threads.
+    /// Returns the status on a display of that exposure. On the way `look` is called for each pixel, on many threads,
+    /// with its index and its moments.
     FilmStatus status(double exposure, const PixelLook& look) const;
     FilmStatus status(double exposure) const { return status(exposure, area()); }
-    /// Of the pixels of `tile` alone, a part of the film; its samples are those of the cells around it, its health that
-    /// of the whole film.
+    /// Returns the status of the pixels of `tile` alone, a part of the film; its samples are those of the cells around
+    /// it, its health that of the whole film.
     FilmStatus status(double exposure, const Tile& tile) const;
 
-    /// Samples and health; no errors are known.
+    /// Returns the sample counts and the health; no errors are known.
     FilmStatus counts() const;
-    /// The look alone.
+    /// Calls `look` for each pixel, as status() does.
     void each(const PixelLook& look) const;
 
     FilmContent content() const { return {progress_, moments_, block_, health_}; }
 
   private:
-    /// Sums over the pixels of a tile; look(index, what is known, a draw of its error, counts) adds to the counts.
+    /// Sums over the pixels of a tile; look(index, moments, a draw of the error, counts) adds to the counts.
     template <class Look>
     std::pair<StatusSums, ErrorCounts> survey(const Tile& tile, const Look& look) const;
     template <class Look>
     FilmStatus statusOn(double exposure, const Tile& tile, const Look& look) const;
     Moments at(std::size_t index) const { return merged(moments_[index], block_[index]); }
-    /// Of the pixel at the corner of `tile`.
+    /// Returns the index of the pixel at the corner of `tile`.
     std::size_t indexOf(const Tile& tile) const {
         return std::size_t(tile.y - area().y) * std::size_t(area().width) + std::size_t(tile.x - area().x);
     }
-    /// Of the pixel of `tile` that is number i there, row by row.
+    /// Returns the index of the pixel of `tile` that is number i there, row by row.
     std::size_t indexIn(const Tile& tile, std::size_t i) const {
         const std::size_t width = std::size_t(tile.width), stride = std::size_t(area().width);
         return indexOf(tile) + (width == stride ? i : i / width * stride + i % width);

@@ -1,5 +1,5 @@
 #pragma once
-/// A picture's health in words.
+/// The health of an image in words.
 
 #include <vector>
 
@@ -8,10 +8,11 @@
 
 namespace pdr {
 
-/// What one fault is, for the user: "samples left out: not a number".
+/// Returns a fault's description for the user: "samples left out: not a number".
 const char* faultText(Fault fault);
 
-/// One line for each fault that happened, most serious first: "3 samples left out: not a number". Empty: all is well.
+/// Returns one line for each fault that happened, most serious first: "3 samples left out: not a number". Empty: there
+/// was none.
 std::vector<Text> healthLines(const Health& health);
 
 }  // namespace pdr

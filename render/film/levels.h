@@ -1,5 +1,5 @@
 #pragma once
-/// The levels of a display, by a search among the radiances at which they begin; the same on every device.
+/// Maps radiance to display levels by a search among the radiances at which they begin; the same on every device.
 
 #include <array>
 #include <cstdint>
@@ -8,14 +8,15 @@
 
 namespace pdr {
 
-/// Entry k is the radiance, in units of the exposure, from which level k + 1 is shown; ascending.
+/// Thresholds of the levels: entry k is the radiance, in units of the exposure, from which level k + 1 is shown;
+/// ascending.
 inline constexpr int kThresholds = 255;
 using Thresholds = std::array<double, kThresholds>;
 
-/// Those of the curve of tone_map.h.
+/// Returns the thresholds of the curve of tone_map.h.
 const Thresholds& displayThresholds();
 
-/// Level of `radiance`: 0 for what is not above 0. `thresholds`: kThresholds of them.
+/// Returns the level of `radiance`: 0 for what is not above 0. `thresholds`: kThresholds of them.
 PDR_HD inline std::uint8_t levelOf(const double* thresholds, double radiance, double exposure) {
     if (!(radiance > 0))
         return 0;

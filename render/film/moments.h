@@ -1,5 +1,5 @@
 #pragma once
-/// Mean and variance of one pixel, merged block by block. The same arithmetic on every device.
+/// The mean and the variance of one pixel, merged block by block. The same arithmetic on every device.
 
 #include <cmath>
 #include <cstdint>
@@ -12,23 +12,23 @@ struct Moments {
     dvec3 mean{0.0};
     dvec3 m2{0.0};  ///< sum of squared deviations from the mean
     std::uint64_t count = 0;
-    vec3 evenMean{0.0f};  ///< of the samples with even numbers alone
+    vec3 evenMean{0.0f};  ///< mean of the samples with even numbers alone
     std::uint32_t evenCount = 0;
 };
 
-/// a * b + c, rounded once.
+/// Returns a * b + c, rounded once.
 PDR_HD inline dvec3 fused(dvec3 a, dvec3 b, dvec3 c) {
     return {std::fma(a.x, b.x, c.x), std::fma(a.y, b.y, c.y), std::fma(a.z, b.z, c.z)};
 }
 
-/// The moments of two sets from the moments of each. Chan, Golub & LeVeque 1979.
+/// Returns the moments of two sets from the moments of each. Chan, Golub & LeVeque 1979.
 PDR_HD inline Moments merged(const Moments& moments, const PixelSums& block) {
     Moments result = moments;
     if (block.count == 0)
         return result;
     const double n = block.count;
     const dvec3 blockMean = block.sum / n;
-    // Of a large value with little noise nearly all of this cancels: rounded once, not twice.
+    // Nearly all of this cancels for a large value with little noise: rounded once, not twice.
     const dvec3 blockM2 = glm::max(fused(-block.sum, blockMean, block.sumOfSquares), dvec3(0.0));
     const double total = double(moments.count) + n;
     const dvec3 delta = blockMean - moments.mean;
@@ -44,7 +44,7 @@ PDR_HD inline Moments merged(const Moments& moments, const PixelSums& block) {
 }
 
 /// The two half buffers: independent means of the samples with even and with odd numbers; the mean of all where a half
-/// has none yet. The even ones are known in single precision: halves tell noise, and their difference is noise.
+/// has no sample yet. The even mean has single precision, since the halves serve only to estimate noise.
 struct HalfMeans {
     dvec3 even{0.0}, odd{0.0};
 };
@@ -56,15 +56,15 @@ PDR_HD inline HalfMeans halvesOf(const Moments& moments) {
     return {even, moments.mean + (moments.mean - even) * (double(moments.evenCount) / double(odd))};
 }
 
-/// The block after a full one: empty, but what was seen stays seen.
+/// Returns the block after a full one: empty, but the `seen` bits stay.
 PDR_HD inline PixelSums nextBlock(const PixelSums& full) {
     return {.seen = full.seen};
 }
 
-/// One draw from the distribution of the mean's error: half of what the two halves differ. Of independent halves the
-/// mean and the difference have the same variance, however even the samples within a half are (Owen 1997, "Monte Carlo
-/// variance of scrambled net quadrature", section 5: replicates). One draw says nothing of its pixel; those of many
-/// pixels say how far these are off. 0 below 2 samples, and where all samples were alike.
+/// Returns one draw from the distribution of the mean's error: half the difference of the two halves. For independent
+/// halves the mean and half the difference have the same variance, even if the samples within a half are correlated
+/// (Owen 1997, "Monte Carlo variance of scrambled net quadrature", section 5: replicates). One draw says nothing about
+/// its pixel; those of many pixels show how far these are off. 0 below 2 samples, and where all samples were alike.
 PDR_HD inline dvec3 errorDrawOf(const Moments& moments) {
     const double odd = double(moments.count - moments.evenCount), even = double(moments.evenCount);
     if (odd == 0 || even == 0)
@@ -74,15 +74,15 @@ PDR_HD inline dvec3 errorDrawOf(const Moments& moments) {
     return {moments.m2.x > 0 ? draw.x : 0, moments.m2.y > 0 ? draw.y : 0, moments.m2.z > 0 ? draw.z : 0};
 }
 
-/// Of the mean, as if samples were independent: where they are low-discrepancy points it is less than that. 0 below 2
-/// samples.
+/// Returns the standard error of the mean as if samples were independent; for low-discrepancy points the real one is
+/// less. 0 below 2 samples.
 PDR_HD inline dvec3 standardErrorOf(const Moments& moments) {
     if (moments.count < 2)
         return dvec3(0.0);
     return glm::sqrt(moments.m2 / (double(moments.count) * double(moments.count - 1)));
 }
 
-/// Rec. 709 luminance.
+/// Returns the Rec. 709 luminance.
 PDR_HD inline double luminance(dvec3 rgb) {
     return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722));
 }

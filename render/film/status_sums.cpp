@@ -8,13 +8,14 @@ namespace pdr {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
-constexpr double kSureEnough = 3;  ///< -ln(1 - 0.95): what did not come in n draws has a chance of at most 3 / n
+constexpr double kSureEnough = 3;  ///< -ln(1 - 0.95): what did not occur in n draws has a probability of at most 3 / n
 constexpr double kDisplayFraction = 0.95;
 
-/// From so many draws on, their mean square is the error's to 7 % (chi-square); from fewer it may say far too little.
+/// The number of draws from which on their mean square is the error's to 7 % (chi-square); fewer draws may state far
+/// too little.
 constexpr double kDrawsToJudge = 100;
 
-/// Of the tissue, or of all pixels where there is none.
+/// Returns the relative error over the tissue, or over all pixels where there is none.
 double relativeErrorOf(const StatusSums& sums, std::size_t pixels) {
     const bool tissue = sums.tissue > 0;
     const double count = tissue ? double(sums.tissue) : double(pixels);
@@ -25,8 +26,9 @@ double relativeErrorOf(const StatusSums& sums, std::size_t pixels) {
     return error > 0 ? error / mean : 0;
 }
 
-/// The part of the tissue that no sample has met, from how much of it few groups of samples have met: at least so much.
-/// Chao 1987, "Estimating the population size for capture-recapture data with unequal catchability".
+/// Returns a lower bound of the share of the tissue that no sample has met, from the numbers of pixels in which few
+/// groups of samples have met some. Chao 1987, "Estimating the population size for capture-recapture data with unequal
+/// catchability".
 double unseenTissueOf(const StatusSums& sums, std::uint64_t samples) {
     const double groups = double(std::min<std::uint64_t>(samples, kSeenGroups));
     if (groups < 2 || sums.tissue == 0)
@@ -36,8 +38,8 @@ double unseenTissueOf(const StatusSums& sums, std::uint64_t samples) {
     return unseen / (double(sums.tissue) + unseen);
 }
 
-/// How far a pixel that has seen tissue but no light may be off: a fraction 3 / n of its samples may be such as brought
-/// light elsewhere.
+/// Returns the margin [levels] of a pixel that has seen tissue but no light: a fraction 3 / n of its samples may bring
+/// as much light as those elsewhere.
 float unlitLevelsOff(const StatusSums& sums, const SampleCounts& samples, const Shown& shown) {
     const double bright = sums.tissuePower / sums.tissueLuminance;
     const double most = kSureEnough / double(samples.least) * bright;

@@ -1,5 +1,5 @@
 #pragma once
-/// What the status of an image is made from. The same arithmetic on every device.
+/// The sums from which the status of an image is computed. The same arithmetic on every device.
 
 #include "render/film/display_error.h"
 #include "render/film/film_status.h"
@@ -7,27 +7,27 @@
 
 namespace pdr {
 
-/// Whether a pixel has seen no light although it may: its samples may only have been unlucky. `seen`: kSeen...
+/// Returns whether a pixel has seen no light although it may: its samples may only have been unlucky. `seen`: kSeen...
 PDR_HD inline bool isUnlit(const Moments& pixel, std::uint32_t seen) {
     return (seen & kSeenChance) != 0 && pixel.mean == dvec3(0);
 }
 
-/// Whether it is a pixel of tissue whose own samples tell its error.
+/// Returns whether a pixel shows tissue and its own samples show its error.
 PDR_HD inline bool knowsItsError(const Moments& pixel, std::uint32_t seen) {
     return (seen & kSeenTissue) != 0 && !isUnlit(pixel, seen);
 }
 
-/// Whether less than two bright samples could make a pixel: k of them among many dark ones give its mean `light` a
-/// standard error of light / sqrt(k).
+/// Returns whether less than two bright samples could make a pixel: k of them among many dark ones give its mean
+/// `light` a standard error of light / sqrt(k).
 PDR_HD inline bool isRareLight(double light, double standardError) {
     return 2 * standardError * standardError > light * light;
 }
 
-/// Of the noise, what may come from pixels of rare light: where it is more, brighter samples may still come. Not the
-/// part of the pixels: dim ones along a silhouette are many, and their noise is nothing.
+/// The share of the noise that may come from pixels of rare light: above it, brighter samples may still come. It is not
+/// a share of the pixels: dim ones along a silhouette are many, and their noise is negligible.
 inline constexpr double kMostRareNoise = 0.25;
 
-/// Groups of a pixel's samples that met tissue, 3 for more. `seen`: kSeen...
+/// Returns the number of groups of a pixel's samples that met tissue, 3 for more. `seen`: kSeen...
 PDR_HD inline int groupsThatMet(std::uint32_t seen) {
     std::uint32_t groups = seen >> kFirstGroupBit;
     int count = 0;
@@ -38,17 +38,17 @@ PDR_HD inline int groupsThatMet(std::uint32_t seen) {
 
 /// Sums over some of an image's pixels.
 struct StatusSums {
-    double luminance = 0, tissueLuminance = 0;   ///< of all pixels; of those that have seen tissue
-    double squaredDraws = 0, tissueDraws = 0;    ///< squares of the luminance of errors' draws; likewise
-    double squaredErrors = 0, tissueErrors = 0;  ///< squares of standard errors' luminance; likewise
-    double rareErrors = 0;                       ///< tissueErrors of pixels of rare light
-    double tissuePower = 0;                      ///< mean squared luminance of the tissue's samples
-    std::uint64_t tissue = 0;                    ///< pixels that have seen some
-    std::uint64_t unlit = 0;                     ///< of these, pixels without light that may only be unlucky
-    std::uint64_t chance = 0;                    ///< pixels that chance has a part in
+    double luminance = 0, tissueLuminance = 0;   ///< over all pixels; over those that have seen tissue
+    double squaredDraws = 0, tissueDraws = 0;    ///< squared luminance of the errors' draws; the same two
+    double squaredErrors = 0, tissueErrors = 0;  ///< squared luminance of the standard errors; the same two
+    double rareErrors = 0;                       ///< part of tissueErrors from pixels of rare light
+    double tissuePower = 0;                      ///< sum of the mean squared luminance of the tissue's samples
+    std::uint64_t tissue = 0;                    ///< pixels that have seen tissue
+    std::uint64_t unlit = 0;                     ///< tissue pixels without light that may only be unlucky
+    std::uint64_t chance = 0;                    ///< pixels in which chance has a part
     std::uint64_t metOnce = 0, metTwice = 0;     ///< pixels in which one group of the samples met tissue, and two did
 
-    /// `seen`: kSeen...
+    /// Adds one pixel. `seen`: kSeen...
     PDR_HD void add(const Moments& pixel, dvec3 errorDraw, std::uint32_t seen) {
         const double draw = pdr::luminance(errorDraw), light = pdr::luminance(pixel.mean);
         const double error = pdr::luminance(standardErrorOf(pixel));
@@ -86,15 +86,15 @@ struct StatusSums {
     }
 };
 
-/// What a picture is shown with.
+/// The display that an image is shown on, and the errors of its pixels there.
 struct Shown {
-    const ErrorCounts& errors;  ///< of the pixels that know theirs
+    const ErrorCounts& errors;  ///< errors of the pixels for which knowsItsError()
     double exposure;
 };
 
-/// The status of an image of that many `pixels` from the sums over them.
+/// Returns the status of an image of that many `pixels` from the sums over them.
 FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCounts& samples, const Health& health);
-/// The same, with its displayError.
+/// Returns the status together with its displayError.
 FilmStatus statusOf(const StatusSums& sums, std::size_t pixels, const SampleCounts& samples, const Health& health,
                     const Shown& shown);
 

@@ -27,7 +27,7 @@ Tile TileProgress::cellsAround(const Tile& region) const {
     return pixelsOf(cellsOf(region));
 }
 
-/// Each tile begins at the first cell that is in none yet, as wide as its row allows and then as high.
+/// Grows each tile from the first cell that is in none yet, first as wide as its row allows and then as high.
 std::vector<EvenTile> TileProgress::evenTiles(const Tile& cells) const {
     std::vector<EvenTile> tiles;
     if (cells.width <= 0 || cells.height <= 0)

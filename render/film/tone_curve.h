@@ -1,6 +1,6 @@
 #pragma once
-/// The curve of tone_map.h before it is rounded, read from a table: the same bits on every device, as no call of exp or
-/// pow would give, and for the price of a multiplication.
+/// The curve of tone_map.h before it is rounded, read from a table. It gives the same bits on every device, which
+/// calls of exp or pow do not, at the price of a multiplication.
 
 #include <cstdint>
 
@@ -8,16 +8,16 @@
 
 namespace pdr {
 
-/// Entries stand kCurvePerOctave to an octave of radiance, in units of the exposure, from 2^kCurveFrom to 2^kCurveTo:
-/// where a float's upper bits say.
+/// The table has kCurvePerOctave entries per octave of radiance, in units of the exposure, from 2^kCurveFrom to
+/// 2^kCurveTo; the upper bits of a float are the index.
 inline constexpr int kCurveFrom = -20, kCurveTo = 4, kCurveBits = 6, kCurvePerOctave = 1 << kCurveBits;
 inline constexpr int kCurveEntries = (kCurveTo - kCurveFrom) * kCurvePerOctave + 1;
 
-/// kCurveEntries levels.
+/// Returns the table: kCurveEntries levels.
 const float* displayCurve();
 
-/// The level of `fraction`, a radiance in units of the exposure: [0, 255], off by less than 0.005. 0 for what is not
-/// above 0.
+/// Returns the level of `fraction`, a radiance in units of the exposure: [0, 255], off by less than 0.005. 0 for what
+/// is not above 0.
 PDR_HD inline float exactLevelOf(const float* curve, float fraction) {
     constexpr int kShift = 23 - kCurveBits;
     constexpr std::uint32_t kFirst = std::uint32_t(127 + kCurveFrom) << kCurveBits;

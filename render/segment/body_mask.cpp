@@ -25,7 +25,7 @@ std::size_t countOf(const Cells& cells) {
     return std::size_t(std::count(cells.begin(), cells.end(), 1));
 }
 
-/// The share of the cells at the four sides of the slices that are the body's.
+/// Returns the share of the cells at the four sides of the slices that belong to the body.
 double shareOfBorder(const Cells& body, const CellGrid& grid) {
     std::size_t all = 0, covered = 0;
     const auto look = [&](int x, int y, int z) {
@@ -43,7 +43,8 @@ double shareOfBorder(const Cells& body, const CellGrid& grid) {
     return double(covered) / double(all);
 }
 
-/// What the body touches; nothing where the field of view cuts through it, since lung vessels reach its border there.
+/// Returns the foreign cells that the body touches; none where the field of view cuts through the body, since lung
+/// vessels reach its border there.
 Cells foreignIn(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid,
                 const Checkpoint& checkpoint) {
     if (shareOfBorder(body, grid) > kMostAtBorder)
@@ -51,7 +52,7 @@ Cells foreignIn(const Cells& body, const std::vector<float>& squaredDepths, cons
     return touching(body, squaredDepths, grid, checkpoint);
 }
 
-/// The body's outline, a cell more, and none of the other solids.
+/// Returns the outline widened by a cell, without other solids.
 Cells shownOf(const Cells& outline, const Cells& solid, const CellGrid& grid) {
     Cells shown = grown(outline, grid);
     for (std::size_t i = 0; i < shown.size(); ++i)
@@ -59,12 +60,13 @@ Cells shownOf(const Cells& outline, const Cells& solid, const CellGrid& grid) {
     return shown;
 }
 
-/// Stopped by its checkpoints.
+/// Finds the body; its checkpoints throw Stopped.
 Result<BodyMask> findBody(const Volume& volume, const Progress& progress) {
     const dvec3 spacing = volume.geometry().spacingMm();
     if (glm::max(spacing.x, glm::max(spacing.y, spacing.z)) > kCoarsestMm)
         return undecided(phrase("voxels lie more than 5 mm apart"));
     BodyMask mask;
+    // Find the bodies: connected solids that hold the ball
     const CellGrid& grid = mask.grid = CellGrid::over(volume.geometry());
     const Cells solid = cellsAbove(kSolidHu, cellSums(volume, grid, checkpointOf(progress, 0, kStep)), grid);
     const Checkpoint atDepths = checkpointOf(progress, 0.3, kStep);
@@ -75,12 +77,14 @@ Result<BodyMask> findBody(const Volume& volume, const Progress& progress) {
         return undecided(phrase("nothing is as thick as 20 mm"));
     if (double(countOf(bodies.cells)) < kLeastBody * double(countOf(solid)))
         return undecided(phrase("more than half of what is solid is thinner than 20 mm"));
+    // Cut off what touches them
     const Checkpoint atContact = checkpointOf(progress, 0.5, kStep), atOutline = checkpointOf(progress, 0.8, kStep);
     Cells& body = bodies.cells;
     mask.cut = foreignIn(body, squaredDepths, grid, atContact);
     for (std::size_t i = 0; i < body.size(); ++i)
         body[i] = body[i] && !mask.cut[i];
     atOutline();
+    // Fill the outline, and show it with a cell around
     mask.body = withHolesFilled(body, grid);
     const Cells& outline = mask.body;
     atOutline();

@@ -16,19 +16,19 @@ namespace pdr::segment {
 namespace {
 
 constexpr std::string_view kStep = "finding the part to show";
-constexpr double kRoomMm = 6;      ///< beyond an edge: for its ramp and for smoothing
-constexpr double kShallowMm = 20;  ///< most is peeled less deep
+constexpr double kRoomMm = 6;      ///< distance known beyond an edge: for its ramp and for smoothing
+constexpr double kShallowMm = 20;  ///< most peels are shallower
 constexpr double kDeepMm = 50;
 
 constexpr double kVesselMm = 8;      ///< radius of the vessels that belong to a lung
-constexpr double kPleuraMm = 5;      ///< not shown
-constexpr double kAroundBoneMm = 2;  ///< the skin of a bone, which is half as dense as bone
+constexpr double kPleuraMm = 5;      ///< outermost layer of a lung, which is not shown
+constexpr double kAroundBoneMm = 2;  ///< surface layer of a bone, which is half as dense as bone
 
 Error refused(const Text& what, const Text& why) {
     return {phrase("%1, because %2", what, why), "", phrase("Show everything, or another part."), ErrorKind::refused};
 }
 
-/// Why a body that cannot be told keeps `what` from being done.
+/// Returns the error for `what`, which needs a body that bodyMask() refused to identify; other errors as they are.
 Error without(const Error& error, const Text& what) {
     return error.kind == ErrorKind::refused ? refused(what, error.what) : error;
 }
@@ -37,7 +37,7 @@ bool none(const Cells& cells) {
     return std::find(cells.begin(), cells.end(), 1) == cells.end();
 }
 
-/// What `find` finds, or what was found before.
+/// Returns the stored value, which `find` computes the first time.
 template <typename T, typename Find>
 Result<std::shared_ptr<const T>> knownOr(Found<T>& found, const Find& find) {
     const std::lock_guard lock(found.mutex);
@@ -50,17 +50,17 @@ Result<std::shared_ptr<const T>> knownOr(Found<T>& found, const Find& find) {
     return found.value;
 }
 
-/// What was found, unless somebody is finding it right now.
+/// Drops the stored value, unless a thread is computing it right now.
 template <typename T>
 void forget(Found<T>& found) {
     if (const std::unique_lock lock(found.mutex, std::try_to_lock); lock)
         found.value.reset();
 }
 
-/// The distances at the nodes of a mask, row by row.
+/// Returns the distances at the nodes of a mask, row by row.
 class RowOfDistances {
   public:
-    /// Of a volume that lies at `own`, for a mask of one that lies at `on`.
+    /// Reads `distance` of a volume with the geometry `own`, for a mask of one with the geometry `on`.
     RowOfDistances(const SmoothDistance& distance, const VolumeGeometry& own, const VolumeGeometry& on,
                    const MaskGrid& grid)
         : distance_(distance),
@@ -155,7 +155,7 @@ BodyParts::Distance BodyParts::fromBones(const Progress& progress) const {
     });
 }
 
-/// Seen is what weightOf(distance [mm]) says.
+/// Returns the mask with the weights weightOf(distance [mm]).
 template <typename WeightOf>
 PartMask BodyParts::maskOn(const VolumeGeometry& on, const Distance& distance, Text hidden, const Progress& progress,
                            const WeightOf& weightOf) const {

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kEvenFromHu = 300, kEvenToHu = 1200;  ///< blood with contrast medium; beyond is metal or enamel
 constexpr double kEvenHu = 40;                      ///< standard deviation of cells' means, noise included ...
-constexpr double kEvenShare = 0.08;                 ///< ... or that share of them: undiluted it is less even
-constexpr double kPoolMl = 5;                       ///< of even blood; in less marrow is as even
-constexpr int kVesselHu = 200;                      ///< of a vessel's rim
+constexpr double kEvenShare = 0.08;  ///< ... or as a share of the means: undiluted medium is less uniform
+constexpr double kPoolMl = 5;        ///< least pool of blood; smaller regions of marrow are as uniform
+constexpr int kVesselHu = 200;       ///< least value of a vessel's rim
 constexpr double kVesselRimMm = 4;
 constexpr int kDenseHu = 600;
 constexpr double kLeastMl = 0.3;
@@ -22,7 +22,7 @@ constexpr int kMarrowHu = 150;
 constexpr double kReachMm = 12;
 constexpr double kClosedMm = 4;
 
-/// Whether the 27 cells around a cell inside the grid hold even blood.
+/// Returns whether the 27 cells around a cell inside the grid hold blood of uniform density.
 bool isEven(const std::vector<std::int16_t>& mean, const CellGrid& grid, ivec3 at) {
     constexpr int kCells = 27;
     std::int64_t sum = 0, squares = 0;
@@ -40,6 +40,7 @@ bool isEven(const std::vector<std::int16_t>& mean, const CellGrid& grid, ivec3 a
 }
 
 Cells bloodCells(const std::vector<std::int16_t>& mean, const CellGrid& grid, const Checkpoint& checkpoint) {
+    // Find pools of even blood
     Cells blood(mean.size());
     forEachSlice(std::max(grid.size.z - 2, 0), checkpoint, [&](int below) {
         const int z = below + 1;
@@ -51,13 +52,14 @@ Cells bloodCells(const std::vector<std::int16_t>& mean, const CellGrid& grid, co
     });
     checkpoint();
     blood = piecesWith(blood, kPoolMl / grid.cellMl(), blood, grid);
+    // Extend them to the vessels' rims
     blood = widened(blood, grid, kVesselRimMm, checkpoint);
     for (std::size_t i = 0; i < blood.size(); ++i)
         blood[i] = blood[i] && mean[i] > kVesselHu;
     return blood;
 }
 
-/// `cells` with all gaps that a ball of `radiusMm` does not fit into.
+/// Returns `cells` with all gaps filled that a ball of `radiusMm` does not fit into.
 Cells closed(const Cells& cells, const CellGrid& grid, double radiusMm, const Checkpoint& checkpoint) {
     Cells wide = widened(cells, grid, radiusMm, checkpoint);
     const std::vector<float> distances = squaredDistances(wide, 0, grid, radiusMm, checkpoint);
@@ -72,11 +74,13 @@ Cells boneCells(const Volume& volume, const CellGrid& grid, const Checkpoint& ch
     const CellValues values = cellValues(volume, grid, checkpoint);
     const Cells blood = bloodCells(values.mean, grid, checkpoint);
     const double least = kLeastMl / grid.cellMl();
+    // Find pieces of dense bone
     Cells dense(blood.size());
     for (std::size_t i = 0; i < dense.size(); ++i)
         dense[i] = values.highest[i] > kDenseHu && values.mean[i] > kMarrowHu && !blood[i];
     checkpoint();
     dense = piecesWith(dense, least, dense, grid);
+    // Extend them to connected cells of lower density, and close gaps
     Cells bone = widened(dense, grid, kReachMm, checkpoint);
     for (std::size_t i = 0; i < bone.size(); ++i)
         bone[i] = bone[i] && values.mean[i] > kMarrowHu && !blood[i];

@@ -2,8 +2,8 @@
 /// The grid on which a scan is divided into parts of the patient and other things: blocks of whole voxels.
 ///   cell (i,j,k)  voxels [i, i + 1) x block.x and so on; the last cell along an axis may hold fewer
 ///   order         x fastest, then y, then z
-/// A cell's edge is as near to 2 mm as whole voxels allow: at 2 mm a patient of any scan has a few million cells, and
-/// a table's shell is still apart from the skin.
+/// A cell's edge is as near to 2 mm as whole voxels allow: at 2 mm a patient of any scan has a few million cells, and a
+/// table's shell is still separate from the skin.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ using Cells = std::vector<std::uint8_t>;
 struct CellGrid {
     ivec3 size{0};         ///< cells along i, j, k
     ivec3 block{1};        ///< voxels along the edges of a cell
-    ivec3 voxels{0};       ///< of the volume
+    ivec3 voxels{0};       ///< voxels of the volume
     dvec3 spacingMm{1.0};  ///< between the centres of cells
 
     static CellGrid over(const VolumeGeometry& geometry);
@@ -29,18 +29,18 @@ struct CellGrid {
     std::size_t index(int x, int y, int z) const {
         return (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x) + std::size_t(x);
     }
-    /// Those in a cell.
+    /// Returns the number of voxels in a cell.
     int voxelsIn(ivec3 cell) const {
         const ivec3 edges = glm::min(block, voxels - cell * block);
         return edges.x * edges.y * edges.z;
     }
-    /// Of a whole cell.
+    /// Returns the volume of a whole cell.
     double cellMl() const { return spacingMm.x * spacingMm.y * spacingMm.z / 1000; }
-    /// The longest edge of a cell.
+    /// Returns the longest edge of a cell.
     double longestMm() const { return glm::max(spacingMm.x, glm::max(spacingMm.y, spacingMm.z)); }
 };
 
-/// Of the flagged cells; those at the end of an axis count as large as they are.
+/// Returns the volume of the flagged cells; those at the end of an axis count by the voxels that they hold.
 double volumeMl(const Cells& cells, const CellGrid& grid);
 
 }  // namespace pdr::segment

@@ -9,7 +9,7 @@
 namespace pdr::segment {
 namespace {
 
-/// Calls visit(cell, hu) for each voxel; one thread at a time for each cell.
+/// Calls visit(cell, hu) for each voxel; only one thread at a time visits a cell.
 template <typename Visit>
 void forEachVoxel(const Volume& volume, const CellGrid& grid, const Checkpoint& checkpoint, Visit visit) {
     const ivec3 voxels = grid.voxels, block = grid.block;

@@ -1,14 +1,14 @@
 #pragma once
-/// What the voxels of each cell hold; what lies below air counts as air.
+/// Statistics of the voxels of each cell; values below air count as air.
 
 #include "render/segment/cell_grid.h"
 #include "render/segment/checkpoint.h"
 
 namespace pdr::segment {
 
-/// The sum of each cell's voxels [HU].
+/// Returns the sum of each cell's voxels [HU].
 std::vector<std::int32_t> cellSums(const Volume& volume, const CellGrid& grid, const Checkpoint& checkpoint = goOn);
-/// The cells whose mean lies above `thresholdHu`.
+/// Returns the cells whose mean lies above `thresholdHu`.
 Cells cellsAbove(int thresholdHu, const std::vector<std::int32_t>& sums, const CellGrid& grid);
 
 struct CellValues {

@@ -1,5 +1,5 @@
 #pragma once
-/// How the steps of this room end early: they ask at checkpoints, a few milliseconds apart, whether to go on.
+/// Early stops for segmentation: its steps ask at checkpoints, a few milliseconds apart, whether to go on.
 
 #include <functional>
 #include <string_view>
@@ -9,16 +9,17 @@
 
 namespace pdr::segment {
 
-/// Thrown by a checkpoint after a stop was asked for; orCancelled() catches it. It never leaves the room.
+/// The exception that a checkpoint throws after a stop request; orCancelled() catches it. It never leaves this folder.
 struct Stopped {};
 
-/// Throws Stopped where a stop was asked for. Called from the thread that began the step only, since Progress is.
+/// A checkpoint throws Stopped after a stop request. It is called only from the thread that began the step, as Progress
+/// must be.
 using Checkpoint = std::function<void()>;
 
-/// The Checkpoint of a step that nobody stops.
+/// The Checkpoint of a step that is never stopped.
 inline void goOn() {}
 
-/// The Checkpoint that reports `fraction` of `step` to `progress`. Lives no longer than `progress`.
+/// Returns the Checkpoint that reports `fraction` of `step` to `progress`, which must outlive it.
 inline Checkpoint checkpointOf(const Progress& progress, double fraction, std::string_view step) {
     return [&progress, fraction, step] {
         if (!progress(fraction, step))
@@ -26,7 +27,7 @@ inline Checkpoint checkpointOf(const Progress& progress, double fraction, std::s
     };
 }
 
-/// What `step` returns, a Result; cancelled() where a checkpoint stopped it.
+/// Returns the Result of `step`; cancelled() where a checkpoint stopped it.
 template <typename Step>
 auto orCancelled(const Step& step) -> decltype(step()) {
     try {

@@ -10,7 +10,7 @@
 namespace pdr::segment {
 namespace {
 
-/// How large one piece is.
+/// The size of one piece.
 struct Extent {
     std::size_t cells = 0;
     ivec3 first{INT32_MAX}, last{INT32_MIN};
@@ -36,7 +36,7 @@ std::vector<Extent> extentsOf(const Pieces& pieces, const CellGrid& grid) {
     return extents;
 }
 
-/// What is left of the body where nothing thinner than twice 3 mm is; it may have shrunk by as much.
+/// Returns the body's core: an erosion by 3 mm, without pieces that do not hold the ball.
 Cells eroded(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid) {
     Cells cells(body.size());
     for (std::size_t i = 0; i < body.size(); ++i)
@@ -44,7 +44,7 @@ Cells eroded(const Cells& body, const std::vector<float>& squaredDepths, const C
     return thickPieces(cells, squaredDepths, grid, kBallMm).cells;
 }
 
-/// The cells of the pieces whose number is in `chosen`.
+/// Returns the cells of the pieces whose number is in `chosen`.
 Cells cellsOf(const Pieces& pieces, const Cells& chosen) {
     Cells cells(pieces.of.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -59,7 +59,7 @@ Cells without(const Cells& body, const Cells& taken) {
     return rest;
 }
 
-/// Long and thin lie vessels, too, but those inside.
+/// Removes enclosed pieces from `foreign`: vessels are long and thin too, but lie inside.
 void keepEnclosed(Cells& foreign, const Pieces& pieces, const std::vector<Extent>& extents, const Cells& body,
                   const CellGrid& grid) {
     const Cells outline = withHolesFilled(without(body, cellsOf(pieces, foreign)), grid);
@@ -76,6 +76,7 @@ void keepEnclosed(Cells& foreign, const Pieces& pieces, const std::vector<Extent
 Cells touching(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid,
                const Checkpoint& checkpoint) {
     const double reach = kOpeningMm + 1.01 * grid.longestMm();
+    // Find the residue of the opening
     const Cells core = eroded(body, squaredDepths, grid);
     const std::vector<float> fromCore = squaredDistances(core, 1, grid, reach, checkpoint);
     Cells residue(body.size());
@@ -87,6 +88,7 @@ Cells touching(const Cells& body, const std::vector<float>& squaredDepths, const
         return Cells(body.size());
 
     checkpoint();
+    // Keep its long pieces that lie outside the rest
     const Pieces pieces = piecesOf(residue, grid);
     checkpoint();
     const std::vector<Extent> extents = extentsOf(pieces, grid);

@@ -11,7 +11,7 @@
 namespace pdr::segment {
 namespace {
 
-/// to[i] = min(to[i], from[i] + offset); they do not overlap.
+/// Sets to[i] = min(to[i], from[i] + offset); the arrays do not overlap.
 void lower(float* __restrict to, const float* __restrict from, int count, float offset) {
     for (int i = 0; i < count; ++i) {
         const float other = from[i] + offset;
@@ -19,9 +19,9 @@ void lower(float* __restrict to, const float* __restrict from, int count, float 
     }
 }
 
-/// Squared distances along a row.
+/// Computes squared distances along a row.
 void alongRow(const std::uint8_t* row, std::uint8_t value, int length, float spacing, float* out) {
-    int steps = -1;  // from the last cell that had the value; -1: none yet
+    int steps = -1;  // cells since the last one that had the value; -1: none yet
     for (int x = 0; x < length; ++x) {
         steps = row[x] == value ? 0 : steps < 0 ? -1 : steps + 1;
         out[x] = steps < 0 ? kFar : float(steps) * float(steps) * (spacing * spacing);
@@ -34,7 +34,8 @@ void alongRow(const std::uint8_t* row, std::uint8_t value, int length, float spa
     }
 }
 
-/// Rows of a plane, one above the other: each gets the least of all within reach, and what it takes to get there.
+/// Spreads distances across the rows of a plane: each row gets the minimum over all rows within reach of their values
+/// plus the squared distance between the rows.
 class RowsApart {
   public:
     RowsApart(int length, int count, double spacingMm, double reachMm)
@@ -43,7 +44,7 @@ class RowsApart {
           reach_(std::min(int(std::ceil(reachMm / spacingMm)), count - 1)),
           squaredStep_(float(spacingMm) * float(spacingMm)) {}
 
-    /// The rows begin `stride` numbers apart. `before`: room for a copy.
+    /// Updates `rows`, which begin `stride` numbers apart. `before`: space for a copy.
     void spread(float* rows, std::size_t stride, std::vector<float>& before) const {
         const std::size_t bytes = std::size_t(length_) * sizeof(float);
         before.resize(std::size_t(length_) * std::size_t(count_));
@@ -65,8 +66,8 @@ class RowsApart {
 
 }  // namespace
 
-/// One axis after the other, as Felzenszwalb and Huttenlocher (2012) do; but no farther than `reachMm`, for which
-/// looking at all neighbours within reach is quicker than their lower envelope: whole rows at a time.
+/// Processes one axis after the other, as Felzenszwalb and Huttenlocher (2012) do, but only up to `reachMm`: there,
+/// visiting all neighbours within reach, whole rows at a time, is faster than their lower envelope.
 std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
                                     const Checkpoint& checkpoint) {
     std::vector<float> distances(grid.count());

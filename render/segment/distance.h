@@ -1,5 +1,5 @@
 #pragma once
-/// How far cells lie from others.
+/// Distances between cells.
 
 #include <vector>
 
@@ -8,10 +8,10 @@
 
 namespace pdr::segment {
 
-/// Of distances that are not known any more, as they are beyond what was asked for.
+/// The value of squared distances that are not known, as they are beyond the requested reach.
 inline constexpr float kFar = 1e30f;
 
-/// Whether a squared distance [mm^2] is at least, or at most, that of `mm`; rounding decides nothing.
+/// Returns whether a squared distance [mm^2] is at least, or at most, that of `mm`, with a tolerance for rounding.
 inline bool atLeast(float squaredMm2, double mm) {
     return double(squaredMm2) >= mm * mm * (1 - 1e-6);
 }
@@ -19,13 +19,13 @@ inline bool atMost(float squaredMm2, double mm) {
     return double(squaredMm2) <= mm * mm * (1 + 1e-6);
 }
 
-/// For each cell the squared distance [mm^2] from its centre to that of the nearest cell whose flag is `value`. Exact
-/// up to `reachMm`; beyond, at least the square of `reachMm`, also where there is none. What lies outside the grid is
-/// no cell. The same for any number of threads, and of a mirrored mask the mirrored one, bit by bit.
+/// Returns for each cell the squared distance [mm^2] from its centre to that of the nearest cell whose flag is `value`.
+/// Exact up to `reachMm`; beyond, and where there is no such cell, at least the square of `reachMm`. There are no cells
+/// outside the grid. The result is the same for any number of threads, and mirrored, bit by bit, for a mirrored mask.
 std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
                                     const Checkpoint& checkpoint = goOn);
 
-/// `cells`, and all whose centre lies at most `radiusMm` from that of one of them.
+/// Returns `cells` and all cells whose centre lies at most `radiusMm` from that of one of them.
 Cells widened(const Cells& cells, const CellGrid& grid, double radiusMm, const Checkpoint& checkpoint = goOn);
 
 }  // namespace pdr::segment

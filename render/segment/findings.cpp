@@ -11,7 +11,8 @@
 namespace pdr::segment {
 namespace {
 
-/// Cells are as near to that as whole voxels allow: inside a great vessel, and enough voxels to tell noise from edges.
+/// Edge of the cells, which are as near to it as whole voxels allow: small enough to lie inside a great vessel, with
+/// enough voxels to distinguish noise from edges.
 constexpr double kCellMm = 4;
 constexpr int kMetalHu = 2500;
 
@@ -23,8 +24,8 @@ constexpr int meanBin(double hu) {
 }
 
 struct CellCounts {
-    std::array<std::array<std::uint32_t, kSpreads>, kMeans> cells{};  ///< uneven ones are left out
-    std::uint64_t metal = 0;                                          ///< voxels
+    std::array<std::array<std::uint32_t, kSpreads>, kMeans> cells{};  ///< cells of larger spread are left out
+    std::uint64_t metal = 0;                                          ///< voxels above kMetalHu
 
     void add(const CellCounts& other) {
         metal += other.metal;
@@ -32,7 +33,7 @@ struct CellCounts {
             for (int spread = 0; spread < kSpreads; ++spread)
                 cells[mean][spread] += other.cells[mean][spread];
     }
-    /// Cells in the bins [first, last] whose spread lies below a bin.
+    /// Returns the number of cells in the bins [first, last] whose spread lies below bin `spreads`.
     std::uint64_t within(int first, int last, int spreads) const {
         std::uint64_t sum = 0;
         for (int mean = first; mean <= last; ++mean)
@@ -58,7 +59,7 @@ ivec3 blockOf(const VolumeGeometry& geometry) {
     return glm::clamp(ivec3(voxels), ivec3(1), geometry.size);
 }
 
-/// A layer of whole cells; what is left at the end of an axis is left out.
+/// Counts the whole cells of a layer; the remainder at the end of an axis is left out.
 CellCounts countLayer(const Volume& scan, ivec3 block, int layer) {
     const ivec3 size = scan.size(), cells = size / block;
     CellCounts counts;
@@ -90,7 +91,7 @@ CellCounts countCells(const Volume& scan, ivec3 block) {
     return all;
 }
 
-/// The bins of spread in which half of the cells of soft tissue lie: the scan's noise.
+/// Returns the number of spread bins in which half of the cells of soft tissue lie: the scan's noise.
 int noiseBins(const CellCounts& counts) {
     const int first = meanBin(-20), last = meanBin(100);
     const std::uint64_t all = counts.within(first, last, kSpreads);
@@ -100,12 +101,13 @@ int noiseBins(const CellCounts& counts) {
     return bins;
 }
 
-/// The mean HU within 50 of the bin that has the most such cells about it.
+/// Returns the mean HU within 50 of the bin that has the most uniform cells around it; nothing without such a peak.
 std::optional<float> bloodPeak(const CellCounts& counts, double cellMl) {
-    constexpr double kLeastMl = 15, kEven = 1.6;  // a great vessel; against the noise of soft tissue
+    constexpr double kLeastMl = 15, kEven = 1.6;  // a great vessel; relative to the noise of soft tissue
     constexpr int kReach = 5;
     const int spreads = std::min(int(kEven * noiseBins(counts)) + 1, kSpreads);
     const int first = meanBin(180), last = meanBin(800);
+    // Find the bin with the most cells around it
     int best = first;
     std::uint64_t most = 0;
     for (int bin = first; bin <= last; ++bin)
@@ -113,8 +115,9 @@ std::optional<float> bloodPeak(const CellCounts& counts, double cellMl) {
             most = here;
             best = bin;
         }
-    if (double(most) * cellMl < kLeastMl || best == first)  // what only falls from there on is dense soft tissue
+    if (double(most) * cellMl < kLeastMl || best == first)  // a mere descent from there is dense soft tissue
         return std::nullopt;
+    // Average the means around it
     double sum = 0;
     for (int bin = best - kReach; bin <= best + kReach; ++bin)
         sum += (kLowestHu + (bin + 0.5) * kBinHu) * double(counts.within(bin, bin, spreads));

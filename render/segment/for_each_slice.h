@@ -1,5 +1,5 @@
 #pragma once
-/// A loop over slices on all processors that can be stopped. For sources only: TBB and Qt's `emit` do not go together.
+/// A loop over slices on all processors that can be stopped. For source files only: TBB and Qt's `emit` conflict.
 
 #include <tbb/parallel_for.h>
 
@@ -10,7 +10,7 @@
 namespace pdr::segment {
 
 /// Calls body(i) for each i in [0, count), on all processors, with a checkpoint before each call that the calling
-/// thread makes itself. Where it throws, the rest is left out.
+/// thread makes itself. If the checkpoint throws, the remaining calls are left out.
 template <typename Body>
 void forEachSlice(int count, const Checkpoint& checkpoint, const Body& body) {
     const std::thread::id caller = std::this_thread::get_id();

@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeastMl = 1;
 constexpr std::string_view kStep = "hiding the table";
 
-/// "884 ml", from 10 l on "16.8 l".
+/// Returns "884 ml", from 10 l on "16.8 l".
 Text volumeText(double ml) {
     return ml < 9999.5 ? phrase("%1 ml", fixedNumber(ml, 0)) : phrase("%1 l", fixedNumber(ml / 1000, 1));
 }
@@ -30,13 +30,13 @@ HiddenTable undecided(const Volume& volume, const Text& why) {
     return table;
 }
 
-/// What becomes of one slice of voxels.
+/// The changes to one slice of voxels.
 struct HiddenSlice {
-    std::int64_t seen = 0;  ///< voxels denser than kSeenHu that are air now
+    std::int64_t seen = 0;  ///< voxels denser than kSeenHu that were replaced by air
     std::int16_t highest = INT16_MIN;
 };
 
-/// Makes air of the voxels of slice `z` that lie in cells which are not shown.
+/// Replaces with air the voxels of slice `z` that lie in cells which are not shown.
 HiddenSlice hideSlice(const BodyMask& mask, ivec3 size, int z, std::int16_t* slice) {
     HiddenSlice hidden;
     for (int y = 0; y < size.y; ++y) {
@@ -64,17 +64,17 @@ std::shared_ptr<const std::vector<dvec3>> placesOf(const VolumeGeometry& geometr
     return std::make_shared<const std::vector<dvec3>>(std::move(indices));
 }
 
-/// For the pictures: how much, and by which rule.
+/// Returns the statement in image files: the hidden volume, and the rule.
 std::string factOf(const HiddenTable& table) {
     char rule[80];
     std::snprintf(rule, sizeof rule, ", rule %d, %d HU, %g mm, %g mm", kRule, kSolidHu, kOpeningMm, kBallMm);
     return volumeText(table.hiddenMl) + " of " + volumeText(table.hiddenMl + table.bodyMl) + rule;
 }
 
-/// The scan's voxels with air outside `mask`.
+/// A copy of the scan's voxels with air outside a mask.
 struct Masked {
     Voxels voxels;
-    HiddenSlice hidden;  ///< of all slices
+    HiddenSlice hidden;  ///< changes to all slices
 };
 
 Masked masked(const Volume& volume, const BodyMask& mask, const Checkpoint& checkpoint) {
@@ -94,7 +94,7 @@ HiddenTable tableOf(const Volume& volume, BodyMask mask, const Checkpoint& check
     HiddenTable table;
     Masked all = masked(volume, mask, checkpoint);
     if (all.hidden.highest > kMetalHu) {
-        all.voxels = {};  // else there would be two copies
+        all.voxels = {};  // frees the first copy before the second is made
         table.metalMl = showMetal(volume, mask);
         all = masked(volume, mask, checkpoint);
     }

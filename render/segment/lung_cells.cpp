@@ -6,9 +6,9 @@
 namespace pdr::segment {
 namespace {
 
-constexpr int kAirHu = -400;     ///< below it a cell may be lung
-constexpr int kGasHu = -970;     ///< below it bowel gas, above it lung
-constexpr double kLungMl = 150;  ///< of a lung, at least
+constexpr int kAirHu = -400;     ///< cells below it may be lung
+constexpr int kGasHu = -970;     ///< bowel gas below it, lung above it
+constexpr double kLungMl = 150;  ///< least volume of a lung
 
 }  // namespace
 
@@ -20,6 +20,7 @@ Cells lungCells(const Volume& volume, const BodyMask& body, const Checkpoint& ch
         air[i] = body.body[i] && !air[i];
     const Cells tissue = cellsAbove(kGasHu, sums, grid);
     checkpoint();
+    // Count the cells of each piece of air, and those that are no pure gas
     const Pieces pieces = piecesOf(air, grid);
     checkpoint();
     std::vector<std::size_t> size(std::size_t(pieces.count) + 1), notGas(size.size());
@@ -27,6 +28,7 @@ Cells lungCells(const Volume& volume, const BodyMask& body, const Checkpoint& ch
         ++size[std::size_t(pieces.of[i])];
         notGas[std::size_t(pieces.of[i])] += tissue[i];
     }
+    // Keep the large pieces that are mostly lung
     Cells lung(air.size());
     for (std::size_t i = 0; i < air.size(); ++i) {
         const auto piece = std::size_t(pieces.of[i]);

@@ -8,12 +8,12 @@
 namespace pdr::segment {
 namespace {
 
-/// The way from the border inwards through one slice.
+/// A flood fill from the border inwards through one slice.
 class Flood {
   public:
     Flood(const std::uint8_t* mask, ivec2 size, std::uint8_t* filled) : mask_(mask), size_(size), filled_(filled) {}
 
-    /// Leaves `filled` 0 where it came to, 1 elsewhere.
+    /// Sets `filled` to 0 where the flood arrives, 1 elsewhere.
     void run() {
         std::fill_n(filled_, std::size_t(size_.x) * std::size_t(size_.y), std::uint8_t(1));
         for (int x = 0; x < size_.x; ++x) {
@@ -51,7 +51,7 @@ class Flood {
     std::vector<ivec2> waiting_;
 };
 
-/// to[i] |= from[i]
+/// Computes to[i] |= from[i].
 void join(std::uint8_t* to, const std::uint8_t* from, int count) {
     for (int i = 0; i < count; ++i)
         to[i] |= from[i];

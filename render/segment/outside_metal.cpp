@@ -7,7 +7,7 @@
 namespace pdr::segment {
 namespace {
 
-/// Cells that are not in `shown` and hold a voxel of metal.
+/// Returns the cells that are not in `shown` and hold a voxel of metal.
 Cells metalBeside(const Cells& shown, const Volume& volume, const CellGrid& grid) {
     const CellValues values = cellValues(volume, grid);
     Cells metal(grid.count());
@@ -22,7 +22,7 @@ double showMetal(const Volume& volume, BodyMask& mask) {
     const CellGrid& grid = mask.grid;
     const Cells solid = cellsAbove(kSolidHu, cellSums(volume, grid), grid);
     const Cells metal = metalBeside(mask.shown, volume, grid);
-    Cells beside = grown(metal, grid);  // thin wires have gaps where cells are larger than they
+    Cells beside = grown(metal, grid);  // thin wires have gaps where cells are larger than the wires
     for (std::size_t i = 0; i < beside.size(); ++i)
         beside[i] = !mask.shown[i] && (beside[i] || solid[i]);
     const Cells kept = piecesWith(metal, 1, beside, grid);

@@ -7,7 +7,7 @@
 namespace pdr::segment {
 namespace {
 
-/// Numbers of which some have turned out to be the same piece: each points to a lower one, the lowest to itself.
+/// A union-find structure of piece numbers: each points to a lower number of the same piece, the lowest to itself.
 class SameNumbers {
   public:
     std::int32_t add() {
@@ -27,7 +27,7 @@ class SameNumbers {
         parent_[std::size_t(std::max(a, b))] = std::min(a, b);
         return std::min(a, b);
     }
-    /// For each number that of its piece; 0 stays 0, and the others follow without a gap.
+    /// Returns the final number of the piece of each number; 0 stays 0, and the others follow without a gap.
     std::vector<std::int32_t> numbered() {
         std::vector<std::int32_t> numbers(parent_.size());
         std::int32_t next = 0;

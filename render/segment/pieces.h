@@ -1,5 +1,5 @@
 #pragma once
-/// The connected pieces of a mask. Cells hang together where they share a face.
+/// The connected pieces of a mask. Cells are connected where they share a face.
 
 #include <vector>
 
@@ -8,16 +8,16 @@
 namespace pdr::segment {
 
 struct Pieces {
-    std::vector<std::int32_t> of;  ///< for each cell the number of its piece; 0: not in the mask
-    int count = 0;                 ///< pieces have the numbers 1 to count, in the order of their first cells
+    std::vector<std::int32_t> of;  ///< number of the piece of each cell; 0: not in the mask
+    int count = 0;                 ///< number of pieces; they are numbered 1 to count, by their first cells
 };
 
 Pieces piecesOf(const Cells& mask, const CellGrid& grid);
 
-/// The pieces of `mask` that hold at least `least` of the cells of `seeds`; > 0.
+/// Returns the pieces of `mask` that hold at least `least` > 0 of the cells of `seeds`.
 Cells piecesWith(const Cells& seeds, double least, const Cells& mask, const CellGrid& grid);
 
-/// The pieces of `mask` that hold a ball of `radiusMm`, by the squared depths of its cells [mm^2].
+/// The pieces of a mask that hold a ball of some radius, by the squared depths of the mask's cells [mm^2].
 struct ThickPieces {
     Cells cells;
     int count = 0;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kWeights[5] = {1.0f / 16, 4.0f / 16, 6.0f / 16, 4.0f / 16, 1.0f / 16};
 
-/// Replaces each value of a row by the mean of its neighbours with the binomial weights; ends are repeated.
+/// Replaces each value of a row by the mean of its neighbours with binomial weights; ends are repeated.
 void smoothAlong(float* row, int length, std::vector<float>& before) {
     before.assign(row, row + length);
     for (int i = 0; i < length; ++i) {
@@ -22,7 +22,7 @@ void smoothAlong(float* row, int length, std::vector<float>& before) {
     }
 }
 
-/// The same across `count` rows that begin `stride` values apart.
+/// Smooths as smoothAlong() does, across `count` rows that begin `stride` values apart.
 void smoothAcross(float* rows, int length, int count, std::size_t stride, std::vector<float>& before) {
     before.resize(std::size_t(length) * std::size_t(count));
     for (int y = 0; y < count; ++y)
@@ -76,16 +76,14 @@ double SmoothDistance::at(dvec3 place) const {
                     glm::mix(row(y.low, z.high), row(y.high, z.high), y.f), z.f);
 }
 
-/// In the order of at(), so that both give the same bits.
+/// Computes in the order of at(), so that both give the same bits.
 void SmoothDistance::along(ivec3 first, int step, int count, double* mm) const {
     const Between y = between(first.y, 1), z = between(first.z, 2);
     const float* const rows[4] = {&mm_[grid_.index(0, y.low, z.low)], &mm_[grid_.index(0, y.high, z.low)],
                                   &mm_[grid_.index(0, y.low, z.high)], &mm_[grid_.index(0, y.high, z.high)]};
     for (int i = 0; i < count; ++i) {
         const Between x = between(first.x + i * step, 0);
-        const auto row = [&](const float* cells) {
-            return glm::mix(double(cells[x.low]), double(cells[x.high]), x.f);
-        };
+        const auto row = [&](const float* cells) { return glm::mix(double(cells[x.low]), double(cells[x.high]), x.f); };
         mm[i] = glm::mix(glm::mix(row(rows[0]), row(rows[1]), y.f), glm::mix(row(rows[2]), row(rows[3]), y.f), z.f);
     }
 }

@@ -64,7 +64,7 @@ double zBetween(const Film& a, const Film& b) {
     return (x.mean - y.mean) / std::hypot(x.standardError, y.standardError);
 }
 
-/// What a texture unit makes of a fraction: 8 bits of it.
+/// Returns a fraction as a texture unit rounds it: 8 bits of it.
 float textureFraction(float x) {
     return std::floor(x * 256 + 0.5f) / 256;
 }

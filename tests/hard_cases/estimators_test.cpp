@@ -31,7 +31,7 @@ test::ImageMean whiteRoom(int maxBounces, Health& health) {
     return test::imageMean(film);
 }
 
-/// Whether light of optical depth `thickness` in steps of `step` gets through Kroes' march: jittered start, a
+/// Returns whether light of optical depth `thickness` in steps of `step` gets through Kroes' march: jittered start, a
 /// threshold, binary.
 bool kroesMarchPasses(double thickness, double step, double u, double jitter) {
     const double threshold = -std::log(u);

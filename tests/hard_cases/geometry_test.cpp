@@ -42,7 +42,7 @@ std::vector<vec3> lattice(float a, float b, float c) {
     return points;
 }
 
-/// What a flight walks: how far, in how many steps, and the integral of the bound along it.
+/// The path of a flight: how far, in how many steps, and the integral of the bound along it.
 struct Walk {
     double length = 0, integral = 0;
     int steps = 0;

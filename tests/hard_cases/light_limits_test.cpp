@@ -40,7 +40,7 @@ double slabShows(double tau, double z) {
     return strength * a / (1 - a) * (std::exp(-tau) - std::exp(-tau / a));
 }
 
-/// The same, integrated over heights from `low` to `high` and `turn` radians around.
+/// Returns slabShows() integrated over heights from `low` to `high` and `turn` radians around.
 double slabShows(double tau, double low, double high, double turn) {
     double sum = 0;
     for (const test::QuadraturePoint& point : test::gaussLegendre(48))

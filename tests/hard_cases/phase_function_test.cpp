@@ -23,7 +23,7 @@ float textbookEval(float g, float cosine) {
     return (1 - g * g) / (4 * kPi * denominator * std::sqrt(denominator));
 }
 
-/// The same function in extended precision; x = 1 - cosTheta.
+/// Returns the phase function in extended precision; x = 1 - cosTheta.
 long double exactEval(long double g, long double x) {
     const long double denominator = (1 - g) * (1 - g) + 2 * g * x;
     return (1 - g) * (1 + g) / (4 * M_PIl * denominator * std::sqrt(denominator));

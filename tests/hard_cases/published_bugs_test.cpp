@@ -26,7 +26,7 @@ Scene windowed() {
     return scene;
 }
 
-/// How many of 2e5 random points have more extinction than bound(cell) says.
+/// Returns how many of 2e5 random points have more extinction than bound(cell) says.
 template <class Bound>
 int violations(const PreparedScene& prepared, Bound&& bound) {
     std::mt19937 random(4);

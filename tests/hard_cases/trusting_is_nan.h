@@ -2,7 +2,7 @@
 
 namespace pdr::test {
 
-/// Whether x is no number, as a compiler sees it that was told that there is none (-ffinite-math-only).
+/// Returns whether x is no number, as compiled under the assumption that there is none (-ffinite-math-only).
 bool trustingIsNan(float x);
 
 }  // namespace pdr::test

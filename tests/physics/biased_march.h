@@ -29,7 +29,7 @@ inline selftest::Measurement marchedReflectance(const selftest::Case& slab, cons
     return {reflected.mean(), reflected.standardError()};
 }
 
-/// The same for what gets straight through.
+/// Returns the transmittance of the same march: what gets straight through.
 inline selftest::Measurement marchedTransmittance(const FlatScene& scene, float thickness, float step, int samples) {
     const vec3 top = vec3(0.5f, 0.5f, 1) * scene.volume.lastIndex + vec3(0, 0, 0.5f);
     const Ray ray{top, scene.volume.indexFromLocal * vec3(0, 0, -1), thickness};

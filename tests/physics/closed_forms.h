@@ -117,7 +117,7 @@ inline double slabValue(const selftest::Case& c) {
     return singleScatteringInARoom(s.albedo, s.depth);
 }
 
-/// What `c.expected` should be.
+/// Returns the true value of `c.expected`.
 inline double truth(const selftest::Case& c) {
     using selftest::Quantity;
     const double g = c.scene.g;

@@ -12,7 +12,7 @@
 
 namespace pdr::test {
 
-/// Out of the tissue, across its surface.
+/// The direction out of the tissue, perpendicular to its surface.
 inline const dvec3 kOutwards = glm::normalize(dvec3(0.3, -0.5, 0.8));
 
 /// A direction at `cosine` to outwards, turned about it by `turn` [radians].
@@ -24,7 +24,7 @@ inline dvec3 tilted(double cosine, double turn) {
 /// The curves: HU rise into the tissue.
 enum class Curve {
     slope,  ///< opacity grows evenly
-    step,   ///< from nothing to all at 0 HU, and less again deeper down
+    step,   ///< from clear to opaque at 0 HU, and less again deeper down
     bands,  ///< two steps
     fog,    ///< clear nowhere
 };
@@ -43,7 +43,7 @@ struct HybridScene {
     std::vector<Light> lights{};
     float room = 0;  ///< radiance of the surroundings
     Clip clip{};
-    int samples = 1024;  ///< of each of 1024 pixels
+    int samples = 1024;  ///< samples of each of 1024 pixels
     double sees = 0.01;  ///< relative bias that the run must be able to find, in every channel
 
     Scene scene() const;

@@ -12,7 +12,7 @@ using namespace pdr;
 
 namespace {
 
-constexpr double kNineOfTen = 1.2816;  ///< what a standard normal number stays below nine times out of ten
+constexpr double kNineOfTen = 1.2816;  ///< a standard normal number stays below it nine times out of ten
 constexpr double kQuadrature = 2e-4;   ///< relative: by how much the quadrature may be off
 
 const std::vector<test::HybridScene>& scenes() {
@@ -20,7 +20,7 @@ const std::vector<test::HybridScene>& scenes() {
     return all;
 }
 
-/// Of a picture whose pixels all see the same ray.
+/// The estimate of an image whose pixels all see the same ray.
 struct RayEstimate {
     dvec3 mean{0}, standardError{0};
 };
@@ -120,7 +120,7 @@ class HybridTest : public QObject {
     }
 
   private:
-    std::vector<double> deviations_;  ///< of the green channel, in standard errors
+    std::vector<double> deviations_;  ///< deviations of the green channel, in standard errors
     double together_ = 0, togetherVariance_ = 0;
 };
 

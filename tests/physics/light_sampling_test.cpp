@@ -1,6 +1,6 @@
-/// How lights and surfaces are sampled: densities against the directions that are really found, and what the samples
-/// bring against closed forms. Numbers are addressed with fixed seeds; allowedZ over all comparisons of this file, 1e-6
-/// for a distribution.
+/// Tests how lights and surfaces are sampled: densities against the directions that are really found, and what the
+/// samples bring against closed forms. Numbers are addressed with fixed seeds; allowedZ over all comparisons of this
+/// file, 1e-6 for a distribution.
 
 #include <QTest>
 
@@ -53,7 +53,7 @@ void verifyMean(const test::Sample& got, double truth, double finds = 0.004) {
     QVERIFY2((allowed + 1.2816) * got.standardError() <= finds * truth, "the comparison has no power");
 }
 
-/// Both ways of finding a light tell the same of the same direction: its distance and its density.
+/// Verifies that both ways of finding a light give the same distance and density for the same direction.
 void verifyBothWaysAgree(const FlatLight& light, vec3 from) {
     RandomStream random = Random(6, 1, 0).stream(0, BounceDimension::light);
     int missed = 0;
@@ -247,7 +247,7 @@ class LightSamplingTest : public QObject {
         QVERIFY2(test::chiSquareP(square, freedom) > kAlarm, qPrintable(QString("%1 on %2").arg(square).arg(freedom)));
     }
 
-    /// Of several light paths one stands for all: the mean of each is what it was.
+    /// One of several light paths stands for all: the mean of each is what it was.
     void oneOfManyLightPathsStandsForAll() {
         const double strengths[] = {0.5, 3, 0, 1.25, 40};
         RandomStream random = Random(9, 1, 0).stream(0, BounceDimension::choice);

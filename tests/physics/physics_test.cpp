@@ -140,7 +140,7 @@ class PhysicsTest : public QObject {
         QCOMPARE(judge(flights, {64, 11}, {1000, 0.02}, 4).verdict, Verdict::tooBlunt);
     }
 
-    /// What faultless runs do on 20 seeds: z is a standard normal number, neither wider nor narrower.
+    /// Faultless runs on 20 seeds: z is a standard normal number, neither wider nor narrower.
     void faultlessRunsDeviateByChanceOnly() {
         const auto device = test::testedDevice();
         double squares = 0;

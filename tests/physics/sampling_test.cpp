@@ -37,7 +37,7 @@ struct Ramp {
     /// Obliquely upwards through the ramp, so that cells are left along all axes; t counts x alone.
     Ray ray() const { return {{0, 3, 2}, {1, 0.2f, 0.25f}, 64}; }
 
-    /// Which of 64 equally probable bins a flight ends in; the last one also takes what flew through.
+    /// Returns which of 64 equally probable bins a flight ends in; the last one also takes what flew through.
     int bin(float t) const { return t < 0 ? 63 : std::min(63, int(64 * -std::expm1(-depth(t)))); }
 };
 

@@ -7,7 +7,8 @@
 
 namespace pdr::test::written {
 
-/// How finely lights and the sphere of directions are cut: points along each side, around the circle twice as many.
+/// The resolution at which lights and the sphere of directions are sampled: points along each side, around the circle
+/// twice as many.
 struct Fineness {
     int light = 10;
     int sphere = 14;
@@ -42,7 +43,7 @@ class SingleScattering {
 
   private:
     static constexpr double kOpaque = 30;       ///< optical depth behind which nothing counts
-    static constexpr double kPieceDepth = 0.5;  ///< of the pieces that a way is cut into
+    static constexpr double kPieceDepth = 0.5;  ///< optical depth of the pieces that a path is cut into
 
     const std::vector<TransferNode>& nodes() const { return scene_.transferFunction.nodes; }
 
@@ -87,7 +88,7 @@ class SingleScattering {
     struct Event {
         dvec3 place, travel;
         Tissue tissue;
-        dvec3 normal;     ///< to the viewer's side
+        dvec3 normal;     ///< points to the viewer's side
         double fraction;  ///< probability of a surface
         double g;
 
@@ -100,7 +101,8 @@ class SingleScattering {
 
     int face(dvec3 place) const { return faceNear(grid_, planes_, nodes(), place); }
 
-    /// Of the HU, or of the step from tissue to air at a cut, which is one voxel wide [HU/mm]; either way is alike.
+    /// Returns the gradient of the HU, or of the step from tissue to air at a cut, which is one voxel wide [HU/mm];
+    /// both in the same way.
     dvec3 gradient(dvec3 place) const {
         const dvec3 index = grid_.index(place);
         const int cut = face(place);

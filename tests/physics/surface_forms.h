@@ -9,7 +9,7 @@
 
 namespace pdr::test {
 
-/// Towards the viewer per irradiance across the light's direction [1/sr].
+/// Returns the radiance towards the viewer per irradiance across the light's direction [1/sr].
 inline double surfaceResponse(const selftest::CaseScene& s, dvec3 toViewer, dvec3 toLight) {
     const written::Tissue tissue{1, dvec3(s.albedo), dvec3(s.specular), s.roughness};
     const double fraction = written::surfaceProbability(1, s.gradientFactor, 2048 / selftest::extentMm(s));

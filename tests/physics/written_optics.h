@@ -1,6 +1,6 @@
 #pragma once
-/// What tissue does to light, once more and in double precision, from the formulas as they are written: nothing here
-/// is shared with render/kernel. Directions are unit vectors.
+/// The optics of tissue, once more and in double precision, from the formulas as they are written: nothing here is
+/// shared with render/kernel. Directions are unit vectors.
 ///   Henyey & Greenstein 1941; Schlick 1994; GGX after Walter et al. 2007, with Smith's height-correlated masking as
 ///   Heitz 2014 writes it, by the auxiliary function Lambda; surface probability after Kroes, Post & Botha 2012
 

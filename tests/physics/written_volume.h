@@ -36,7 +36,7 @@ class Grid {
     dvec3 acrossIndex(dvec3 normal) const { return glm::inverse(covariant_) * normal; }
     ivec3 size() const { return size_; }
 
-    /// At an index; weights of the eight voxels around.
+    /// Returns the HU at an index, with the weights of the eight voxels around.
     double hu(dvec3 index) const {
         ivec3 low, high;
         dvec3 fraction;

@@ -9,7 +9,7 @@
 namespace pdr::ui {
 namespace {
 
-/// A row of a fact: its name, faint, and what is so.
+/// Adds a row with a faint heading and an empty text, which it returns.
 QLabel* addFact(QGridLayout& grid, const QString& name) {
     auto* heading = new QLabel(name);
     heading->setForegroundRole(QPalette::PlaceholderText);
@@ -26,6 +26,7 @@ QLabel* addFact(QGridLayout& grid, const QString& name) {
 }  // namespace
 
 AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new ErrorPlot), stop_(new StopRow) {
+    // Lay out the facts in a grid
     auto* facts = new QWidget;
     auto* grid = new QGridLayout(facts);
     grid->setContentsMargins(0, 0, 8, 0);
@@ -44,6 +45,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new Error
     making_ = addFact(*grid, tr("Made by"));
     grid->setRowStretch(grid->rowCount(), 1);
 
+    // Let them scroll where room is short
     auto* scroll = new QScrollArea;
     scroll->setWidget(facts);
     scroll->setWidgetResizable(true);
@@ -53,6 +55,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new Error
     scroll->setAccessibleName(tr("What is known of the error"));
     scroll->setMinimumWidth(200);
 
+    // Put them beside the plot
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(6, 0, 6, 4);
     row->setSpacing(12);

@@ -1,6 +1,6 @@
 #pragma once
-/// How good the picture is, in full: how its error falls, what is noise and what is not, what went wrong with samples,
-/// and what it is made by. Setters are silent.
+/// A panel with all that is known about the image's accuracy: how its error falls, noise and bias, invalid samples, and
+/// device and settings of the rendering. Setters emit no signals.
 
 #include <QLabel>
 
@@ -18,11 +18,11 @@ class AccuracyPanel : public QWidget {
     ErrorPlot& plot() { return *plot_; }
     StopRow& stop() { return *stop_; }
 
-    /// `rule`: when rendering holds.
+    /// Sets the accuracy to show. `rule`: when rendering stops.
     void setAccuracy(const Accuracy& accuracy, const StopRule& rule);
-    /// Sentences on what is not noise.
+    /// Sets the sentences on errors other than noise.
     void setBias(const QStringList& remarks);
-    /// What the picture is made by.
+    /// Sets the text on how the image is rendered, e.g. device and samples.
     void setMaking(const QString& making);
     void clear();
 

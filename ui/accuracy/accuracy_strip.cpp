@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kMargin = 9, kTrackHeight = 8, kKnobRadius = 7, kTop = kKnobRadius + 1, kLabelGap = 8;
 
-constexpr double kSnap = 9;  ///< so near to a tick [px] its step is meant
+constexpr double kSnap = 9;  ///< distance to a tick [px] within which its step is chosen
 
-/// The finest step that is no finer; the first one where there is none.
+/// Returns the index of the finest step that is not finer than `levels`, or 0 if there is none.
 int indexOf(double levels) {
     const auto finer =
         std::find_if(kQualitySteps.begin(), kQualitySteps.end(), [&](double step) { return step < levels; });
@@ -30,7 +30,7 @@ AccuracyStrip::AccuracyStrip(QWidget* parent) : QAbstractSlider(parent) {
     setSingleStep(1);
     setPageStep(1);
     setValue(maximum());
-    setFocusPolicy(Qt::TabFocus);  // a click must not take the keys away from the picture
+    setFocusPolicy(Qt::TabFocus);  // a click must not take the keyboard focus from the image
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Target: how accurate the picture is to become"));
     connect(this, &QAbstractSlider::valueChanged, this, [this] { take(kQualitySteps[std::size_t(value())]); });
@@ -61,7 +61,7 @@ void AccuracyStrip::take(double levels) {
     emit targetChosen(levels);
 }
 
-/// The steps that are foretold, and the target where it lies between them.
+/// Returns the forecast steps, and the target if it lies between them.
 std::vector<QualityStep> AccuracyStrip::marks() const {
     std::vector<QualityStep> marks = accuracy_.steps;
     const auto place =
@@ -72,7 +72,7 @@ std::vector<QualityStep> AccuracyStrip::marks() const {
     return marks;
 }
 
-/// For those who cannot see the strip.
+/// Updates the description for screen readers.
 void AccuracyStrip::describe() {
     setAccessibleDescription(stepText(target_));
     for (const QualityStep& mark : marks())
@@ -99,7 +99,7 @@ std::optional<double> AccuracyStrip::tickOf(double levels) const {
     return std::nullopt;
 }
 
-/// Where nothing is foretold yet, at the end that has not been reached.
+/// Returns the position of the knob [px]. Without a forecast it is at the right end, which has not been reached.
 double AccuracyStrip::knob() const {
     return tickOf(target()).value_or(track().right());
 }
@@ -172,7 +172,8 @@ void AccuracyStrip::paintKnob(QPainter& painter) const {
     painter.drawEllipse(QPointF(knob(), track().center().y()), kKnobRadius - 1, kKnobRadius - 1);
 }
 
-/// Near a tick its step is meant, the finest of several at one place; else what is reached at that moment.
+/// Chooses the target at `x` [px]: near a tick its step, the finest if several have the same place; else the error that
+/// is reached at that time.
 void AccuracyStrip::choose(double x) {
     if (accuracy_.steps.empty())
         return;
@@ -184,7 +185,7 @@ void AccuracyStrip::choose(double x) {
     take(distance(*nearest) <= kSnap ? nearest->levels : nearestTarget(levelsAt(accuracy_.steps, seconds)));
 }
 
-/// From between two steps to the one before.
+/// Moves a target between two steps back to the step before it.
 void AccuracyStrip::keyPressEvent(QKeyEvent* event) {
     const double before = kQualitySteps[std::size_t(value())];
     const bool back = event->key() == Qt::Key_Left || event->key() == Qt::Key_Down;
@@ -203,12 +204,12 @@ void AccuracyStrip::mouseMoveEvent(QMouseEvent* event) {
         choose(event->position().x());
 }
 
-/// What scrolls past must not change the target.
+/// Ignores the wheel, so that scrolling over the strip does not change the target.
 void AccuracyStrip::wheelEvent(QWheelEvent* event) {
     event->ignore();
 }
 
-/// Hovering over the strip tells of all steps, one a line.
+/// Shows a tool tip with all steps, one per line.
 bool AccuracyStrip::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip)
         return QAbstractSlider::event(event);

@@ -1,7 +1,7 @@
 #pragma once
-/// What accuracy costs, along a time axis: filled up to now, a tick where each step is or will be reached, hatched
-/// where the next one and the target lie to 95 %, and a knob at the target, at which rendering holds. Left is faster,
-/// right more accurate. Setters are silent.
+/// A slider along a time axis that shows what accuracy costs. It is filled up to now, has a tick where each step is or
+/// will be reached, hatching over the 95 % intervals of the next step and the target, and a knob at the target, at
+/// which rendering stops. Left is faster, right is more accurate. Setters emit no signals.
 
 #include <QAbstractSlider>
 #include <optional>
@@ -21,9 +21,9 @@ class AccuracyStrip : public QAbstractSlider {
     void setTarget(double levels);
     double target() const { return target_; }
 
-    /// Where the tick of that step stands [px]; nothing while it is not known.
+    /// Returns the position of a step's tick [px]; none while it is not known.
     std::optional<double> tickOf(double levels) const;
-    /// What stands below the ticks, from left to right.
+    /// Returns the labels below the ticks, from left to right.
     std::vector<StripLabel> labels() const;
 
     QSize sizeHint() const override { return {400, minimumSizeHint().height()}; }
@@ -56,7 +56,7 @@ class AccuracyStrip : public QAbstractSlider {
 
     Accuracy accuracy_;
     StripAxis axis_;
-    double target_ = kFinestStep;  ///< at or between the steps; value() is the step at or before it
+    double target_ = kFinestStep;  ///< [levels], at or between the steps; value() is the step at or before it
 };
 
 }  // namespace pdr::ui

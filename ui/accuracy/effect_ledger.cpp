@@ -8,13 +8,13 @@
 namespace pdr::ui {
 namespace {
 
-constexpr int kReason = 1;   ///< column that gives way where there is little room
+constexpr int kReason = 1;   ///< column that shrinks where room is short
 constexpr int kFigures = 2;  ///< first column of figures
 
 struct Column {
     const char* title;
     const char* explanation;
-    const char* widest = "";  ///< that is to be expected in it
+    const char* widest = "";  ///< widest text expected in the column
 };
 
 const std::array<Column, 7> kColumns{
@@ -47,7 +47,7 @@ QLabel* cell(const QString& text, bool faint) {
     return label;
 }
 
-/// "38 % (36 to 40)" with its band faint.
+/// Formats a figure such as "38 % (36 to 40)", with its interval faint.
 QString figure(const QString& text, const QString& faint) {
     const qsizetype band = text.indexOf(" (");
     QString value = text.left(band < 0 ? text.size() : band).toHtmlEscaped();
@@ -56,7 +56,7 @@ QString figure(const QString& text, const QString& faint) {
     return QString("%1 <span style='color:%2'>%3</span>").arg(value, faint, text.mid(band + 1).toHtmlEscaped());
 }
 
-/// Long ones are cut off at their end; they must not make the window wider.
+/// Lets a long text be cut off at its end, so that it does not widen the window.
 void mayBeCut(QLabel* label) {
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
@@ -82,7 +82,7 @@ EffectLedger::EffectLedger(QWidget* parent)
 }
 
 QSize EffectLedger::sizeHint() const {
-    constexpr int kLines = 8;  // of most scenes: a title, six effects, those that are off
+    constexpr int kLines = 8;  // enough for most scenes: a title, six effects, those that are off
     return {QWidget::sizeHint().width(),
             kLines * (fontMetrics().height() + table_->verticalSpacing()) + onlyNeeded_->sizeHint().height() + 16};
 }
@@ -97,10 +97,11 @@ void EffectLedger::layOut() {
         mayBeCut(label);
     questionText_->setWordWrap(true);
     onlyNeeded_->setToolTip(tr("Leaves out what nobody would see, and says first what that is"));
-    // A click leaves the keyboard with the picture; Tab still reaches everything.
+    // A click leaves the keyboard focus with the image; Tab still reaches everything.
     for (QPushButton* button : {onlyNeeded_, leaveOut_, keep_})
         button->setFocusPolicy(Qt::TabFocus);
 
+    // Lay out the question and the statement, one of which is shown
     auto* ask = new QHBoxLayout(question_);
     ask->setContentsMargins(0, 0, 0, 0);
     ask->addWidget(questionText_, 1);
@@ -113,6 +114,7 @@ void EffectLedger::layOut() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 2, 10, 8);
     column->setSpacing(6);
+    // Lay out the table, which scrolls, above them
     auto* content = new QWidget;
     auto* lines = new QVBoxLayout(content);
     lines->setContentsMargins(0, 0, 0, 0);
@@ -137,11 +139,13 @@ void EffectLedger::fill() {
         delete item->widget();
         delete item;
     }
+    // Add the titles
     for (std::size_t i = 0; i < kColumns.size() && !rows_.needed.isEmpty(); ++i) {
         QLabel* title = cell(tr(kColumns[i].title), true);
         title->setToolTip(tr(kColumns[i].explanation));
         table_->addWidget(title, 0, int(i));
     }
+    // Add a line for each effect
     const QString faint = palette().color(QPalette::PlaceholderText).name();
     int line = 0;
     for (const EffectRow& row : rows_.needed) {
@@ -160,12 +164,14 @@ void EffectLedger::fill() {
             table_->addWidget(shown, line, column++);
         }
     }
+    // List the effects that are off
     const auto nameOf = [](const QString& effect) { return effect.section(':', 0, 0); };
     QStringList names;
     for (const QString& effect : rows_.off)
         names << nameOf(effect);
     off_->setText(names.isEmpty() ? QString() : tr("Off, and nothing is lost: %1").arg(names.join(", ")));
     off_->setToolTip(rows_.off.join('\n'));
+    // State how the costs were measured
     const bool allNeeded = rows_.complete && rows_.leftOut.isEmpty();
     how_->setText(allNeeded ? tr("%1 · all that is on is called for").arg(rows_.how) : rows_.how);
     how_->setToolTip(how_->text());

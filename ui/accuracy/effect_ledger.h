@@ -1,6 +1,6 @@
 #pragma once
-/// What the seconds go to: a calm table of the effects that a scene calls for, with what each costs and brings, and a
-/// button that leaves out what nobody would see. Setters are silent.
+/// The cost table of the effects: for each effect needed by the scene, its cost and what it changes, and a button to
+/// leave out effects without a visible result. Setters emit no signals.
 
 #include <QGridLayout>
 #include <QLabel>
@@ -8,22 +8,22 @@
 
 namespace pdr::ui {
 
-/// An effect that is needed. Figures are as render/accuracy/ledger_text.h has them, empty where there are none.
+/// An effect that the scene calls for. The figures are formatted by render/accuracy/ledger_text.h; empty if not known.
 struct EffectRow {
     QString name, reason;
     QString milliseconds, share;
     QString meanLevels, levels95;
     QString time;
-    bool ofViewBefore = false;  ///< the figures are
+    bool ofViewBefore = false;  ///< the figures are from the previous view
 };
 
-/// All that the panel shows.
+/// The content of the table.
 struct EffectRows {
     QList<EffectRow> needed;
-    QStringList off;        ///< effects with the reason: "emission: no node emits light"
-    QString how;            ///< a sentence: on what it was measured, and how far measuring is
+    QStringList off;        ///< effects that are off, with the reason: "emission: no node emits light"
+    QString how;            ///< a sentence: on what the costs were measured, and how far measuring is
     QStringList leftOut;    ///< what the button would leave out, and what that changes: phrases; empty: nothing
-    bool complete = false;  ///< no more will be known
+    bool complete = false;  ///< measuring is complete
 };
 
 class EffectLedger : public QWidget {
@@ -34,11 +34,11 @@ class EffectLedger : public QWidget {
 
     void setRows(const EffectRows& rows);
 
-    /// Whatever it shows, so that the picture beside it keeps its size.
+    /// Returns a size that does not depend on the content, so that the image beside the table keeps its size.
     QSize sizeHint() const override;
 
   signals:
-    /// What was listed is to be left out; the hand has confirmed it.
+    /// Requests to leave out the listed effects, after the user has confirmed it.
     void leaveOutChosen();
 
   private:
@@ -53,7 +53,7 @@ class EffectLedger : public QWidget {
     QLabel* off_;
     QLabel* how_;
     QPushButton* onlyNeeded_;
-    QWidget* statement_;  ///< how it was measured, and the button; the question takes its place
+    QWidget* statement_;  ///< how it was measured, and the button; replaced by the question
     QWidget* question_;
     QLabel* questionText_;
     QPushButton* leaveOut_;

@@ -8,13 +8,13 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kHalf = 4, kNear = 6;  ///< of a triangle, and of the mouse [px]
+constexpr double kHalf = 4, kNear = 6;  ///< half a triangle's size; how near the pointer must be to a mark [px]
 
 QString translated(const char* text) {
     return QCoreApplication::translate("errorMarks", text);
 }
 
-/// Around `middle`: full and up, or hollow and down, so that colour is not needed.
+/// Paints a triangle around `middle`: filled if it points up, hollow if down, so that the two differ without colour.
 void paintTriangle(QPainter& painter, QPointF middle, bool up, const QPalette& palette) {
     const double tip = up ? -kHalf : kHalf;
     const QPointF corners[] = {middle + QPointF(0, tip), middle + QPointF(-kHalf, -tip), middle + QPointF(kHalf, -tip)};

@@ -1,6 +1,5 @@
 #pragma once
-/// Marks in the plot of the error where nodes came or went: a triangle up at the lower edge, or one down, hollow, and a
-/// faint line through the plot; what happened there; and what the marks mean.
+/// Marks in the error plot for render nodes that joined or were lost, the legend of these marks, and the text of each.
 
 #include <QPainter>
 #include <QPalette>
@@ -10,10 +9,12 @@
 
 namespace pdr::ui {
 
+/// Paints a mark for each event: at the lower edge a filled triangle that points up (joined) or a hollow one that
+/// points down (lost), and a faint line through the plot.
 void paintMarks(QPainter& painter, const ErrorAxes& axes, const PlotEvents& events, const QPalette& palette);
-/// A line at the upper right of the plot, of the kinds that there are.
+/// Paints the legend in one line at the upper right of the plot, with the kinds of marks that occur.
 void paintMarkLegend(QPainter& painter, const ErrorAxes& axes, const PlotEvents& events, const QPalette& palette);
-/// What happened near that place, a line each; empty: nothing did.
+/// Returns the texts of the events near `place`, one per line; empty if there are none.
 QString marksAt(QPointF place, const ErrorAxes& axes, const PlotEvents& events);
 
 }  // namespace pdr::ui

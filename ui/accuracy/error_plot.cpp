@@ -14,7 +14,7 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kSigmas = 1.96;        ///< to either side of 95 % of a normal distribution
+constexpr double kSigmas = 1.96;        ///< half a normal distribution's 95 % interval [standard deviations]
 constexpr double kPoint = 2, kNow = 4;  ///< radii [px]
 constexpr int kGap = 6;
 
@@ -46,7 +46,7 @@ void ErrorPlot::setEvents(const PlotEvents& events) {
     update();
 }
 
-/// For those who do not see it.
+/// Updates the description for screen readers.
 void ErrorPlot::describe() {
     QStringList lines{tr("target: %1").arg(stepText(target_))};
     for (const QualityStep& step : accuracy_.steps)
@@ -99,6 +99,7 @@ void ErrorPlot::paintGrid(QPainter& painter, const ErrorAxes& axes) const {
     const int height = fontMetrics().height();
     const std::vector<double> marks = axes.levels();
     const bool room = double(marks.size() - 1) * height <= area.height();
+    // Draw the marks of levels, with every second label where room is short
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const double levels = marks[i], y = axes.yOf(levels);
         painter.setPen(line);
@@ -109,6 +110,7 @@ void ErrorPlot::paintGrid(QPainter& painter, const ErrorAxes& axes) const {
         painter.drawText(QRectF(0, y - height / 2.0, area.left() - kGap, height), Qt::AlignRight | Qt::AlignVCenter,
                          stepText(levels));
     }
+    // Draw the marks of time
     for (const double moment : axes.moments()) {
         const double x = axes.xOf(moment);
         painter.setPen(line);
@@ -128,7 +130,7 @@ void ErrorPlot::paintTarget(QPainter& painter, const ErrorAxes& axes) const {
     painter.drawText(label, Qt::AlignLeft | Qt::AlignBottom, tr("target"));
 }
 
-/// Through what is known now.
+/// Paints the course of independent samples through the newest error.
 void ErrorPlot::paintRootLine(QPainter& painter, const ErrorAxes& axes) const {
     const QLineF line = axes.rootLine(accuracy_.points.back());
     painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 1, Qt::DotLine));
@@ -148,11 +150,13 @@ void ErrorPlot::paintForecast(QPainter& painter, const ErrorAxes& axes) const {
             later << axes.at(step.seconds.high, step.levels);
         }
     std::reverse(later.begin(), later.end());
+    // Hatch the interval
     QColor hatching = palette().color(QPalette::WindowText);
     hatching.setAlpha(110);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QBrush(hatching, Qt::BDiagPattern));
     painter.drawPolygon(sooner + later);
+    // Draw the forecast
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(palette().color(QPalette::Link), 1, Qt::DashLine));
     painter.drawPolyline(middle);
@@ -166,6 +170,7 @@ void ErrorPlot::paintMeasured(QPainter& painter, const ErrorAxes& axes) const {
         above << axes.at(point.seconds, point.levels + half);
         below.prepend(axes.at(point.seconds, std::max(point.levels - half, 0.01)));
     }
+    // Draw the line, its band and the points
     QColor band = palette().color(QPalette::Link);
     painter.setPen(QPen(band, 1.5));
     painter.drawPolyline(line);
@@ -176,6 +181,7 @@ void ErrorPlot::paintMeasured(QPainter& painter, const ErrorAxes& axes) const {
     painter.setBrush(palette().color(QPalette::Link));
     for (const QPointF& point : line)
         painter.drawEllipse(point, kPoint, kPoint);
+    // Mark the newest point
     painter.setBrush(palette().color(QPalette::WindowText));
     painter.drawEllipse(line.back(), kNow, kNow);
     painter.setPen(palette().color(QPalette::WindowText));

@@ -1,7 +1,7 @@
 #pragma once
-/// How the picture's error has fallen and will fall: error against time, both logarithmic. What was measured with its
-/// band, the way of independent samples (1 / sqrt(t)) to compare with, the target, and what is foretold, hatched where
-/// it lies to 95 %. Setters are silent.
+/// A plot of the image's error against rendering time, both logarithmic. It shows the measured error with its band, the
+/// course of independent samples (1 / sqrt(t)) for comparison, the target, and the forecast, hatched over its 95 %
+/// interval. Setters emit no signals.
 
 #include <QWidget>
 
@@ -17,12 +17,12 @@ class ErrorPlot : public QWidget {
   public:
     explicit ErrorPlot(QWidget* parent = nullptr);
 
-    /// `target`: the levels at which rendering holds.
+    /// Sets the accuracy to show. `target`: the levels at which rendering stops.
     void setAccuracy(const Accuracy& accuracy, double target);
     double target() const { return target_; }
-    /// What bent the curve, in the order of time; of the picture in hand.
+    /// Sets the events that changed the slope of the curve of the current image, in the order of time.
     void setEvents(const PlotEvents& events);
-    /// Of the plot as it is large now.
+    /// Returns the axes at the current size of the plot.
     ErrorAxes axes() const;
 
     QSize sizeHint() const override { return {520, 150}; }

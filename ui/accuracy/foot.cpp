@@ -6,7 +6,7 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kSmall = 0.9;  ///< of the usual letters
+constexpr double kSmall = 0.9;  ///< font size relative to the usual one
 
 ElidedLabel* smallLabel(const QString& accessibleName) {
     auto* label = new ElidedLabel;
@@ -25,7 +25,7 @@ Foot::Foot(QWidget* parent)
       strip_(new AccuracyStrip),
       remarks_(smallLabel(tr("What else is true of the picture"))),
       limit_(smallLabel(tr("What the scan itself resolves"))) {
-    // Long remarks must not make the window wider; the limit is short, and has its room first.
+    // Long remarks must not widen the window; the limit is short, and gets its room first.
     limit_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     auto* last = new QHBoxLayout;
     last->setContentsMargins(8, 0, 8, 2);

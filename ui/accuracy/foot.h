@@ -1,6 +1,6 @@
 #pragma once
-/// The foot of the window: a sentence that says how good the picture is, a strip that says what more costs, and in
-/// small letters what else is true. Setters are silent.
+/// The content of the window's status bar: a sentence on the image's accuracy, a strip that shows what more accuracy
+/// costs, and remarks in a small font. Setters emit no signals.
 
 #include "ui/accuracy/accuracy_strip.h"
 #include "ui/accuracy/status_line.h"
@@ -18,13 +18,14 @@ class Foot : public QWidget {
     AccuracyStrip& strip() { return *strip_; }
 
     void setAccuracy(const Accuracy& accuracy);
-    /// Empties all of it, but for a long step and the target.
+    /// Clears everything but a progress report and the target.
     void clear();
-    /// What the picture is made by, in the sentence's tool tip.
+    /// Sets the text on how the image is rendered, shown in the sentence's tool tip.
     void setMaking(const QString& making);
-    /// Sentences that are true of the picture; what has no room ends in dots, and stands in the tool tip.
+    /// Sets the remarks on the image. A line without room for all of them ends in dots; the tool tip shows them in
+    /// full.
     void setRemarks(const QStringList& remarks);
-    /// What no computing can mend, at the right end.
+    /// Sets the remark at the right end: the limit that rendering cannot improve, e.g. the scan's resolution.
     void setLimit(const QString& limit);
 
   private:

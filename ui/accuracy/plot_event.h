@@ -1,5 +1,5 @@
 #pragma once
-/// Something that changed how fast the error falls: a render node came or went.
+/// An event that changed how fast the error falls: a render node joined or was lost.
 
 #include <QString>
 #include <vector>
@@ -7,9 +7,9 @@
 namespace pdr::ui {
 
 struct PlotEvent {
-    double seconds = 0;  ///< of rendering, as in ErrorPoint
+    double seconds = 0;  ///< rendering time, as in ErrorPoint
     QString text;        ///< "gpu-07 was lost: the connection was cut"
-    bool joined = true;  ///< false: it was lost, and the curve falls more slowly
+    bool joined = true;  ///< false: the node was lost, and the curve falls more slowly
     bool operator==(const PlotEvent&) const = default;
 };
 using PlotEvents = std::vector<PlotEvent>;

@@ -20,14 +20,16 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
     cancel_.setAccessibleName(tr("Cancel what runs"));
     connect(&cancel_, &QPushButton::clicked, this, &StatusLine::cancelRequested);
 
+    // Hide a remark after a while
     remarkTimer_.setSingleShot(true);
     remarkTimer_.setInterval(std::chrono::seconds(6));
     connect(&remarkTimer_, &QTimer::timeout, &step_, &QWidget::hide);
 
+    // Lay out the line
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 2, 8, 2);
     row->setSpacing(10);
-    row->addStrut(cancel_.sizeHint().height());  // so that the picture keeps its size when the button comes and goes
+    row->addStrut(cancel_.sizeHint().height());  // keeps the image's size when the button comes and goes
     row->addWidget(&text_, 1);
     row->addWidget(&step_);
     row->addWidget(&bar_);
@@ -45,7 +47,7 @@ void StatusLine::setDetails(const QString& details) {
     showTip();
 }
 
-/// With the text, which may end in dots.
+/// Updates the tool tip. It repeats the text, which may be cut off with dots.
 void StatusLine::showTip() {
     const QString meaning =
         tr("How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the "
@@ -58,7 +60,7 @@ void StatusLine::showTip() {
     text_.setToolTip(tip);
 }
 
-/// The label lets clicks through.
+/// Handles clicks on the text here, since the label passes them on.
 void StatusLine::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && text_.geometry().contains(event->position().toPoint()))
         emit textClicked();

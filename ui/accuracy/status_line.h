@@ -1,5 +1,5 @@
 #pragma once
-/// The line below the picture: how good it is, and how far a long step has come. Setters are silent.
+/// The line below the image that shows its accuracy and the progress of a long step. Setters emit no signals.
 
 #include <QLabel>
 #include <QProgressBar>
@@ -19,17 +19,17 @@ class StatusLine : public QWidget {
 
     void setText(const QString& text);
     QString text() const { return text_.text(); }
-    /// Below what the text means, in its tool tip.
+    /// Sets the last paragraph of the text's tool tip, below the explanation of the text.
     void setDetails(const QString& details);
-    /// A remark on the right that goes away by itself.
+    /// Shows a remark on the right that disappears after 6 s.
     void showForAWhile(const QString& remark);
-    /// Shows `step` and how far it is, [0, 1], with a button to cancel it.
+    /// Shows `step` and its progress in [0, 1], with a button to cancel it.
     void setProgress(double fraction, const QString& step);
     void endProgress();
 
   signals:
     void cancelRequested();
-    /// The text was clicked.
+    /// Emitted when the user clicks the text.
     void textClicked();
 
   protected:

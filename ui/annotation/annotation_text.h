@@ -1,5 +1,5 @@
 #pragma once
-/// What is written over an image, in words; the words of cuts and of series are in cut/cut_text.h and series_text.h.
+/// The texts of an image's annotations. Cuts are described by ui/text/cut_text.h, series by ui/text/series_text.h.
 
 #include <QStringList>
 #include <optional>
@@ -8,19 +8,20 @@
 
 namespace pdr::ui {
 
-/// What an image shows, and what of the patient is missing in it.
+/// What an image shows, and which parts of the patient are missing in it.
 struct ImageFacts {
-    QString look;              ///< its name
-    bool maskAwaited = false;  ///< all is seen, until what the look leaves out is known
-    QString notShown;          ///< sentences; empty: nothing is hidden
+    QString look;              ///< name of the look
+    bool maskAwaited = false;  ///< the image shows everything until the mask of the look is known
+    QString notShown;          ///< what is hidden, in sentences; empty: nothing is hidden
     Clip clip;
-    std::optional<Uncut> uncut;  ///< what `clip` cuts from; none: not known
+    std::optional<Uncut> uncut;  ///< the box that `clip` cuts from; none: not known
 };
 
-/// "Bones alone (the rest is not yet removed)", where a name promises what is not there yet; else `look`.
+/// Returns "Bones alone (the rest is not yet removed)" while the mask that the look's name promises is missing; else
+/// `look`.
 QString lookText(const QString& look, bool maskAwaited);
 
-/// For Annotations::texts: look, part and cut, a line each; what there is none of has no line.
+/// Returns the lines for Annotations::texts: look, hidden parts and cut, one line each. Empty ones are left out.
 QStringList annotationTexts(const ImageFacts& facts);
 
 }  // namespace pdr::ui

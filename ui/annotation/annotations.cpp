@@ -14,9 +14,9 @@ namespace pdr::ui {
 namespace {
 
 const QColor kInk(235, 235, 225);
-const QColor kGround(0, 0, 0, 150);  ///< behind texts, which may stand on bright bone
+const QColor kGround(0, 0, 0, 150);  ///< behind texts, which may lie on bright bone
 
-/// One painting of them. Lengths are in `em`, the height of its letters [px].
+/// The state of painting the annotations once. Lengths are in `em`, the height of the font [px].
 struct Painting {
     QPainter& painter;
     const Annotations& annotations;
@@ -39,7 +39,7 @@ QRectF Painting::cube() const {
     return area;
 }
 
-/// With a dark rim, so that it is read on bright tissue without hiding it.
+/// Paints the letter with a dark rim, so that it is legible on bright tissue without hiding it.
 void Painting::paintLetter(Qt::Alignment where, const std::string& text) const {
     QFont font = plain;
     font.setPixelSize(int(std::lround(1.3 * em)));
@@ -70,7 +70,7 @@ void Painting::paintLetters() const {
     paintLetter(Qt::AlignBottom, edges.bottom);
 }
 
-/// Above the cube, with its length above it.
+/// Paints the scale bar above the cube, and its length above the bar.
 void Painting::paintScaleBar() const {
     const auto bar = scaleBar(annotations.camera, size.height(), std::min(0.25 * size.width(), 12 * em));
     if (!bar || bar->pixels < em)
@@ -92,7 +92,7 @@ void Painting::paintScaleBar() const {
     painter.drawText(words, Qt::AlignCenter, bar->text);
 }
 
-/// In its corner, beside the letter in the middle: long lines are wrapped.
+/// Paints lines into a corner, beside the letter in the middle of the edge; long lines are wrapped.
 void Painting::paintLines(Qt::Alignment where, const QStringList& lines) const {
     if (lines.isEmpty())
         return;
@@ -131,7 +131,7 @@ void paintAnnotations(QPainter& painter, const Annotations& annotations, const Q
 }
 
 void annotate(const Annotations& annotations, ivec2 size, std::vector<std::uint8_t>& rgba) {
-    constexpr int kSmallest = 9;  // that can just be read [px]
+    constexpr int kSmallest = 9;  // smallest legible font size [px]
     QImage image(rgba.data(), size.x, size.y, 4 * qsizetype(size.x), QImage::Format_RGBX8888);
     QPainter painter(&image);
     QFont font;

@@ -1,5 +1,5 @@
 #pragma once
-/// What is painted over an image file, once it is known how good the image is.
+/// Painting annotations over an image file once its accuracy is known.
 
 #include <functional>
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace pdr::ui {
 
-/// Paints `annotations`, and below them that the image is a preview where it is not within `target` levels, which were
-/// wanted. No annotations: it paints nothing. Any thread's.
+/// Returns a function that paints `annotations`, and below them that the image is a preview if it is not within the
+/// requested `target` levels. No annotations: it paints nothing. Any thread may call it.
 std::function<PaintOver(const ShownStatus&)> imagePainter(std::optional<Annotations> annotations, double target);
 
 }  // namespace pdr::ui

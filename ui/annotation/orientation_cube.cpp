@@ -7,7 +7,7 @@
 namespace pdr::ui {
 namespace {
 
-/// One face: its letter, the way it looks, and which way the letter stands (LPS).
+/// A face of the cube: its letter, its normal, and the letter's upward direction (LPS).
 struct Face {
     char letter;
     dvec3 normal;
@@ -25,7 +25,7 @@ QPointF onScreen(const Camera& camera, dvec3 direction) {
     return {glm::dot(direction, camera.right()), -glm::dot(direction, camera.imageUp())};
 }
 
-/// The face's own coordinates (x right, y down, each in [-1, 1]) to the screen's.
+/// Returns the transform from the face's own coordinates (x right, y down, each in [-1, 1]) to the screen's.
 QTransform faceToScreen(const Camera& camera, const Face& face) {
     const QPointF right = onScreen(camera, glm::cross(face.up, face.normal));
     const QPointF down = onScreen(camera, -face.up);
@@ -45,7 +45,7 @@ void paintFace(QPainter& painter, const Camera& camera, const Face& face) {
     edge.setCosmetic(true);
     painter.setPen(edge);
     painter.drawRect(QRectF(-1, -1, 2, 2));
-    // Text is laid out in a hundred units a face, because fonts have no fractions of a point.
+    // Lay the text out in a hundred units per face, because font sizes are whole numbers
     painter.scale(0.01, 0.01);
     QFont font = painter.font();
     font.setPixelSize(120);
@@ -59,7 +59,7 @@ void paintFace(QPainter& painter, const Camera& camera, const Face& face) {
 }  // namespace
 
 void paintOrientationCube(QPainter& painter, const QRectF& area, const Camera& camera) {
-    constexpr double kHalfDiagonal = 1.7321;  // of a cube that reaches from -1 to 1
+    constexpr double kHalfDiagonal = 1.7321;  // half the diagonal of a cube that reaches from -1 to 1
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(area.center());

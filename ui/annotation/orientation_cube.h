@@ -1,5 +1,5 @@
 #pragma once
-/// A small cube in the corner of the view whose faces carry the patient's sides, turned as the patient is.
+/// A small cube in the corner of the view with the letters of the patient's sides, in the patient's orientation.
 
 #include <QPainter>
 #include <QRectF>

@@ -7,7 +7,7 @@
 namespace pdr::ui {
 
 std::string orientationLetters(dvec3 direction) {
-    constexpr double kNamed = 0.1736;  // sine of 10 degrees: what tilts less than this towards a side is not called so
+    constexpr double kNamed = 0.1736;  // sine of 10 degrees; smaller components have no letter
     constexpr std::array kAlong{'L', 'P', 'H'};
     constexpr std::array kAgainst{'R', 'A', 'F'};
 

@@ -15,7 +15,7 @@ struct Texts {
 
 std::optional<ScaleBar> scaleBar(const Camera& camera, double height, double longest) {
     Camera centred = camera;
-    centred.focusMm = 0;  // the depth of what the camera turns about, whatever is made sharp
+    centred.focusMm = 0;  // the depth of the camera's target, whatever is in focus
     const double mmPerPixel = centred.heightInFocusMm() / height;
     double mm = 0;
     for (double power = 0.01; power < 1e6; power *= 10)

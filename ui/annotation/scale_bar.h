@@ -1,5 +1,5 @@
 #pragma once
-/// A line of a round length beside an image, by which lengths in it are read.
+/// A bar of round length on the image, by which lengths are measured.
 
 #include <QString>
 #include <optional>
@@ -9,12 +9,12 @@
 namespace pdr::ui {
 
 struct ScaleBar {
-    double pixels = 0;  ///< along the image
-    QString text;       ///< "50 mm"; in perspective "50 mm at the centre's depth", since it holds there alone
+    double pixels = 0;  ///< length in the image
+    QString text;       ///< "50 mm"; in perspective "50 mm at the centre's depth", since it is valid there alone
 };
 
-/// The longest bar of 1, 2 or 5 times a power of ten millimetres that is at most `longest` pixels long, in an image of
-/// `camera`'s view that is `height` pixels high. None: there is no such bar between 0.01 and 100,000 mm.
+/// Returns the longest bar of 1, 2 or 5 times a power of ten millimetres that is at most `longest` pixels long, in an
+/// image of `camera`'s view that is `height` pixels high. None: no such bar lies between 0.01 and 100,000 mm.
 std::optional<ScaleBar> scaleBar(const Camera& camera, double height, double longest);
 
 }  // namespace pdr::ui

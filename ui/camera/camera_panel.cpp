@@ -14,7 +14,7 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kSmall = 0.9;  ///< of the usual letters
+constexpr double kSmall = 0.9;  ///< font size relative to the usual one
 
 enum Behind { kBlack, kGrey, kWhite, kColour, kSurroundings };
 const std::array<QColor, 3> kPlain{QColor(0, 0, 0), QColor(110, 110, 110), QColor(250, 250, 250)};
@@ -44,12 +44,14 @@ void CameraPanel::describeControls() {
         box.setAccessibleName(name);
         box.setToolTip(tip);
     };
+    // Describe the fields
     describe(fieldOfView_, 1, 120, tr("°"), tr("Field of view"),
              tr("From the top to the bottom of the picture. What is in focus keeps its size; the wider, the nearer the "
                 "eye comes"));
     describe(height_, 1, 1e5, tr(" mm"), tr("Height of what is seen"), tr("From the top to the bottom of the picture"));
     describe(aperture_, 0, 200, tr(" mm"), tr("Aperture"),
              tr("Diameter of the lens. At 0 all is sharp; the larger, the less is sharp before and behind the focus"));
+    // Describe focus and background
     focus_.setText(tr("Focus o&n..."));
     focus_.setCheckable(true);
     focus_.setAccessibleName(tr("Focus on what is clicked"));
@@ -64,7 +66,7 @@ void CameraPanel::describeControls() {
     behind_.addItems({tr("Black"), tr("Grey"), tr("White"), tr("Colour..."), tr("What lights it")});
     behind_.setAccessibleName(tr("Background"));
     behind_.setToolTip(tr("What stands behind the volume. A plain colour lights nothing"));
-    // A click leaves the keyboard with the picture; Tab still reaches everything.
+    // A click leaves the keyboard focus with the image; Tab still reaches everything.
     for (QWidget* control : std::initializer_list<QWidget*>{&type_, &focus_, &noFocus_, &behind_})
         control->setFocusPolicy(Qt::TabFocus);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// From where and through which lens the volume is seen, and what stands behind it. Setters are silent.
+/// The panel for the camera: viewpoint, lens and background. Setters emit no signals.
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -19,9 +19,9 @@ class CameraPanel : public QWidget {
     explicit CameraPanel(QWidget* parent = nullptr);
 
     void setCamera(const Camera& camera);
-    /// What stands behind the volume, as the screen shows it; none: the light from all around.
+    /// Sets the background as a screen colour. None: the environment.
     void setBackground(const std::optional<QColor>& colour);
-    /// Whether the next click on the picture says what is to be sharp.
+    /// Sets whether the next click on the image chooses what is in focus.
     void setPicking(bool picking);
 
     QSize sizeHint() const override { return {316, QWidget::sizeHint().height()}; }

@@ -12,7 +12,7 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(CameraPanel)
 };
 
-/// Two digits: more is not sharp.
+/// Formats a length; more digits would exceed the precision of sharpness.
 QString lengthText(double mm) {
     return Texts::tr("%1 mm").arg(mm < 10 ? QString::number(mm, 'f', 1) : QString::number(mm, 'f', 0));
 }

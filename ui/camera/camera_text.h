@@ -1,5 +1,5 @@
 #pragma once
-/// The lens in words.
+/// A text that describes the depth of field.
 
 #include <QString>
 
@@ -7,7 +7,7 @@
 
 namespace pdr::ui {
 
-/// "Sharp from 31 mm before the focus to 34 mm behind it; the focus is 812 mm away."
+/// Returns the range that is in focus: "Sharp from 31 mm before the focus to 34 mm behind it; it is 812 mm away."
 QString sharpText(const Camera& camera);
 
 }  // namespace pdr::ui

@@ -138,7 +138,7 @@ QRectF CutLayer::area() const {
     return pictureArea(size_, {size(), devicePixelRatioF()});
 }
 
-/// In fractions of the picture's width and height.
+/// Returns a place in fractions of the image's width and height.
 dvec2 CutLayer::placeOf(QPointF point) const {
     const QRectF shown = area();
     return {(point.x() - shown.x()) / shown.width(), (point.y() - shown.y()) / shown.height()};
@@ -152,7 +152,7 @@ void CutLayer::paintEvent(QPaintEvent*) {
             paintText(painter, *place, handleText(clip_, *uncut_, *lit_));
 }
 
-/// Beside the place, inside the layer.
+/// Paints the text beside the place, inside the layer.
 void CutLayer::paintText(QPainter& painter, QPointF place, const QString& text) const {
     constexpr int kAway = 14, kPadding = 5;
     QRect box = painter.fontMetrics().boundingRect(text).adjusted(-kPadding, -kPadding, kPadding, kPadding);

@@ -1,6 +1,6 @@
 #pragma once
-/// Box and planes of the cut over the picture, with handles for the mouse. What lies beside a handle reaches the
-/// picture below. Setters are silent.
+/// A layer over the image that shows the box and planes of the cut with handles for the mouse. Presses beside a handle
+/// reach the image. Setters emit no signals.
 
 #include <optional>
 
@@ -17,20 +17,21 @@ class CutLayer : public PictureLayer {
   public:
     explicit CutLayer(QWidget* picture) : PictureLayer(picture) {}
 
-    /// `uncut`: what there is to cut; none: nothing is shown. Another than the hand makes ends what it does.
+    /// Sets the cuts. `uncut`: the box that can be cut; none: nothing is shown. Cuts that differ from the user's last
+    /// edit end the gesture.
     void setCuts(const Clip& clip, const std::optional<Uncut>& uncut);
-    /// The camera of the picture on the screen, and the picture's size [pixels].
+    /// Sets the camera and the size [pixels] of the image on the screen.
     void setPicture(const Camera& camera, QSize size);
     void setHandlesShown(bool shown);
     bool handlesShown() const { return shown_; }
-    /// Ends the gesture as if it had not been; false: there is none.
+    /// Cancels the gesture in progress; returns false if there is none.
     bool giveUp();
     const CutMarks& marks() const { return marks_; }
 
   signals:
-    /// `moving`: the gesture goes on; the last edit of a gesture comes with false.
+    /// Reports edited cuts. `moving`: the gesture goes on; the last edit of a gesture comes with false.
     void clipEdited(const pdr::Clip& clip, bool moving);
-    /// The cut is wanted as it was before the gesture.
+    /// Requests to restore the cut from before the gesture.
     void gestureGivenUp();
 
   protected:
@@ -55,8 +56,8 @@ class CutLayer : public PictureLayer {
     QSize size_;
     CutMarks marks_;
     bool shown_ = false;
-    std::optional<CutHandle> lit_;  ///< under the mouse
-    std::optional<CutGrip> grip_;   ///< in the hand
+    std::optional<CutHandle> lit_;  ///< handle under the pointer
+    std::optional<CutGrip> grip_;   ///< grip on the handle being dragged
     bool moved_ = false;            ///< the gesture has edited the cut
 };
 

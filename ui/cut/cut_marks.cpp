@@ -11,7 +11,7 @@ namespace {
 using Kind = CutHandle::Kind;
 
 constexpr double kDot = 6;        ///< radius of a handle [px]
-constexpr double kDotReach = 11;  ///< from which distance the mouse takes hold of it
+constexpr double kDotReach = 11;  ///< distance from which the pointer reaches a handle [px]
 constexpr double kLineReach = 5;
 constexpr QRgb kPlaneColour = qRgb(130, 200, 255);
 
@@ -33,7 +33,7 @@ double distanceTo(const QPolygonF& points, QPointF place) {
     return nearest;
 }
 
-/// On dark ground and on bright bone.
+/// Paints a line that is visible on dark ground and on bright bone.
 void paintLine(QPainter& painter, const QPolygonF& points, QColor colour, double width) {
     painter.setPen(QPen(QColor(0, 0, 0, 150), width + 2));
     painter.drawPolyline(points);
@@ -75,7 +75,7 @@ void CutMarks::addDot(CutHandle handle, dvec3 placeMm, dvec3 outwards) {
         dots_.push_back({handle, inPixels(*point), glm::dot(outwards, view_->under(*point).direction) > 0});
 }
 
-/// Piece by piece, since some may lie behind the eye.
+/// Adds a line piece by piece, since parts may lie behind the eye.
 void CutMarks::addLine(CutHandle handle, const std::vector<dvec3>& placesMm, bool holds) {
     Line line{handle, {}, holds};
     for (std::size_t i = 0; i + 1 < placesMm.size(); ++i) {

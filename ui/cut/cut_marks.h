@@ -1,5 +1,5 @@
 #pragma once
-/// What of a cut is drawn over the picture, and what of that lies under the mouse.
+/// The marks of a cut over the image, and the handle under the pointer.
 
 #include <QPainter>
 #include <QPolygonF>
@@ -13,13 +13,13 @@ namespace pdr::ui {
 class CutMarks {
   public:
     CutMarks() = default;
-    /// `area`: the part of the widget that the picture takes [px].
+    /// Computes the marks. `area`: the part of the widget that the image takes [px].
     CutMarks(const Clip& clip, const Uncut& uncut, const ViewGeometry& view, const QRectF& area);
 
-    /// What the mouse takes hold of there: the nearest handle, and rather one in front; else a ring, else an edge of a
-    /// box that cuts.
+    /// Returns the handle at `place`: the nearest handle, preferably one on the near side; else a ring; else an edge of
+    /// a box that cuts.
     std::optional<CutHandle> at(QPointF place) const;
-    /// Where it is held [px]; nothing where it is not seen.
+    /// Returns the place of a handle [px]; none where it is not visible.
     std::optional<QPointF> placeOf(CutHandle handle) const;
     void paint(QPainter& painter, const std::optional<CutHandle>& lit) const;
 
@@ -27,12 +27,12 @@ class CutMarks {
     struct Dot {
         CutHandle handle;
         QPointF place;
-        bool behind;  ///< on a face that is turned away from the viewer
+        bool behind;  ///< on a face turned away from the viewer
     };
     struct Line {
         CutHandle handle;
         QPolygonF points;
-        bool holds;  ///< it can be taken hold of
+        bool holds;  ///< it can be dragged
     };
 
     void addBox(const Clip& clip, const Uncut& uncut);

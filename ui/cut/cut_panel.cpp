@@ -21,6 +21,7 @@ CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLay
     for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{&freehand_, &shadows_, &undoAll_})
         button->setFocusPolicy(Qt::TabFocus);
 
+    // Lay out the panel
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 10);
     column->setSpacing(8);
@@ -38,6 +39,7 @@ CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLay
     column->addStretch(1);
     column->addWidget(&undoAll_);
 
+    // Connect the controls
     connect(&freehand_, &QPushButton::clicked, this, &CutPanel::freehandWanted);
     connect(&shadows_, &QCheckBox::clicked, this, [this](bool on) {
         Clip clip = clip_;
@@ -49,7 +51,7 @@ CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLay
     setCuts({}, std::nullopt);
 }
 
-/// Two sides that face each other in a row.
+/// Returns the fields of the box, with opposite sides in one row.
 QLayout* CutPanel::boxRows() {
     constexpr double kFarthestMm = 2e3;
     auto* grid = new QGridLayout;
@@ -108,7 +110,7 @@ void CutPanel::setCuts(const Clip& clip, const std::optional<Uncut>& uncut) {
     undoAll_.setEnabled(!clip.empty());
 }
 
-/// Rows are kept, so that the one that is being typed in stays.
+/// Updates the rows of the planes. Rows are reused, so that the one being typed into stays.
 void CutPanel::showPlanes() {
     const std::size_t count = uncut_ == Uncut{} ? 0 : clip_.planes.size();
     while (planes_.size() > count) {
@@ -152,7 +154,7 @@ void CutPanel::removeLine() {
     choose(clip);
 }
 
-/// What comes of it is shown even where it is what was there: 500 mm typed where 300 are left.
+/// Requests a cut. If it equals the current one, the fields are reset: 500 mm may have been typed where 300 are left.
 void CutPanel::choose(const Clip& clip) {
     if (clip == clip_)
         return setCuts(clip_, uncut_);

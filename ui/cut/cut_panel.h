@@ -1,5 +1,6 @@
 #pragma once
-/// All that is cut away, in exact numbers: the box' sides, the planes, lines drawn by hand. Setters are silent.
+/// The panel with the exact numbers of all cuts: the sides of the box, the planes, and freehand lines. Setters emit no
+/// signals.
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -20,14 +21,14 @@ class CutPanel : public QWidget {
   public:
     explicit CutPanel(QWidget* parent = nullptr);
 
-    /// `uncut`: what there is to cut; none: nothing can be.
+    /// Sets the cuts. `uncut`: the box that can be cut; none: cutting is not possible.
     void setCuts(const Clip& clip, const std::optional<Uncut>& uncut);
 
     QSize sizeHint() const override { return {316, 380}; }
 
   signals:
     void clipChosen(const pdr::Clip& clip);
-    /// Across an axis of the patient: 0 sagittal, 1 coronal, 2 axial; -1: facing the viewer.
+    /// Requests a plane perpendicular to an axis of the patient: 0 sagittal, 1 coronal, 2 axial; -1: facing the viewer.
     void planeWanted(int axis);
     void freehandWanted();
 

@@ -25,7 +25,7 @@ CutTools::CutTools(QWidget* picture)
     setCuts({}, std::nullopt);
 }
 
-/// Object names, by which keys are kept, keys, and what the tools do.
+/// Sets the actions' object names, under which their keys are saved, their keys and tool tips.
 void CutTools::nameActions() {
     const auto name = [](QAction* action, const char* name, const QKeySequence& key, const QString& toolTip) {
         action->setObjectName(name);
@@ -75,7 +75,7 @@ bool CutTools::giveUp() {
     return drawing;
 }
 
-/// It comes with its handles.
+/// Requests a plane and shows the handles.
 void CutTools::addPlane(int axis) {
     showHandles();
     emit planeWanted(axis);

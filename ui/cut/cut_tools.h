@@ -1,5 +1,5 @@
 #pragma once
-/// The tools that cut: handles and a pen on the picture, numbers on a panel, and the menu that calls them.
+/// The tools for cutting: handles and a pen on the image, numbers on a panel, and the menu for them.
 
 #include <QMenu>
 
@@ -13,7 +13,7 @@ class CutTools : public QObject {
     Q_OBJECT
 
   public:
-    /// Layers over `picture`. The panel is to be put somewhere.
+    /// Creates the layers over the widget `picture`. The caller places the panel.
     explicit CutTools(QWidget* picture);
 
     CutLayer& layer() { return *layer_; }
@@ -25,14 +25,14 @@ class CutTools : public QObject {
     void setCuts(const Clip& clip, const std::optional<Uncut>& uncut);
     void setPicture(const Camera& camera, QSize size);
     void showHandles();
-    /// Esc: ends a gesture or a line; false: there is none.
+    /// Handles Esc: cancels a gesture or a line. Returns false if there is none.
     bool giveUp();
     void hideHandles();
 
   signals:
-    /// See CutPanel::planeWanted.
+    /// Requests a plane; see CutPanel::planeWanted.
     void planeWanted(int axis);
-    /// All cuts are to be undone.
+    /// Requests to undo all cuts.
     void uncutWanted();
 
   private:

@@ -12,9 +12,9 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kLeastSide = 8;      ///< of what a line goes around [px]: less is a click
-constexpr double kStep = 2;           ///< from corner to corner [px]
-constexpr double kTolerancePx = 0.7;  ///< by which a corner that is left out may be off
+constexpr double kLeastSide = 8;      ///< least side of the line's bounding box [px]; a smaller one counts as a click
+constexpr double kStep = 2;           ///< least distance between corners [px]
+constexpr double kTolerancePx = 0.7;  ///< error allowed by leaving out a corner
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void FreehandPen::stopDrawing() {
     leaveMouse();
 }
 
-/// A second line takes the place of the first.
+/// Begins a line; it replaces an earlier one.
 void FreehandPen::mousePressEvent(QMouseEvent* event) {
     if (!camera_ || event->button() != Qt::LeftButton)
         return;
@@ -96,7 +96,7 @@ void FreehandPen::answer(bool keepInside) {
     emit drawn(cut);
 }
 
-/// From pixels to fractions of the picture's height from its middle.
+/// Returns the line's corners, from the image's middle, in fractions of its height.
 std::vector<PicturePoint> FreehandPen::outline() const {
     const QRectF area = pictureArea(size_, {size(), devicePixelRatioF()});
     std::vector<PicturePoint> points;

@@ -1,6 +1,6 @@
 #pragma once
-/// A closed line drawn on the picture, and the question what it is to cut: a layer over the picture that takes the
-/// mouse as long as it is asked for. Setters are silent.
+/// A layer over the image in which the user draws a closed line and chooses what it cuts. It takes the mouse only while
+/// it is drawing. Setters emit no signals.
 
 #include <QPolygonF>
 #include <QPushButton>
@@ -17,16 +17,16 @@ class FreehandPen : public PictureLayer {
   public:
     explicit FreehandPen(QWidget* picture);
 
-    /// The camera of the picture on the screen, and the picture's size [pixels]. Another view forgets a line.
+    /// Sets the camera and the size [pixels] of the image on the screen. Another camera discards the line.
     void setPicture(const Camera& camera, QSize size);
-    /// The next drag draws a line; until it is answered what it cuts, the mouse does nothing else.
+    /// Makes the next drag draw a line. Until the user has chosen what it cuts, the mouse does nothing else.
     void startDrawing() { takeMouse(); }
     void stopDrawing();
     bool isDrawing() const { return takesMouse(); }
 
   signals:
     void drawn(const pdr::FreehandCut& cut);
-    /// It draws no more: a line was answered, or was none, by a click or around nothing.
+    /// Reports the end of drawing: a line was completed, or was none (a click, or a line around nothing).
     void ended();
 
   protected:
@@ -44,7 +44,7 @@ class FreehandPen : public PictureLayer {
     QSize size_;
     bool pressed_ = false;
     QPolygonF line_;   ///< [px]
-    QWidget answers_;  ///< at the place where the mouse was released
+    QWidget answers_;  ///< shown where the mouse was released
     QPushButton remove_, keep_;
 };
 

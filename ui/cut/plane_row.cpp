@@ -9,7 +9,7 @@ namespace pdr::ui {
 
 PlaneRow::PlaneRow(QWidget* parent) : QWidget(parent) {
     constexpr double kFarthestMm = 1e4;
-    name_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names do not widen the panel
+    name_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names must not widen the panel
     offset_.setRange(-kFarthestMm, kFarthestMm);
     offset_.setDecimals(1);
     offset_.setSuffix(tr(" mm"));

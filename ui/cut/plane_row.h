@@ -1,5 +1,5 @@
 #pragma once
-/// One plane of the cut: how it lies, where it is to the millimetre, and what can be done with it. Setters are silent.
+/// The row of one plane of the cut: its orientation, its distance in millimetres, and buttons. Setters emit no signals.
 
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -18,9 +18,9 @@ class PlaneRow : public QWidget {
     void setPlane(const ClipPlane& plane, const Uncut& uncut);
 
   signals:
-    /// Its distance from the middle of what there is to cut, along its normal [mm].
+    /// Reports a typed distance from the middle of the box that can be cut, along the plane's normal [mm].
     void offsetTyped(double mm);
-    /// The other side is to be cut away.
+    /// Requests to cut away the other side.
     void flipWanted();
     void removeWanted();
 

@@ -10,7 +10,7 @@ struct KeyText {
     Q_DECLARE_TR_FUNCTIONS(KeyBindings)
 };
 
-/// What the picture and every control understand by themselves.
+/// Returns whether the image or every control uses the key itself.
 bool reserved(const QKeySequence& key) {
     static const QList<QKeySequence> keys{Qt::Key_Left,  Qt::Key_Right, Qt::Key_Up,     Qt::Key_Down, Qt::Key_Plus,
                                           Qt::Key_Minus, Qt::Key_Equal, Qt::Key_Escape, Qt::Key_Tab,  Qt::Key_Return};

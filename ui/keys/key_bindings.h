@@ -1,5 +1,5 @@
 #pragma once
-/// Which keys the window's actions have: their own, or what the user chose instead.
+/// The keys of the window's actions: the defaults, or what the user chose instead.
 
 #include <QAction>
 #include <QList>
@@ -10,20 +10,21 @@ namespace pdr::ui {
 
 class KeyBindings {
   public:
-    /// Each has an object name, by which choices are kept, and now its own keys.
+    /// Takes the actions with their default keys. Each must have an object name, under which choices are saved.
     explicit KeyBindings(const QList<QAction*>& actions);
 
     const QList<QAction*>& actions() const { return actions_; }
     const QList<QKeySequence>& ownKeys(QAction* action) const { return own_.find(action).value(); }
-    /// Why `action` cannot have that key, naming what has it; empty: it can.
+    /// Returns why `action` cannot have that key, naming what has it; empty: it can.
     QString refusal(const QAction* action, const QKeySequence& key) const;
-    /// In the place of all keys that it has; an empty one: none.
+    /// Replaces all keys of `action`. An empty key: none.
     void choose(QAction* action, const QKeySequence& key);
     void reset(QAction* action);
 
-    /// Those that are not the actions' own: object name to keys, as QKeySequence::toString(PortableText) has them.
+    /// Returns the keys that differ from the defaults: object name to keys, as QKeySequence::toString(PortableText)
+    /// writes them.
     QMap<QString, QString> choices() const;
-    /// What cannot be is left out: files are edited by hand.
+    /// Restores saved choices. Invalid ones are ignored, since files are edited by hand.
     void restore(const QMap<QString, QString>& choices);
 
   private:
@@ -31,7 +32,7 @@ class KeyBindings {
     QMap<QAction*, QList<QKeySequence>> own_;
 };
 
-/// As a menu shows it, without its mnemonic.
+/// Returns the text of an action without its mnemonic and dots.
 QString plainText(const QAction& action);
 
 }  // namespace pdr::ui

@@ -11,6 +11,7 @@ namespace pdr::ui {
 KeysDialog::KeysDialog(KeyBindings& bindings, QWidget* parent) : QDialog(parent), bindings_(bindings) {
     setWindowTitle(tr("Edit keys"));
     resize(520, 560);
+    // Fill the list and the buttons
     list_.setAccessibleName(tr("Actions and their keys"));
     list_.setColumnCount(2);
     list_.setHeaderLabels({tr("Action"), tr("Keys")});
@@ -30,6 +31,7 @@ KeysDialog::KeysDialog(KeyBindings& bindings, QWidget* parent) : QDialog(parent)
         buttons->addButton(button, QDialogButtonBox::ActionRole);
     }
 
+    // Lay them out in a column
     auto* column = new QVBoxLayout(this);
     column->addWidget(&list_, 1);
     column->addWidget(new QLabel(tr("Choose an action, click below, and press its new key.")));
@@ -63,7 +65,7 @@ void KeysDialog::showChosen() {
     refusal_.clear();
 }
 
-/// One key at a time: what was typed beyond the first is left out.
+/// Gives the chosen action a key. Only the first of several typed keys is used.
 void KeysDialog::take(const QKeySequence& key) {
     const QKeySequence first = key.isEmpty() ? key : QKeySequence(key[0]);
     const QString refusal = bindings_.refusal(chosen(), first);

@@ -1,5 +1,5 @@
 #pragma once
-/// Lists the window's actions with their keys, and gives them others.
+/// The dialog that lists the window's actions with their keys and changes them.
 
 #include <QDialog>
 #include <QKeySequenceEdit>
@@ -14,11 +14,11 @@ class KeysDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// `bindings` outlives it.
+    /// Creates the dialog. `bindings` must outlive it.
     explicit KeysDialog(KeyBindings& bindings, QWidget* parent = nullptr);
 
   signals:
-    /// Some action has another key now.
+    /// Reports that the keys of an action have changed.
     void keysChanged();
 
   private:

@@ -15,7 +15,7 @@ struct Gesture {
     const char* effect;
 };
 
-/// What is no action of a menu.
+/// The gestures that are no actions of a menu.
 const auto kGestures = std::to_array<Gesture>({
     {QT_TRANSLATE_NOOP("KeysOverlay", "Left drag, arrow keys"), QT_TRANSLATE_NOOP("KeysOverlay", "Turn the view")},
     {QT_TRANSLATE_NOOP("KeysOverlay", "Middle or Shift+left drag"), QT_TRANSLATE_NOOP("KeysOverlay", "Move the view")},
@@ -68,7 +68,7 @@ void KeysOverlay::toggle(const QList<QAction*>& actions) {
     setFocus();
 }
 
-/// In two columns.
+/// Paints the lines in two columns.
 void KeysOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(12, 13, 15, 235));

@@ -1,5 +1,5 @@
 #pragma once
-/// All keys and mouse gestures at a glance, over the whole window; any key or click takes it away.
+/// An overlay over the whole window that shows all keys and mouse gestures. Any key or click closes it.
 
 #include <QAction>
 #include <QList>
@@ -14,7 +14,7 @@ class KeysOverlay : public QWidget {
   public:
     explicit KeysOverlay(QWidget* window);
 
-    /// Covers the window with the gestures and the keys that `actions` have now, or goes away.
+    /// Shows the gestures and the current keys of `actions` over the window, or hides the overlay.
     void toggle(const QList<QAction*>& actions);
 
   protected:
@@ -29,7 +29,7 @@ class KeysOverlay : public QWidget {
     };
 
     QList<Line> lines_;
-    QPointer<QWidget> before_;  ///< had the keyboard
+    QPointer<QWidget> before_;  ///< widget that had the focus before
 };
 
 }  // namespace pdr::ui

@@ -13,15 +13,15 @@ namespace pdr::ui {
 namespace {
 
 constexpr int kStepsPerStop = 10;
-constexpr int kDarkest = -6 * kStepsPerStop, kBrightest = 10 * kStepsPerStop;  ///< of a lamp; log2 of its irradiance
-constexpr int kSmallest = -5 * kStepsPerStop, kLargest = 3 * kStepsPerStop;    ///< log2 of its edge [radii]
-constexpr int kFaintest = -10 * kStepsPerStop, kGlaring = 4 * kStepsPerStop;   ///< all around; log2 of its radiance
+constexpr int kDarkest = -6 * kStepsPerStop, kBrightest = 10 * kStepsPerStop;  ///< log2 of a lamp's irradiance
+constexpr int kSmallest = -5 * kStepsPerStop, kLargest = 3 * kStepsPerStop;    ///< log2 of a lamp's edge [radii]
+constexpr int kFaintest = -10 * kStepsPerStop, kGlaring = 4 * kStepsPerStop;   ///< log2 of the ambient radiance
 
 int stepOf(double value) {
     return value > 0 ? int(std::lround(kStepsPerStop * std::log2(value))) : kDarkest * 100;
 }
 
-/// The lowest step of a strength means: none.
+/// Returns the slider's value. `fromNone`: its lowest step means 0.
 double valueAt(const QSlider& slider, bool fromNone) {
     const bool none = fromNone && slider.value() == slider.minimum();
     return none ? 0 : std::exp2(double(slider.value()) / kStepsPerStop);
@@ -42,7 +42,7 @@ void LightPanel::describeControls() {
         slider.setPageStep(kStepsPerStop);
         slider.setAccessibleName(name);
         slider.setToolTip(tip);
-        slider.setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
+        slider.setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
     };
     describe(strength_, kDarkest, kBrightest, tr("Strength of the chosen lamp"),
              tr("How much light the chosen lamp brings; at the left end it is off"));
@@ -142,10 +142,12 @@ void LightPanel::setLighting(const Lighting& lighting, const Camera& camera) {
 
 void LightPanel::showLighting() {
     const auto named = nameOf(tiedTo(lighting_.rig, LightRig::Follows::camera, camera_));
-    rigs_.setExclusive(false);  // so that none may be chosen
+    // Check the button of the rig
+    rigs_.setExclusive(false);  // so that no button may be checked
     for (QAbstractButton* button : rigs_.buttons())
         button->setChecked(named && rigs_.id(button) == int(*named));
     rigs_.setExclusive(true);
+    // Show the lamps as the viewer sees them
     lamps_ = lampsOf(lighting_.rig);
     const dmat3 inView =
         glm::transpose(rigAxes(LightRig::Follows::camera, camera_)) * rigAxes(lighting_.rig.follows, camera_);
@@ -153,6 +155,7 @@ void LightPanel::showLighting() {
     for (const Lamp& lamp : lamps_)
         shown.push_back({QString::fromStdString(lamp.name), inView * lamp.from, lamp.irradiance, lamp.colour});
     sphere_.setLamps(shown);
+    // Show environment and numbers
     sky_.setEnvironment(lighting_.environment);
     const QSignalBlocker silent(&ambient_);
     ambient_.setValue(stepOf(luminanceOf(lighting_.environment.radiance)));
@@ -182,7 +185,7 @@ void LightPanel::apply(const Lighting& lighting, bool moving) {
     emit lightingEdited(lighting_, moving);
 }
 
-/// As it is meant for the view, whatever the lamps turn with afterwards.
+/// Chooses a rig, placed relative to the view, whatever the lamps turn with afterwards.
 void LightPanel::chooseRig(NamedRig name) {
     Lighting lighting = lighting_;
     lighting.rig.follows = LightRig::Follows::camera;

@@ -1,7 +1,7 @@
 #pragma once
-/// What lights the volume, to see and to edit: a rig by its name, or a picture of a sky, its lamps on a ball, the
-/// chosen lamp's strength and size, light from all around, what the lamps move with, and which picture is made of it;
-/// folded away, all numbers. Setters are silent.
+/// The panel that shows and edits the lights: a named rig or an environment image, the lamps on a ball, the chosen
+/// lamp's strength and size, light from all around, what the lamps turn with, and the light transport model; collapsed
+/// at first, all numbers. Setters emit no signals.
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -27,7 +27,8 @@ class LightPanel : public QWidget {
   public:
     explicit LightPanel(QWidget* parent = nullptr);
 
-    /// `camera` is what the volume is seen with. Another lighting than the hand has made ends what it does.
+    /// Sets the lighting and the camera of the view. A lighting that differs from the user's last edit ends the
+    /// gesture.
     void setLighting(const Lighting& lighting, const Camera& camera);
 
     const Lighting& lighting() const { return lighting_; }
@@ -38,9 +39,9 @@ class LightPanel : public QWidget {
     QSize sizeHint() const override { return {316, QWidget::sizeHint().height()}; }
 
   signals:
-    /// `moving`: the gesture goes on; the last edit of a gesture comes with false.
+    /// Reports an edited lighting. `moving`: the gesture goes on; the last edit of a gesture comes with false.
     void lightingEdited(const pdr::Lighting& lighting, bool moving);
-    /// A picture of surroundings that is to take the rig's place.
+    /// Requests the environment image in `file`, which replaces the rig.
     void skyChosen(const QString& file);
 
   private:
@@ -62,7 +63,7 @@ class LightPanel : public QWidget {
 
     Lighting lighting_;
     Camera camera_;
-    std::vector<Lamp> lamps_;  ///< of the rig, as the sphere has them
+    std::vector<Lamp> lamps_;  ///< lamps of the rig, in the sphere's order
     QButtonGroup rigs_;
     SkyRow sky_;
     LightSphere sphere_;

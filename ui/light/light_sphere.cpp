@@ -12,10 +12,10 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kBall = 0.68;   ///< of the ring's radius
-constexpr double kHandle = 6.5;  ///< radius [px]
-constexpr double kReach = 11;    ///< how far beside a handle it is still taken [px]
-constexpr double kKeyStep = 5;   ///< [degrees]
+constexpr double kBall = 0.68;   ///< radius of the ball, relative to the ring's
+constexpr double kHandle = 6.5;  ///< radius of a handle [px]
+constexpr double kReach = 11;    ///< distance from which the pointer reaches a handle [px]
+constexpr double kKeyStep = 5;   ///< step of the arrow keys [degrees]
 
 }  // namespace
 
@@ -58,7 +58,8 @@ QPointF LightSphere::middle() const {
     return QRectF(rect()).center();
 }
 
-/// As it is seen over the ball; in the ring the farther out, the more from behind.
+/// Projects the lamp orthographically onto the ball; in the ring, the farther out it is, the more it shines from
+/// behind.
 QPointF LightSphere::handleOf(dvec3 from) const {
     const dvec2 across(from.x, from.y);
     const double sine = glm::length(across), behind = std::atan2(-from.z, sine) / (M_PI / 2);
@@ -78,7 +79,7 @@ dvec3 LightSphere::directionAt(QPointF place) const {
     return {dvec2(offset.x(), -offset.y()) / radius * std::cos(behind), -std::sin(behind)};
 }
 
-/// The nearest within reach; the current one where several are as near. -1: none.
+/// Returns the nearest lamp within reach; the current one if several are as near. -1: none.
 int LightSphere::lampAt(QPointF place) const {
     int found = -1;
     double nearest = kReach;
@@ -130,7 +131,7 @@ void LightSphere::mouseReleaseEvent(QMouseEvent* event) {
         emit allTurned({0, 0}, false);
 }
 
-/// To the right about the vertical, up towards the top.
+/// Turns the current lamp to the right about the vertical, and up.
 void LightSphere::moveBy(dvec2 degrees) {
     const dvec3 from = lamp().from;
     const double azimuth = std::atan2(from.x, from.z) + glm::radians(degrees.x);
@@ -182,9 +183,11 @@ void LightSphere::paintEvent(QPaintEvent*) {
     const double ratio = devicePixelRatioF();
     if (ball_.isNull())
         ball_ = litBall(lamps_, std::max(int(std::ceil(2 * ballRadius() * ratio)), 1));
+    // Paint the ring
     painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 1));
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawEllipse(middle(), ringRadius(), ringRadius());
+    // Paint the ball
     const QRectF area(middle() - QPointF(ballRadius(), ballRadius()), 2 * QSizeF(ballRadius(), ballRadius()));
     QBrush lit(ball_);
     QTransform place = QTransform::fromTranslate(area.x(), area.y());
@@ -192,6 +195,7 @@ void LightSphere::paintEvent(QPaintEvent*) {
     lit.setTransform(place);
     painter.setBrush(lit);
     painter.drawEllipse(area);
+    // Paint the handles, the current one last
     for (int i = 0; i < int(lamps_.size()); ++i)
         if (i != current_)
             paintHandle(painter, i);
@@ -204,7 +208,7 @@ void LightSphere::paintEvent(QPaintEvent*) {
     }
 }
 
-/// Light with a dark edge: one of the two stands out, wherever it is.
+/// Paints a handle, light with a dark edge, so that it stands out on any background.
 void LightSphere::paintHandle(QPainter& painter, int index) const {
     const SphereLamp& lamp = lamps_[std::size_t(index)];
     const QPointF place = handleOf(lamp.from);
@@ -215,7 +219,7 @@ void LightSphere::paintHandle(QPainter& painter, int index) const {
     painter.drawEllipse(place, kHandle - 1, kHandle - 1);
     painter.setPen(QPen(chosen ? palette().color(QPalette::Link) : QColor(Qt::white), chosen ? 2.5 : 1));
     if (lamp.irradiance <= 0)
-        painter.setBrush(palette().color(QPalette::Base));  // it is off
+        painter.setBrush(palette().color(QPalette::Base));  // the lamp is off
     painter.drawEllipse(place, kHandle - 1, kHandle - 1);
 }
 

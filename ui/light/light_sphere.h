@@ -1,6 +1,6 @@
 #pragma once
-/// A ball that is lit as the volume is, with a handle for each lamp: over the ball where it shines from the viewer's
-/// side, in the ring about it where it shines from behind. Setters are silent.
+/// A ball lit as the volume is, with a handle for each lamp: over the ball if the lamp is on the viewer's side, in the
+/// ring around it if it is behind. Setters emit no signals.
 
 #include <QImage>
 #include <QWidget>
@@ -17,17 +17,17 @@ class LightSphere : public QWidget {
   public:
     explicit LightSphere(QWidget* parent = nullptr);
 
-    /// What is held stays held; see letGo().
+    /// Sets the lamps. A drag goes on; see letGo().
     void setLamps(const std::vector<SphereLamp>& lamps);
     void setCurrent(int index);
-    /// Whatever is held: the drag does nothing more.
+    /// Ends the drag in progress.
     void letGo();
-    /// The lamp that keys move; -1: there is none.
+    /// Returns the lamp that keys move; -1: there is none.
     int current() const { return lamps_.empty() ? -1 : current_; }
-    /// That lamp; there must be one.
+    /// Returns the current lamp; there must be one.
     const SphereLamp& lamp() const { return lamps_[std::size_t(current_)]; }
 
-    /// Where a lamp's handle is, and which direction a place of the widget stands for.
+    /// Return the place of a lamp's handle, and the direction that a place of the widget stands for.
     QPointF handleOf(dvec3 from) const;
     dvec3 directionAt(QPointF place) const;
 
@@ -36,9 +36,10 @@ class LightSphere : public QWidget {
 
   signals:
     void currentChanged(int index);
-    /// A lamp was taken to `from`. `moving`: the gesture goes on; the last one of a gesture comes with false.
+    /// Reports that a lamp was moved to the direction `from`. `moving`: the gesture goes on; the last one of a gesture
+    /// comes with false.
     void lampMoved(int index, pdr::dvec3 from, bool moving);
-    /// The ball was dragged beside all handles, by so much of its diameter: all lamps are to turn.
+    /// Requests to turn all lamps: the ball was dragged beside all handles, by `drag` in fractions of its diameter.
     void allTurned(pdr::dvec2 drag, bool moving);
 
   protected:
@@ -59,10 +60,10 @@ class LightSphere : public QWidget {
     void paintHandle(QPainter& painter, int index) const;
 
     std::vector<SphereLamp> lamps_;
-    QImage ball_;  ///< null: to be painted anew
+    QImage ball_;  ///< null: must be painted anew
     int current_ = 0;
-    bool held_ = false;     ///< the current lamp, by the mouse
-    bool turning_ = false;  ///< all lamps
+    bool held_ = false;     ///< the mouse drags the current lamp
+    bool turning_ = false;  ///< the mouse turns all lamps
     QPointF last_;
 };
 

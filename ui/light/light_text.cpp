@@ -14,7 +14,7 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(LightPanel)
 };
 
-/// Nothing for less than half a degree.
+/// Returns the elevation; empty for less than half a degree.
 QString heightText(double degrees) {
     const long whole = std::lround(std::abs(degrees));
     if (whole == 0)
@@ -22,7 +22,8 @@ QString heightText(double degrees) {
     return degrees > 0 ? Texts::tr("%1° from above").arg(whole) : Texts::tr("%1° from below").arg(whole);
 }
 
-/// The patient's side that a lamp shines from, whatever its height in the view; nothing where it is straight above.
+/// Returns the patient's side that a lamp shines from, whatever its elevation in the view; empty if it is straight
+/// above.
 QString sideText(dvec3 from, const Camera& camera) {
     const dvec3 level = from.x * camera.right() - from.z * camera.forward();
     return glm::length(level) < 1e-3 ? QString()

@@ -1,5 +1,5 @@
 #pragma once
-/// Lights in words.
+/// Texts that describe lights.
 
 #include <QString>
 
@@ -10,10 +10,10 @@
 namespace pdr::ui {
 
 QString rigName(NamedRig name);
-/// What it is good for.
+/// Returns what the rig is good for.
 QString rigTip(NamedRig name);
-/// "Key: from RA, 41° from above": the patient's side as `camera` sees him, and the height in the picture; behind what
-/// is seen: "Rim: from LP, 32° from above, from behind".
+/// Returns a lamp's direction: "Key: from RA, 41° from above": the patient's side as seen by `camera`, and the
+/// elevation in the image. A lamp behind the volume: "Rim: from LP, 32° from above, from behind".
 QString lampText(const SphereLamp& lamp, const Camera& camera);
 
 }  // namespace pdr::ui

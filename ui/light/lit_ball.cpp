@@ -9,7 +9,7 @@
 namespace pdr::ui {
 namespace {
 
-constexpr float kAmbient = 0.03f;  ///< of the brightest, so that the ball is seen in the dark
+constexpr float kAmbient = 0.03f;  ///< relative to the strongest lamp; makes the ball visible in the dark
 
 double strongest(const std::vector<SphereLamp>& lamps) {
     double most = 0;
@@ -18,8 +18,8 @@ double strongest(const std::vector<SphereLamp>& lamps) {
     return most;
 }
 
-/// What the screen shows of linear light in [0, 1], in even steps: a colour space for each pixel would take too long
-/// for a hand that drags.
+/// Returns the screen levels of linear light in [0, 1], in even steps. Converting each pixel's colour space instead
+/// would be too slow while the user drags.
 std::array<int, 1024> screenLevels() {
     std::array<int, 1024> levels{};
     for (std::size_t i = 0; i < levels.size(); ++i)

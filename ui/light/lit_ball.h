@@ -1,5 +1,5 @@
 #pragma once
-/// A dull ball in the light of some lamps.
+/// An image of a diffuse ball lit by some lamps.
 
 #include <QImage>
 #include <QString>
@@ -12,12 +12,12 @@ namespace pdr::ui {
 /// A lamp as the viewer sees it.
 struct SphereLamp {
     QString name;
-    dvec3 from;         ///< where it stands, unit: to the right, up, towards the viewer
-    double irradiance;  ///< of the ball's middle
+    dvec3 from;         ///< direction towards the lamp, a unit vector: to the right, up, towards the viewer
+    double irradiance;  ///< irradiance at the middle of the ball
     vec3 colour;        ///< linear Rec. 709
 };
 
-/// A square picture of so many pixels a side, filled by the ball, exposed for the strongest lamp.
+/// Returns a square image, `side` pixels wide, filled by the ball and exposed for the strongest lamp.
 QImage litBall(const std::vector<SphereLamp>& lamps, int side);
 
 }  // namespace pdr::ui

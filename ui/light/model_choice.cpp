@@ -7,11 +7,11 @@
 namespace pdr::ui {
 namespace {
 
-/// That are offered; the others are there for scene files.
+/// The models to choose from; the others are available in scene files only.
 constexpr std::array kOffered{Model::singleScattering, Model::multipleScattering, Model::absorption,
                               Model::maximumIntensity};
 
-constexpr double kSmall = 0.9;  ///< of the usual letters
+constexpr double kSmall = 0.9;  ///< font size relative to the usual one
 
 }  // namespace
 
@@ -20,7 +20,7 @@ ModelChoice::ModelChoice(QWidget* parent) : QWidget(parent) {
         models_.addItem(modelTitle(model));
     models_.setPlaceholderText(tr("Another"));
     models_.setAccessibleName(tr("What is shown"));
-    models_.setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
+    models_.setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
     for (int i = 0; i < int(kOffered.size()); ++i)
         models_.setItemData(i, modelText(kOffered[std::size_t(i)]), Qt::ToolTipRole);
     text_.setWordWrap(true);

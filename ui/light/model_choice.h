@@ -1,5 +1,6 @@
 #pragma once
-/// Which picture is made of the volume, in the user's words, with what it shows and what it costs. Setters are silent.
+/// The choice of the light transport model, in the user's words, with what it shows and what it costs. Setters emit no
+/// signals.
 
 #include <QComboBox>
 #include <QLabel>
@@ -10,11 +11,11 @@
 
 namespace pdr::ui {
 
-/// What another model takes and changes, measured.
+/// The measured cost of another model and the change that it makes.
 struct ModelCost {
-    Model before;       ///< it is compared with
-    double timeFactor;  ///< so many times as long does a sample take
-    double levels;      ///< 95 % of the picture changes by no more of 255 grey levels
+    Model before;       ///< the model compared with
+    double timeFactor;  ///< time per sample, relative to `before`
+    double levels;      ///< 95 % of the image changes by no more of 255 grey levels
 };
 
 class ModelChoice : public QWidget {
@@ -23,9 +24,9 @@ class ModelChoice : public QWidget {
   public:
     explicit ModelChoice(QWidget* parent = nullptr);
 
-    /// Another model forgets the cost.
+    /// Sets the model; another one discards the cost.
     void setModel(Model model);
-    /// Of the model that is shown; none: not known.
+    /// Sets the cost of the current model. None: not known.
     void setCost(const std::optional<ModelCost>& cost);
 
   signals:
@@ -40,12 +41,12 @@ class ModelChoice : public QWidget {
     QLabel text_;
 };
 
-/// "Lit surfaces".
+/// Returns the name of a model: "Lit surfaces".
 QString modelTitle(Model model);
-/// What its pictures show, and what they do not: a sentence or two.
+/// Returns what images of a model show, and what they do not: a sentence or two.
 QString modelText(Model model);
-/// "A sample takes about 2.1 times as long as with \"Lit surfaces\"; 95 % of the picture changes by at most 12 of 255
-/// levels."
+/// Returns "A sample takes about 2.1 times as long as with “Lit surfaces”; 95 % of the picture changes by at most 12 of
+/// 255 levels."
 QString costText(const ModelCost& cost);
 
 }  // namespace pdr::ui

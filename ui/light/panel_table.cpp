@@ -65,7 +65,7 @@ void setNumber(RigPanel& panel, int column, double value) {
     }
 }
 
-/// As bright a lamp may be, its brightest channel is shown as white.
+/// Returns a lamp's colour for the screen. Whatever its brightness, its brightest channel is shown at full value.
 QColor shownColour(vec3 colour) {
     const float brightest = std::max({colour.x, colour.y, colour.z});
     return screenColour(brightest > 0 ? colour / brightest : vec3(0));
@@ -143,7 +143,7 @@ void PanelTable::fill() {
     remove_.setEnabled(panels_.size() > 1);
 }
 
-/// Numbers as they are written in the language of the program, or with a point.
+/// Takes a typed value. Decimal points and commas are accepted in any language.
 void PanelTable::takeTyped(int row, int column) {
     std::vector<RigPanel> panels = panels_;
     RigPanel& panel = panels[std::size_t(row)];

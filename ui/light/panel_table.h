@@ -1,5 +1,5 @@
 #pragma once
-/// All panels of a rig in numbers, to read and to type. Setters are silent.
+/// A table that shows and edits all panels of a rig in numbers. Setters emit no signals.
 
 #include <QPushButton>
 #include <QTableWidget>
@@ -21,7 +21,7 @@ class PanelTable : public QWidget {
     QTableWidget& cells() { return cells_; }
 
   signals:
-    /// What was typed lies in its range; what does not is not taken.
+    /// Reports edited panels. Typed values are in their range; others are rejected.
     void panelsEdited(const std::vector<pdr::RigPanel>& panels);
 
   private:

@@ -21,7 +21,7 @@ SkyRow::SkyRow(QWidget* parent) : QWidget(parent) {
     turn_.setAccessibleName(tr("Turn of the sky picture"));
     turn_.setToolTip(tr("Turns the sky picture about the patient's axis [degrees]"));
     for (QWidget* control : std::initializer_list<QWidget*>{&choose_, &remove_, &turn_})
-        control->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
+        control->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
 
     auto* form = new QFormLayout(&turnRow_);
     form->setContentsMargins(0, 0, 0, 0);
@@ -53,7 +53,8 @@ void SkyRow::setEnvironment(const Environment& environment) {
     turn_.setValue(int(std::lround(environment.rotationDegrees)));
 }
 
-/// The button says what lights the volume, whatever comes of the question.
+/// Asks for a file. The button stays checked only while an environment image lights the volume, even if the user
+/// cancels.
 void SkyRow::ask() {
     choose_.setChecked(environment_.image != nullptr);
     if (const QString file = askForSky(this); !file.isEmpty())

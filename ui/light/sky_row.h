@@ -1,6 +1,6 @@
 #pragma once
-/// A picture of a sky or a room that lights the volume: chosen from a file, turned about the patient, and taken away.
-/// Setters are silent.
+/// The controls for an environment image that lights the volume, a sky or a room: it is chosen from a file, turned
+/// about the patient, and removed. Setters emit no signals.
 
 #include <QPushButton>
 #include <QSlider>
@@ -20,7 +20,7 @@ class SkyRow : public QWidget {
 
   signals:
     void skyChosen(const QString& file);
-    /// `moving`: the gesture goes on; the last edit of a gesture comes with false.
+    /// Reports an edited environment. `moving`: the gesture goes on; the last edit of a gesture comes with false.
     void environmentEdited(const pdr::Environment& environment, bool moving);
 
   private:

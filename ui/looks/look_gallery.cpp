@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kColumns = 2;
 
-/// In two lines where one is too long for a picture's width.
+/// Breaks a name that is wider than a thumbnail into two lines of similar length.
 QString inLines(const QString& name, const QFontMetrics& metrics) {
     if (metrics.horizontalAdvance(name) <= LookGallery::kPicture)
         return name;
@@ -41,6 +41,7 @@ LookGallery::LookGallery(QWidget* parent) : QWidget(parent), column_(new QVBoxLa
 void LookGallery::setLooks(const QList<LookCard>& looks) {
     if (looks == looks_)
         return;
+    // Remember the thumbnails and the current look
     QHash<QString, QIcon> pictures;
     for (QAbstractButton* button : buttons_.buttons())
         pictures[looks_[buttons_.id(button)].name] = button->icon();
@@ -48,10 +49,12 @@ void LookGallery::setLooks(const QList<LookCard>& looks) {
     const QString kept = shown >= 0 ? looks_[shown].name : QString();
     clear();
     looks_ = looks;
+    // Add those that suit the scan, then the others
     for (const bool suited : {true, false})
         for (int i = 0; i < looks.size(); ++i)
             if (looks[i].unsuited.isEmpty() == suited)
                 addCard(i);
+    // Restore the thumbnails and the current look
     for (QAbstractButton* button : buttons_.buttons()) {
         const LookCard& card = looks_[buttons_.id(button)];
         button->setIcon(pictures.value(card.name));
@@ -60,7 +63,7 @@ void LookGallery::setLooks(const QList<LookCard>& looks) {
     orderTabs();
 }
 
-/// As the eye reads, and all before what follows the gallery.
+/// Orders the Tab focus as the looks are read, before the widgets that follow the gallery.
 void LookGallery::orderTabs() {
     QWidget* before = leader_;
     const auto next = [&](QWidget* widget) {
@@ -78,7 +81,7 @@ void LookGallery::orderTabs() {
         next(follower);
 }
 
-/// Later, as one of them may be at work.
+/// Removes all groups. Their widgets are deleted later, since one of them may be handling an event.
 void LookGallery::clear() {
     for (QAbstractButton* button : buttons_.buttons())
         buttons_.removeButton(button);
@@ -147,7 +150,7 @@ void LookGallery::addCard(int index) {
 }
 
 void LookGallery::setLook(int index) {
-    buttons_.setExclusive(false);  // so that none may be chosen
+    buttons_.setExclusive(false);  // so that no button may be checked
     for (QAbstractButton* button : buttons_.buttons())
         button->setChecked(buttons_.id(button) == index);
     buttons_.setExclusive(true);

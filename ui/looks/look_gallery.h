@@ -1,5 +1,6 @@
 #pragma once
-/// The looks to choose from, in groups that fold, each as a small picture of this patient. Setters are silent.
+/// The gallery of looks, in groups that can be collapsed; each look has a thumbnail of this patient. Setters emit no
+/// signals.
 
 #include <QButtonGroup>
 #include <QHash>
@@ -11,13 +12,13 @@
 
 namespace pdr::ui {
 
-/// One look, in words.
+/// The texts of one look.
 struct LookCard {
     QString name;
-    QString group;        ///< as it is headed
-    QString doesNotShow;  ///< a sentence or two
-    QString unsuited;     ///< why it makes no sense of this scan: a clause; empty: it does
-    bool own = false;     ///< the user's
+    QString group;        ///< heading of its group
+    QString doesNotShow;  ///< what the look does not show, in a sentence or two
+    QString unsuited;     ///< why the look does not suit this scan: a clause; empty: it does
+    bool own = false;     ///< saved by the user
     bool operator==(const LookCard&) const = default;
 };
 
@@ -25,28 +26,28 @@ class LookGallery : public QWidget {
     Q_OBJECT
 
   public:
-    /// Edge of a picture [pixels of the window].
+    /// Edge length of a thumbnail [px].
     static constexpr int kPicture = 88;
 
     explicit LookGallery(QWidget* parent = nullptr);
 
-    /// Looks that make no sense of this scan stand under a heading of their own, last. What is folded stays so.
-    /// Pictures of looks that stay are kept. Nothing unfolds until setLook().
+    /// Sets the looks. Those that do not suit this scan come last, under a heading of their own. Groups stay expanded
+    /// or collapsed, and looks that remain keep their thumbnails. No other group expands until setLook().
     void setLooks(const QList<LookCard>& looks);
     const QList<LookCard>& looks() const { return looks_; }
-    /// What Tab reaches before the first look, and after the last, in that order.
+    /// Sets the widget before the first look in the Tab order, and those after the last, in that order.
     void setNeighbours(QWidget* leader, const QList<QWidget*>& followers) {
         leader_ = leader;
         followers_ = followers;
     }
-    /// -1: none of them is shown. Its group unfolds.
+    /// Marks the current look and expands its group, unless the user has collapsed it. -1: none of the looks is shown.
     void setLook(int index);
-    /// A null image: none yet.
+    /// Sets the thumbnail of a look. A null image: none yet.
     void setPicture(int index, const QImage& picture);
 
   signals:
     void lookChosen(int index);
-    /// By hand; `group` holds its pictures.
+    /// Emitted when the user expands a group. `group` holds its thumbnails.
     void unfolded(QWidget* group);
 
   private:
@@ -67,7 +68,7 @@ class LookGallery : public QWidget {
     QVBoxLayout* column_;
     QButtonGroup buttons_;
     QHash<QString, Group> groups_;
-    QHash<QString, bool> open_;  ///< that the hand folded or unfolded, by heading
+    QHash<QString, bool> open_;  ///< groups expanded (true) or collapsed by the user, by heading
 };
 
 }  // namespace pdr::ui

@@ -1,5 +1,5 @@
 #pragma once
-/// What is done with looks beside choosing them: saved, renamed, deleted, shared. Asks for names and files.
+/// The button and menu that save, rename, delete, import and export looks. It asks for names and files.
 
 #include <QMenu>
 #include <QPushButton>
@@ -13,7 +13,8 @@ class LookMenu : public QPushButton {
   public:
     explicit LookMenu(QWidget* parent = nullptr);
 
-    /// The look that is shown; empty: one that has no name yet. `own`: the user's, who may rename and delete it.
+    /// Sets the current look; empty: a look that has no name yet. `own`: saved by the user, who may rename and delete
+    /// it.
     void setLook(const QString& name, bool own);
 
   signals:
@@ -24,7 +25,7 @@ class LookMenu : public QPushButton {
     void exportWanted(const QString& file);
 
   private:
-    /// Empty: the user cancelled.
+    /// Asks for the name of a look. Empty: the user cancelled.
     QString askForName(const QString& title);
 
     QString name_;

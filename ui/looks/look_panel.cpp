@@ -17,7 +17,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     connect(&gallery_, &LookGallery::lookChosen, this, &LookPanel::lookChosen);
     doesNotShow_.setWordWrap(true);
     doesNotShow_.setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    doesNotShow_.setMinimumHeight(2 * doesNotShow_.fontMetrics().lineSpacing());  // what is below stays where it is
+    doesNotShow_.setMinimumHeight(2 * doesNotShow_.fontMetrics().lineSpacing());  // keeps what is below in place
     doesNotShow_.setAccessibleName(tr("What this look does not show"));
 
     brightness_.setAccessibleName(tr("Brightness"));
@@ -53,7 +53,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     auto* brightnessLabel = new QLabel(tr("&Brightness"));
     brightnessLabel->setBuddy(&brightness_);
 
-    // A click leaves the keyboard with the picture, so that Space goes on to mean pause; Tab still reaches everything.
+    // A click leaves the keyboard focus with the image, so that Space continues to pause; Tab still reaches everything.
     for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &light_, &camera_, &brightness_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
@@ -62,12 +62,13 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     scroll_.setFrameShape(QFrame::NoFrame);
     scroll_.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_.setFocusPolicy(Qt::NoFocus);
-    scroll_.setMinimumHeight(LookGallery::kPicture + 40);  // a heading and a row of pictures
+    scroll_.setMinimumHeight(LookGallery::kPicture + 40);  // a heading and a row of thumbnails
     gallery_.layout()->setAlignment(Qt::AlignTop);
     connect(
         &gallery_, &LookGallery::unfolded, this, [this](QWidget* group) { scroll_.ensureWidgetVisible(group, 0, 0); },
-        Qt::QueuedConnection);  // when it has got its place
+        Qt::QueuedConnection);  // queued, so that the group has been laid out
 
+    // Lay out the panel
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 6, 8, 10);
     column->setSpacing(8);
@@ -76,7 +77,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     column->addWidget(&doesNotShow_);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
-    for (QPushButton* edit : {&tissue_, &light_, &camera_}) {  // beside each other in a narrow column
+    for (QPushButton* edit : {&tissue_, &light_, &camera_}) {  // three in a row in a narrow column
         edit->setProperty("narrow", true);
         edit->setMinimumWidth(edit->fontMetrics().horizontalAdvance(edit->text().remove('&')) + 14);
     }

@@ -1,6 +1,6 @@
 #pragma once
-/// How the volume looks: the gallery of looks, what the chosen one does not show, and brightness; and whether the
-/// rendering holds. Setters are silent.
+/// The panel for the volume's appearance: the gallery of looks, what the current one does not show, brightness, and
+/// whether rendering is paused. Setters emit no signals.
 
 #include <QLabel>
 #include <QPushButton>
@@ -21,11 +21,11 @@ class LookPanel : public QWidget {
 
     LookGallery& gallery() { return gallery_; }
     LookMenu& menu() { return menu_; }
-    /// -1: none of them is shown.
+    /// Marks the current look. -1: none of the looks is shown.
     void setLook(int index);
-    /// What is not seen, in sentences; empty: nothing is known of it.
+    /// Sets the sentences on what the look does not show. Empty: nothing is known about it.
     void setDoesNotShow(const QString& sentence);
-    /// In stops: one more is twice as bright; 0 = as the look says. Kept in [-4, 4].
+    /// Sets the brightness in stops, clamped to [-4, 4]: one more is twice as bright, 0 is as the look defines it.
     void setBrightness(double stops);
     void setPaused(bool paused);
 
@@ -33,18 +33,19 @@ class LookPanel : public QWidget {
 
   signals:
     void lookChosen(int index);
-    /// `moving`: the slider is still held; the last one of a gesture comes with false.
+    /// Reports the chosen brightness [stops]. `moving`: the slider is still held down; the last report of a gesture
+    /// comes with false.
     void brightnessChosen(double stops, bool moving);
     void pauseChosen(bool paused);
-    /// The curves and colours behind the looks are to be edited, or not any more.
+    /// Requests to open or close the editor of curves and colours.
     void tissueWanted();
-    /// The same of the lights.
+    /// Requests to open or close the light editor.
     void lightWanted();
-    /// The same of the camera.
+    /// Requests to open or close the camera editor.
     void cameraWanted();
 
   private:
-    QScrollArea scroll_;  ///< around the gallery, which leaves it first
+    QScrollArea scroll_;  ///< around the gallery; declared before it, so destroyed after it
     LookGallery gallery_;
     QLabel doesNotShow_;
     QSlider brightness_;

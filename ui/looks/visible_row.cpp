@@ -20,15 +20,15 @@ VisibleRow::VisibleRow(QWidget* parent) : QWidget(parent) {
     peel_.setDecimals(1);
     peel_.setSingleStep(1);
     peel_.setSuffix(tr(" mm"));
-    peel_.setKeyboardTracking(false);  // typing 12 does not mean 1 first
+    peel_.setKeyboardTracking(false);  // typing 12 must not set 1 first
     connect(&peel_, &QDoubleSpinBox::valueChanged, this, &VisibleRow::choose);
 
     notShown_.setWordWrap(true);
     notShown_.setForegroundRole(QPalette::PlaceholderText);
     notShown_.setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    notShown_.setMinimumHeight(2 * notShown_.fontMetrics().lineSpacing());  // what is above stays where it is
+    notShown_.setMinimumHeight(2 * notShown_.fontMetrics().lineSpacing());  // keeps what is above in place
 
-    part_.setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
+    part_.setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
 
     auto* form = new QFormLayout(this);
     form->setContentsMargins(10, 0, 10, 8);

@@ -1,5 +1,5 @@
 #pragma once
-/// Which part of the patient is shown, and how much is peeled off it. Setters are silent.
+/// The choice of which part of the patient is shown, and how much is peeled off it. Setters emit no signals.
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -17,7 +17,7 @@ class VisibleRow : public QWidget {
     explicit VisibleRow(QWidget* parent = nullptr);
 
     void setChoice(const Visible& visible);
-    /// What the picture does not show, in sentences; empty: nothing is hidden.
+    /// Sets the sentences on what the image does not show. Empty: nothing is hidden.
     void setNotShown(const QString& sentences);
 
   signals:

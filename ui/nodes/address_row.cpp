@@ -26,7 +26,7 @@ AddressRow::AddressRow(QWidget* parent) : QWidget(parent), add_(tr("Add")) {
     connect(&add_, &QPushButton::clicked, this, &AddressRow::add);
 }
 
-/// What was wrong stays, to be mended.
+/// Requests the node, or reports the problem. A wrong address stays in the field, to be corrected.
 void AddressRow::add() {
     const TypedAddress typed = readAddress(field_.text());
     emit problemFound(typed.problem);

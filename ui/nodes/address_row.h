@@ -1,6 +1,6 @@
 #pragma once
-/// A field for the address of a node that is to render along. What is no address is not asked for: a sentence says what
-/// is wrong with it. Setters are silent.
+/// A field for the address of a render node to add. An invalid address is not requested; a sentence explains what is
+/// wrong with it. Setters emit no signals.
 
 #include <QLabel>
 #include <QLineEdit>
@@ -16,9 +16,9 @@ class AddressRow : public QWidget {
     explicit AddressRow(QWidget* parent = nullptr);
 
   signals:
-    /// "gpu-07:4743"
+    /// Requests to add the node at `address`: "gpu-07:4743".
     void addRequested(const QString& address);
-    /// What is wrong with what was typed: a sentence; empty: nothing is any more.
+    /// Reports what is wrong with the typed address: a sentence; empty: nothing is any more.
     void problemFound(const QString& sentence);
 
   private:

@@ -26,8 +26,8 @@ ListenRow::ListenRow(QWidget* parent) : QWidget(parent) {
     without_.setAccessibleName(tr("Without certificates"));
     without_.setToolTip(tr("Without certificates: only nodes on this machine"));
     for (QWidget* control : std::initializer_list<QWidget*>{&listens_, &port_, &certificates_, &without_})
-        control->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
-    port_.setFocusPolicy(Qt::StrongFocus);      // but where it is typed into
+        control->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
+    port_.setFocusPolicy(Qt::StrongFocus);      // except in the field, which is typed into
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(&listens_);

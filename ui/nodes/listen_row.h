@@ -1,5 +1,6 @@
 #pragma once
-/// Whether nodes may dial in, on which port, and with whose certificates all of them are spoken to. Setters are silent.
+/// The controls for whether nodes may dial in, on which port, and which certificates all connections use. Setters emit
+/// no signals.
 
 #include <QCheckBox>
 #include <QPushButton>
@@ -16,14 +17,14 @@ class ListenRow : public QWidget {
   public:
     explicit ListenRow(QWidget* parent = nullptr);
 
-    /// None: nobody may dial in; the port stays as it is.
+    /// Sets the port on which nodes may dial in. None: none may; the field keeps its port.
     void setListening(std::optional<quint16> port);
-    /// Empty: there are none.
+    /// Sets the folder with certificates. Empty: there are none.
     void setBundle(const QString& folder);
 
   signals:
     void listenRequested(const std::optional<quint16>& port);
-    /// A folder with certificates; empty: none are to be used.
+    /// Requests to use the certificates in `folder`. Empty: none.
     void bundleRequested(const QString& folder);
 
   private:

@@ -15,7 +15,7 @@ TypedAddress problem(const QString& sentence) {
     return {{}, sentence};
 }
 
-/// What stands behind the colon; empty: there is none. Colons inside of brackets belong to the host.
+/// Returns the text after the last colon; empty if there is none. Colons inside brackets belong to the host.
 QString portOf(const QString& text) {
     const qsizetype colon = text.lastIndexOf(':');
     return colon > text.lastIndexOf(']') ? text.mid(colon + 1) : QString();

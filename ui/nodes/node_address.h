@@ -1,16 +1,17 @@
 #pragma once
-/// Where a node is reached: what a hand typed, understood or told what is wrong with it.
+/// The parser for a typed node address, which explains what is wrong with an invalid one.
 
 #include <QString>
 
 namespace pdr::ui {
 
 struct TypedAddress {
-    QString address;  ///< "gpu-07:4743", "[fe80::1]:4743"; empty where it is none
-    QString problem;  ///< a sentence for the user; empty where there is none
+    QString address;  ///< "gpu-07:4743", "[fe80::1]:4743"; empty if invalid
+    QString problem;  ///< what is wrong, a sentence for the user; empty if valid
 };
 
-/// `text`: as readNetworkAddress() (render/base/network_address.h) takes it, within blanks; its port is not 0.
+/// Reads an address as readNetworkAddress() (render/base/network_address.h) does, ignoring blanks around `text`. The
+/// port must not be 0.
 TypedAddress readAddress(const QString& text);
 
 }  // namespace pdr::ui

@@ -43,7 +43,7 @@ bool asksForALook(NodeState state) {
     return state == NodeState::suspect || state == NodeState::lost || state == NodeState::refused;
 }
 
-/// Whether the node has said what it is.
+/// Returns whether the node has reported its device.
 bool isKnown(const NodeRow& node) {
     return !node.device.isEmpty();
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What is said of nodes, in words and figures of the window's language.
+/// Texts and figures about nodes in the window's language.
 
 #include <QList>
 #include <QString>
@@ -8,17 +8,19 @@
 
 namespace pdr::ui {
 
-/// "gpu-07 (10.0.0.7:4743)", or the address alone where there is no name yet.
+/// Returns "gpu-07 (10.0.0.7:4743)", or the address alone while there is no name.
 QString nodeName(const NodeRow& node);
-/// "Sending the scan, 45 %", "Lost: the connection was cut". What asks for a look has a mark before it.
+/// Returns the state: "Sending the scan, 45 %", "Lost: the connection was cut". A state that needs attention begins
+/// with a warning sign.
 QString nodeStateText(const NodeRow& node);
-/// "1.5 MB"; nothing of none.
+/// Returns "1.5 MB"; empty for 0 bytes.
 QString bytesText(quint64 bytes);
-/// "connections lost: 3, results that never came: 1"; nothing where there are none.
+/// Returns "connections lost: 3, results that never came: 1"; empty if there are none.
 QString faultsText(const NodeFaults& faults);
-/// All that is known of the node in a sentence, for those who hear it.
+/// Returns all that is known of the node in one sentence, for screen readers.
 QString nodeSentence(const NodeRow& node);
-/// Whether all nodes make the same bits as this machine, and what of it; nothing without nodes that are known.
+/// Returns whether all nodes compute the same bits as this machine, and what follows from it; empty without known
+/// nodes.
 QString bitsText(const QList<NodeRow>& nodes);
 
 }  // namespace pdr::ui

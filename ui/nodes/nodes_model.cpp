@@ -65,7 +65,7 @@ QString cellText(const NodeRow& row, int column) {
     }
 }
 
-/// For the mouse, where a cell is too narrow or only a figure.
+/// Returns the tool tip, for cells that are too narrow or show only a figure.
 QString tipText(const NodeRow& row, int column) {
     return column == NodesModel::faults ? faultsText(row.faults) : cellText(row, column);
 }
@@ -84,6 +84,7 @@ QString NodesModel::widest(int column) {
 
 void NodesModel::setNodes(const QList<NodeRow>& nodes) {
     removeThoseWithout(nodes);
+    // Update the rows that have changed
     QHash<quint64, const NodeRow*> newest;
     for (const NodeRow& one : nodes)
         newest[one.id] = &one;
@@ -96,6 +97,7 @@ void NodesModel::setNodes(const QList<NodeRow>& nodes) {
         }
     if (last >= 0)
         emit dataChanged(index(first, 0), index(last, kColumns - 1));
+    // Append the new nodes
     QList<NodeRow> added;
     for (const NodeRow& one : nodes)
         if (newest.contains(one.id))

@@ -1,6 +1,6 @@
 #pragma once
-/// The nodes as a table: a row each, in the order in which they came. An update changes cells where they stand, so that
-/// what is selected stays so.
+/// The table model of the nodes: a row each, in the order in which they were added. An update changes cells in place,
+/// so that the selection stays.
 
 #include <QAbstractTableModel>
 
@@ -16,11 +16,11 @@ class NodesModel : public QAbstractTableModel {
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// No two of them have the same id. Those that are new stand at the end.
+    /// Sets the nodes, whose ids must be unique. New ones are added at the end.
     void setNodes(const QList<NodeRow>& nodes);
     const QList<NodeRow>& nodes() const { return nodes_; }
 
-    /// As long as any that is to be expected in that column; empty: it takes what room there is.
+    /// Returns the longest text expected in `column`. Empty: the column takes the remaining width.
     static QString widest(int column);
 
     int rowCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : int(nodes_.size()); }

@@ -23,7 +23,7 @@ NodesPanel::NodesPanel(QWidget* parent)
     showNotes();
 }
 
-/// All widths are fixed or what is left: none is measured anew with each update.
+/// Sets up the table. Every column has a fixed width or takes the rest, so that no update measures texts.
 void NodesPanel::setUpTable() {
     table_.setModel(&model_);
     table_.setAccessibleName(tr("Render nodes"));
@@ -60,7 +60,7 @@ void NodesPanel::describe() {
     remove_.setText(tr("Remove"));
     remove_.setToolTip(tr("Parts with the chosen nodes; they forget the scan (Delete)"));
     for (QPushButton* button : {&pause_, &remove_})
-        button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
+        button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
     problem_.setAccessibleName(tr("What could not be done"));
     problem_.setWordWrap(true);
     problem_.setTextFormat(Qt::PlainText);
@@ -192,7 +192,8 @@ void NodesPanel::showNotes() {
     QStringList notes{split_, bitsText(model_.nodes())};
     notes.removeAll({});
     if (model_.nodes().isEmpty())
-        notes = QStringList{tr("No render nodes: other machines can render along, and the picture becomes right sooner")};
+        notes =
+            QStringList{tr("No render nodes: other machines can render along, and the picture becomes right sooner")};
     notes_.setLine(notes.join(QString::fromUtf8(" · ")));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The machines that render along: who they are, what each does and adds, and what went wrong with it. Nodes are added
-/// by their address or dial in, and are paused and removed. Setters are silent.
+/// The panel of remote render nodes: which they are, what each does and contributes, and what went wrong with it. Nodes
+/// are added by their address or dial in, and are paused and removed. Setters emit no signals.
 
 #include <QBoxLayout>
 #include <QLabel>
@@ -22,17 +22,17 @@ class NodesPanel : public QWidget {
   public:
     explicit NodesPanel(QWidget* parent = nullptr);
 
-    /// All of them; what is selected stays so. No two have the same id.
+    /// Sets all nodes, whose ids must be unique. The selection stays.
     void setNodes(const QList<NodeRow>& nodes);
-    /// Which split of the work is in use and why: "Tiles: an iteration takes 0.4 s"; empty: there is no work.
+    /// Sets which split of the work is in use and why: "Tiles: an iteration takes 0.4 s". Empty: there is no work.
     void setSplit(const QString& sentence);
-    /// That the user wants; none: as its costs say.
+    /// Sets the split that the user has chosen. None: chosen by cost.
     void setWantedSplit(std::optional<Split> split) { splitBox_.setSplit(split); }
-    /// None: nobody may dial in.
+    /// Sets the port on which nodes may dial in. None: none may.
     void setListening(std::optional<quint16> port) { listen_.setListening(port); }
-    /// The folder of this machine's certificates; empty: there are none, and connections are plain.
+    /// Sets the folder of this machine's certificates. Empty: there are none, and connections are not encrypted.
     void setBundle(const QString& folder);
-    /// What could not be done, in a sentence; it goes with the next edit. Empty: nothing.
+    /// Shows what failed, in a sentence; it disappears with the next edit. Empty: nothing.
     void setProblem(const QString& sentence);
 
     QTableView& table() { return table_; }
@@ -40,16 +40,16 @@ class NodesPanel : public QWidget {
     QSize sizeHint() const override { return {760, QWidget::sizeHint().height()}; }
 
   signals:
-    /// "gpu-07:4743"
+    /// Requests to add the node at `address`: "gpu-07:4743".
     void addRequested(const QString& address);
     void removeRequested(quint64 id);
-    /// `paused`: it is to take no more leases.
+    /// Requests to pause or resume a node. `paused`: it gets no more leases.
     void pauseRequested(quint64 id, bool paused);
-    /// None: nobody may dial in any more.
+    /// Requests to listen on `port`. None: nodes may no longer dial in.
     void listenRequested(const std::optional<quint16>& port);
-    /// Empty: certificates are no longer to be used.
+    /// Requests to use the certificates in `folder`. Empty: none.
     void bundleRequested(const QString& folder);
-    /// None: as its costs say.
+    /// Requests a split of the work. None: chosen by cost.
     void splitRequested(const std::optional<pdr::Split>& split);
 
   protected:
@@ -75,7 +75,7 @@ class NodesPanel : public QWidget {
     QPushButton remove_;
     SplitBox splitBox_;
     QBoxLayout* controlGroups_;  ///< side by side where there is room
-    QBoxLayout* lastLines_;      ///< the same
+    QBoxLayout* lastLines_;      ///< side by side where there is room
     QLabel problem_;
     ElidedLabel security_;
     ElidedLabel notes_;

@@ -4,7 +4,7 @@
 
 namespace pdr::ui {
 
-/// Of the entries, in order.
+/// The splits of the entries, in their order.
 static constexpr std::array<std::optional<Split>, 3> kSplits{std::nullopt, Split::tiles, Split::samples};
 
 SplitBox::SplitBox(QWidget* parent) : QComboBox(parent) {
@@ -13,7 +13,7 @@ SplitBox::SplitBox(QWidget* parent) : QComboBox(parent) {
     setToolTip(tr(
         "Tiles: each node renders a part of the picture. Samples: each renders the whole picture, a block of samples "
         "at a time, which is sooner where tiles would be too small."));
-    setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
+    setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
     connect(this, &QComboBox::activated, this, [this](int entry) { emit splitRequested(kSplits[std::size_t(entry)]); });
 }
 

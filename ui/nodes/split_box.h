@@ -1,5 +1,5 @@
 #pragma once
-/// How the work is shared out among nodes: as its costs say, or as the user wants it. Setters are silent.
+/// The choice of how the work is divided among nodes: by its costs, or as the user chooses. Setters emit no signals.
 
 #include <QComboBox>
 #include <optional>
@@ -14,11 +14,11 @@ class SplitBox : public QComboBox {
   public:
     explicit SplitBox(QWidget* parent = nullptr);
 
-    /// None: as its costs say.
+    /// Sets the split. None: chosen by cost.
     void setSplit(std::optional<Split> split);
 
   signals:
-    /// By hand.
+    /// Reports the user's choice. None: chosen by cost.
     void splitRequested(const std::optional<pdr::Split>& split);
 };
 

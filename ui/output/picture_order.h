@@ -1,5 +1,5 @@
 #pragma once
-/// What is wanted of a picture that is to be saved, and what there is to choose from.
+/// The request for an image to be saved, and the defaults and cost that the dialog offers.
 
 #include <QSize>
 #include <QString>
@@ -12,29 +12,29 @@ namespace pdr::ui {
 
 struct PictureOrder {
     QString file;               ///< ".png" or ".exr"
-    std::optional<QSize> size;  ///< pixels; none: what is on the screen, as it is
-    StopRule stop;              ///< when a picture of that size is good enough
+    std::optional<QSize> size;  ///< pixels; none: the image on the screen, as it is
+    StopRule stop;              ///< when rendering an image of that size stops
     Annotate annotate = Annotate::sides;
 };
 
-/// What a picture costs to make anew. Its error falls with the square root of the time, so one number tells all.
+/// The cost of rendering an image anew. Its error falls with the square root of the time, so one number is enough.
 struct PictureCost {
-    double secondsPerPixel = 0;  ///< of rendering, until 95 % of the tissue is within 1 level; > 0
+    double secondsPerPixel = 0;  ///< rendering time until 95 % of the tissue is within 1 level; > 0
 
-    /// Until a picture of that size is within so many levels [s].
+    /// Returns the time until an image of that size is within `levels` [s].
     double secondsUntil(double levels, QSize size) const {
         return secondsPerPixel * size.width() * size.height() / (levels * levels);
     }
 };
 
-/// What the dialog begins with.
+/// The initial values of the dialog.
 struct PictureOffer {
-    QSize view;                       ///< on the screen [pixels]
-    QString name;                     ///< of the file, without its end
-    QString folder;                   ///< empty: where documents are
+    QSize view;                       ///< size of the image on the screen [pixels]
+    QString name;                     ///< file name without its suffix
+    QString folder;                   ///< empty: the user's documents folder
     std::optional<PictureCost> cost;  ///< none: not known yet
     Annotate annotate = Annotate::sides;
-    bool patientKnown = false;  ///< who it is may be written into the picture
+    bool patientKnown = false;  ///< the patient's identity may be written on the image
 };
 
 }  // namespace pdr::ui

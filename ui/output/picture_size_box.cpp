@@ -12,7 +12,7 @@
 namespace pdr::ui {
 namespace {
 
-constexpr int kLongestOffered = 8192;  ///< pixels that are offered: a poster, and what a machine has memory for
+constexpr int kLongestOffered = 8192;  ///< longest side offered [pixels]: enough for a poster, and fits in memory
 
 QString sizeText(QSize size) {
     return QString("%1 × %2").arg(size.width()).arg(size.height());
@@ -28,7 +28,7 @@ QSpinBox* sideField(const QString& name, int pixels) {
     return field;
 }
 
-/// Who it is stands there only where somebody chooses it for this picture.
+/// Creates the choice of annotations. The patient's identity is written only if the user chooses it for this image.
 QComboBox* annotateField(const PictureOffer& offer) {
     auto* field = new QComboBox;
     field->addItem(PictureSizeBox::tr("None"), int(Annotate::none));
@@ -54,6 +54,7 @@ PictureSizeBox::PictureSizeBox(const PictureOffer& offer, QWidget* parent)
       stop_(new StopRow),
       takes_(new QLabel),
       annotate_(annotateField(offer)) {
+    // Fill the fields
     sizes_->setAccessibleName(tr("Size of the picture"));
     sizes_->addItem(tr("As it is on the screen, %1").arg(sizeText(offer.view)), offer.view);
     for (const QSize size : {offer.view, QSize(2000, 2000), QSize(3840, 2160)})
@@ -62,6 +63,7 @@ PictureSizeBox::PictureSizeBox(const PictureOffer& offer, QWidget* parent)
     stop_->setRule({.levels = kPlanningLevels});
     takes_->setAccessibleName(tr("How long it takes"));
 
+    // Lay them out
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->addWidget(new QLabel(tr("Size:")), 0, 0);
@@ -91,7 +93,7 @@ void PictureSizeBox::setAnnotatable(bool annotatable) {
     annotate_->setEnabled(annotatable);
 }
 
-/// "about 40 min to ±4"; nothing where it is as it is.
+/// Shows how long rendering takes, "about 40 min to ±4"; nothing if the image is saved as it is.
 void PictureSizeBox::showCost() {
     const StopRule rule = stop_->rule();
     const QString target = localNumber(levelsText(rule.levels));
@@ -107,7 +109,7 @@ std::optional<QSize> PictureSizeBox::chosenSize() const {
     return sizes_->currentIndex() == 0 ? std::nullopt : std::optional(QSize(width_->value(), height_->value()));
 }
 
-/// What is on the screen has its size, and is as good as it is.
+/// Fills in the chosen size. The image on the screen has its own size and accuracy, which cannot be changed.
 void PictureSizeBox::takeSize() {
     const bool anew = sizes_->currentIndex() > 0;
     for (QWidget* field : std::initializer_list<QWidget*>{width_, height_, stop_})

@@ -1,6 +1,6 @@
 #pragma once
-/// How large a picture is to be that is saved, and how good: as it is on the screen, or made anew; and what is written
-/// over it.
+/// The part of the save dialog for the image's size and accuracy (as it is on the screen, or rendered anew) and its
+/// annotations.
 
 #include <QComboBox>
 #include <QLabel>
@@ -19,11 +19,11 @@ class PictureSizeBox : public QWidget {
   public:
     explicit PictureSizeBox(const PictureOffer& offer, QWidget* parent = nullptr);
 
-    /// None: as it is on the screen.
+    /// Returns the chosen size. None: the image as it is on the screen.
     std::optional<QSize> chosenSize() const;
     StopRule stop() const { return stop_->rule(); }
     Annotate annotate() const;
-    /// Files of radiance carry no annotations.
+    /// Sets whether the file can be annotated; OpenEXR files cannot.
     void setAnnotatable(bool annotatable);
 
   private:

@@ -15,13 +15,13 @@ QString translated(const char* text) {
     return QCoreApplication::translate("fileDialogs", text);
 }
 
-/// Where people look for what they have saved.
+/// Returns the documents folder, where users look for saved files, or else the home folder.
 QString documents() {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     return QDir(folder).exists() ? folder : QDir::homePath();
 }
 
-/// Below the files: the layout of Qt's own dialog is a grid.
+/// Adds a widget below the list of files. The layout of Qt's own dialog is a grid.
 void addBelow(QFileDialog& dialog, QWidget* widget) {
     if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout()))
         grid->addWidget(widget, grid->rowCount(), 0, 1, -1);
@@ -36,7 +36,7 @@ std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, 
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters({png, exr});
     dialog.setDirectory(offer.folder.isEmpty() ? documents() : offer.folder);
-    // With a suffix from the dialog itself it also asks before it overwrites.
+    // With its own default suffix, the dialog also asks before it overwrites a file.
     dialog.setDefaultSuffix("png");
     auto* box = new PictureSizeBox(offer);
     addBelow(dialog, box);

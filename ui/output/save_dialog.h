@@ -1,5 +1,5 @@
 #pragma once
-/// The dialog that asks where an image goes, how large it is and how accurate.
+/// The dialog that asks where to save an image, at which size, and how accurate it must be.
 
 #include <QAction>
 #include <QWidget>
@@ -9,9 +9,9 @@
 
 namespace pdr::ui {
 
-/// Asks for a file to save the picture in, for its size, for how good it is to be and what is written over it,
-/// beginning with `offer`. None: the user cancelled, or `save` was disabled meanwhile: a name that was thought of for
-/// one patient must not go to the next.
+/// Asks for a file to save the image in, and for its size, accuracy and annotations, beginning with `offer`. None: the
+/// user cancelled, or `save` was disabled meanwhile, since a name proposed for one patient must not be used for the
+/// next.
 std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, const PictureOffer& offer);
 
 }  // namespace pdr::ui

@@ -9,13 +9,13 @@ namespace pdr::ui {
 
 namespace {
 
-enum { kOurs, kK0, kK1 };  // in the list of schedules
+enum { kOurs, kK0, kK1 };  // indices in the list of schedules
 
 }  // namespace
 
 RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
     describeControls();
-    // A click leaves the keyboard with the picture; Tab still reaches everything.
+    // A click leaves the keyboard focus with the image; Tab still reaches everything.
     for (QWidget* control : std::initializer_list<QWidget*>{&device_, &automatic_, &framesPerSecond_, &iterations_,
                                                             &expert_, &schedule_, &filter_, &estimator_})
         control->setFocusPolicy(Qt::TabFocus);
@@ -24,6 +24,7 @@ RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
         box->setMinimumContentsLength(8);
     }
 
+    // Lay out the controls
     auto* rows = new QFormLayout;
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addRow(&device_);  // the whole row: names of GPUs are long
@@ -45,6 +46,7 @@ RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
 void RenderPanel::describeControls() {
     device_.setAccessibleName(tr("Device"));
     device_.setToolTip(tr("What computes the picture. It goes on there with the samples that it has."));
+    // Describe the pace of refreshing the image
     automatic_.setText(tr("Automatic"));
     automatic_.setAccessibleName(tr("Automatic"));
     automatic_.setToolTip(
@@ -64,6 +66,7 @@ void RenderPanel::describeControls() {
            "fewer is livelier; the result is the same."));
     iterations_.setRange(1, 1000);
     iterations_.setKeyboardTracking(false);
+    // Describe the button that shows the comparison
     expert_.setText(tr("Comparison with Exposure Render"));
     expert_.setAccessibleName(tr("Comparison with Exposure Render"));
     expert_.setToolTip(tr("For comparison only: the ways of the renderer that this one replaces."));
@@ -125,7 +128,7 @@ void RenderPanel::connectControls() {
             [this](int index) { emit estimatorChosen(Estimator(index)); });
 }
 
-/// What has no influence cannot be changed.
+/// Disables the controls that have no effect at present.
 void RenderPanel::enableWhatCounts() {
     framesPerSecond_.setEnabled(automatic_.isChecked());
     iterations_.setEnabled(!automatic_.isChecked());

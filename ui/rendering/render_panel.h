@@ -1,6 +1,6 @@
 #pragma once
-/// How the picture is computed: on which device, how often it is shown anew, and, folded away, the ways of Exposure
-/// Render to compare with. Setters are silent.
+/// The panel for how the image is rendered: on which device, how often it is refreshed, and, collapsed at first, the
+/// methods of Exposure Render for comparison. Setters emit no signals.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -21,7 +21,7 @@ class RenderPanel : public QWidget {
   public:
     explicit RenderPanel(QWidget* parent = nullptr);
 
-    /// `texts` are what the user reads for each name.
+    /// Sets the devices. `texts`: what the user reads for each of `names`.
     void setDevices(const QStringList& names, const QStringList& texts);
     void setDevice(const QString& name);
     void setPace(const FrameBudget& pace);

@@ -9,7 +9,7 @@ namespace pdr::ui {
 namespace {
 
 constexpr int kPadding = 8;
-constexpr int kPicture = 48;  ///< side [px]
+constexpr int kPicture = 48;  ///< side of the thumbnail [px]
 
 }  // namespace
 
@@ -21,12 +21,14 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     const QStyle& style = ground.widget ? *ground.widget->style() : *QApplication::style();
     style.drawControl(QStyle::CE_ItemViewItem, &ground, painter, ground.widget);
 
+    // Choose the text colour
     const bool loadable = index.data(kLoadableRole).toBool();
     const bool chosen = option.state.testFlag(QStyle::State_Selected);
     QColor colour = option.palette.color(chosen ? QPalette::HighlightedText : QPalette::Text);
     if (!loadable && !chosen)
         colour = option.palette.color(QPalette::PlaceholderText);
 
+    // Draw the thumbnail
     painter->save();
     QRect area = option.rect.adjusted(kPadding, kPadding, -kPadding, -kPadding);
     if (const auto picture = index.data(Qt::DecorationRole).value<QPixmap>(); !picture.isNull()) {
@@ -35,6 +37,7 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
         painter->drawPixmap(place, picture);
         area.setLeft(area.left() + kPicture + kPadding);
     }
+    // Draw the lines of text
     const int lineHeight = option.fontMetrics.height() + 2;
     QRect line(area.left(), area.top(), area.width(), lineHeight);
     const auto write = [&](int role, const QFont& font, double opacity) {
@@ -55,6 +58,7 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     write(kFactsRole, option.font, 0.75);
     write(kVerdictRole, option.font, loadable ? 0.75 : 1);
     painter->restore();
+    // Draw the focus ring
     if (option.state.testFlag(QStyle::State_HasFocus)) {
         QStyleOptionFocusRect ring;
         ring.QStyleOption::operator=(option);

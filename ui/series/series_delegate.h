@@ -1,14 +1,14 @@
 #pragma once
-/// Paints one series as three or four lines beside a small picture of it, if there is one: its name, whose it is where
-/// that must be told, its facts, its verdict.
+/// Paints one series of the list as three or four lines: its title, the patient where several must be told apart, its
+/// facts and the verdict; beside them a thumbnail, if there is one.
 
 #include <QStyledItemDelegate>
 
 namespace pdr::ui {
 
-/// What an item of the series list holds.
-/// kNumberRole: of the patient in the list, from 1. kWhoRole: birth date and ID where patients must be told apart;
-/// empty: no line. The picture is in Qt::DecorationRole.
+/// The data roles of an item in the series list. The thumbnail is in Qt::DecorationRole.
+/// kNumberRole  number of the patient in the list, from 1
+/// kWhoRole     birth date and ID where patients must be told apart; empty: no line
 enum SeriesRole {
     kPatientRole = Qt::UserRole,
     kTitleRole,

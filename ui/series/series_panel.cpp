@@ -12,7 +12,7 @@
 namespace pdr::ui {
 namespace {
 
-/// The reason why a series cannot be shown, or remarks about one that can.
+/// Returns the reason why a series cannot be shown, or remarks about one that can.
 QString detailOf(const dicom::GeometryVerdict& verdict) {
     QStringList lines;
     if (!verdict.reason.empty())
@@ -26,7 +26,7 @@ bool samePatient(const dicom::Series& a, const dicom::Series& b) {
     return dicom::samePatient(a.patient, b.patient);
 }
 
-/// From 1, in the order of the list.
+/// Returns the number of the series' patient, from 1, in the order of the list.
 int patientNumber(const dicom::ScanResult& scan, const dicom::Series& series) {
     int number = 0;
     for (auto one = scan.series.begin(); one != scan.series.end(); ++one) {
@@ -152,7 +152,7 @@ QString SeriesPanel::patientOf(const QModelIndex& item) const {
                         : item.data(kPatientRole).toString();
 }
 
-/// The patient stands before the series where the list has several.
+/// Sets the title of the item, preceded by the patient if the list has several.
 void SeriesPanel::name(QStandardItem& item) const {
     const QString series = item.text();
     const QString title = several_ ? tr("%1: %2", "patient, series").arg(patientOf(item.index()), series) : series;

@@ -1,5 +1,5 @@
 #pragma once
-/// The series of a folder, with what can be shown and what not, and why. Setters are silent.
+/// The list of the series in a folder: which ones can be shown, which cannot, and why. Setters emit no signals.
 
 #include <QImage>
 #include <QLabel>
@@ -18,14 +18,14 @@ class SeriesPanel : public QWidget {
     explicit SeriesPanel(QWidget* parent = nullptr);
 
     void setScan(const dicom::ScanResult& scan);
-    /// Marks the series that is shown: its place in the scan, -1 for none. The patient named above the list is always
-    /// the one in the picture, whatever the user has marked since.
+    /// Selects the series that is shown: its index in the scan, -1 for none. The patient named above the list is always
+    /// the one in the image, whatever the user has selected since.
     void setCurrent(int index);
-    /// No patient is named, and what the user has marked stays marked.
+    /// Clears the patient's name above the list; the selection stays.
     void setNothingShown();
-    /// A small picture of the series at that place of the scan.
+    /// Sets the thumbnail of the series with index `series` in the scan.
     void setPicture(int series, const QImage& picture);
-    /// For screenshots: patients are numbered in the place of their names.
+    /// Sets whether patients are numbered instead of named, e.g. for screenshots.
     void setNamesHidden(bool hidden);
     int current() const { return shown_; }
     QString patient() const { return patient_.text(); }
@@ -35,7 +35,8 @@ class SeriesPanel : public QWidget {
     QSize sizeHint() const override { return {240, 400}; }
 
   signals:
-    /// A loadable series was clicked, or marked or taken by the keyboard; to reach the list by Tab marks none.
+    /// Reports a loadable series that was clicked, or selected or activated by the keyboard. Moving the focus to the
+    /// list by Tab selects none.
     void seriesChosen(int index);
 
   private:
@@ -45,7 +46,7 @@ class SeriesPanel : public QWidget {
     void choose();
 
     int shown_ = -1;
-    bool several_ = false;  ///< patients
+    bool several_ = false;  ///< the list has several patients
     bool namesHidden_ = false;
     QLabel patient_;
     QListView list_;

@@ -35,7 +35,7 @@ QString levels(double value) {
     return localNumber(levelsText(value));
 }
 
-/// As long as this picture tells nothing of its own price.
+/// Appends the time of the previous rendering, as long as there is no forecast for this image.
 QString withLastTime(const QString& sentence, const Accuracy& accuracy) {
     if (!accuracy.planningSeconds)
         return sentence;
@@ -53,7 +53,7 @@ QString unknownText(const Accuracy& accuracy) {
                                                : translated("Estimating · the error is not known yet");
 }
 
-/// How the sentence ends.
+/// What the end of the sentence says.
 enum class Ending { none, price, leastPrice, paused, reached };
 
 Ending endingOf(Holding holding, const QualityStep* next) {
@@ -64,7 +64,7 @@ Ending endingOf(Holding holding, const QualityStep* next) {
     return next->atLeast() ? Ending::leastPrice : Ending::price;
 }
 
-/// The number, and which image it speaks of.
+/// Returns the error, and which image it belongs to.
 QString numberText(const Accuracy& accuracy) {
     const QString within = levels(accuracy.status.displayError);
     switch (accuracy.of) {
@@ -78,7 +78,7 @@ QString numberText(const Accuracy& accuracy) {
     return translated("95 % of the tissue within ±%1 of 255 grey levels").arg(within);
 }
 
-/// What comes next, or why nothing does; `next`: the next step, for a price.
+/// Returns the time to the next step, or why rendering has stopped. `next`: the next step, for a forecast.
 QString endingText(Ending ending, const QualityStep* next, const Accuracy& accuracy) {
     const auto priced = [&](const QString& text) {
         return text.arg(levels(next->levels), durationText(next->seconds.value - accuracy.seconds));
@@ -113,7 +113,7 @@ QString previewSentence(ErrorOf of) {
     return translated("Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2");
 }
 
-/// Wherever that is said of.
+/// Returns the accuracy sentence without the prefix for the box.
 QString sentenceOn(const Accuracy& accuracy) {
     const FilmStatus& status = accuracy.status;
     if (accuracy.coarse)

@@ -1,5 +1,5 @@
 #pragma once
-/// How good the picture is, what more would cost, and what else is to be known of it, in whole sentences.
+/// Sentences on the image's accuracy, on the time that more accuracy takes, and on whatever else must be known of it.
 
 #include <QString>
 #include <optional>
@@ -11,47 +11,48 @@
 
 namespace pdr::ui {
 
-/// Why rendering holds, if it does.
+/// Whether and why rendering has stopped.
 enum class Holding { no, paused, reached };
 
-/// All that the sentence and the strip below it are made from.
+/// The values from which the accuracy sentence and the strip below it are made.
 struct Accuracy {
-    FilmStatus status;               ///< of what is shown
-    bool coarse = false;             ///< a better picture follows soon
-    ErrorOf of = ErrorOf::film;      ///< image that the error and all that is foretold of it speak of
-    std::vector<QualityStep> steps;  ///< none: not known
-    double seconds = 0;              ///< of rendering so far
+    FilmStatus status;               ///< status of the image on the screen
+    bool coarse = false;             ///< a better image follows soon
+    ErrorOf of = ErrorOf::film;      ///< the image whose error and forecast are given
+    std::vector<QualityStep> steps;  ///< empty: not known
+    double seconds = 0;              ///< rendering time so far
     Holding holding = Holding::no;
-    std::vector<ErrorPoint> points;              ///< how the error has fallen; none: not known
-    std::optional<double> planningSeconds = {};  ///< from the beginning until +-8, as it took the last time
-    bool box = false;                            ///< all of this is said of the box on the picture alone
-    std::optional<FilmStatus> film = {};         ///< where a denoised image is shown; none: `status` is the film's
+    std::vector<ErrorPoint> points;              ///< measured errors over time; empty: not known
+    std::optional<double> planningSeconds = {};  ///< time from the beginning until ±8 in the previous rendering
+    bool box = false;                            ///< all values are those of the box on the image alone
+    std::optional<FilmStatus> film = {};         ///< film's status if a denoised image is shown; none: it is `status`
 };
 
-/// "8 s", "1.5 min", "2.0 h"
+/// Returns a duration as "8 s", "1.5 min" or "2.0 h".
 QString durationText(double seconds);
 
-/// "Good for orientation · denoised: 95 % of the tissue within ±16 of 255 grey levels · ±8 in 40 s": a word, the number
-/// of what is seen, the price of the next step. What is not known it says, and what it was the last time. "In the box:
-/// ..." where it is said of that alone. Nothing without samples.
+/// Returns the accuracy sentence: "Good for orientation · denoised: 95 % of the tissue within ±16 of 255 grey levels ·
+/// ±8 in 40 s": a word, the error of the image shown, and the time to the next step. It says what is not known yet, and
+/// how long the previous rendering took. It begins with "In the box: ..." where it applies to the box alone. Empty
+/// without samples.
 QString accuracyText(const Accuracy& accuracy);
 
-/// "Preview, not converged · 95 % of the tissue within ±12 of 255 grey levels, wanted ±1", for pictures that leave the
-/// window; nothing where it is as good as was wanted.
+/// Returns a remark for images that leave the program: "Preview, not converged · 95 % of the tissue within ±12 of 255
+/// grey levels, wanted ±1". Empty if the image is within `target` levels.
 QString previewText(const ShownStatus& shown, double target);
 
-/// Noise of the film itself: "±16 levels for 95 % of the tissue; 8 % of its light", "... before denoising" where it is
-/// shown denoised; or that it is not known. Nothing without samples.
+/// Returns the noise of the film itself: "±16 levels for 95 % of the tissue; 8 % of its light", "... before denoising"
+/// if a denoised image is shown; or that it is not known. Empty without samples.
 QString noiseText(const Accuracy& accuracy);
 
-/// At one place: "here ±12; over 1 mm ±3", and what of that is not known yet; of a denoised image, whose pixels err
-/// together, "here ±6". Nothing without tissue.
+/// Returns the error at one place: "here ±12; over 1 mm ±3", and which of them is not known yet. For a denoised image,
+/// whose pixels' errors are correlated, "here ±6". Empty without tissue.
 QString hereText(const LevelErrorsAt& errors, ErrorOf of);
 
-/// Which limit ends the rendering, and what is there by then: "±4 comes first: in 2.1 min, with 340 samples".
+/// Returns which limit ends the rendering, and what is reached by then: "±4 comes first: in 2.1 min, with 340 samples".
 QString stopText(const StopRule& rule, const Accuracy& accuracy);
 
-/// A step on the strip: "±8"; and for a reader: "±8 in 40 s, to 95 % between 34 s and 47 s".
+/// Returns a step as on the strip, "±8"; and with its forecast, "±8 in 40 s, to 95 % between 34 s and 47 s".
 QString stepText(double levels);
 QString stepForecastText(const QualityStep& step, double secondsNow);
 

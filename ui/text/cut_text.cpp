@@ -24,7 +24,7 @@ QString boxText(const ClipBox& box) {
     return Texts::tr("box of %1 x %2 x %3 mm").arg(size.x, 0, 'f', 0).arg(size.y, 0, 'f', 0).arg(size.z, 0, 'f', 0);
 }
 
-/// What each face takes off; nothing for those that take less than is written.
+/// Returns what each face cuts off; faces that cut off less than the last digit shown are left out.
 QStringList boxTexts(const Clip& clip, const std::optional<Uncut>& uncut) {
     constexpr double kWritten = 0.05;  // [mm]
     QStringList texts;
@@ -55,7 +55,7 @@ QString planeName(const ClipPlane& plane) {
     return degrees == 0 ? name : Texts::tr("%1, tilted by %2°").arg(name).arg(degrees);
 }
 
-/// Where a plane lies.
+/// Returns the position of a plane.
 static QString placeOf(const ClipPlane& plane, const Uncut& uncut) {
     return Texts::tr("%1: %2 from the middle").arg(planeName(plane), millimetres(planeOffsetMm(plane, uncut)));
 }

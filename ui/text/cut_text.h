@@ -1,5 +1,5 @@
 #pragma once
-/// Cuts in words.
+/// Texts that describe cuts.
 
 #include <QString>
 #include <optional>
@@ -8,15 +8,15 @@
 
 namespace pdr::ui {
 
-/// A side of the box: "front".
+/// Returns the name of a side of the box: "front".
 QString faceName(int face);
-/// How a plane lies: "Coronal", "Coronal, tilted by 12°".
+/// Returns the orientation of a plane: "Coronal", "Coronal, tilted by 12°".
 QString planeName(const ClipPlane& plane);
-/// What a handle has done: "31.5 mm cut off at the front".
+/// Returns the effect of a handle: "front: 31.5 mm cut off".
 QString handleText(const Clip& clip, const Uncut& uncut, CutHandle handle);
 
-/// All of a cut: "cut: front 47.1 mm; Coronal: 12.0 mm from the middle; 1 drawn". Empty: nothing is cut. Where what it
-/// cuts from is not known a box has its size, and a plane its name.
+/// Returns all cuts: "cut: front 47.1 mm; Coronal: 12.0 mm from the middle; 1 drawn". Empty: nothing is cut. If `uncut`
+/// is not known, a box is described by its size and a plane by its name.
 QString cutText(const Clip& clip, const std::optional<Uncut>& uncut);
 
 }  // namespace pdr::ui

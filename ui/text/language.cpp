@@ -4,7 +4,8 @@
 #include <QLocale>
 #include <QTranslator>
 
-/// Qt's macro must stand outside of any namespace; without it the linker drops the resources of a static library.
+/// Keeps the linker from dropping the translation resources of this static library. Qt's macro must stand outside of
+/// any namespace.
 static void keepTranslations() {
     Q_INIT_RESOURCE(translations);
 }
@@ -12,7 +13,8 @@ static void keepTranslations() {
 namespace pdr::ui {
 namespace {
 
-/// A text has one translation wherever it stands: files know one context only. Texts of rooms without Qt have none.
+/// A translator with a single context: a text has the same translation wherever it is used. Texts of folders that do
+/// not use Qt have no context.
 class Texts : public QTranslator {
   public:
     using QTranslator::QTranslator;
@@ -29,7 +31,7 @@ const QStringList& languages() {
     return codes;
 }
 
-/// Each in its own words, for those who cannot read the others.
+/// Languages are named in their own language, for users who cannot read the others.
 QString languageName(const QString& code) {
     return code == "de" ? "Deutsch" : code == "es" ? QString::fromUtf8("Español") : "English";
 }
@@ -41,7 +43,7 @@ QString languageFor(const QString& chosen) {
     return languages().contains(system) ? system : languages().front();
 }
 
-/// Plurals are part of the texts, also in English.
+/// Loads the translations also for English, since plurals are part of them.
 void speak(QCoreApplication& application, const QString& code) {
     for (QTranslator* before : application.findChildren<QTranslator*>(Qt::FindDirectChildrenOnly))
         delete before;

@@ -1,5 +1,5 @@
 #pragma once
-/// The language of the window: texts, numbers, and what Qt's own dialogs say.
+/// The language of the window: its texts, its number format, and the texts of Qt's own dialogs.
 
 #include <QCoreApplication>
 #include <QString>
@@ -8,19 +8,20 @@
 
 namespace pdr::ui {
 
-/// Codes of the languages that there are, English first: "en", "de", "es".
+/// Returns the codes of the available languages, English first: "en", "de", "es".
 const QStringList& languages();
-/// "Deutsch"
+/// Returns a language's own name: "Deutsch".
 QString languageName(const QString& code);
-/// One of them for what the user has chosen, or where that is empty or none of them, for what the system speaks.
+/// Returns the language to use: the chosen one if available, else the system's if available, else the first of
+/// languages().
 QString languageFor(const QString& chosen);
 
-/// Lets `application` speak it from now on: widgets that are made later, not those that are there.
+/// Switches `application` to that language. Only widgets created afterwards use it.
 void speak(QCoreApplication& application, const QString& code);
 
-/// Numbers as people of the window's language write them, without marks between thousands.
+/// Formats a number as usual in the window's language, without thousands separators.
 QString number(double value, int decimals);
-/// Of what a room without Qt has written: "0.5 (0.4 to 0.6)".
+/// Localises a number formatted without Qt: "0.5 (0.4 to 0.6)".
 QString localNumber(const std::string& text);
 
 }  // namespace pdr::ui

@@ -12,7 +12,7 @@ QString translated(const std::string& english) {
     return QCoreApplication::translate("rooms", english.c_str());
 }
 
-/// With a capital in front (unless a file's name stands there) and a full stop behind.
+/// Returns the words with a capital at the beginning (unless they begin with a file's name) and a full stop.
 QString asSentence(QString words) {
     words = words.trimmed();
     if (words.isEmpty())
@@ -25,7 +25,7 @@ QString asSentence(QString words) {
 
 QString argument(const Text& text);
 
-/// `pattern`, a translated one, with %1 to %9 replaced in one pass: a file's name may hold "%2".
+/// Returns `pattern`, already translated, with %1 to %9 replaced in one pass: a file's name may contain "%2".
 QString filled(const QString& pattern, const std::vector<Text>& arguments) {
     QString text;
     for (qsizetype i = 0; i < pattern.size(); ++i) {
@@ -56,7 +56,8 @@ QString argument(const Text& text) {
 
 }  // namespace
 
-/// What came as a plain string may still be a sentence without arguments; an argument may be the name of a file.
+/// Translates plain strings too: they may be sentences without arguments. An argument may be the name of a file and is
+/// not translated.
 QString inWords(const Text& text) {
     return text.kind() == Text::Kind::words ? translated(text) : argument(text);
 }

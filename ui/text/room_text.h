@@ -1,5 +1,5 @@
 #pragma once
-/// Sentences of the rooms below in the language of the window.
+/// Messages of the libraries that do not use Qt, in the language of the window.
 
 #include <QString>
 
@@ -7,11 +7,12 @@
 
 namespace pdr::ui {
 
-/// `text` as the window's language has it: pattern translated, arguments likewise, numbers written as people do. What
-/// has no translation stays English.
+/// Returns `text` in the window's language: pattern and arguments are translated, numbers localised. Without a
+/// translation it stays English.
 QString inWords(const Text& text);
 
-/// The same as a sentence: a capital in front (unless a file's name stands there), a full stop behind.
+/// Returns the translated text as a sentence: with a capital at the beginning (unless it begins with a file's name) and
+/// a full stop.
 QString sentence(const Text& text);
 
 }  // namespace pdr::ui

@@ -15,7 +15,7 @@ QString translated(const char* text) {
     return QCoreApplication::translate("series", text);
 }
 
-/// DICOM's "20240131" as "2024-01-31"; anything else as it is.
+/// Returns DICOM's "20240131" as "2024-01-31"; anything else unchanged.
 QString dateText(const std::string& dicomDate) {
     const QString text = QString::fromStdString(dicomDate).trimmed();
     const QDate date = QDate::fromString(text, "yyyyMMdd");
@@ -49,15 +49,15 @@ const char* stackWord(dicom::Stack stack) {
     return "";
 }
 
-/// Those that are not empty.
+/// Joins the parts that are not empty.
 QString joined(QStringList parts) {
     parts.removeAll({});
     return parts.join(QString::fromUtf8(" · "));
 }
 
-/// People write names into descriptions.
+/// Returns whether `text` contains a part of the patient's name or the ID: descriptions sometimes contain names.
 bool namesPatient(const QString& text, const dicom::PatientFacts& patient) {
-    constexpr int kShortest = 3;  // what is shorter stands in any text
+    constexpr int kShortest = 3;  // shorter parts occur in any text
     static const QRegularExpression between("[\\^=,\\s]+");
     const QStringList parts = QString::fromStdString(patient.name).split(between)
                               << QString::fromStdString(patient.id).trimmed();

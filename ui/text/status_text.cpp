@@ -20,7 +20,7 @@ QString translated(const char* text) {
     return QCoreApplication::translate("statusText", text);
 }
 
-/// Two figures that mean something: 12, 1.8, 0.18.
+/// Formats a number with two significant digits: 12, 1.8, 0.18.
 QString shortNumber(double value) {
     if (value <= 0)
         return "0";
@@ -28,7 +28,7 @@ QString shortNumber(double value) {
     return number(value, decimals);
 }
 
-/// "1 sample", "123 456 samples" with thin spaces between the thousands.
+/// Returns "1 sample", "123 456 samples" with thin spaces between the thousands.
 QString samplesText(std::uint64_t count) {
     QLocale locale = QLocale::c();
     locale.setNumberOptions(QLocale::DefaultNumberOptions);  // the C locale leaves the separators out
@@ -36,7 +36,7 @@ QString samplesText(std::uint64_t count) {
     return count == 1 ? translated("1 sample") : translated("%1 samples").arg(counted);
 }
 
-/// What is said of a denoised image: one number, the bound.
+/// Returns the remarks on a denoised image's error: its bound, and the contrast below which detail is hidden.
 QStringList errorTexts(const std::optional<SmoothedError>& error) {
     if (!error)
         return {translated("denoised: error not known yet")};
@@ -70,7 +70,7 @@ QString gridText(dvec3 spacingMm) {
 
 QString stretchedText(ivec2 picture, QSize view) {
     const double scale = double(view.height()) / picture.y;
-    if (std::abs(scale - 1) <= 0.02)  // which is shown pixel by pixel
+    if (std::abs(scale - 1) <= 0.02)  // shown pixel by pixel
         return {};
     return translated("%1 × %2 pixels stretched to %3 × %4")
         .arg(picture.x)

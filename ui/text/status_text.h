@@ -1,5 +1,6 @@
 #pragma once
-/// What is said of a picture besides its accuracy: what it is made by, and whatever makes it another one than it seems.
+/// Texts on an image besides its accuracy: how it was rendered, and everything that makes it differ from a regular
+/// image.
 
 #include <QSize>
 #include <QString>
@@ -13,29 +14,29 @@
 
 namespace pdr::ui {
 
-/// "0.96 × 0.96 × 1.5 mm": what lies between the voxels of the scan.
+/// Returns the voxel spacing of the scan: "The scan's grid is 0.96 × 0.96 × 1.5 mm".
 QString gridText(dvec3 spacingMm);
 
-/// "153 × 164 pixels stretched to 765 × 818"; nothing where a picture has the view's pixels.
+/// Returns "153 × 164 pixels stretched to 765 × 818"; empty if the image has as many pixels as the view.
 QString stretchedText(ivec2 picture, QSize view);
 
-/// What stands beside a denoised image: "denoised: 95 % of the tissue within ±7, thin structures may be further off",
-/// and "fine detail below 38 % contrast is not shown yet"; or that the error is not known yet; and how many
+/// Returns the remarks on a denoised image: "denoised: 95 % of the tissue within ±7, thin structures may be further
+/// off", and "fine detail below 38 % contrast is not shown yet"; or that the error is not known yet; and how many
 /// `lostLines` it lacks, which the error map marks.
 QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines);
 
-/// What stands beside a picture with a box, whose status is `box`: "in the box 95 % of the tissue within ±4", of what
-/// is shown, as that of the whole `picture`; or, where it is `first` and gets all samples, what of the whole picture is
-/// true meanwhile.
+/// Returns the remark on an image with a box, whose status is `box`: "in the box 95 % of the tissue within ±4", for the
+/// image shown, as `picture` is for the whole image. If the box is `first` and gets all samples, the status of the
+/// whole image meanwhile.
 QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture);
 
-/// "at least 11 % of the tissue not seen yet": no number is said of that; nothing below 1 %.
+/// Returns "at least 11 % of the tissue not seen yet": the error has no estimate for it. Empty below 1 %.
 QString unseenText(const FilmStatus& status);
 
-/// A device to choose: "CPU (2 threads)".
+/// Returns a device to choose: "CPU (2 threads)".
 QString deviceText(const QString& name, const QString& details);
 
-/// What the picture is made by.
+/// How an image was rendered.
 struct Making {
     QString device;  ///< its name: "cpu"
     std::uint32_t iterations = 0;
@@ -44,14 +45,15 @@ struct Making {
     double iterationsPerSecond = 0;
 };
 
-/// Why a picture is one to compare with, and not this program's own: "comparison: Exposure Render's schedule, blurred".
-/// Empty: it is its own.
+/// Returns why an image is for comparison only and not a regular one: "comparison: Exposure Render's schedule,
+/// blurred". Empty: it is a regular one.
 QString comparisonText(const Schedule& schedule, Estimator estimator);
 
-/// "No sample was left out", or how many were and what else went wrong with samples, a line each. Nothing without any.
+/// Returns "No sample was left out", or how many were, and what else went wrong with samples, one per line. Empty
+/// without samples.
 QString healthText(const FilmStatus& status);
 
-/// "256 samples, 31 iterations/s, 10 iterations per frame on the CPU, efficiency 99 %"
+/// Returns "256 samples, 31 iterations/s, 10 iterations per frame on the CPU, efficiency 99 %".
 QString makingText(const Making& making);
 
 }  // namespace pdr::ui

@@ -1,12 +1,12 @@
 #pragma once
-/// Values of the libraries as Qt's.
+/// Conversions between the libraries' types and Qt's.
 
 #include <QString>
 #include <filesystem>
 
 namespace pdr::ui {
 
-/// A path for the screen or for Qt's file dialogs.
+/// Converts a path for the screen or for Qt's file dialogs.
 inline QString toQt(const std::filesystem::path& path) {
     return QString::fromStdU16String(path.u16string());
 }

@@ -25,7 +25,7 @@ QStatusBar::item { border: none; }
 #message[warning="true"] QLabel, #message[warning="true"] QToolButton { color: @onWarning; }
 )";
 
-/// Light or dark as programs are that choose no colours.
+/// Returns whether programs that choose no colours are dark.
 bool systemIsDark(QApplication& application) {
     application.setPalette(QPalette());
     return application.palette().color(QPalette::Window).lightness() < 128;

@@ -1,5 +1,5 @@
 #pragma once
-/// The window's colours, light and dark. The picture itself has a black ground in both.
+/// The window's colours, light and dark. The image itself has a black background in both.
 
 #include <QApplication>
 #include <QColor>
@@ -7,38 +7,39 @@
 
 namespace pdr::ui {
 
-/// Colours by what they are for. Text has a contrast of 4.5 or more to what it stands on, frames and lines one of 3.
+/// Colours by their use. Text has a contrast of at least 4.5 to its background, frames and lines one of at least 3.
 struct Theme {
-    QColor window;      ///< ground of panels
-    QColor base;        ///< ground of lists, plots and what is typed into
-    QColor raised;      ///< buttons
-    QColor hovered;     ///< buttons under the mouse
-    QColor pressed;     ///< buttons held down
-    QColor text;        ///< on all of these
+    QColor window;      ///< background of panels
+    QColor base;        ///< background of lists, plots and fields
+    QColor raised;      ///< background of buttons
+    QColor hovered;     ///< background of buttons under the pointer
+    QColor pressed;     ///< background of pressed buttons
+    QColor text;        ///< text on all of the above
     QColor quiet;       ///< headings and remarks, on window and base
-    QColor disabled;    ///< text of what cannot be used now
-    QColor border;      ///< of everything that can be used
-    QColor faint;       ///< lines that only lead the eye
-    QColor accent;      ///< ground of what is chosen
-    QColor onAccent;    ///< text there
-    QColor accentEdge;  ///< its border
-    QColor focus;       ///< about what has the keyboard
-    QColor line;        ///< data in plots, what has been done
-    QColor warning;     ///< ground of messages about what went wrong
-    QColor onWarning;   ///< text there
-    QColor notice;      ///< ground of messages that only inform
-    QColor onNotice;    ///< text there
+    QColor disabled;    ///< text of disabled controls
+    QColor border;      ///< border of all controls
+    QColor faint;       ///< decorative lines
+    QColor accent;      ///< background of the selection
+    QColor onAccent;    ///< text on accent
+    QColor accentEdge;  ///< border of accent
+    QColor focus;       ///< frame of the focused control
+    QColor line;        ///< data in plots, progress
+    QColor warning;     ///< background of error messages
+    QColor onWarning;   ///< text on warning
+    QColor notice;      ///< background of notices
+    QColor onNotice;    ///< text on notice
 };
 
 enum class ThemeChoice { dark, light, system };
 
 const Theme& darkTheme();
 const Theme& lightTheme();
+/// Returns the theme's colours as a palette.
 QPalette paletteOf(const Theme& theme);
-/// What a palette cannot say.
+/// Returns the style sheet for what a palette cannot express.
 QString styleSheetOf(const Theme& theme);
 
-/// Gives the program's windows, open ones as well, these colours. `system`: light or dark as other programs here.
+/// Applies the colours to all windows, including open ones. `system`: light or dark as the desktop's other programs.
 void applyTheme(QApplication& application, ThemeChoice choice);
 
 }  // namespace pdr::ui

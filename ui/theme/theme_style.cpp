@@ -45,7 +45,7 @@ void ThemeStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
         drawEdge(*option, *painter);
 }
 
-/// About what can be chosen from or typed into.
+/// Draws the frame of lists and fields.
 void ThemeStyle::drawEdge(const QStyleOption& option, QPainter& painter) const {
     if (option.state.testFlag(State_HasFocus))
         return drawRing(painter, option.rect, theme_.focus, 2);
@@ -70,7 +70,7 @@ void ThemeStyle::drawBox(const QStyleOption& option, QPainter& painter) const {
     painter.restore();
 }
 
-/// The handle is Fusion's, with an edge.
+/// Draws a slider, with a handle like Fusion's but with a visible border.
 void ThemeStyle::drawGroove(const QStyleOptionSlider& option, QPainter& painter, const QWidget* widget) const {
     constexpr double kHalf = 2;
     const bool enabled = option.state.testFlag(State_Enabled);

@@ -1,5 +1,5 @@
 #pragma once
-/// Qt's Fusion with borders that are seen: those of its own are fainter than a contrast of 3.
+/// Qt's Fusion style with visible borders: its own have a contrast of less than 3.
 
 #include <QProxyStyle>
 #include <QStyleOptionSlider>
@@ -18,7 +18,7 @@ class ThemeStyle : public QProxyStyle {
                        const QWidget* widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override;
-    /// Disabled text has no second, brighter copy of itself below it.
+    /// Turns off the second, brighter copy that Fusion draws below disabled text.
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* data) const override;
 

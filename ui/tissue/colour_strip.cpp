@@ -79,7 +79,7 @@ QString ColourStrip::tipAt(QPointF place) const {
         .arg(QString::number(std::lround(hu)), screenColour(albedoAt(stops_, hu)).name());
 }
 
-/// In the colour that was there.
+/// Adds a stop in the colour that the strip has there.
 void ColourStrip::pointAdded(std::size_t index) {
     const float hu = points()[index].hu;
     stops_.insert(stops_.begin() + std::ptrdiff_t(index), {hu, albedoAt(stops_, double(hu))});

@@ -1,6 +1,6 @@
 #pragma once
-/// The tissue's colours along Hounsfield units, with stops of their own below. Ctrl and a press, or Ins, adds a stop;
-/// Enter or a double click on one asks for its colour. Setters are silent.
+/// The strip of the tissue's colours along Hounsfield units, with handles for its stops below. Ctrl and a press, or
+/// Ins, adds a stop; Enter or a double click on one opens a colour dialog. Setters emit no signals.
 
 #include "render/scene/edit/tissue_channels.h"
 #include "ui/tissue/points_plot.h"
@@ -15,16 +15,16 @@ class ColourStrip : public PointsPlot {
 
     const std::vector<ColourStop>& stops() const { return stops_; }
     void setStops(const std::vector<ColourStop>& stops);
-    /// As the hand does it: emits edited(moving). No stop of that number: nothing happens.
+    /// Changes the colour of a stop as the user does: emits edited(moving). Does nothing if there is no such stop.
     void setColour(std::size_t stop, const QColor& colour, bool moving);
-    /// How far from the widget's left and right side the plot begins, so that it stands below another one.
+    /// Sets the plot's distances from the widget's left and right edges [px], which align it with the plot above.
     void setMargins(int left, int right);
 
     QSize sizeHint() const override { return {300, 34}; }
     QSize minimumSizeHint() const override { return {200, 34}; }
 
   public slots:
-    /// Shows a dialog; edits follow while a colour is looked for, and go back where none is chosen.
+    /// Opens a colour dialog. Each colour tried in it is emitted as an edit; cancelling restores the colour.
     void askForColour(std::size_t stop);
 
   protected:

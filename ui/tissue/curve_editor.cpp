@@ -7,8 +7,8 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kZoomPerWheelClick = 1.25, kClosest = 1000;  ///< of values
-constexpr double kStep = 0.01;                                ///< of the arrow keys, of what is seen
+constexpr double kZoomPerWheelClick = 1.25, kClosest = 1000;  ///< zoom of the values, and its limit
+constexpr double kStep = 0.01;                                ///< step of the arrow keys; part of the visible values
 constexpr int kAround = 8;                                    ///< room for points at the edges [px]
 constexpr qsizetype kMostDescribed = 20;
 
@@ -70,7 +70,7 @@ QString CurveEditor::pointText(const CurvePoint& point) const {
     return unitText_.isEmpty() ? tr("%1 HU: %2").arg(hu, value) : tr("%1 HU: %2 %3").arg(hu, value, unitText_);
 }
 
-/// For those who cannot see the curve: what is selected, then all points.
+/// Updates the description for screen readers: the selected points, then all points.
 void CurveEditor::describe() {
     QStringList lines;
     for (const std::size_t i : selection())
@@ -108,6 +108,7 @@ void CurveEditor::paintEvent(QPaintEvent*) {
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.85);
     painter.setFont(small);
+    // Paint bands, histogram and axes
     const QRectF& area = view().area();
     painter.fillRect(area, palette().color(QPalette::Base));
     paintTissueBands(painter, view(), palette());
@@ -118,11 +119,13 @@ void CurveEditor::paintEvent(QPaintEvent*) {
     const QRectF besideArea(area.right() + kAround, 0, width() - area.right() - kAround, area.top() - 1);
     painter.drawText(besideArea, Qt::AlignLeft | Qt::AlignBottom, unitText_);
     painter.drawText(besideArea.translated(0, area.bottom() + 3), Qt::AlignLeft | Qt::AlignTop, tr("HU"));
+    // Paint the curve and its points
     painter.save();
     painter.setClipRect(area.adjusted(-kAround, -kAround, kAround, kAround));
     paintCurve(painter, view(), points(), colours_, palette());
     paintPoints(painter, view(), points(), selection(), palette());
     painter.restore();
+    // Paint the rubber band
     if (const auto band = hand().band()) {
         painter.setPen(QPen(palette().color(QPalette::Link), 1, Qt::DashLine));
         painter.setBrush(Qt::NoBrush);

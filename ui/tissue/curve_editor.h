@@ -1,6 +1,6 @@
 #pragma once
-/// A curve over the histogram of this patient, with tissue bands faint behind it and axes in Hounsfield units and in
-/// the curve's own unit. Setters are silent.
+/// An editor for a curve over this patient's histogram, with faint tissue bands behind it and axes in Hounsfield units
+/// and in the curve's own unit. Setters emit no signals.
 
 #include <memory>
 
@@ -16,16 +16,17 @@ class CurveEditor : public PointsPlot {
   public:
     explicit CurveEditor(QWidget* parent = nullptr);
 
-    /// `top`: the largest value; `unit`: what the axis shows for a value of 1; `unitText`: its name, "/mm" or empty.
+    /// Sets the curve. `top`: the largest value; `unit`: what the axis shows for a value of 1; `unitText`: its name,
+    /// "/mm" or empty.
     void setCurve(const Curve& curve, float top, double unit, const QString& unitText);
-    /// Of what lies below the curve.
+    /// Sets the colours of the area below the curve.
     void setColours(const std::vector<ColourStop>& stops);
-    /// Null: none is known.
+    /// Sets the histogram. Null: not known.
     void setHistogram(std::shared_ptr<const Histogram> histogram);
     void setBarScale(BarScale scale);
 
     double unit() const { return unit_; }
-    /// The distances of the plot from the widget's sides, for what stands below it.
+    /// Returns the plot's distances from the widget's edges, which align what stands below it.
     QMargins plotMargins() const;
 
     QSize sizeHint() const override { return {300, 190}; }

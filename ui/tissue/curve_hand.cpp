@@ -7,9 +7,9 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kReach = 8;      ///< of the mouse to a point [px]
-constexpr double kLineReach = 5;  ///< to the line [px]
-constexpr double kTremble = 3;    ///< of a hand that clicks [px]
+constexpr double kReach = 8;      ///< distance from which the pointer reaches a point [px]
+constexpr double kLineReach = 5;  ///< distance from which the pointer reaches the line [px]
+constexpr double kTremble = 3;    ///< pointer movement that still counts as a click [px]
 
 double length(QPointF vector) {
     return std::hypot(vector.x(), vector.y());
@@ -34,7 +34,7 @@ std::optional<std::size_t> CurveHand::pointAt(const PlotView& view, QPointF plac
         QPointF distance = view.at(double(curve_[i].hu), double(curve_[i].value)) - place;
         if (kind_ == Kind::level)
             distance.setY(0);
-        if (length(distance) <= least) {  // of points at one place the last: it can go on to the right
+        if (length(distance) <= least) {  // of points at one place, take the last: it can move right
             least = length(distance);
             nearest = i;
         }
@@ -42,7 +42,7 @@ std::optional<std::size_t> CurveHand::pointAt(const PlotView& view, QPointF plac
     return nearest;
 }
 
-/// A step is a line, too.
+/// Returns whether `place` is on the curve; a vertical step belongs to the line.
 bool CurveHand::isOnLine(const PlotView& view, QPointF place) const {
     if (kind_ == Kind::level)
         return false;
@@ -55,6 +55,7 @@ bool CurveHand::isOnLine(const PlotView& view, QPointF place) const {
 bool CurveHand::press(const PlotView& view, QPointF place, Qt::KeyboardModifiers keys) {
     changed_ = dragged_ = false;
     from_ = to_ = place;
+    // Select or deselect the point under the pointer
     const bool several = keys.testFlag(Qt::ShiftModifier), anywhere = keys.testFlag(Qt::ControlModifier);
     if (const auto point = pointAt(view, place); point && !anywhere) {
         const auto known = std::lower_bound(selection_.begin(), selection_.end(), *point);
@@ -67,6 +68,7 @@ bool CurveHand::press(const PlotView& view, QPointF place, Qt::KeyboardModifiers
             selection_ = {*point};
         return hold(*point, place), false;
     }
+    // Add a point
     if (anywhere || (isOnLine(view, place) && !several)) {
         const auto hu = float(std::round(view.hu(place.x())));
         const float value = anywhere ? float(view.value(place.y())) : valueAt(curve_, hu);
@@ -74,6 +76,7 @@ bool CurveHand::press(const PlotView& view, QPointF place, Qt::KeyboardModifiers
         hold(selection_.front(), place);
         return changed_ = true;
     }
+    // Begin a rubber band
     keeping_ = several ? selection_ : CurveSelection();
     selection_ = keeping_;
     holding_ = Holding::band;
@@ -153,7 +156,7 @@ bool CurveHand::removeSelected() {
 void CurveHand::addAfterSelected() {
     const std::size_t i = selection_.empty() ? 0 : selection_.back();
     const CurvePoint& here = curve_[i];
-    constexpr float kBeyond = 100;  // behind the last point [HU]
+    constexpr float kBeyond = 100;  // beyond the last point [HU]
     const float next = i + 1 < curve_.size() ? curve_[i + 1].hu : std::min(here.hu + 2 * kBeyond, kHighestHu);
     const float hu = (here.hu + next) / 2;
     add({hu, valueAt(curve_, hu)});

@@ -1,5 +1,6 @@
 #pragma once
-/// What a hand does to a curve: pressing, dragging and keys, on the places of a PlotView. It knows no window.
+/// The editing of a curve by presses, drags and keys, in the coordinates of a PlotView. It does not depend on any
+/// widget.
 
 #include <QPointF>
 #include <Qt>
@@ -12,43 +13,44 @@ namespace pdr::ui {
 
 class CurveHand {
   public:
-    /// What is edited. `top`: the largest value. `level`: only places count, a strip without values.
+    /// What is edited. `values`: points with values in [0, top()]; `level`: a strip whose points have places but no
+    /// values.
     enum class Kind { values, level };
     explicit CurveHand(Kind kind = Kind::values) : kind_(kind) {}
 
     const Curve& curve() const { return curve_; }
     const CurveSelection& selection() const { return selection_; }
     float top() const { return top_; }
-    /// Another curve; ends a drag of the one before. Points stay selected where there are as many.
+    /// Sets the curve; another one ends a drag. The selection stays if the number of points is the same.
     void setCurve(const Curve& curve, float top);
 
-    /// The point at that place, the nearest of several; nothing beside all of them.
+    /// Returns the point at `place`, the nearest of several; none if no point is within reach.
     std::optional<std::size_t> pointAt(const PlotView& view, QPointF place) const;
-    /// Whether the place is on the line between points.
+    /// Returns whether `place` is on the line between points.
     bool isOnLine(const PlotView& view, QPointF place) const;
 
-    /// On a point it is chosen, with Shift beside others; on the line, and with Ctrl anywhere, a new one is added;
-    /// elsewhere a rubber band begins. True: the curve has changed.
+    /// Presses at `place`. On a point: selects it, with Shift in addition to others. On the line, and with Ctrl
+    /// anywhere: adds a point. Elsewhere: begins a rubber band. Returns true if the curve has changed.
     bool press(const PlotView& view, QPointF place, Qt::KeyboardModifiers keys);
-    /// The selected points, or the band, follow. True: the curve has changed.
+    /// Moves the selected points, or the rubber band. Returns true if the curve has changed.
     bool drag(const PlotView& view, QPointF place);
-    /// True: the press and the drag have changed the curve.
+    /// Ends the drag. Returns true if the press or the drag has changed the curve.
     bool release();
     bool isHolding() const { return holding_ != Holding::nothing; }
-    /// The rubber band; none where none is drawn.
+    /// Returns the rubber band; none if none is drawn.
     std::optional<QRectF> band() const;
 
-    /// True: the curve has changed.
+    /// Moves the selected points. Returns true if the curve has changed.
     bool nudge(CurvePoint by);
     bool removeSelected();
-    /// A point more, which is then selected; as near as its value may be.
+    /// Adds a point, clamped to the permitted range, and selects it.
     void add(const CurvePoint& point);
-    /// The same on the line, half-way to the next point.
+    /// Adds a point on the line half-way between the selected point and the next, and selects it.
     void addAfterSelected();
 
     void select(const CurveSelection& selection) { selection_ = selection; }
     void selectAll();
-    /// The point `step` further on than the selected one; the first or last where none is.
+    /// Selects the point `step` places after the selected one; the first or last if none is selected.
     void selectNext(int step);
 
   private:
@@ -64,10 +66,10 @@ class CurveHand {
     CurveSelection selection_;
     Holding holding_ = Holding::nothing;
     Curve before_;            ///< curve when the drag began
-    CurveSelection keeping_;  ///< points that were selected when the band began
-    std::size_t held_ = 0;    ///< point under the mouse
-    QPointF from_, to_;       ///< of the drag
-    bool dragged_ = false;    ///< further than a hand trembles
+    CurveSelection keeping_;  ///< points that were selected when the rubber band began
+    std::size_t held_ = 0;    ///< point under the pointer
+    QPointF from_, to_;       ///< begin and end of the drag [px]
+    bool dragged_ = false;    ///< the drag is longer than the tremble of a click
     bool changed_ = false;
 };
 

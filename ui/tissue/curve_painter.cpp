@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kPoint = 4;  ///< radius [px]
 constexpr int kGap = 4;
-/// Faint grounds, in the order of kTissueBands.
+/// Background colours, in the order of kTissueBands.
 constexpr std::array<QRgb, kTissueBands.size()> kBandColours{
     qRgb(90, 120, 160), qRgb(120, 150, 190), qRgb(200, 170, 70),  qRgb(70, 140, 190),
     qRgb(190, 90, 80),  qRgb(200, 100, 160), qRgb(200, 190, 160), qRgb(140, 160, 160)};
 
-/// Of all places in one pixel column the first, the lowest, the highest and the last.
+/// Appends the first, the lowest, the highest and the last of the points in one pixel column.
 void appendColumn(QPolygonF& outline, const QPolygonF& column) {
     if (column.size() <= 4) {
         outline += column;
@@ -62,7 +62,8 @@ QPolygonF outlineOf(const Curve& curve, const PlotView& view) {
     return outline << QPointF(area.right(), view.y(double(valueAt(curve, float(view.highHu())))));
 }
 
-/// Colours are mixed as light is, not as the screen's numbers are, so not the stops are told but many places between.
+/// Fills the gradient with many intermediate colours instead of the stops alone: colours mix linearly as light, not in
+/// the screen's nonlinear values.
 QLinearGradient gradientOf(const std::vector<ColourStop>& stops, const PlotView& view) {
     constexpr int kPieces = 256;
     QGradientStops places;
@@ -79,7 +80,7 @@ QLinearGradient gradientOf(const std::vector<ColourStop>& stops, const PlotView&
 void paintTissueBands(QPainter& painter, const PlotView& view, const QPalette& palette) {
     const QRectF& area = view.area();
     const int line = painter.fontMetrics().height();
-    double free = area.left();  // for the names, above the area
+    double free = area.left();  // left end of the room for the next name
     for (std::size_t i = 0; i < kTissueBands.size(); ++i) {
         const TissueBand& band = kTissueBands[i];
         const double left = std::max(view.x(double(band.lowHu)), area.left());

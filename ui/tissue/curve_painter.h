@@ -1,5 +1,5 @@
 #pragma once
-/// The parts of the tissue plot, one painted over the other: bands, histogram, what lies below the curve, the curve and
+/// The parts of the tissue plot, painted one over the other: bands, histogram, the area below the curve, the curve and
 /// its points, the axes.
 
 #include <QColor>
@@ -16,22 +16,23 @@ class QPalette;
 
 namespace pdr::ui {
 
-/// The curve from edge to edge of the view's area. At most four places for each pixel column, however many points.
+/// Returns the curve's outline from the left to the right edge of the view's area, with at most four points per pixel
+/// column, however many points the curve has.
 QPolygonF outlineOf(const Curve& curve, const PlotView& view);
 
-/// Between the stops colours are mixed as light is.
+/// Returns the albedo at `hu`; between the stops it is interpolated linearly, as light mixes.
 vec3 albedoAt(const std::vector<ColourStop>& stops, double hu);
-/// The tissue's colours from edge to edge.
+/// Returns the tissue's colours from the left to the right edge of the view.
 QLinearGradient gradientOf(const std::vector<ColourStop>& stops, const PlotView& view);
 
-/// With their names above the area, as far as there is room.
+/// Paints the tissue bands, and their names above the area where there is room.
 void paintTissueBands(QPainter& painter, const PlotView& view, const QPalette& palette);
 void paintHistogram(QPainter& painter, const PlotView& view, const std::vector<double>& bars, const QPalette& palette);
 void paintCurve(QPainter& painter, const PlotView& view, const Curve& curve, const std::vector<ColourStop>& colours,
                 const QPalette& palette);
 void paintPoints(QPainter& painter, const PlotView& view, const Curve& curve, const CurveSelection& selection,
                  const QPalette& palette);
-/// HU below the area. Values at its right: those of the view times `unit`.
+/// Paints the axes: HU below the area, and values at its right, which are those of the view times `unit`.
 void paintAxes(QPainter& painter, const PlotView& view, double unit, const QPalette& palette);
 
 }  // namespace pdr::ui

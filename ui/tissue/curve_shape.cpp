@@ -56,7 +56,7 @@ CurveShape shapeLike(const Curve& curve, CurveShape::Kind kind, const Histogram&
     const float top = heightOf(curve);
     const auto reaches = [&](float part) { return double(std::round(firstAt(curve, part * top))); };
     const double low = reaches(0.05f), high = reaches(0.95f);
-    const auto rounded = [](double percent) { return std::round(10 * percent) / 10; };  // as it is shown
+    const auto rounded = [](double percent) { return std::round(10 * percent) / 10; };  // as shown
     switch (kind) {
         case CurveShape::Kind::threshold:
             return {kind, reaches(0.5f), 0};

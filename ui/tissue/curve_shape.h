@@ -1,5 +1,5 @@
 #pragma once
-/// Curves that two numbers say, beside those of free points.
+/// Curve shapes that are defined by two numbers, as opposed to free points.
 
 #include <QString>
 #include <array>
@@ -12,25 +12,25 @@ namespace pdr::ui {
 struct CurveShape {
     enum class Kind { window, threshold, bell, percentiles };
     Kind kind = Kind::window;
-    /// Level and width, the threshold alone, centre and width [HU]; or from which to which percentage of the voxels.
+    /// Level and width, the threshold alone, centre and width [HU]; or the lower and upper percentage of the voxels.
     double first = 0, second = 0;
 
     bool operator==(const CurveShape&) const = default;
 };
 
-/// What one of the numbers is.
+/// The description of one of the numbers.
 struct ShapeNumber {
     QString name, unit;
     double lowest, highest;
 };
 
-/// The numbers of a kind: one or two.
+/// Returns the numbers of a kind: one or two.
 QList<ShapeNumber> numbersOf(CurveShape::Kind kind);
 
-/// The curve, as high as `top`. Percentiles need the histogram.
+/// Returns the curve, whose highest value is `top`. Percentiles need the histogram.
 Curve curveOf(const CurveShape& shape, float top, const Histogram& histogram);
 
-/// Of that kind, near to what `curve` shows: it begins and ends where the curve does most of its rise.
+/// Returns a shape of that kind close to `curve`: it begins and ends where the curve does most of its rise.
 CurveShape shapeLike(const Curve& curve, CurveShape::Kind kind, const Histogram& histogram);
 
 }  // namespace pdr::ui

@@ -6,9 +6,9 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kMost = 0.9, kMostAt = 0.8;  ///< of the columns that hold voxels; of the height
+constexpr double kMost = 0.9, kMostAt = 0.8;  ///< part of the columns that hold voxels; part of the height
 
-/// What stands at kMostAt.
+/// Returns the count that is drawn at the height kMostAt.
 double reference(std::vector<double> counts) {
     std::erase(counts, 0);
     if (counts.empty())

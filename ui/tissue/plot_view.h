@@ -1,6 +1,6 @@
 #pragma once
-/// Which part of a plot over Hounsfield units is seen, and where its places lie on the screen. Values begin with 0 at
-/// the lower edge.
+/// The visible part of a plot over Hounsfield units, and the mapping between its values and pixels. Values begin with 0
+/// at the lower edge.
 
 #include <QPointF>
 #include <QRectF>
@@ -10,13 +10,13 @@ namespace pdr::ui {
 
 class PlotView {
   public:
-    /// The narrowest and the widest range that is shown [HU].
+    /// The narrowest and the widest visible range [HU].
     static constexpr double kNarrowest = 20, kWidest = 70000;
 
     const QRectF& area() const { return area_; }
     double lowHu() const { return low_; }
     double highHu() const { return high_; }
-    /// The value at the upper edge.
+    /// Returns the value at the upper edge.
     double top() const { return top_; }
     double huPerPixel() const { return (high_ - low_) / area_.width(); }
 
@@ -26,15 +26,15 @@ class PlotView {
     double hu(double x) const { return low_ + (x - area_.left()) * huPerPixel(); }
     double value(double y) const { return (area_.bottom() - y) / area_.height() * top_; }
 
-    /// At least a pixel wide and high.
+    /// Sets the area [px]; it is made at least one pixel wide and high.
     void setArea(const QRectF& area);
-    /// Kept within the narrowest and the widest, about its middle.
+    /// Sets the visible range. Its width is limited to kNarrowest and kWidest about its middle.
     void show(double lowHu, double highHu);
-    /// > 0
+    /// Sets the value at the upper edge, > 0.
     void setTop(double top) { top_ = top; }
-    /// `factor` > 1: closer. What lies at `x` stays there.
+    /// Zooms; `factor` > 1 magnifies. The value at `x` stays there.
     void zoom(double x, double factor);
-    /// What is shown moves to the right by so many pixels.
+    /// Moves the visible content to the right by `pixels`.
     void pan(double pixels);
 
     bool operator==(const PlotView&) const = default;
@@ -45,7 +45,7 @@ class PlotView {
     double top_ = 1;
 };
 
-/// Round numbers in [low, high], `most` at most: multiples of 1, 2 or 5 times a power of ten.
+/// Returns at most `most` round numbers in [low, high]: multiples of 1, 2 or 5 times a power of ten.
 std::vector<double> roundMarks(double low, double high, int most);
 
 }  // namespace pdr::ui

@@ -1,5 +1,5 @@
 #pragma once
-/// The exact place and value of a point, to read and to type. Setters are silent.
+/// Fields that show and edit the exact place and value of a point. Setters emit no signals.
 
 #include <QDoubleSpinBox>
 #include <QToolButton>
@@ -15,13 +15,13 @@ class PointRow : public QWidget {
   public:
     explicit PointRow(QWidget* parent = nullptr);
 
-    /// The point, its value in the curve's own unit, which ends at `highest`; nothing: none is selected.
+    /// Shows a point, with its value times `unit`, up to `highest`. None: no point is selected.
     void setPoint(const std::optional<CurvePoint>& point, double unit, double highest, const QString& unitText);
-    /// A stop of a strip: it has a colour and no value.
+    /// Shows a stop of a colour strip, which has a colour and no value.
     void setStop(float hu, const QColor& colour);
 
   signals:
-    /// In the curve's unit, as setPoint() has it.
+    /// Reports a typed place [HU], and a typed value in the unit given to setPoint().
     void huTyped(double hu);
     void valueTyped(double value);
     void colourWanted();

@@ -21,7 +21,7 @@ constexpr auto kRestAfter = std::chrono::milliseconds(400);
 
 PointsPlot::PointsPlot(CurveHand::Kind kind, QWidget* parent) : QWidget(parent), hand_(kind) {
     setFocusPolicy(Qt::StrongFocus);
-    setMouseTracking(true);  // for the cursor
+    setMouseTracking(true);  // for the shape of the cursor
     restTimer_.setSingleShot(true);
     restTimer_.setInterval(kRestAfter);
     connect(&restTimer_, &QTimer::timeout, this, [this] { edit(false); });
@@ -59,7 +59,7 @@ void PointsPlot::edit(bool moving) {
     emit edited(moving);
 }
 
-/// Keys have led where they should: another gesture begins.
+/// Ends a gesture of keys before another one begins.
 void PointsPlot::rest() {
     if (!restTimer_.isActive())
         return;
@@ -155,7 +155,7 @@ void PointsPlot::zoom(double x, double factor) {
     emit rangeChanged(view_.lowHu(), view_.highHu());
 }
 
-/// One hand at a time: while the mouse holds points no key takes them away.
+/// Ignores keys while the mouse drags, so that they cannot remove the points that it holds.
 void PointsPlot::keyPressEvent(QKeyEvent* event) {
     if (hand_.isHolding() || panning_)
         return;

@@ -1,12 +1,12 @@
 #pragma once
-/// A plot over Hounsfield units whose points are edited by mouse and keys. It shows values and emits edits; setters are
-/// silent.
-///   press a point, drag      selects and moves it; with Shift several, as with a rubber band on empty ground
-///   press the line           adds a point; with Ctrl anywhere
-///   wheel, middle drag       zooms at the mouse; moves what is seen; double click on empty ground fits
-///   arrow keys               nudge what is selected, ten times as far with Shift
-///   PgUp, PgDown             select the point before or after; Ctrl+A all; Ins adds, Del removes; +, -, Home zoom and
-///   fit
+/// A plot over Hounsfield units whose points are edited with mouse and keys. It shows values and emits edits. Setters
+/// emit no signals.
+///   press a point, drag  selects and moves it; Shift adds to the selection, also with a rubber band on empty ground
+///   press the line       adds a point; with Ctrl anywhere
+///   wheel, middle drag   zooms at the pointer; moves the visible range; a double click on empty ground fits
+///   arrow keys           nudge the selected points, ten times as far with Shift
+///   PgUp, PgDown         select the point before or after; Ctrl+A all
+///   Ins, Del             adds, removes; +, - and Home zoom and fit
 
 #include <QTimer>
 #include <QWidget>
@@ -24,23 +24,23 @@ class PointsPlot : public QWidget {
     const Curve& points() const { return hand_.curve(); }
     const CurveSelection& selection() const { return hand_.selection(); }
     const PlotView& view() const { return view_; }
-    /// The part of the scale that is seen.
+    /// Sets the visible range [HU].
     void setRange(double lowHu, double highHu);
 
     void clearSelection();
 
   public slots:
     void removeSelected();
-    /// As the arrow keys do it.
+    /// Moves the selected points as the arrow keys do.
     void nudge(const pdr::CurvePoint& by);
 
   signals:
-    /// points() are others. `moving`: the gesture goes on; the last edit of a gesture comes with false.
+    /// Reports that points() have changed. `moving`: the gesture goes on; the last edit of a gesture comes with false.
     void edited(bool moving);
     void selectionChanged();
-    /// The hand has zoomed or moved what is seen.
+    /// Reports that the user has zoomed or moved the visible range.
     void rangeChanged(double lowHu, double highHu);
-    /// All that counts is to be seen.
+    /// Requests to make everything relevant visible.
     void fitRequested();
 
   protected:
@@ -51,15 +51,15 @@ class PointsPlot : public QWidget {
     void setShownTop(double top);
     CurveHand& hand() { return hand_; }
 
-    /// A step of the arrow keys.
+    /// Returns the step of the arrow keys.
     virtual CurvePoint step() const = 0;
-    /// What the mouse rests on, in words.
+    /// Returns the text of the tool tip at `place`.
     virtual QString tipAt(QPointF place) const = 0;
-    /// The points are others now: there is one more, there are fewer, or they have moved.
+    /// Called when a point has been added, when points have been removed, and when points have moved.
     virtual void pointAdded(std::size_t) {}
     virtual void pointsRemoved(const CurveSelection&) {}
     virtual void pointsMoved() {}
-    /// Shift and wheel, by as many clicks.
+    /// Handles Shift and wheel, by that many clicks.
     virtual void zoomValues(double) {}
 
     bool event(QEvent* event) override;
@@ -82,8 +82,8 @@ class PointsPlot : public QWidget {
 
     CurveHand hand_;
     PlotView view_;
-    std::optional<QPointF> panning_;  ///< last place of a drag that moves what is seen
-    QTimer restTimer_;                ///< keys have no release: they rest when this runs out
+    std::optional<QPointF> panning_;  ///< last place of a drag that moves the visible range
+    QTimer restTimer_;                ///< ends gestures of keys, which have no release
 };
 
 }  // namespace pdr::ui

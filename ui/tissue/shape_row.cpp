@@ -7,7 +7,7 @@
 namespace pdr::ui {
 namespace {
 
-constexpr int kPercentiles = 1 + int(CurveShape::Kind::percentiles);  ///< place in the list, behind the free points
+constexpr int kPercentiles = 1 + int(CurveShape::Kind::percentiles);  ///< index in the list, after the free points
 
 }  // namespace
 
@@ -27,7 +27,7 @@ ShapeRow::ShapeRow(QWidget* parent) : QWidget(parent) {
         row->addWidget(&numbers_[i], 1);
         connect(&numbers_[i], &QDoubleSpinBox::valueChanged, this, [this] { emit shapeChosen(*shape()); });
     }
-    // A click leaves the keyboard with the picture; Tab still reaches it.
+    // A click leaves the keyboard focus with the image; Tab still reaches it.
     kind_.setFocusPolicy(Qt::TabFocus);
     setBasis(curve_, nullptr);
     showNumbers(std::nullopt);

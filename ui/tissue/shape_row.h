@@ -1,6 +1,6 @@
 #pragma once
-/// The numbers of a curve that a few of them say, and the box that chooses between such curves and free points. Setters
-/// are silent.
+/// The row of number fields for curves defined by a few numbers, and the box that chooses between such curves and free
+/// points. Setters emit no signals.
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -19,16 +19,17 @@ class ShapeRow : public QWidget {
   public:
     explicit ShapeRow(QWidget* parent = nullptr);
 
-    /// The box, which stands where the panel has room for it.
+    /// Returns the box, which the panel places where it has room.
     QComboBox& kinds() { return kind_; }
-    /// What is chosen; nothing: free points.
+    /// Returns the chosen shape; none: free points.
     std::optional<CurveShape> shape() const;
     void setFree();
-    /// What a shape begins with when it is chosen; and whether percentiles can be.
+    /// Sets the curve from which a chosen shape derives its first numbers, and the histogram. Null: percentiles cannot
+    /// be chosen.
     void setBasis(const Curve& curve, std::shared_ptr<const Histogram> histogram);
 
   signals:
-    /// A kind was chosen, or one of its numbers. One step of the hand.
+    /// Reports that the user chose a kind or changed one of its numbers. Each report is a complete edit.
     void shapeChosen(const pdr::ui::CurveShape& shape);
 
   private:

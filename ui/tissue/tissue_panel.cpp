@@ -9,11 +9,11 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kDensest = 1e6;  ///< extinction that a scene takes [1/mm]
-constexpr double kRare = 0.0005;  ///< fraction of the voxels that need not be seen at either end
-constexpr double kAround = 0.04;  ///< of the range that is shown, free at either end
+constexpr double kDensest = 1e6;  ///< largest extinction in a scene [1/mm]
+constexpr double kRare = 0.0005;  ///< fraction of the voxels that may be outside the visible range at either end
+constexpr double kAround = 0.04;  ///< margin at either end, as a fraction of the range
 
-/// What the axis ends with.
+/// Returns the value at the end of the axis.
 float topOf(const Curve& curve, TissueChannel channel) {
     if (channel != TissueChannel::emission)
         return highestValue(channel);
@@ -33,6 +33,7 @@ TissuePanel::TissuePanel(QWidget* parent) : QWidget(parent) {
     logarithmic_.setChecked(true);
     logarithmic_.setAccessibleName(tr("Logarithmic histogram"));
     logarithmic_.setToolTip(tr("The histogram's height grows with the logarithm of the voxels"));
+    // Set up the density and the picking button
     density_.setRange(0, kDensest);
     density_.setDecimals(3);
     density_.setSingleStep(0.1);
@@ -51,7 +52,8 @@ TissuePanel::TissuePanel(QWidget* parent) : QWidget(parent) {
         box->setMinimumContentsLength(7);
     }
     for (QWidget* control : std::initializer_list<QWidget*>{&channel_, &logarithmic_, &pick_})
-        control->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the picture
+        control->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
+    // Lay out, connect and fill
     layOut();
     connectParts();
     showFunction();
@@ -144,7 +146,7 @@ void TissuePanel::showCurve() {
     showPoint();
 }
 
-/// The first of those that are selected.
+/// Shows the first selected point in the row.
 void TissuePanel::showPoint() {
     const CurveSelection& selection = edited_->selection();
     const bool any = !selection.empty() && selection.front() < edited_->points().size();
@@ -167,7 +169,7 @@ void TissuePanel::beginWith(PointsPlot& plot) {
     showPoint();
 }
 
-/// What holds nearly all voxels, and all points.
+/// Makes the range visible that contains nearly all voxels, and all points.
 void TissuePanel::fit() {
     const Curve& points = editor_.points();
     double low = double(points.front().hu), high = double(points.back().hu);
@@ -180,7 +182,7 @@ void TissuePanel::fit() {
     strip_.setRange(low - room, high + room);
 }
 
-/// More nodes than a scene takes: the edit is not made.
+/// Applies an edit and reports it. An edit with more nodes than a scene allows is discarded.
 void TissuePanel::apply(const TransferFunction& function, bool moving) {
     if (function.nodes.size() > TransferFunction::kMostNodes)
         return showFunction();
@@ -224,7 +226,7 @@ void TissuePanel::typeHu(double hu) {
     edited_->nudge({float(hu) - first.hu, 0});
 }
 
-/// The axis grows where it must.
+/// Sets the value of the selected point, and extends the axis if necessary.
 void TissuePanel::typeValue(double value) {
     if (editor_.selection().empty())
         return;

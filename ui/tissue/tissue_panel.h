@@ -1,6 +1,6 @@
 #pragma once
-/// The tissue's optics over Hounsfield units, to see and to edit: a curve at a time over this patient's histogram, the
-/// colours below it, and the exact numbers. Setters are silent.
+/// The panel that shows and edits the tissue's optical properties over Hounsfield units: one curve at a time over this
+/// patient's histogram, the colours below it, and the exact numbers. Setters emit no signals.
 
 #include <QCheckBox>
 #include <QPushButton>
@@ -19,11 +19,12 @@ class TissuePanel : public QWidget {
   public:
     explicit TissuePanel(QWidget* parent = nullptr);
 
-    /// Another than the hand has made ends what it does, and shows as free points.
+    /// Sets the transfer function. One that differs from the user's last edit ends that edit, and is shown as free
+    /// points.
     void setTransferFunction(const TransferFunction& function);
-    /// Of the volume that is shown, all of which is then seen; null: none is known.
+    /// Sets the histogram of the open volume and fits the visible range to it. Null: not known.
     void setHistogram(std::shared_ptr<const Histogram> histogram);
-    /// Whether the next click on the picture picks a tissue.
+    /// Sets whether the next click on the image picks a tissue.
     void setPicking(bool picking);
 
     const TransferFunction& transferFunction() const { return function_; }
@@ -33,7 +34,7 @@ class TissuePanel : public QWidget {
     QSize sizeHint() const override { return {316, 460}; }
 
   signals:
-    /// `moving`: the gesture goes on; the last edit of a gesture comes with false.
+    /// Reports an edited transfer function. `moving`: the gesture goes on; the last edit of a gesture comes with false.
     void transferFunctionEdited(const pdr::TransferFunction& function, bool moving);
     void pickingChosen(bool picking);
 
@@ -55,7 +56,7 @@ class TissuePanel : public QWidget {
     TissueChannel channel() const { return TissueChannel(channel_.currentIndex()); }
 
     TransferFunction function_;
-    TransferFunction base_;  ///< what the edits of one curve start from, so that its own points stay its own
+    TransferFunction base_;  ///< start of the edits of one curve, so that its own points stay its own
     std::shared_ptr<const Histogram> histogram_;
     QComboBox channel_;
     QCheckBox logarithmic_;

@@ -9,10 +9,10 @@
 namespace pdr::ui {
 namespace {
 
-// In OKLab: all of them are colours that a screen has.
+// OKLab coordinates of the scale: all of its colours are inside the gamut of a screen.
 constexpr double kDarkest = 0.3, kLightest = 0.92, kChroma = 0.13;
-constexpr double kFirstHue = 285, kLastHue = 460;     ///< degrees: violet, red, orange, yellow
-constexpr QRgb kUnknown = qRgba(128, 128, 128, 160);  ///< a veil; no colour of the scale is grey
+constexpr double kFirstHue = 285, kLastHue = 460;     ///< degrees: from violet over red and orange to yellow
+constexpr QRgb kUnknown = qRgba(128, 128, 128, 160);  ///< translucent grey; no colour of the scale is grey
 
 QRgb fromOkLab(double lightness, double a, double b) {
     const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);

@@ -1,7 +1,7 @@
 #pragma once
-/// The colours of the error map: dark violet is fine, bright yellow is rough. In OKLab (Ottosson 2020) lightness, hue
-/// and the distance between neighbours are even along the scale, so that what looks twice as far apart is, also to
-/// those who see few hues or none.
+/// The colours of the error map, from dark violet (accurate) to bright yellow (noisy). In OKLab (Ottosson 2020)
+/// lightness, hue and the distance between neighbouring colours change evenly along the scale, so that equal
+/// differences in error look equal, also to viewers who see few hues or none.
 
 #include <QColor>
 #include <QList>
@@ -10,10 +10,11 @@
 
 namespace pdr::ui {
 
-/// Of a pixel that is within so many levels, >= 0; infinite: not known.
+/// Returns the colour of a pixel whose error is within `levels` display levels, >= 0. Infinite: error not known.
 QColor errorColour(double levels);
 
-/// Of each bin of a LevelErrorMap, as an image of indices wants them; no tissue: nothing is painted.
+/// Returns the colour of each of the 256 bins of a LevelErrorMap, as the colour table of an indexed image. The bin
+/// without tissue is transparent.
 QList<QRgb> errorColours();
 
 }  // namespace pdr::ui

@@ -12,7 +12,7 @@ namespace pdr::ui {
 namespace {
 
 constexpr int kPadding = 10, kGap = 6;
-constexpr double kSmall = 0.9;  ///< of the letters beside it
+constexpr double kSmall = 0.9;  ///< font size relative to the painter's
 const QColor kGround(20, 21, 23, 215), kText(222, 222, 218);
 
 QString translated(const char* text) {
@@ -23,7 +23,7 @@ double placeOf(double levels) {
     return std::log2(levels / kFinestLevels) / std::log2(kCoarsestLevels / kFinestLevels);
 }
 
-/// "±1" to "±64" below the colours.
+/// Paints the colour scale with the labels "±1" to "±64" below it.
 void paintScale(QPainter& painter, const QRect& bar) {
     for (int x = bar.left(); x <= bar.right(); ++x) {
         const double place = double(x - bar.left()) / (bar.width() - 1);
@@ -52,9 +52,11 @@ void paintErrorLegend(QPainter& painter, const QRect& area, bool beforeDenoising
     const int line = metrics.height(), barHeight = line * 3 / 4, end = metrics.horizontalAdvance("±64") / 2;
     const int width = std::max(metrics.horizontalAdvance(title), metrics.horizontalAdvance(unit));
     const QRect box(area.left(), area.top(), width + 2 * kPadding, 4 * line + barHeight + kGap + 8 + 2 * kPadding);
+    // Draw the ground
     painter.setPen(Qt::NoPen);
     painter.setBrush(kGround);
     painter.drawRoundedRect(box, 4, 4);
+    // Draw title, scale, unit and the colour of unknown errors
     const QRect inner = box.adjusted(kPadding, kPadding, -kPadding, -kPadding);
     painter.setPen(kText);
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop, title);

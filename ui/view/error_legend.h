@@ -1,12 +1,12 @@
 #pragma once
-/// What the colours of the error map mean, painted on the picture.
+/// The legend that explains the colours of the error map on the image.
 
 #include <QPainter>
 
 namespace pdr::ui {
 
-/// In the upper left corner of `area`. `beforeDenoising`: the image is denoised, and the map is of what it was
-/// before.
+/// Paints the legend into the upper left corner of `area`. `beforeDenoising`: the image is denoised, but the map shows
+/// the error before denoising.
 void paintErrorLegend(QPainter& painter, const QRect& area, bool beforeDenoising);
 
 }  // namespace pdr::ui

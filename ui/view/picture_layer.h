@@ -1,6 +1,6 @@
 #pragma once
-/// What is drawn over a picture, all of it, and follows its size. The mouse reaches the picture below unless the layer
-/// asks for it.
+/// A transparent layer that covers the image's widget and follows its size. Mouse events reach the widget below unless
+/// the layer takes the mouse.
 
 #include <QColor>
 #include <QPainter>
@@ -9,7 +9,7 @@
 
 namespace pdr::ui {
 
-/// Of lines and marks over a picture: seen on dark ground and on bright bone.
+/// Colour of lines and marks over the image; visible on dark ground and on bright bone.
 inline constexpr QRgb kMarkColour = qRgb(255, 205, 110);
 
 class PictureLayer : public QWidget {
@@ -17,13 +17,13 @@ class PictureLayer : public QWidget {
     explicit PictureLayer(QWidget* picture);
 
   protected:
-    /// Every press goes here, whose cursor is a cross.
+    /// Takes all mouse events and shows a cross as the cursor.
     void takeMouse();
     void leaveMouse();
     bool takesMouse() const { return !testAttribute(Qt::WA_TransparentForMouseEvents); }
-    /// Draws a closed line of that width [px] with a dark edge.
+    /// Draws the closed polygon `line`, `width` pixels wide, with a dark edge.
     static void drawMark(QPainter& painter, const QPolygonF& line, double width);
-    /// Hears of all that happens to the picture.
+    /// Receives all events of the widget `picture`.
     bool eventFilter(QObject* picture, QEvent* event) override;
 };
 

@@ -8,7 +8,7 @@
 namespace pdr::ui {
 namespace {
 
-constexpr double kLeastSide = 6;  ///< of a box [px]: less is a click
+constexpr double kLeastSide = 6;  ///< least side of a box [px]; a smaller one counts as a click
 
 }  // namespace
 
@@ -48,12 +48,12 @@ void RegionBox::mouseReleaseEvent(QMouseEvent* event) {
         emit drawn(inParts(box));
 }
 
-/// [px]
+/// Returns the box that the drag has drawn so far, clipped to the image [px].
 QRectF RegionBox::dragged() const {
     return QRectF(*from_, to_).normalized() & QRectF(rect()) & area();
 }
 
-/// Of the picture [px]
+/// Returns the part of the view that the image takes [px].
 QRectF RegionBox::area() const {
     return size_.isEmpty() ? QRectF(rect()) : pictureArea(size_, {size(), devicePixelRatioF()});
 }

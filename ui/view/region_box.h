@@ -1,6 +1,6 @@
 #pragma once
-/// The box on the picture whose samples come first: a layer over the picture in which it is drawn, and seen
-/// afterwards. Setters are silent.
+/// A layer in which the user draws the box whose pixels get their samples first; it also shows that box. Setters emit
+/// no signals.
 
 #include <QRectF>
 #include <optional>
@@ -15,19 +15,21 @@ class RegionBox : public PictureLayer {
   public:
     explicit RegionBox(QWidget* picture) : PictureLayer(picture) {}
 
-    /// Fractions of the picture's width and height; none: there is no box.
+    /// Sets the box in fractions of the image's width and height. None: there is no box.
     void setBox(const std::optional<QRectF>& box);
-    /// Of so many pixels, in its view as pictureArea() has it; at first it fills the view.
+    /// Sets the size of the image [pixels], which lies in the view as pictureArea() places it. Initially it fills the
+    /// view.
     void setPicture(QSize size);
-    /// The next drag draws a box; until then the mouse does nothing else.
+    /// Makes the next drag draw a box; until then the mouse does nothing else.
     void startDrawing() { takeMouse(); }
     void stopDrawing();
     bool isDrawing() const { return takesMouse(); }
 
   signals:
-    /// In fractions of the picture's width and height, inside of it; by a drag that is more than a click.
+    /// Reports a drawn box in fractions of the image's width and height, clipped to the image. A drag too short for a
+    /// box counts as a click.
     void drawn(QRectF box);
-    /// Nothing was: by a click.
+    /// Reports that a click ended drawing without a box.
     void notDrawn();
 
   protected:
@@ -42,9 +44,9 @@ class RegionBox : public PictureLayer {
     QRectF inParts(const QRectF& box) const;
     QRectF inPixels(const QRectF& box) const;
 
-    QSize size_;  ///< of the picture; empty: as the view's
+    QSize size_;  ///< size of the image [pixels]; empty: the view's
     std::optional<QRectF> box_;
-    std::optional<QPointF> from_;  ///< where the drag began [px]; none: it has not
+    std::optional<QPointF> from_;  ///< where the drag began [px]; none: no drag
     QPointF to_;
 };
 

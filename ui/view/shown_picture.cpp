@@ -13,27 +13,30 @@ namespace pdr::ui {
 namespace {
 
 constexpr int kMargin = 12;
-constexpr QRgb kLostColour = qRgb(110, 185, 190);  ///< of brackets: no hand moves them, and they measure nothing
+/// colour of brackets, which the user cannot move and which measure nothing
+constexpr QRgb kLostColour = qRgb(110, 185, 190);
 
-/// Of the screen.
+/// Returns the size of the view in screen pixels.
 QSize sizeInPixels(const PictureView& view) {
     return (QSizeF(view.size) * view.pixelRatio).toSize();
 }
 
-/// A panel that takes a few rows does not blur the image.
+/// Returns whether the image is shown pixel by pixel. A tolerance of 2 % keeps a panel that takes a few rows from
+/// blurring the image.
 bool isPixelByPixel(const QSize& image, const PictureView& view) {
     constexpr double kSame = 0.02;
     const int height = sizeInPixels(view).height();
     return std::abs(image.height() - height) <= kSame * height;
 }
 
-/// Of an image in the middle of the view, of which it may be larger [the screen's pixels].
+/// Returns the upper left corner of an image centred in the view, which it may exceed [screen pixels].
 QPoint cornerInPixels(const QSize& image, const PictureView& view) {
     const QSize beside = sizeInPixels(view) - image;
     return {beside.width() / 2, beside.height() / 2};
 }
 
-/// An image that moves has few pixels; what it takes to smooth more than a million would be felt by the hand.
+/// Enlarges an image that is shown at twice its height or more without visible pixel blocks. While the view moves,
+/// images have few pixels. The result is limited to a million pixels, since more would delay the interaction.
 QImage withoutBlocks(const QImage& image, QSizeF shown) {
     constexpr double kMostPixels = 1e6;
     if (image.depth() != 32 || shown.height() < 2 * image.height())
@@ -42,7 +45,7 @@ QImage withoutBlocks(const QImage& image, QSizeF shown) {
     return upsampled(image, (shown * scale).toSize().expandedTo(image.size()));
 }
 
-/// One at each end, open towards the other.
+/// Returns a bracket at each end of the line, open towards the other.
 QPainterPath bracketsAround(const QLineF& line) {
     constexpr double kBeyond = 4, kHalf = 6, kHook = 4;
     QPainterPath path;
@@ -57,7 +60,7 @@ QPainterPath bracketsAround(const QLineF& line) {
     return path;
 }
 
-/// One painting of it.
+/// The state of painting one image.
 struct Painting {
     QPainter& painter;
     const ShownPicture& picture;
@@ -75,7 +78,7 @@ struct Painting {
 
 void Painting::paintImage(const QImage& image) const {
     if (isPixelByPixel(image.size(), view)) {
-        // also where one is no whole part of a length
+        // paint in screen pixels, of which a px need not be a multiple
         painter.scale(1 / view.pixelRatio, 1 / view.pixelRatio);
         painter.drawImage(cornerInPixels(image.size(), view), image);
         return painter.resetTransform();
@@ -91,8 +94,8 @@ void Painting::paintErrorMap() const {
     paintErrorLegend(painter, withinMargins(), picture.beforeDenoising);
 }
 
-/// With the map: alone they would pass for findings. The line itself stays free: if the film is shown in its place, it
-/// is seen there.
+/// Paints brackets at the ends of lost lines, only with the error map: without it they would be taken for findings. The
+/// line itself stays free, so that it is visible if the film is shown instead of the denoised image.
 void Painting::paintLostLines() const {
     if (picture.errorMap.isNull())
         return;
@@ -108,7 +111,7 @@ void Painting::paintLostLines() const {
     painter.restore();
 }
 
-/// Also where nothing else of the window is seen.
+/// Paints the annotations, also where the image fills the screen.
 void Painting::paintTexts() const {
     painter.setFont(plain);
     paintAnnotations(
@@ -125,7 +128,7 @@ QRectF pictureArea(const QSize& image, const PictureView& view) {
     const double scale = double(view.size.height()) / image.height();
     QRectF area(0, 0, image.width() * scale, view.size.height());
     area.moveCenter(QRectF({}, QSizeF(view.size)).center());
-    const bool onlyRounded = std::abs(area.width() - view.size.width()) <= 2 * scale;  // the film's size
+    const bool onlyRounded = std::abs(area.width() - view.size.width()) <= 2 * scale;  // size rounded to pixels
     return onlyRounded ? QRectF({}, QSizeF(view.size)) : area;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The picture in its view: how it lies there, and what is written and drawn over it.
+/// The image in its view: where it lies, and what is painted over it.
 
 #include <QImage>
 #include <QLineF>
@@ -11,32 +11,31 @@
 
 namespace pdr::ui {
 
-/// A picture and what it shows.
+/// An image and its annotations.
 struct ShownPicture {
-    QImage image;   ///< of whatever size: it is stretched to the view's height
-    Camera camera;  ///< that it was made with; letters and cube are painted from it
-    QString texts;  ///< what it shows, in lines; written into a corner, ...
-    QString mark;   ///< ... with what else must be known of the picture; empty: nothing
-    QList<QLineF>
-        lostLines;    ///< that are missing in the image [its pixels]: brackets stand at their ends, with the map
-    QString caption;  ///< below the mark, where nothing beside the picture says it: PictureView::caption
-    QImage errorMap;  ///< painted over the image, with a legend; null: none
-    bool beforeDenoising = false;  ///< the map is of what the image was then
+    QImage image;                  ///< any size: it is stretched to the height of the view
+    Camera camera;                 ///< camera of the image; letters and cube are painted from it
+    QString texts;                 ///< description of the image in lines, written into a corner
+    QString mark;                  ///< written below `texts`: what else must be known of the image; empty: nothing
+    QList<QLineF> lostLines;       ///< missing in the image [its pixels]; with the map, brackets mark their ends
+    QString caption;               ///< written below `mark` if PictureView::captioned
+    QImage errorMap;               ///< painted over the image, with a legend; null: none
+    bool beforeDenoising = false;  ///< the map shows the error before denoising
 };
 
-/// Where it is painted.
+/// The view in which the image is painted.
 struct PictureView {
     QSize size;              ///< [px]
-    double pixelRatio = 1;   ///< of the screen's own pixels
-    bool captioned = false;  ///< whether its caption is written, too
+    double pixelRatio = 1;   ///< screen pixels per px
+    bool captioned = false;  ///< whether the caption is painted as well
     QStringList overlay;     ///< lines in the upper left corner
 };
 
-/// The part of the view that the picture takes, in its middle [px]. The field of view belongs to the height, so the
-/// picture is fitted to it: what is seen is what a picture of the view's own size would show, at the same place. Where
-/// the heights are all but the same, it is shown pixel by pixel.
+/// Returns the part of the view that the image takes, centred [px]. The field of view belongs to the height, so the
+/// image is fitted to the height: each point appears where an image of the view's own size would show it. If the
+/// heights differ by at most 2 %, the image is shown pixel by pixel.
 QRectF pictureArea(const QSize& image, const PictureView& view);
-/// The picture, with the map, letters, cube, brackets and texts over it. What it leaves free stays as it was.
+/// Paints the image with error map, letters, cube, brackets and texts over it. Areas outside the image are not painted.
 void paintShownPicture(QPainter& painter, const ShownPicture& picture, const PictureView& view);
 
 }  // namespace pdr::ui

@@ -10,13 +10,13 @@ namespace {
 
 constexpr int kTaps = 4, kChannels = 4;
 
-/// Where a pixel of the result takes its value from.
+/// The source pixels and weights of one pixel of the result.
 struct Taps {
-    std::array<int, kTaps> from;  ///< pixels of the source
+    std::array<int, kTaps> from;  ///< source pixels
     std::array<float, kTaps> weight;
 };
 
-/// Of `to` pixels along a line that has `from` of them; beyond its ends the last one goes on.
+/// Returns the taps of `to` pixels along a line of `from` source pixels. Beyond its ends the last pixel is repeated.
 std::vector<Taps> tapsOf(int from, int to) {
     std::vector<Taps> taps(std::size_t(std::max(to, 0)));
     for (int i = 0; i < to; ++i) {
@@ -31,7 +31,7 @@ std::vector<Taps> tapsOf(int from, int to) {
     return taps;
 }
 
-/// One row of the source in the result's width, all channels of a pixel beside each other.
+/// Enlarges one row of the source to the width of the result, with the channels of each pixel interleaved.
 void widen(const uchar* row, const std::vector<Taps>& taps, float* wide) {
     for (const Taps& tap : taps) {
         for (int channel = 0; channel < kChannels; ++channel) {
@@ -47,11 +47,13 @@ void widen(const uchar* row, const std::vector<Taps>& taps, float* wide) {
 }  // namespace
 
 QImage upsampled(const QImage& image, QSize size) {
+    // Enlarge each row
     const std::vector<Taps> across = tapsOf(image.width(), size.width()), down = tapsOf(image.height(), size.height());
     const std::size_t width = across.size() * kChannels;
     std::vector<float> wide(width * std::size_t(image.height()));
     for (int y = 0; y < image.height(); ++y)
         widen(image.constScanLine(y), across, &wide[width * std::size_t(y)]);
+    // Enlarge each column
     QImage result(size, image.format());
     for (int y = 0; y < size.height(); ++y) {
         const Taps& tap = down[std::size_t(y)];

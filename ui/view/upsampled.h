@@ -1,13 +1,13 @@
 #pragma once
-/// A coarse image in a larger size, without the blocks of its pixels.
+/// Enlarging a coarse image without visible pixel blocks.
 
 #include <QImage>
 
 namespace pdr::ui {
 
-/// `image`, of 4 bytes a pixel, in `size`, no smaller than its own, by cubic B-splines: smooth to the second
-/// derivative, where interpolation by straight lines shows each pixel's edges. Even grey stays even, a ramp a ramp;
-/// single pixels and edges are softer.
+/// Returns `image` (4 bytes per pixel) enlarged to `size`, which must not be smaller, with cubic B-splines. The result
+/// is smooth to the second derivative, where linear interpolation shows the edges of each pixel. Uniform areas and
+/// linear ramps are reproduced; single pixels and edges become softer.
 QImage upsampled(const QImage& image, QSize size);
 
 }  // namespace pdr::ui

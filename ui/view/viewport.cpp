@@ -19,7 +19,7 @@ namespace {
 constexpr double kKeyStep = 1.0 / 24;  // of the view's height: 7.5 degrees
 constexpr double kZoomPerWheelClick = 1.15;
 constexpr double kZoomPerHeight = 8;  // magnification of a drag over the whole height
-constexpr double kTremble = 3;        // of a hand that clicks [px]
+constexpr double kTremble = 3;        // pointer movement that still counts as a click [px]
 constexpr auto kRestAfter = std::chrono::milliseconds(250);
 constexpr auto kSettledAfter = std::chrono::milliseconds(200);
 
@@ -29,7 +29,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::ArrowCursor);
-    setMouseTracking(true);  // to know when it does not rest any more
+    setMouseTracking(true);  // to notice when the pointer moves on
     setAccessibleName(tr("Picture"));
     setAccessibleDescription(
         tr("The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom."));
@@ -80,7 +80,7 @@ void Viewport::showTip(QPointF place, const QString& text) {
         QToolTip::showText(restingAt_, text, this, QRect(mapFromGlobal(restingAt_), QSize(1, 1)));
 }
 
-/// In fractions of the picture's width and height.
+/// Returns a point of the view in fractions of the image's width and height.
 QPointF Viewport::placeOf(QPointF point) const {
     const QRectF area = pictureArea(picture_->image.size(), view());
     const QPointF place = point - area.topLeft();
@@ -120,7 +120,7 @@ void Viewport::tellPlace(const QHelpEvent& event) {
         emit rested(*resting_);
 }
 
-/// A screen with other pixels changes the size, too.
+/// Handles tool tips, and screen changes: a screen with another pixel ratio changes the size in pixels, too.
 bool Viewport::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         tellPlace(*static_cast<QHelpEvent*>(event));
@@ -133,7 +133,7 @@ bool Viewport::event(QEvent* event) {
     return QWidget::event(event);
 }
 
-/// Whoever works with keys sees that the picture has them.
+/// Marks the focus only if it came by Tab, for users who work with keys.
 void Viewport::focusInEvent(QFocusEvent* event) {
     reachedByKey_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
     QWidget::focusInEvent(event);
@@ -148,7 +148,8 @@ void Viewport::resizeEvent(QResizeEvent*) {
     changeSize();
 }
 
-/// A window that is dragged larger, panels that come and go: what lies between is worth no picture.
+/// Reports the new size. While an image is shown, waits until the size has settled: the sizes in between, e.g. while
+/// the window is resized or panels open, are not worth rendering.
 void Viewport::changeSize() {
     if (picture_)
         settleTimer_.start();
@@ -214,13 +215,13 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     rest();
 }
 
-/// That of the mouse comes with the press, which may begin a drag.
+/// Opens the menu by its key only. The mouse's context menu event comes with the press, which may begin a drag.
 void Viewport::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() != QContextMenuEvent::Mouse)
         emit menuRequested(rect().center());
 }
 
-/// The point under the cursor stays under it.
+/// Zooms so that the point under the pointer stays under it.
 void Viewport::wheelEvent(QWheelEvent* event) {
     if (!camera_)
         return;
@@ -280,7 +281,7 @@ dvec2 Viewport::inHeights(QPointF distance) const {
     return dvec2(distance.x(), distance.y()) / double(std::max(height(), 1));
 }
 
-/// Seen on the black ground and on bright tissue.
+/// Paints the focus ring, which is visible on the black ground and on bright tissue.
 void Viewport::paintRing(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(Qt::white, 2));

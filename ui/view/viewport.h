@@ -1,5 +1,5 @@
 #pragma once
-/// The picture and its interaction: drags and wheels become camera edits. Setters are silent.
+/// The widget that shows the image and turns drags, wheel and keys into camera edits. Setters emit no signals.
 
 #include <QPoint>
 #include <QTimer>
@@ -23,47 +23,53 @@ class Viewport : public QWidget {
 
     void setPicture(const ShownPicture& picture);
     void clearPicture();
-    /// The letters at the edges of the picture; none without one.
+    /// Returns the orientation letters at the edges of the image; empty without an image.
     EdgeLetters letters() const;
-    /// A tip where the mouse rests, if it still does at `place`; see rested(). Empty: none.
+    /// Shows a tool tip if the pointer still rests at `place`, which rested() reported. Empty: no tool tip.
     void showTip(QPointF place, const QString& text);
-    /// The camera that the next edit starts from, which may be ahead of the picture's. None: edits are ignored.
+    /// Sets the camera that the next edit starts from, which may be ahead of the image's. None: edits are ignored.
     void setCamera(const std::optional<Camera>& camera);
-    /// Lines in the upper left corner of a picture, asked for at each painting.
+    /// Sets the function that returns the lines in the image's upper left corner; it is called at each painting.
     void setOverlay(std::function<QStringList()> lines) { overlay_ = std::move(lines); }
     void setCaptionShown(bool shown);
-    /// What the next click picks; it turns nothing then.
+    /// What the next click picks. Such a click does not turn the view.
     enum class Picking { nothing, tissue, focus };
     void setPicking(Picking picking);
-    /// What stands in the middle as long as there is no picture.
+    /// Sets the text in the middle of the view while there is no image.
     void setMessage(const QString& message);
-    /// What stands there now; nothing with a picture.
+    /// Returns the text in the middle of the view; empty while there is an image.
     QString message() const { return picture_ ? QString() : message_; }
 
-    /// The view's size in the screen's own pixels.
+    /// Returns the view's size in screen pixels.
     QSize sizeInPixels() const;
 
     QSize sizeHint() const override { return {900, 700}; }
     QSize minimumSizeHint() const override { return {200, 150}; }
 
   signals:
-    /// A drag, a wheel or an arrow key. `moving`: the gesture goes on; the last edit of a gesture comes with false.
+    /// Reports a camera edited by a drag, the wheel or an arrow key. `moving`: the gesture goes on; the last edit of a
+    /// gesture comes with false.
     void cameraEdited(const pdr::Camera& camera, bool moving);
-    /// A drag with Ctrl: how far it has come, in fractions of the view's height. `moving` as above.
+    /// Reports the total distance of a drag with Ctrl, in fractions of the view's height. `moving`: as for
+    /// cameraEdited().
     void tissueDragged(QPointF drag, bool moving);
-    /// A drag with Shift and the right button: how far it has come since the last, in fractions of the view's height.
+    /// Reports the distance of a drag with Shift and the right button since the last report, in fractions of the view's
+    /// height. `moving`: as for cameraEdited().
     void lightDragged(QPointF drag, bool moving);
-    /// A click with Ctrl, or the one that was asked for: at `place`, in fractions of the picture's width and height.
+    /// Reports a click with Ctrl, or one requested with setPicking(): at `place`, in fractions of the image's width and
+    /// height.
     void tissuePicked(QPointF place);
-    /// The click that was asked for, likewise.
+    /// Reports a click requested with Picking::focus: at `place`, in fractions of the image's width and height.
     void focusPicked(QPointF place);
-    /// The mouse rests on the picture: at `place`, in fractions of its width and height.
+    /// Reports that the pointer rests on the image: at `place`, in fractions of its width and height.
     void rested(QPointF place);
-    /// By Home, which is the strip's and the fields' own elsewhere.
+    /// Requests the first view, on Home. A signal of the view and no key of the window, since the accuracy strip and
+    /// the number fields use Home themselves.
     void resetRequested();
-    /// A right click, or the menu's key: at `place` [px].
+    /// Requests the context menu at `place` [px], on a right click or the menu key.
     void menuRequested(QPoint place);
-    /// With a picture only when the size has settled: until then the picture is scaled. It may be the old one.
+    /// Reports the view's size in screen pixels. While an image is shown, only when the size has settled; until then
+    /// the image is scaled. The size may be the old one.
     void sizeInPixelsChanged(QSize size);
 
   protected:
@@ -87,7 +93,7 @@ class Viewport : public QWidget {
     void rest();
     void changeSize();
     void editInSteps(const Camera& camera);
-    /// From widget coordinates to fractions of the view's height.
+    /// Converts widget coordinates [px] to fractions of the view's height.
     dvec2 inHeights(QPointF distance) const;
     PictureView view() const;
     QPointF placeOf(QPointF point) const;
@@ -100,19 +106,19 @@ class Viewport : public QWidget {
     std::optional<ShownPicture> picture_;
     QString message_;
     std::function<QStringList()> overlay_ = [] { return QStringList(); };
-    bool reachedByKey_ = false;  ///< the keyboard came here by Tab
+    bool reachedByKey_ = false;  ///< the focus came here by Tab
     bool captionShown_ = false;
     std::optional<Camera> camera_;
     Gesture gesture_ = Gesture::none;
     bool moved_ = false;  ///< the gesture has edited the camera
     QPointF last_;
     QPointF pressed_;
-    bool tissueMoved_ = false;  ///< further than a hand that clicks trembles
+    bool tissueMoved_ = false;  ///< the drag is longer than the tremble of a click
     Picking picking_ = Picking::nothing;
-    std::optional<QPointF> resting_;  ///< place that was told last; none: the mouse has moved on
-    QPoint restingAt_;                ///< on the screen
+    std::optional<QPointF> resting_;  ///< place reported last by rested(); none: the pointer has moved on
+    QPoint restingAt_;                ///< resting_ in screen coordinates
     QTimer settleTimer_;              ///< the size has settled when this runs out
-    QTimer restTimer_;                ///< wheels and keys have no release: they rest when this runs out
+    QTimer restTimer_;                ///< ends gestures of wheel and keys, which have no release
 };
 
 }  // namespace pdr::ui

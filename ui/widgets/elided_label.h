@@ -1,5 +1,6 @@
 #pragma once
-/// A line of text that may be narrower than it would like: it is cut with dots, and the tool tip has all of it.
+/// A label of one line that may be narrower than its text: the text is cut off with dots, and the tool tip shows all of
+/// it.
 
 #include <QLabel>
 

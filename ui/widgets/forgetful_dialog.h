@@ -1,6 +1,6 @@
 #pragma once
-/// A file dialog that leaves no trace. Qt keeps where its dialogs have been in the user's settings, but a folder's name
-/// may be a patient's.
+/// A file dialog that leaves no trace. Qt saves the places visited by its dialogs in the user's settings, but a
+/// folder's name may be a patient's.
 
 #include <QDir>
 #include <QFileDialog>
@@ -11,7 +11,7 @@
 
 namespace pdr::ui {
 
-/// What Qt's dialogs have written about places, by this program or another; written again when it dies.
+/// The places that Qt's dialogs have saved, in this program or another. The destructor restores them.
 class KeptPlaces {
   public:
     KeptPlaces() {
@@ -29,8 +29,8 @@ class KeptPlaces {
     QSettings settings_{QSettings::UserScope, "QtProject"};
 };
 
-/// Qt's own dialog, since what a desktop's keeps is out of our hands. It writes its settings when it dies: by then it
-/// has nothing to tell, and what was there before comes back after it.
+/// Qt's own dialog, since what a desktop's dialog saves cannot be controlled. It writes its settings when it is
+/// destroyed: by then it has nothing to save, and the earlier settings are restored after it.
 class ForgetfulDialog : KeptPlaces, public QFileDialog {
   public:
     ForgetfulDialog(QWidget* parent, const QString& title) : QFileDialog(parent, title) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Colours of light, and those of the screen that look like them (IEC 61966-2-1).
+/// Conversion between linear light and screen colours (IEC 61966-2-1).
 
 #include <QColor>
 
@@ -7,10 +7,10 @@
 
 namespace pdr::ui {
 
-/// The screen's colour for linear sRGB in [0, 1].
+/// Returns the screen colour of linear sRGB in [0, 1].
 QColor screenColour(vec3 linear);
 
-/// Linear sRGB in [0, 1].
+/// Returns a screen colour as linear sRGB in [0, 1].
 vec3 linearColour(const QColor& colour);
 
 }  // namespace pdr::ui

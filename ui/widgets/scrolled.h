@@ -1,13 +1,13 @@
 #pragma once
-/// Panels that take less room than they would like to: what does not fit is reached by scrolling.
+/// Scroll areas for panels that get less room than they need.
 
 #include <QScrollArea>
 #include <QScrollBar>
 
 namespace pdr::ui {
 
-/// `area` around `content`, which belongs to it, without a frame. It scrolls up and down, and sideways only where what
-/// it shows has grown.
+/// Returns `area`, without a frame, around `content`, which it then owns. It scrolls vertically, and horizontally only
+/// if the content has grown.
 inline QScrollArea* scrolled(QWidget* content, QScrollArea* area = new QScrollArea) {
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);

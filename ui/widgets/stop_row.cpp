@@ -11,13 +11,13 @@ namespace {
 constexpr double kMostSeconds = 24 * 3600;
 constexpr int kMostSamples = 10'000'000;
 
-/// Narrow fields, and one edit when a number is typed in full.
+/// Sets up a narrow field that reports a number only when it has been typed in full.
 void prepare(QAbstractSpinBox& field, const QString& name) {
     field.setAccessibleName(name);
     field.setToolTip(name);
     field.setKeyboardTracking(false);
     field.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    field.setButtonSymbols(QAbstractSpinBox::NoButtons);  // arrow keys and the wheel do as well
+    field.setButtonSymbols(QAbstractSpinBox::NoButtons);  // arrow keys and the wheel change the value as well
     field.setMinimumWidth(56);
 }
 
@@ -25,6 +25,7 @@ void prepare(QAbstractSpinBox& field, const QString& name) {
 
 StopRow::StopRow(QWidget* parent)
     : QWidget(parent), levels_(new QDoubleSpinBox), seconds_(new QDoubleSpinBox), samples_(new QSpinBox) {
+    // Set up the three fields
     levels_->setRange(kFinestTarget, kCoarsestTarget);
     levels_->setDecimals(1);
     levels_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -40,6 +41,7 @@ StopRow::StopRow(QWidget* parent)
     samples_->setSpecialValueText(tr("any number"));
     prepare(*samples_, tr("Hold when each pixel has so many samples"));
 
+    // Lay them out in a row
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
@@ -48,6 +50,7 @@ StopRow::StopRow(QWidget* parent)
         row->addWidget(field, 1);
     setFocusProxy(levels_);
 
+    // Report each completed rule
     const auto choose = [this] {
         const StopRule chosen = rule();
         setRule(chosen);

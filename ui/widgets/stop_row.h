@@ -1,5 +1,6 @@
 #pragma once
-/// When rendering holds: three limits in a row, of which the first that is reached counts. Setters are silent.
+/// The row of fields for when rendering stops: three limits, of which the first to be reached counts. Setters emit no
+/// signals.
 
 #include <QDoubleSpinBox>
 #include <QSpinBox>
@@ -19,7 +20,7 @@ class StopRow : public QWidget {
     StopRule rule() const;
 
   signals:
-    /// When a value is complete: after Enter, on leaving the field, or by its arrows.
+    /// Reports a completed value: after Enter, on leaving the field, or by the arrow keys.
     void ruleChosen(const pdr::StopRule& rule);
 
   private:

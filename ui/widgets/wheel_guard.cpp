@@ -16,7 +16,7 @@ class WheelGuard : public QObject {
     bool eventFilter(QObject* control, QEvent* event) override {
         if (event->type() != QEvent::Wheel || static_cast<QWidget*>(control)->hasFocus())
             return false;
-        event->ignore();  // so that it goes on to what holds the control
+        event->ignore();  // so that the parent gets it
         return true;
     }
 };

@@ -1,12 +1,12 @@
 #pragma once
-/// A wheel that passes over a number does not change it.
+/// Protection of controls against accidental changes by the wheel.
 
 #include <QWidget>
 
 namespace pdr::ui {
 
-/// Sliders, number fields and lists to choose from in `window` take the wheel only where they have the keyboard; else
-/// it scrolls what they lie in.
+/// Makes sliders, number fields and combo boxes in `window` react to the wheel only while they have the keyboard focus;
+/// else the wheel scrolls what contains them.
 void guardWheels(QWidget& window);
 
 }  // namespace pdr::ui

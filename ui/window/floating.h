@@ -1,6 +1,6 @@
 #pragma once
-/// What floats over a picture and costs it no room: a frame that keeps its place while the picture's view changes its
-/// size, and lets no mouse through to it.
+/// A frame that floats over the image and takes no layout space from it. It keeps its place when the view is resized,
+/// and lets no mouse event through to the view.
 
 #include <QFrame>
 
@@ -8,13 +8,13 @@ namespace pdr::ui {
 
 class Floating : public QFrame {
   public:
-    /// Over `picture`; none: it stays where it is put.
+    /// Creates a frame over the widget `picture` and follows its size. Null: the frame stays where it is put.
     explicit Floating(QWidget* picture);
 
   protected:
-    /// Takes its place again: what is in it has changed.
+    /// Moves the frame to placeIn() again. Call it when the content has changed.
     void place();
-    /// Where it lies in a view of that size [px].
+    /// Returns the frame's rectangle in a view of size `view` [px].
     virtual QRect placeIn(QSize view) = 0;
 
     bool event(QEvent* event) override;

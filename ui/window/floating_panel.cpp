@@ -21,7 +21,7 @@ FloatingPanel::FloatingPanel(QWidget* picture, const QString& title, QWidget* pa
     hide();
 }
 
-/// Above what stands in the lower corners, between the letters at the sides.
+/// Places the panel above the texts and marks in the lower corners, between the letters at the left and right edges.
 QRect FloatingPanel::placeIn(QSize view) {
     constexpr int kCorners = 104, kLetters = 40, kMost = 800;
     const int height = std::min(std::max(minimumSizeHint().height(), view.height() * 36 / 100), view.height());

@@ -1,5 +1,5 @@
 #pragma once
-/// A panel over the lower part of a picture, with a heading and a way to fold it away.
+/// A panel that floats over the lower part of the image, with a heading and a button that closes it.
 
 #include <QAction>
 
@@ -11,10 +11,11 @@ class FloatingPanel : public Floating {
     Q_OBJECT
 
   public:
-    /// Folded away. The letters, the cube and the texts in the picture's corners stay free where there is room for it.
+    /// Creates the panel, hidden at first. Where there is room, it leaves the orientation letters, the cube and the
+    /// texts in the image's corners uncovered.
     FloatingPanel(QWidget* picture, const QString& title, QWidget* panel, const QKeySequence& key);
 
-    /// That shows it and folds it away.
+    /// Returns the action that shows and hides the panel.
     QAction* toggleViewAction() { return &toggle_; }
 
   protected:

@@ -19,7 +19,7 @@
 namespace pdr::ui {
 namespace {
 
-/// One panel above another.
+/// Returns a widget with one panel above another; the upper one takes the extra height.
 QWidget* stacked(QWidget* above, QWidget* below) {
     auto* both = new QWidget;
     auto* column = new QVBoxLayout(both);
@@ -64,6 +64,7 @@ MainWindow::MainWindow()
                               accuracy_, effects_, nodes_})),
       actions_(fillMenus(*menuBar(), docks_->toggles(), *cut_)),
       bindings_(namedActions(*menuBar())) {
+    // Lay out the view and the status bar
     auto* inPlaceOfThePicture = new QGridLayout(viewport_);
     inPlaceOfThePicture->addWidget(start_, 0, 0, Qt::AlignCenter);
     start_->hide();
@@ -72,6 +73,7 @@ MainWindow::MainWindow()
     statusBar()->addWidget(foot_, 1);
     statusBar()->setSizeGripEnabled(false);
 
+    // Connect menus and keys
     for (const QAction* menu : menuBar()->actions())
         addActions(menu->menu()->actions());  // so that keys work while the menu bar is hidden
     connectFileActions();
@@ -82,6 +84,7 @@ MainWindow::MainWindow()
     connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
 
+    // Connect the panels and the view
     connect(docks_, &WindowDocks::cutShown, cut_, &CutTools::showHandles);
     connect(docks_, &WindowDocks::effectsShown, this, &MainWindow::effectsShown);
     connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
@@ -101,6 +104,7 @@ MainWindow::MainWindow()
     connect(look_, &LookPanel::cameraWanted, docks_->toggleCamera(), &QAction::trigger);
     connect(&foot_->status(), &StatusLine::textClicked, docks_->toggleAccuracy(), &QAction::trigger);
 
+    // Set the state of a window in which nothing is open
     guardWheels(*this);
     setWindowIcon(programIcon());
     setAcceptDrops(true);
@@ -256,14 +260,14 @@ void MainWindow::setPictureOffer(const QString& name, const std::optional<Pictur
     pictureCost_ = cost;
 }
 
-/// What the next click on the picture picks.
+/// Sets what the next click on the image picks, in the viewport and on the panels' buttons.
 void MainWindow::setPicking(Viewport::Picking picking) {
     viewport_->setPicking(picking);
     tissue_->setPicking(picking == Viewport::Picking::tissue);
     camera_->setPicking(picking == Viewport::Picking::focus);
 }
 
-/// What one does most with the picture, and what has no other button where it is alone.
+/// Opens the context menu: the most frequent actions, and those that have no button while the image fills the screen.
 void MainWindow::showMenu(QPoint place) {
     auto* menu = new QMenu(this);
     menu->setObjectName("pictureMenu");
@@ -315,7 +319,7 @@ void MainWindow::chooseRegion(const std::optional<QRectF>& box) {
     emit regionChosen(box);
 }
 
-/// A box that is there is forgotten; else the next drag draws one.
+/// Starts to draw a box with the next drag, or removes the box.
 void MainWindow::drawOrForgetRegion(bool draw) {
     region_->stopDrawing();
     if (draw)
@@ -332,7 +336,7 @@ void MainWindow::hideName(bool hidden) {
     viewport_->update();
 }
 
-/// Whom the picture shows, and how good it is where nothing beside it says so.
+/// Returns the overlay lines: the patient, and in full screen also the accuracy, since the status bar is hidden there.
 QStringList MainWindow::whatIsSeen() const {
     QStringList lines = patient();
     if (actions_.alone->isChecked())

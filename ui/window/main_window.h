@@ -1,6 +1,7 @@
 #pragma once
-/// The desktop's window: the picture in the middle, the series on the left, the look and the rendering on the right,
-/// the truth about it at the foot. It shows values and emits edits; it knows no renderer and no importer.
+/// The desktop program's main window: the image in the middle, the series on the left, look and rendering on the right,
+/// accuracy and cost in the status bar. It shows values and emits edits; it knows neither the renderer nor the
+/// importer.
 
 #include <QFileInfo>
 #include <QMainWindow>
@@ -32,7 +33,7 @@
 
 namespace pdr::ui {
 
-/// What is opened of `path`: the folder that a file lies in, or it itself.
+/// Returns the folder to open for `path`: the folder that contains it if it is a file, else `path` itself.
 QString folderOf(const QFileInfo& path);
 
 class MainWindow : public QMainWindow {
@@ -58,61 +59,64 @@ class MainWindow : public QMainWindow {
     MessageBar& message() { return *message_; }
     CutTools& cut() { return *cut_; }
 
-    /// What is shown, for the title bar, and what stands there while names are hidden; empty for nothing. Never the
-    /// patient's name.
+    /// Sets the title bar's description of the open series, and the one shown while names are hidden. Empty: nothing is
+    /// open. Neither may contain the patient's name.
     void setSubject(const QString& subject, const QString& whileHidden = {});
-    /// A series is to be chosen: their list stays open, whatever it takes.
+    /// Sets whether the user still has to choose a series. While true, the series list stays open even if room is
+    /// short.
     void setChoosing(bool choosing) { docks_->setChoosing(choosing); }
-    /// Whose series is shown, a line each, for the picture's upper left corner; empty: nobody's.
+    /// Sets the lines that name the patient in the image's upper left corner. Empty: no patient.
     void setPatient(const QStringList& lines);
-    /// What that corner says: a number in the place of all that while names are hidden.
+    /// Returns the patient lines as the corner shows them: the patient's number in their place while names are hidden.
     QStringList patient() const;
-    /// Where the dialogs for opening and saving begin.
+    /// Sets the folder in which the dialog for opening a folder begins.
     void setLastFolder(const QString& folder);
     void setUndoAvailable(bool undo, bool redo);
-    /// What the next steps back and forth are called: "Undo turning the view".
+    /// Sets the menu texts of undo and redo, e.g. "Undo turning the view".
     void setUndoTexts(const QString& undo, const QString& redo);
-    /// The newest first; none where they are not remembered.
+    /// Sets the recently opened folders, newest first. `remembered`: whether the program saves them; if not, the list
+    /// is empty.
     void setRecentFolders(const QStringList& folders, bool remembered);
-    /// Ways to open something, in the place of the picture.
+    /// Shows or hides the start panel, which offers ways to open a folder, in the middle of the view.
     void setStartShown(bool shown);
-    /// A folder to try with; empty: there is none.
+    /// Sets the folder of the example scan. Empty: there is none.
     void setExample(const QString& folder);
-    /// Whether there is something that views, looks and the like act on.
+    /// Sets whether a volume is open; enables the view, rendering and look controls.
     void setVolumeAvailable(bool available);
-    /// Which actions have other keys than their own: KeyBindings::choices().
+    /// Sets the keys that the user has changed, as KeyBindings::choices() returns them.
     void setKeys(const QMap<QString, QString>& choices);
-    /// Of languages(), or empty for the system's.
+    /// Checks the menu entry of language `code`, one of languages(). Empty: the system's language.
     void setLanguage(const QString& code);
     void setTheme(pdr::ui::ThemeChoice choice);
     void setPaused(bool paused);
     void setSmoothed(bool smoothed);
-    /// The box on the picture that gets its samples first; none: there is none.
+    /// Sets the box whose pixels get their samples first. None: there is no box.
     void setRegion(const std::optional<QRectF>& box);
-    /// `there`: there is a table, or what else is hidden with it, to show or hide.
+    /// Checks and enables the menu entry for the table. `there`: the scan has a table, or other parts hidden with it.
     void setTable(bool shown, bool there);
-    /// Whether pictures that leave the window are annotated, unless it is said otherwise.
+    /// Sets whether saved and copied images are annotated by default.
     void setCaptioned(bool captioned);
-    /// What is asked before the window closes, since something would be lost; empty: nothing would.
+    /// Sets the question to ask before the window closes because work would be lost. Empty: close without asking.
     void setQuestionOnClosing(const QString& question);
-    /// For another time: panels that fold because the window is small are there.
+    /// Returns the window state to save. It counts panels that are hidden only for lack of room as shown.
     QByteArray wantedState() { return docks_->wantedState(); }
-    /// What the picture on the screen may be called in a file, and what one like it costs; none: not known yet.
+    /// Sets the proposed file name of the current image, and the cost of rendering one like it. None: cost not known
+    /// yet.
     void setPictureOffer(const QString& name, const std::optional<PictureCost>& cost);
-    /// Whether there is a picture to save or copy.
+    /// Sets whether there is an image to save or copy.
     void setPictureAvailable(bool available);
 
   signals:
     void folderChosen(const QString& folder);
-    /// More was dropped than folderChosen() told.
+    /// Emitted if other folders than the opened one were dropped as well; they are not opened.
     void othersLeftOut();
-    /// A picture of surroundings that is to light the volume.
+    /// Emitted when an OpenEXR file is dropped: an environment image that is to light the volume.
     void skyDropped(const QString& file);
-    /// What is on the screen, as it is.
+    /// Requests that the image on the screen be saved as it is.
     void saveRequested(const QString& file, pdr::ui::Annotate annotate = pdr::ui::Annotate::sides);
-    /// A picture of a size of its own.
+    /// Requests an image rendered anew at a size of its own.
     void pictureOrdered(const pdr::ui::PictureOrder& order);
-    /// The picture is wanted on the clipboard.
+    /// Requests a copy of the image on the clipboard.
     void copyRequested();
     void keysChosen(const QMap<QString, QString>& choices);
     void rememberFoldersChosen(bool remembered);
@@ -123,21 +127,22 @@ class MainWindow : public QMainWindow {
     void redoRequested();
     void viewChosen(pdr::StandardView view);
     void resetRequested();
-    /// The image is to be rendered at the size at which it is shown.
+    /// Requests rendering with as many pixels as the image is shown with.
     void fitRequested();
     void pauseChosen(bool paused);
     void smoothingChosen(bool smoothed);
     void tableChosen(bool shown);
     void captionChosen(bool captioned);
-    /// Whether the picture is to show where it is still rough.
+    /// Emitted when the user turns the error map on or off.
     void errorMapChosen(bool shown);
-    /// Which box of the picture is to get its samples first, in fractions of its width and height; none: all alike.
+    /// Reports the box whose pixels are to get their samples first, in fractions of the image's width and height. None:
+    /// all pixels alike.
     void regionChosen(const std::optional<QRectF>& box);
-    /// By Esc: reading is to end.
+    /// Requests to cancel reading the scan; emitted on Esc.
     void cancelRequested();
-    /// Nobody can see the window, minimised or hidden; or it is back.
+    /// Reports whether the window is minimised or hidden, so that nobody can see it.
     void unseenChanged(bool unseen);
-    /// What the effects cost is looked at, or not any more.
+    /// Reports whether the cost table of the effects is visible.
     void effectsShown(bool shown);
 
   protected:
@@ -191,7 +196,7 @@ class MainWindow : public QMainWindow {
     QString subject_, subjectWhileHidden_;
     QString questionOnClosing_;
     QString pictureName_ = "picture";
-    QString folderOfPictures_;  ///< of the last one saved, as long as the program runs
+    QString folderOfPictures_;  ///< where the last image was saved; kept while the program runs
     std::optional<PictureCost> pictureCost_;
 };
 

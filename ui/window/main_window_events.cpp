@@ -1,4 +1,4 @@
-/// What happens to the window as a whole: it is seen or not, closed, resized, and things are dropped on it.
+/// Events of the main window: shown, hidden, closed, resized, and files dropped on it.
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -42,7 +42,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
         event->acceptProposedAction();
 }
 
-/// A file stands for the folder that it lies in, but for a picture of surroundings. Files of one folder are one.
+/// Opens what was dropped. A file stands for the folder that contains it, except an OpenEXR environment image. Several
+/// files of one folder count once.
 void MainWindow::dropEvent(QDropEvent* event) {
     QStringList folders;
     for (const QUrl& url : event->mimeData()->urls())

@@ -23,6 +23,7 @@ MessageBar::MessageBar(QWidget* picture) : Floating(picture) {
     lines_.setFrameShape(QFrame::NoFrame);
     lines_.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     lines_.setFocusPolicy(Qt::NoFocus);
+    // Add the buttons
     details_.setText(tr("Details"));
     details_.setAccessibleName(tr("All of the message"));
     details_.setCheckable(true);
@@ -40,6 +41,7 @@ MessageBar::MessageBar(QWidget* picture) : Floating(picture) {
     close->setAutoRaise(true);
     connect(close, &QToolButton::clicked, this, &MessageBar::clear);
 
+    // Lay them out in a row
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 6, 6, 6);
     row->setSpacing(12);
@@ -84,7 +86,8 @@ void MessageBar::showText(const QString& text, bool warning) {
     fit();
 }
 
-/// Below the letter at the upper edge, on the right, so that what is written on the left stays legible.
+/// Places the bar on the right, below the orientation letter at the upper edge, so that the patient's lines on the left
+/// stay legible.
 QRect MessageBar::placeIn(QSize view) {
     constexpr int kMost = 640, kMargin = 12, kLetter = 40;
     const int width = std::min(view.width() - 2 * kMargin, kMost);
@@ -101,11 +104,13 @@ void MessageBar::resizeEvent(QResizeEvent* event) {
 void MessageBar::fit() {
     constexpr int kShort = 2, kLong = 12;
     layout()->activate();
+    // Show the details button only if the text needs more than kShort lines beside it.
     const int line = text_.fontMetrics().lineSpacing(), beside = details_.sizeHint().width() + layout()->spacing();
     const auto heightIn = [&](int width) { return text_.heightForWidth(std::max(width, line)); };
     const int wide = lines_.width() + (details_.isHidden() ? 0 : beside);
     const bool isLong = heightIn(wide) > kShort * line + line / 2;
     details_.setVisible(isLong);
+    // Show all lines, up to kLong, or the first kShort ones.
     const int whole = heightIn(isLong ? wide - beside : wide);
     const bool all = !isLong || details_.isChecked();
     lines_.setFixedHeight(all ? std::min(whole, kLong * line) : kShort * line);

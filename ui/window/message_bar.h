@@ -1,6 +1,6 @@
 #pragma once
-/// A bar over the picture that says what went wrong, where, and what to do next, or, in quieter colours, what is worth
-/// knowing. It stays until it is closed. Long messages show two lines, and the rest when it is asked for.
+/// A bar over the image that shows errors (what went wrong, where, and what to do next) or, in quieter colours,
+/// notices. It stays until the user closes it. Long messages show two lines, and the rest on request.
 
 #include <QLabel>
 #include <QPushButton>
@@ -16,17 +16,17 @@ class MessageBar : public Floating {
     Q_OBJECT
 
   public:
-    /// Over `picture`; none: wherever it is put.
+    /// Creates the bar over the widget `picture`. Null: it stays where it is put.
     explicit MessageBar(QWidget* picture = nullptr);
 
     void showError(const Error& error);
-    /// Nothing went wrong.
+    /// Shows a notice, in quieter colours than an error.
     void showNotice(const QString& sentences);
-    /// Below what is shown, if anything is.
+    /// Appends a line to the message, or shows it as a notice if there is none.
     void add(const QString& sentence);
-    /// Beside what is shown, a button with something that can be done about it; once.
+    /// Adds a button labelled `action` that offers a remedy. A click on it closes the message and emits offerTaken().
     void offer(const QString& action);
-    /// What was offered has been done elsewhere: clears the message that offers it, if there is one.
+    /// Clears the message if it offers a remedy; call it when the remedy has been applied elsewhere.
     void withdraw();
     void clear();
     QString text() const { return text_.text(); }
@@ -43,8 +43,8 @@ class MessageBar : public Floating {
     void fit();
 
     QLabel symbol_;
-    QScrollArea lines_;  ///< of the text, those that have room
-    QLabel text_;        ///< after what holds it, and so destroyed before
+    QScrollArea lines_;  ///< shows as many lines of the text as have room
+    QLabel text_;        ///< declared after lines_, which holds it, and so destroyed before
     QToolButton details_;
     QPushButton offer_;
 };

@@ -1,6 +1,7 @@
 #include "ui/window/program_icon.h"
 
-/// Qt's macro must stand outside of any namespace; without it the linker drops the resources of a static library.
+/// Keeps the linker from dropping the icon resources of this static library. Qt's macro must stand outside of any
+/// namespace.
 static void keepIcons() {
     Q_INIT_RESOURCE(icons);
 }

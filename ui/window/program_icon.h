@@ -5,7 +5,7 @@
 
 namespace pdr::ui {
 
-inline constexpr int kIconSizes[] = {16, 32, 48, 64, 128, 256};  ///< pixels an edge
+inline constexpr int kIconSizes[] = {16, 32, 48, 64, 128, 256};  ///< edge lengths [pixels]
 
 QIcon programIcon();
 

@@ -1,6 +1,5 @@
 #pragma once
-/// The folders that were opened last, in a menu, with the choice whether they are remembered at all. Setters are
-/// silent.
+/// A menu of the recently opened folders, with the choice whether the program remembers them. Setters emit no signals.
 
 #include <QMenu>
 
@@ -12,7 +11,7 @@ class RecentMenu : public QMenu {
   public:
     explicit RecentMenu(QWidget* parent = nullptr);
 
-    /// `folders`: the newest first; none where `remembered` is false.
+    /// Sets the folders, newest first. There are none where `remembered` is false.
     void setFolders(const QStringList& folders, bool remembered);
 
   signals:

@@ -6,7 +6,7 @@
 namespace pdr::ui {
 namespace {
 
-/// "study/series 3": what tells folders apart, mostly.
+/// Returns the last two parts of a path, e.g. "study/series 3": usually enough to tell folders apart.
 QString shortName(const QString& folder) {
     const QStringList parts = QDir::cleanPath(folder).split('/', Qt::SkipEmptyParts);
     return parts.mid(std::max<qsizetype>(parts.size() - 2, 0)).join('/').replace('&', "&&");
@@ -18,6 +18,7 @@ StartPanel::StartPanel(QWidget* parent) : QFrame(parent), recentColumn_(new QVBo
     constexpr int kWidth = 380, kMargin = 24;
     setObjectName("start");  // by which the style sheet draws it
     setFixedWidth(kWidth);
+    // Add the ways to open a folder
     open_.setText(tr("&Open a folder..."));
     open_.setAccessibleName(tr("Open a folder"));
     connect(&open_, &QPushButton::clicked, this, &StartPanel::openRequested);
@@ -36,6 +37,7 @@ StartPanel::StartPanel(QWidget* parent) : QFrame(parent), recentColumn_(new QVBo
     recentColumn_->addWidget(heading);
     recent_.hide();
 
+    // Lay them out in a column
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     column->setSpacing(10);

@@ -1,5 +1,5 @@
 #pragma once
-/// What stands in the place of the picture as long as nothing is open: ways to open something. Setters are silent.
+/// The panel shown in place of the image while nothing is open: ways to open a folder. Setters emit no signals.
 
 #include <QFrame>
 #include <QPushButton>
@@ -13,9 +13,9 @@ class StartPanel : public QFrame {
   public:
     explicit StartPanel(QWidget* parent = nullptr);
 
-    /// The newest first.
+    /// Sets the recently opened folders, newest first.
     void setRecent(const QStringList& folders);
-    /// Empty: there is none.
+    /// Sets the folder of the example scan. Empty: there is none.
     void setExample(const QString& folder);
 
   signals:

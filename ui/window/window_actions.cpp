@@ -49,7 +49,7 @@ void addViews(QMenu& menu, WindowActions& actions) {
     actions.fit = menu.addAction(Texts::tr("Render at the window's si&ze"));
 }
 
-/// How the picture is made and shown.
+/// Adds the actions for how the image is rendered and shown.
 void addPicture(QMenu& menu, WindowActions& actions) {
     actions.pause = checkable(menu.addAction(Texts::tr("&Pause"), QKeySequence(Qt::Key_Space)));
     actions.pause->setShortcutContext(Qt::WidgetShortcut);  // elsewhere Space presses the button that has the focus

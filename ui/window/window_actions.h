@@ -1,5 +1,5 @@
 #pragma once
-/// What the window's menus offer, with its texts and keys. What each action does is connected by the window.
+/// The actions of the window's menus, with texts, keys and tool tips. MainWindow connects them to what they do.
 
 #include <QAction>
 #include <QActionGroup>
@@ -20,12 +20,12 @@ struct WindowActions {
     QAction *firstView, *fit;
     QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *hideName, *alone;
     std::array<QAction*, 3> themes;  ///< in the order of ThemeChoice; one is checked
-    QActionGroup* languages;         ///< each with its code as data, empty for the system's; one is checked
+    QActionGroup* languages;         ///< language code as data, empty for the system's; one is checked
     QAction *keys, *editKeys, *about;
 };
 
-/// Fills the empty bar. Each action that may have a key has an object name, by which that is kept, and a sentence as
-/// its tool tip. `panels`: the actions that show panels and fold them away.
+/// Fills the empty menu bar. Each action that may have a key has an object name, under which the key is saved, and a
+/// tool tip. `panels`: the actions that show and hide panels.
 WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels, CutTools& cut);
 
 }  // namespace pdr::ui

@@ -13,11 +13,11 @@ namespace pdr::ui {
 namespace {
 
 constexpr int kEditorColumn = 316;  ///< [px]
-constexpr int kChoosing = 380;      ///< of the series, with room for names and IDs [px]
-constexpr int kLookHeight = 200;    ///< at least, above an editor; the rest is reached by scrolling
-constexpr int kEditorHeight = 320;  ///< likewise
+constexpr int kChoosing = 380;      ///< width of the series list while the user chooses: names and IDs fit [px]
+constexpr int kLookHeight = 200;    ///< least height of the looks above an editor [px]; the rest is scrolled to
+constexpr int kEditorHeight = 320;  ///< least height of an editor below the looks [px]
 
-/// As wide as what it holds would like to be, with its scroll bar.
+/// A scroll area whose preferred width is that of its content plus the scroll bar.
 class ScrolledLooks : public QScrollArea {
   public:
     QSize sizeHint() const override { return widget()->sizeHint() + QSize(verticalScrollBar()->sizeHint().width(), 0); }
@@ -93,7 +93,7 @@ void WindowDocks::setAway(bool away) {
 QDockWidget* WindowDocks::add(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
                               const QKeySequence& key) {
     auto* dock = new QDockWidget(title, &window_);
-    dock->setObjectName(name);  // by which the window's state is kept
+    dock->setObjectName(name);  // the name under which the window state saves it
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
     dock->setWidget(panel);
     dock->toggleViewAction()->setShortcut(key);
@@ -104,14 +104,15 @@ QDockWidget* WindowDocks::add(const QString& name, const QString& title, QWidget
     return dock;
 }
 
-/// By its name the key is kept.
+/// Names the action; the name is that under which its key is saved.
 void WindowDocks::nameToggle(QAction& toggle, const QString& panel) {
     toggle.setObjectName(panel + "Panel");
     toggle.setToolTip(tr("Shows this panel, or folds it away."));
 }
 
-/// Side by side they are legible in wide windows only; what was opened last stays. Those that could take any height get
-/// so much of the window's that the picture keeps most of it.
+/// Hides docks below the image that have no room: side by side they are legible in wide windows only, and the one
+/// opened last stays. Docks that could take any height get a fixed part of the window's, so that most of it stays with
+/// the image.
 void WindowDocks::openedBelow(QDockWidget* dock, bool shown) {
     constexpr int kLegible = 850;  // [px], across
     constexpr double kPart = 0.22;
@@ -127,7 +128,8 @@ void WindowDocks::openedBelow(QDockWidget* dock, bool shown) {
         window_.resizeDocks({dock}, {int(kPart * window_.height())}, Qt::Vertical);
 }
 
-/// What is opened stays, whatever it takes. The right-hand column is wider as long as an editor stands in it.
+/// Lets the dock that the user opened stay, whatever room it takes. The right-hand column is wider while an editor is
+/// open in it.
 void WindowDocks::opened(QDockWidget* dock, bool shown) {
     gaveWay_.removeAll(dock);
     insisted_ = shown ? dock : nullptr;
@@ -136,7 +138,7 @@ void WindowDocks::opened(QDockWidget* dock, bool shown) {
     makeRoom();
 }
 
-/// One at a time.
+/// Shows one editor at a time and divides the right-hand column between it and the looks.
 void WindowDocks::openedEditor(QDockWidget* dock, bool shown) {
     for (QDockWidget* other : editors_.keys())
         if (other != dock)
@@ -165,11 +167,11 @@ void WindowDocks::makeRoom() {
         dock->setVisible(!gaveWay_.contains(dock));
 }
 
-/// The rendering's numbers first, then the series, of which one has been chosen; beside an editor the looks, where
-/// both have no room above each other.
+/// Returns which of the `wanted` docks must give way: the rendering settings first, then the series, since one has been
+/// chosen; beside an editor the looks, where the two do not fit above each other.
 QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
     constexpr int kNarrow = 1100;
-    constexpr double kPicture = 0.61;  // of the window; some of it is frames
+    constexpr double kPicture = 0.61;  // least share of the window, of which frames take some
     QList<QDockWidget*> away;
     const auto give = [&](QDockWidget* dock) {
         if (dock != insisted_ && !(choosing_ && dock == series_) && wanted.removeOne(dock))
@@ -187,7 +189,7 @@ QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
     return away;
 }
 
-/// Between menu and foot.
+/// Returns the height between menu bar and status bar [px].
 int WindowDocks::middleHeight() const {
     return window_.height() - window_.menuBar()->sizeHint().height() - window_.statusBar()->sizeHint().height();
 }
@@ -200,7 +202,7 @@ int WindowDocks::widthOf(const QDockWidget& dock) const {
     return dock.isVisible() ? dock.width() : dock.sizeHint().width();
 }
 
-/// Of the window, with these panels on its sides.
+/// Returns the image's share of the window's area with these panels on its sides, as a fraction.
 double WindowDocks::pictureShare(const QList<QDockWidget*>& panels) const {
     int left = 0, right = 0;
     for (const QDockWidget* dock : panels) {

@@ -1,6 +1,6 @@
 #pragma once
-/// The panels around the picture: where they stand, and which of them gives way to which, so that most of the window
-/// stays with the picture.
+/// The dock panels around the image: where they stand, and which of them give way to others when room is short, so that
+/// the image keeps most of the window.
 
 #include <QDockWidget>
 #include <QList>
@@ -15,34 +15,36 @@ class WindowDocks : public QObject {
     Q_OBJECT
 
   public:
-    /// What stands in the docks.
+    /// The panels that the docks hold.
     struct Panels {
         QWidget *series, *look, *tissue, *light, *camera, *cut, *rendering, *accuracy, *effects, *nodes;
     };
 
-    /// Adds all docks to `window`; all but series and look are folded away. `picture`: what is to keep most of it; the
-    /// accuracy floats over it.
+    /// Adds all docks to `window`; all but series and look are hidden at first. `picture`: the image's widget, which
+    /// keeps most of the window; the accuracy panel floats over it.
     WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
 
-    /// That show each and fold it away, in the menu's order.
+    /// Returns the actions that show and hide each panel, in the menu's order.
     QList<QAction*> toggles() const;
     QAction* toggleTissue() const { return tissue_->toggleViewAction(); }
     QAction* toggleLight() const { return light_->toggleViewAction(); }
     QAction* toggleCamera() const { return camera_->toggleViewAction(); }
     QAction* toggleAccuracy() const { return accuracy_->toggleViewAction(); }
-    /// The window's state with the panels that only gave way, to be kept for another time.
+    /// Returns the window state to save for the next start. Panels that are hidden only for lack of room count as
+    /// shown.
     QByteArray wantedState();
-    /// Folds panels away where the window has become too small for them, and brings them back in a larger one.
+    /// Hides panels where the window has become too small for them, and shows them again in a larger one.
     void makeRoom();
-    /// A series is to be chosen: their list is there and does not give way until one is. Then it is as it was.
+    /// Sets whether the user still has to choose a series. While true, the series list is shown and does not give way;
+    /// then it returns to its previous state.
     void setChoosing(bool choosing);
-    /// Folds all away, or brings back what was there before.
+    /// Hides all panels, or restores those that were shown before.
     void setAway(bool away);
 
   signals:
-    /// What the effects cost is looked at, or not any more.
+    /// Reports whether the cost table of the effects is visible.
     void effectsShown(bool shown);
-    /// The panel of cuts was opened.
+    /// Emitted when the user opens the cut panel.
     void cutShown();
 
   private:
@@ -71,15 +73,15 @@ class WindowDocks : public QObject {
     FloatingPanel* accuracy_;
     QDockWidget* effects_;
     QDockWidget* nodes_;
-    QList<QDockWidget*> below_;             ///< the picture, the one opened last first
-    QList<QDockWidget*> sides_;             ///< left and right of the picture
-    QMap<QDockWidget*, QWidget*> editors_;  ///< wide ones on the right, one at a time, with their panels
-    QList<QDockWidget*> gaveWay_;           ///< that come back when there is room
-    bool choosing_ = false;                 ///< a series
-    bool seriesWereAway_ = false;           ///< before that
-    QDockWidget* insisted_ = nullptr;       ///< opened last, which does not give way
-    int column_ = 0;                        ///< width of the looks beside an open editor, without it; 0: as it is [px]
-    QByteArray stateBefore_;                ///< of the window, as long as all are away
+    QList<QDockWidget*> below_;             ///< docks below the image, the one opened last first
+    QList<QDockWidget*> sides_;             ///< docks left and right of the image
+    QMap<QDockWidget*, QWidget*> editors_;  ///< wide docks on the right, one shown at a time, with their panels
+    QList<QDockWidget*> gaveWay_;           ///< docks hidden for lack of room; shown again when there is room
+    bool choosing_ = false;                 ///< the user still has to choose a series
+    bool seriesWereAway_ = false;           ///< the user had hidden the series list before that
+    QDockWidget* insisted_ = nullptr;       ///< dock opened last, which does not give way; null: none
+    int column_ = 0;                        ///< width of the looks before an editor opened [px]; 0: the current one
+    QByteArray stateBefore_;                ///< window state before setAway(true); empty: not away
 };
 
 }  // namespace pdr::ui

@@ -26,7 +26,7 @@ constexpr Row kRows[] = {{Beside::status, Beside::nothing, "status, history, for
 constexpr Beside kRuns[] = {Beside::nothing,  Beside::status, Beside::judgement,
                             Beside::errorMap, Beside::ledger, Beside::lattice};
 
-/// What each kind of run took, round by round.
+/// Costs of each kind of run, round by round.
 class Costs {
   public:
     Result<void> addRound(const RunPlan& plan) {
@@ -38,7 +38,7 @@ class Costs {
         }
         return {};
     }
-    /// What `row` adds to the time of the samples until look `i`: the median of the rounds.
+    /// Returns what `row` adds to the time of the samples until look `i`, as a share of it: the median of the rounds.
     double share(const Row& row, std::size_t i) const {
         std::vector<double> shares;
         const auto &with = of(row.beside), &without = of(row.without);

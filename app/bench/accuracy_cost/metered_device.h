@@ -1,6 +1,6 @@
 #pragma once
-/// A device as it is, that tells how much processor time the samples of its picture took; what else the program takes
-/// goes into showing it and into saying how right it is.
+/// Wrapper of a device that measures the processor time of the samples of an image. The rest of the program's time goes
+/// into display and into statements of accuracy.
 
 #include <atomic>
 #include <memory>
@@ -9,19 +9,19 @@
 
 namespace pdr::bench {
 
-/// What pictures come with.
+/// Data that comes with an image.
 enum class Told {
-    nothing,  ///< the bytes for the screen alone
-    status    ///< these and their status. Never smoothed: that is no accuracy, but another picture
+    nothing,  ///< only the bytes for the screen
+    status    ///< bytes and status; never denoised, which would be another image and not a matter of accuracy
 };
 
-/// Processor time [s]; read on any thread.
+/// Processor times [s]; may be read on any thread.
 struct Meter {
-    std::atomic<double> samples = 0;  ///< of whole pictures
-    std::atomic<double> parts = 0;    ///< of parts of them, and of taking scenes up: what measures their bias
+    std::atomic<double> samples = 0;  ///< samples of whole images
+    std::atomic<double> parts = 0;    ///< samples of parts of an image, and uploads: the work that measures the bias
 };
 
-/// `device`, a CPU's; `meter` must outlive it.
+/// Wraps `device`, which must be a CPU device. `meter` must outlive the result.
 std::unique_ptr<Device> meteredDevice(std::unique_ptr<Device> device, Told told, Meter& meter);
 
 }  // namespace pdr::bench

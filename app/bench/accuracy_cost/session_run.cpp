@@ -13,12 +13,12 @@
 namespace pdr::bench {
 namespace {
 
-/// What comes out of a session, until the last look.
+/// Costs of a session at each look, collected until the last one.
 class Looks {
   public:
     Looks(const std::vector<std::uint64_t>& samples, const Meter& meter) : wanted_(samples), meter_(meter) {}
 
-    /// On the render thread.
+    /// Takes a frame. Called on the render thread.
     void take(const Frame& frame) {
         const Moment now{processorSeconds(), meter_.samples, meter_.parts};
         const std::lock_guard lock(mutex_);
@@ -67,7 +67,7 @@ Result<std::vector<RunCost>> runSession(const RunPlan& plan, Beside beside) {
     session.setDisplay({plan.exposure, beside >= Beside::judgement});
     session.setErrorMap(beside == Beside::errorMap);
     session.setIterationsPerFrame(plan.iterations);
-    session.setStop({.levels = 1e-6});  // it goes on until it was looked at
+    session.setStop({.levels = 1e-6});  // never reached: the session renders until the last look
     if (beside == Beside::ledger)
         session.watchEffects({[&] { return Result(makeCpuDevice(plan.threads)); }, [](const auto&) {}});
     Scene scene = plan.scene;

@@ -1,5 +1,5 @@
 #pragma once
-/// A picture that a session makes as it makes them for a window, and what it took beside its samples.
+/// Run of a session that renders an image as for a window, and the processor time that it takes beside its samples.
 
 #include <cstdint>
 #include <vector>
@@ -10,33 +10,34 @@
 
 namespace pdr::bench {
 
-/// What is asked of a session beside the picture, each with all that stands before it.
+/// What a session does beside the image. Each of the first three includes those before it; each of the others adds to
+/// `judgement`.
 enum class Beside {
-    nothing,    ///< samples and bytes for the screen
-    status,     ///< errors, history, forecast, bias: the sentence in the foot of the window
-    judgement,  ///< of the smoothed picture: what is always on
-    errorMap,   ///< always on, and the map
-    ledger,     ///< always on, and what effects cost
-    lattice     ///< always on, of a march, whose bias is measured
+    nothing,    ///< samples and the bytes for the screen
+    status,     ///< errors, history, forecast, bias: the sentence in the status bar
+    judgement,  ///< the judgement of the denoised image: all that is always on
+    errorMap,   ///< all that is always on, and the error map
+    ledger,     ///< all that is always on, and the cost table of effects
+    lattice     ///< all that is always on, for a march, whose bias is measured
 };
 
 struct RunPlan {
     Scene scene;
     float exposure = 1;
-    std::vector<std::uint64_t> samples;  ///< at which it is looked at, ascending
-    int iterations = 1;                  ///< of a displayed frame
-    int threads = 0;                     ///< of the CPU; 0: one per core
+    std::vector<std::uint64_t> samples;  ///< samples per pixel at which costs are read, ascending
+    int iterations = 1;                  ///< iterations per displayed frame
+    int threads = 0;                     ///< CPU threads; 0: one per core
 };
 
-/// Since the first full picture, processor time [s].
+/// Processor time since the first full image [s].
 struct RunCost {
     std::uint64_t samples = 0;
     double sampling = 0;
-    double rest = 0;     ///< of the whole program
-    double lattice = 0;  ///< of that, what measures the bias
+    double rest = 0;     ///< time of the whole program beside the samples
+    double lattice = 0;  ///< part of `rest` that measures the bias
 };
 
-/// At each of plan.samples. Errors: those that the session tells.
+/// Runs a session and returns its costs at each of plan.samples. Errors: those that the session reports.
 Result<std::vector<RunCost>> runSession(const RunPlan& plan, Beside beside);
 
 }  // namespace pdr::bench

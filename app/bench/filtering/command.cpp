@@ -68,7 +68,7 @@ void printJson(const Price& price) {
     std::puts(json.dump().c_str());
 }
 
-/// Why the scene's pictures do not depend on its filtering.
+/// Returns an error if the images of the scene do not depend on its filtering.
 Result<void> hasChoice(const Scene& scene) {
     if (isProjection(scene.model))
         return Error{"the model " + std::string(modelName(scene.model)) + " is always filtered exactly", "model",
@@ -101,6 +101,7 @@ int filtering(const Arguments& arguments) {
     if (!onGpu)
         device = makeEmulatedGpu();
 
+    // Measure the differences in HU and in display levels, and the times
     const auto prepared = Flattener().flatten(*scene);
     const HuPrice hu = huPrice(prepared->flat.volume, *points, scene->seed);
     const auto picture = picturePrice(**device, *scene, std::uint32_t(*samples), *rounds);

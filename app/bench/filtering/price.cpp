@@ -27,7 +27,7 @@ double steepestCell(const FlatVolume& volume) {
     return most;
 }
 
-/// displayLevel() without its rounding: what differs by less than a level is seen, too.
+/// Returns displayLevel() without rounding, because differences of less than a level count, too.
 double shownLevel(double radiance) {
     return 255 * srgbFromLinear(-std::expm1(-std::max(radiance, 0.0)));
 }

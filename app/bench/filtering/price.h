@@ -1,5 +1,5 @@
 #pragma once
-/// What fast filtering costs in accuracy, and what it saves in time.
+/// Cost of fast filtering in accuracy, and the time that it saves.
 
 #include <cstdint>
 
@@ -13,33 +13,34 @@ namespace pdr::bench {
 struct HuPrice {
     int places = 0;
     double rms = 0;
-    double almostAll = 0;  ///< 99.9 % of the places differ by no more
+    double almostAll = 0;  ///< difference that 99.9 % of the places do not exceed
     double largest = 0;
-    double possible = 0;  ///< the largest that the volume's steepest cube of eight voxels allows; see textureError()
+    double possible = 0;  ///< largest difference that the steepest cube of eight voxels allows; see textureError()
 };
 
-/// At that many `places`, drawn evenly over the volume's box; `fast` is computed on the host as texture units do.
+/// Compares both filters at `places` random places, uniform over the box of the volume. Fast filtering is computed on
+/// the host as texture units do it.
 HuPrice huPrice(const FlatVolume& volume, int places, std::uint64_t seed);
 
-/// Differences between two pictures from the same samples, in display levels (of 255, not rounded, exposure 1), over
-/// the pixels that have noise or differ; a pixel counts by its channels.
+/// Differences between two images from the same samples, in display levels (of 255, not rounded, exposure 1), over the
+/// pixels that have noise or differ. Means are over the channels of these pixels.
 struct LevelPrice {
     std::size_t pixels = 0;
-    double mean = 0, largest = 0;  ///< of the absolute difference
+    double mean = 0, largest = 0;  ///< mean and largest absolute difference
     double shift = 0;              ///< mean of fast - exact
-    double offByOne = 0;           ///< fraction of the pixels of which a channel is off by more than 1 level
-    double standardError = 0;      ///< mean of the exact picture's
+    double offByOne = 0;           ///< fraction of the pixels that have a channel that is off by more than 1 level
+    double standardError = 0;      ///< mean standard error of the exact image
 };
 
-/// Films of one size.
+/// Compares two films of the same size.
 LevelPrice levelPrice(const Film& exact, const Film& fast);
 
 struct PicturePrice {
     LevelPrice levels;
-    double exactSeconds = 0, fastSeconds = 0;  ///< medians over the rounds, for all samples
+    double exactSeconds = 0, fastSeconds = 0;  ///< median times over the rounds, for all samples
 };
 
-/// Renders `scene` both ways in turns, `rounds` times each.
+/// Renders `scene` with both filters in turn, `rounds` times each, and compares them.
 Result<PicturePrice> picturePrice(Device& device, const Scene& scene, std::uint32_t samples, int rounds);
 
 }  // namespace pdr::bench

@@ -37,7 +37,7 @@ Setup setupOf(const Device& device, const DeviceLoad& load, const ShownScene& sh
             device.info(), load.source(), shown.description, unbiased ? "unbiased" : "kroesMarch"};
 }
 
-/// The report, as far as it goes: after an error too.
+/// Fills the report with what is measured, also if an error ends the measurement.
 Result<void> run(Device& device, const Settings& settings, const ShownScene& shown, std::stop_token stop,
                  Report& report) {
     const std::unique_ptr<DeviceLoad> load = loadOf(device.info().name, settings.threads);

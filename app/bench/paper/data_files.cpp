@@ -27,7 +27,7 @@ std::optional<double> scaled(double factor, std::optional<double> value) {
     return value ? std::optional(factor * *value) : std::nullopt;
 }
 
-/// The figures of the size that `cell` belongs to.
+/// Returns the figures of the size that `cell` belongs to.
 const SizeFigures& figuresOf(const Report& report, std::size_t cell) {
     return report.figures.sizes[cell / kWayCount];
 }

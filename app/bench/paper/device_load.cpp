@@ -41,8 +41,8 @@ class ProcessorLoad final : public DeviceLoad {
     double spent_ = 0;
 };
 
-/// The few functions of NVIDIA's management library that are asked, found when the program runs: it must also start
-/// where there is no driver. Names and layouts: nvml.h.
+/// Functions of NVIDIA's management library, found at run time, because the program must also start without a driver.
+/// Names and layouts: nvml.h.
 class Nvml {
   public:
     explicit Nvml(unsigned number) : library_(dlopen("libnvidia-ml.so.1", RTLD_NOW | RTLD_LOCAL)) {
@@ -67,7 +67,7 @@ class Nvml {
     Nvml(const Nvml&) = delete;
     Nvml& operator=(const Nvml&) = delete;
 
-    /// Of the last sixth of a second to a second, [0, 1].
+    /// Returns the load over the last sixth of a second to a second, [0, 1].
     std::optional<double> load() const {
         Rates rates{};
         if (device_ == nullptr || rates_(device_, &rates) != kSuccess)
@@ -114,7 +114,8 @@ class GpuLoad final : public DeviceLoad {
 
   private:
     static constexpr std::chrono::milliseconds kBetween{20};
-    /// The driver's figure is about the time before: what it says at first is about what ran before.
+    /// Time after start() that is not counted. The driver's figure is about the time before it, so at first it is about
+    /// what ran before.
     static constexpr std::chrono::milliseconds kSettling{250};
 
     void sample(std::stop_token ended) {
@@ -131,10 +132,10 @@ class GpuLoad final : public DeviceLoad {
 
     Nvml nvml_;
     std::mutex mutex_;
-    std::optional<Clock::time_point> began_;  ///< nothing: nobody measures
+    std::optional<Clock::time_point> began_;  ///< null: no measurement is in progress
     double sum_ = 0;
     int count_ = 0;
-    std::jthread sampler_;  ///< last: it uses the others
+    std::jthread sampler_;  ///< last, because it uses the other members
 };
 
 }  // namespace

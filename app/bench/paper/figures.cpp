@@ -18,7 +18,7 @@ bool isPd(int way) {
     return kWays[std::size_t(way)].schedule.kind == Schedule::Kind::pd;
 }
 
-/// Which way with n = 1 tells the other times of `way`.
+/// Returns the way with n = 1 that gives the other times of `way`.
 WayPlace ofOne(int way) {
     return isPd(way) ? kPd1 : WayPlace(way);
 }
@@ -99,7 +99,7 @@ std::optional<double> gain(const SizeFigures* size) {
     return ratio(size->iterationsPerSecond(kPd100), size->iterationsPerSecond(kK0));
 }
 
-/// E with as many iterations a frame as automatic pacing chooses where it is asked for the goal.
+/// Returns E with as many iterations per frame as automatic pacing chooses for this goal.
 Goal automaticEfficiency(const SizeFigures* tile) {
     constexpr double kWanted = 0.995;
     const std::string what = "E, pd n=";

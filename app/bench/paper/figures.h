@@ -1,5 +1,5 @@
 #pragma once
-/// What the paper reads from frame times: its tables 2 to 5, figure 3, and what goes beyond.
+/// Figures that the paper derives from frame times: its tables 2 to 5 and figure 3, and further ones.
 
 #include <array>
 #include <optional>
@@ -13,7 +13,7 @@ namespace pdr::bench::paper {
 
 inline constexpr double kError = 0.01;
 
-/// Of one resolution. Nothing where it was not measured.
+/// Figures of one resolution; null where it was not measured.
 struct SizeFigures {
     ivec2 size;
     std::array<std::optional<double>, kWayCount> framesPerSecond;
@@ -21,39 +21,40 @@ struct SizeFigures {
     std::optional<double> iteration;                          ///< T_p [s], eq. 6, from pd n = 100
     std::array<std::optional<double>, kWayCount> other;       ///< T_t + T_c [s], eq. 7; the same for all n of pd
     std::array<std::optional<double>, kWayCount> efficiency;  ///< eq. 1
-    std::optional<double> sampleNoise;                        ///< Lap::sampleNoise, of pd n = 100
+    std::optional<double> sampleNoise;                        ///< Lap::sampleNoise of pd n = 100
 
     double pixels() const { return double(size.x) * size.y; }
     std::optional<double> iterationsPerSecond(WayPlace way) const;
-    /// Samples of a pixel, and the seconds that they take under `way`, until the standard error of the pixels (root
-    /// mean square) is kError of the picture's mean.
+    /// Returns the samples per pixel until the standard error of the pixels (root mean square) is kError of the image's
+    /// mean. secondsToError() returns the seconds that these samples take with `way`.
     std::optional<double> samplesToError() const;
     std::optional<double> secondsToError(WayPlace way) const;
 };
 
-/// E at one size and n: as eq. 5 hopes, and as the fraction of the time in which samples are taken at full speed.
+/// Efficiency E at one size and n: as eq. 5 predicts it, and as the fraction of the time in which samples are taken at
+/// full speed.
 struct TileEfficiency {
     ivec2 size;
     WayPlace way;
-    double manyNodes;             ///< eq. 5
-    double fraction;              ///< n alpha R FPS
-    ConfidenceInterval interval;  ///< of fraction, from that of alpha, 95 %
+    double manyNodes;             ///< E by eq. 5
+    double fraction;              ///< measured E, n alpha R FPS
+    ConfidenceInterval interval;  ///< 95 % interval of `fraction`, from that of alpha
 };
 
 struct Figures {
-    std::vector<SizeFigures> sizes;                              ///< as in the plan
+    std::vector<SizeFigures> sizes;                              ///< in the order of the plan
     std::array<std::optional<double>, kWayCount> communication;  ///< T_c [s], eq. 8, from the smallest resolution
-    std::optional<FrameTimeFit> fit;                             ///< of pd
+    std::optional<FrameTimeFit> fit;                             ///< fit of the frame times of pd; null: see whyNoFit
     std::string whyNoFit;
-    std::vector<TileEfficiency> tiles;  ///< of pd; empty without a fit
+    std::vector<TileEfficiency> tiles;  ///< efficiencies of pd; empty without a fit
 };
 
 Figures figuresOf(const Measured& measured, const Plan& plan);
 
-/// A ratio that the new way is to reach.
+/// A figure, and the goal that pd is to reach.
 struct Goal {
     std::string what;
-    std::optional<double> paper;  ///< on a GTX 560 Ti
+    std::optional<double> paper;  ///< value in the paper, on a GTX 560 Ti
     std::optional<double> wanted;
     std::optional<double> here;
 };

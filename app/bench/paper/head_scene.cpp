@@ -10,7 +10,7 @@ extern const char* const kBoneLook;  ///< bone_look.json, compiled in
 
 namespace {
 
-constexpr double kFraction = 0.95;  ///< of the picture's height that the head's box takes
+constexpr double kFraction = 0.95;  ///< share of the image's height that the head's box takes
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What is rendered where no scene is named.
+/// Scene that is rendered if none is named.
 
 #include <string>
 
@@ -12,11 +12,11 @@ namespace pdr::bench::paper {
 struct ShownScene {
     Scene scene;
     Display display;
-    std::string description;  ///< for the report
+    std::string description;  ///< description for the report
 };
 
-/// A head from the front, with the look "CT bone" of bone_look.json, single scattering. Of as many voxels as the
-/// paper's (256 x 230 x 256; its own, Manix, is not free) where no other number is given.
+/// Returns a head from the front, with the look "CT bone" of bone_look.json and single scattering. By default it has as
+/// many voxels as the paper's (256 x 230 x 256; the paper's own head, Manix, is not free).
 Result<ShownScene> headScene(ivec3 voxels = kHeadPhantomSize, dvec3 spacingMm = kHeadPhantomSpacingMm);
 
 }  // namespace pdr::bench::paper

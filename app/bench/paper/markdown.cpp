@@ -47,7 +47,8 @@ std::string tableTwo(const Figures& figures) {
     return "\n## Table 2. One iteration a frame\n\n" + table.text();
 }
 
-/// With so many iterations a frame a device has little to wait for: what is missing went elsewhere.
+/// Returns a warning if the device was busy for too little of the time with n = 100. A device of its own hardly waits
+/// then, so other programs took the rest, or it was held up.
 std::string sharedDevice(const SizeFigures& largest) {
     constexpr double kAlone = 0.9;
     const std::optional<double> load = largest.load[kPd100];
@@ -112,7 +113,8 @@ std::string figureThree(const Figures& figures) {
     return "\n## Figure 3. Efficiency, E (eq. 1)\n\n" + table.text();
 }
 
-/// Only of pd: what Exposure Render's filter blurs stays wrong, however long one waits.
+/// Returns the times to an error, only for pd: the blur of Exposure Render's filter remains wrong with any number of
+/// samples.
 std::string accuracy(const Figures& figures) {
     TextTable table({"resolution", "samples a pixel", "pd n=1 [s]", "pd n=10 [s]", "pd n=100 [s]"});
     for (const SizeFigures& size : figures.sizes)
@@ -146,7 +148,7 @@ std::string parameters(const FrameTimeFit& fit) {
     return table.text();
 }
 
-/// Where eq. 5 promises a small tile more than it keeps.
+/// Compares eq. 5 with the measured efficiency of the smallest tile.
 std::string optimism(const Figures& figures) {
     const TileEfficiency& tile = figures.tiles.back();
     std::string text = "\nAt " + paper::text(tile.size) + " with n=" + std::to_string(kWays[tile.way].iterations) +

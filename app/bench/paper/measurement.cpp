@@ -9,7 +9,7 @@ namespace pdr::bench::paper {
 
 namespace {
 
-/// Between the ordered values, `fraction` of the way from the first to the last.
+/// Returns the quantile `fraction` of ordered values, interpolated linearly.
 double quantile(const std::vector<double>& ordered, double fraction) {
     const double place = fraction * double(ordered.size() - 1);
     const std::size_t below = std::size_t(place);
@@ -47,7 +47,7 @@ class Experiment {
         return {};
     }
 
-    /// The smallest pictures first: they soon tell how long the others will take.
+    /// Measures all cells once, the smallest images first, because they soon show how long the others will take.
     Result<void> round(int number) {
         for (std::size_t size = plan_.sizes.size(); size-- > 0;) {
             bool uploaded = false;
@@ -88,7 +88,8 @@ class Experiment {
         return {};
     }
 
-    /// What a cell that was not measured yet will take: as long a sample as the last one that was.
+    /// Returns the expected seconds per frame of a cell. One that was not measured yet is expected to take as long per
+    /// sample as the last one that was.
     double frameSeconds(const Cell& cell, double secondsPerSample) const {
         return cell.measured() ? cell.spread().median : secondsPerSample * samples(cell);
     }

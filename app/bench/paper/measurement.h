@@ -1,5 +1,5 @@
 #pragma once
-/// The cells of the experiment, each a resolution and a way, and what was measured of them.
+/// Cells of the experiment, each a resolution and a way, and their measurements.
 
 #include <functional>
 #include <optional>
@@ -18,12 +18,12 @@ namespace pdr::bench::paper {
 /// One uninterrupted series of frames.
 struct Run {
     Lap lap;
-    std::optional<double> load;  ///< of the device, [0, 1]
+    std::optional<double> load;  ///< load of the device, [0, 1]; null if unknown
 
     double frameSeconds() const { return lap.seconds / double(lap.frames); }
 };
 
-/// The middle of the runs, and the quarters to its sides: half of the runs lie between them. Seconds a frame.
+/// Median and quartiles over the runs, in seconds per frame: half of the runs lie between `low` and `high`.
 struct Spread {
     double low, median, high;
 };
@@ -35,26 +35,26 @@ struct Cell {
 
     bool measured() const { return !runs.empty(); }
     std::uint64_t frames() const;
-    double seconds() const;              ///< measured, in all
-    Spread spread() const;               ///< no numbers where nothing was measured
-    std::optional<double> load() const;  ///< the mean over the time for which it is known
+    double seconds() const;              ///< measured time of all runs
+    Spread spread() const;               ///< NaN where nothing was measured
+    std::optional<double> load() const;  ///< mean over the time for which it is known; null if none
 };
 
 struct Measured {
-    std::vector<Cell> cells;  ///< by size as in the plan, then by way as in kWays
-    int rounds = 0;           ///< that were begun
+    std::vector<Cell> cells;  ///< cells by size as in the plan, then by way as in kWays
+    int rounds = 0;           ///< rounds that were begun
     bool complete = false;
 
     const Cell& at(std::size_t size, WayPlace way) const { return cells[size * kWayCount + way]; }
 };
 
-/// Called before each run: which cell, in which round, and the seconds that all will still take, about.
+/// Callback before each run, with the next cell, the round, and the approximate seconds left for all runs.
 using OnMeasurement = std::function<void(const Cell& next, int round, double secondsLeft)>;
 
-/// The cells take turns, round by round, so that whatever else the machine does strikes all of them alike. A cell whose
-/// frames are so long that its time is spent early is left out of later rounds; it has one whole frame at least.
-/// All times, those of the plan too, are `now`'s. `measured` is right after an error or a stop request too, as far as
-/// it goes.
+/// Measures all cells. They take turns, round by round, so that other load of the machine affects all of them alike. A
+/// cell whose frames are so long that its time is spent early is left out of later rounds; it has at least one whole
+/// frame. All times, also those of the plan, are those of `now`. After an error or a stop request, `measured` contains
+/// what was measured until then.
 Result<void> measure(Device& device, const Scene& scene, const Display& display, const Plan& plan, const WorkClock& now,
                      DeviceLoad& load, const OnMeasurement& onMeasurement, std::stop_token stop, Measured& measured);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the paper's experiment measures: Perez Monte et al., "Estimation of Volume Rendering Efficiency with GPU in a
+/// Plan of the paper's experiment: Perez Monte et al., "Estimation of Volume Rendering Efficiency with GPU in a
 /// Parallel Distributed Environment", section 5.
 
 #include <algorithm>
@@ -18,14 +18,14 @@ namespace pdr::bench::paper {
 
 /// A way from samples to displayed frames.
 struct Way {
-    const char* name;  ///< of the schedule: "K0"
+    const char* name;  ///< name of the schedule: "K0"
     Schedule schedule;
-    std::uint32_t iterations;  ///< n, of one frame
+    std::uint32_t iterations;  ///< n, iterations of one frame
 
     std::string title() const { return std::string(name) + " n=" + std::to_string(iterations); }
 };
 
-/// Places in kWays.
+/// Indices into kWays.
 enum WayPlace { kK0, kK1, kPd1, kPd10, kPd100, kWayCount };
 
 inline constexpr std::array<Way, kWayCount> kWays{{
@@ -36,24 +36,25 @@ inline constexpr std::array<Way, kWayCount> kWays{{
     {"pd", {}, 100},
 }};
 
-/// The paper's resolutions, the largest first.
+/// Resolutions of the paper, the largest first.
 inline constexpr std::array<ivec2, 6> kSizes{{{1920, 1080}, {960, 540}, {480, 270}, {240, 135}, {120, 67}, {60, 34}}};
 
 struct Plan {
-    std::vector<ivec2> sizes{kSizes.begin(), kSizes.end()};  ///< the largest first; never empty
-    double seconds = 3;                                      ///< that a cell is measured for, in all rounds; > 0
-    int rounds = 5;                                          ///< >= 1
+    std::vector<ivec2> sizes{kSizes.begin(), kSizes.end()};  ///< resolutions, the largest first; never empty
+    double seconds = 3;                                      ///< time for which a cell is measured, in all rounds; > 0
+    int rounds = 5;                                          ///< number of rounds, >= 1
     TimeOf time = TimeOf::wall;
-    /// Samples of a pixel that one launch takes at most under `pd`, on the host: the film's block. K0 and K1 take one.
+    /// Largest number of samples per pixel in one launch of `pd` on the host: the block of the film. K0 and K1 take
+    /// one.
     std::uint32_t perLaunch = kSamplesPerBlock;
-    /// On a GPU: as many as there is room for. A hundredth of a second's, which may be less, binds only where pictures
-    /// are so large that T0 is nothing.
+    /// True on a GPU: a launch takes as many samples as there is room for. The limit of a hundredth of a second, which
+    /// may allow fewer, matters only for images so large that T0 is negligible.
     bool onGpu = false;
 
     std::uint32_t mostPerLaunch(ivec2 size) const {
         return onGpu ? LaunchSize(std::int64_t(size.x) * size.y).most() : perLaunch;
     }
-    /// b of eq. T(R, n, b), efficiency.h.
+    /// Returns b of the equation T(R, n, b), see efficiency.h.
     std::uint32_t samplesPerLaunch(const Way& way, ivec2 size) const {
         if (way.schedule.kind != Schedule::Kind::pd)
             return 1;
@@ -61,9 +62,9 @@ struct Plan {
     }
 };
 
-/// "240x135"
+/// Returns a size as text: "240x135".
 std::string text(ivec2 size);
-/// The other way round; nothing where it is no such text or a side is 0.
+/// Parses a size such as "240x135"; null if it is none or a side is 0.
 std::optional<ivec2> sizeOf(const std::string& text);
 
 }  // namespace pdr::bench::paper

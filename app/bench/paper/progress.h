@@ -1,6 +1,6 @@
 #pragma once
-/// Says on standard error what is measured and how long it will take: one line drawn anew on a terminal, a plain line
-/// now and then elsewhere.
+/// Progress on standard error: what is measured and how long it will take. One line that is redrawn on a terminal,
+/// plain lines from time to time elsewhere.
 
 #include <chrono>
 #include <string>

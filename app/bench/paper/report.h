@@ -1,5 +1,5 @@
 #pragma once
-/// The experiment's results for people (Markdown), for tables of others (CSV) and for programs (JSON).
+/// Results of the experiment for people (Markdown), for spreadsheets (CSV) and for programs (JSON).
 
 #include <filesystem>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace pdr::bench::paper {
 
-/// What the figures belong to.
+/// Circumstances of the measurement.
 struct Setup {
     std::string date;       ///< "2026-11-20 15:40 UTC"
-    std::string version;    ///< of this program
+    std::string version;    ///< version of this program
     std::string processor;  ///< "AMD FX-8120"
     int cores = 0;
     DeviceInfo device;
@@ -28,9 +28,9 @@ struct Report {
 };
 
 std::string markdown(const Report& report);
-/// One line per cell; times in milliseconds, shares as fractions; what is not known is empty.
+/// Returns one line per cell; times in milliseconds, shares as fractions; unknown values are empty.
 std::string csv(const Report& report);
-/// The same and the fit; times in seconds; what is not known is null.
+/// Returns the same figures and the fit; times in seconds; unknown values are null.
 std::string json(const Report& report);
 
 /// Writes paper.md, paper.csv and paper.json into `folder`, each whole or not at all.

@@ -64,7 +64,8 @@ Result<TimeOf> timeNamed(const std::string& word, const std::string& device) {
     return TimeOf::processor;
 }
 
-/// Before anything is measured: nobody waits minutes to hear that the folder is missing.
+/// Returns the folder, which is made if necessary. It is checked before the measurement, so that a missing folder is
+/// reported at once and not after minutes.
 Result<std::filesystem::path> folderFor(const std::string& word) {
     std::error_code failed;
     std::filesystem::create_directory(word, failed);
@@ -75,7 +76,7 @@ Result<std::filesystem::path> folderFor(const std::string& word) {
     return std::filesystem::path(word);
 }
 
-/// Which of `arguments` is to blame that they cannot be read.
+/// Returns an error for the word that makes `arguments` unreadable.
 Error wrongWord(const Arguments& arguments) {
     for (const std::string& word : arguments)
         if (word.starts_with("--") && std::ranges::find(kNames, word) == std::end(kNames))
@@ -90,11 +91,13 @@ Result<Settings> settingsFrom(const Arguments& arguments) {
     if (!options)
         return wrongWord(arguments);
     Settings settings;
+    // Read the scene and the device
     if (options->files.size() > 1)
         return Error{"only one scene can be measured", options->files[1], ""};
     if (!options->files.empty())
         settings.sceneFile = options->files[0];
     settings.device = named(*options, "--device").value_or(settings.device);
+    // Read numbers, then words with a closed set of values
     if (const Result<void> read = readNumbers(*options, settings); !read)
         return read.error();
     if (const auto word = named(*options, "--largest"))
@@ -112,6 +115,7 @@ Result<Settings> settingsFrom(const Arguments& arguments) {
             return time.error();
         settings.plan.time = *time;
     }
+    // Make the folder for results
     if (const auto word = named(*options, "--out")) {
         const Result<std::filesystem::path> folder = folderFor(*word);
         if (!folder)

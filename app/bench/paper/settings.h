@@ -1,5 +1,5 @@
 #pragma once
-/// The words after "pdrender-bench paper".
+/// Options of `pdrender-bench paper`.
 
 #include <filesystem>
 #include <optional>
@@ -13,15 +13,16 @@
 namespace pdr::bench::paper {
 
 struct Settings {
-    std::string sceneFile;  ///< empty: the head
+    std::string sceneFile;  ///< path of the scene file; empty: the head
     std::string device = "cpu";
-    int threads = 0;                           ///< of the CPU; 0 = one per core
-    std::optional<std::filesystem::path> out;  ///< an existing folder
-    std::optional<Estimator> estimator;        ///< nothing: the scene's own
+    int threads = 0;                           ///< CPU threads; 0: one per core
+    std::optional<std::filesystem::path> out;  ///< existing folder for results; null: none
+    std::optional<Estimator> estimator;        ///< null: the scene's own
     Plan plan;
 };
 
-/// Errors: a word that is none of the command's, a value out of its range, no such folder and none to be made.
+/// Parses `arguments`. Errors: an unknown word, a value out of its range, a folder that does not exist and cannot be
+/// made.
 Result<Settings> settingsFrom(const Arguments& arguments);
 
 }  // namespace pdr::bench::paper

@@ -1,5 +1,5 @@
 #pragma once
-/// Tables that are read on a terminal and are Markdown too; and numbers for them.
+/// Tables that are readable on a terminal and are Markdown too, and numbers formatted for them.
 
 #include <optional>
 #include <string>
@@ -9,12 +9,13 @@ namespace pdr::bench::paper {
 
 class TextTable {
   public:
-    /// `words`: so many columns, the first ones, are set to the left, the others to the right.
+    /// Makes a table with its head. `words`: number of columns, from the first, that are left-aligned; the others are
+    /// right-aligned.
     explicit TextTable(std::vector<std::string> head, std::size_t words = 1) : words_(words), rows_{std::move(head)} {}
 
-    /// As many cells as the head has.
+    /// Adds a row, with as many cells as the head has.
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-    /// Each line ends with a line break.
+    /// Returns the table. Each line ends with a line break.
     std::string text() const;
 
   private:
@@ -22,15 +23,15 @@ class TextTable {
     std::vector<std::vector<std::string>> rows_;
 };
 
-/// Four significant digits, never an exponent: "0.1079", "10.79", "2498"; "-" for nothing.
+/// Returns four significant digits, never an exponent: "0.1079", "10.79", "2498"; "-" for null.
 std::string digits(std::optional<double> value);
-/// As short as it can be said: "3", "0.05".
+/// Returns the shortest text, of up to six digits: "3", "0.05".
 std::string plain(double value);
-/// Three digits after the point, four where it is nearly 1: "0.723", "0.9990".
+/// Returns three digits after the point, four between 0.99 and 1: "0.723", "0.9990".
 std::string fraction(std::optional<double> value);
-/// "98 %"
+/// Returns a fraction as "98 %".
 std::string percent(std::optional<double> value);
-/// Seconds as milliseconds, digits().
+/// Returns seconds as milliseconds, formatted by digits().
 std::string milliseconds(std::optional<double> seconds);
 
 }  // namespace pdr::bench::paper

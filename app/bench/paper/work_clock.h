@@ -1,21 +1,22 @@
 #pragma once
-/// Which time is measured.
+/// Choice of the time that is measured.
 
 #include <functional>
 
 namespace pdr::bench::paper {
 
 enum class TimeOf {
-    wall,       ///< the clock's: what a user waits
-    processor,  ///< what the program's threads spent on the processor, over their number: what others took is left out.
-                ///< With one thread it is the clock's time of a processor that is nobody else's; with more, what only
-                ///< one of them can do counts too little.
+    wall,  ///< wall-clock time, for which a user waits
+    /// Processor time of the program's threads over their number, which excludes what other programs took. With one
+    /// thread it is the wall-clock time on a processor of its own. With more threads, work that only one of them can do
+    /// counts too little.
+    processor,
 };
 
-/// Seconds since some moment.
+/// Callback that returns the seconds since a fixed moment.
 using WorkClock = std::function<double()>;
 
-/// `threads` as for processorLoad().
+/// Returns the clock for `time`. `threads` is as for processorLoad().
 WorkClock clockOf(TimeOf time, int threads);
 
 }  // namespace pdr::bench::paper

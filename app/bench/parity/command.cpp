@@ -30,7 +30,7 @@ bool identical(const Film& a, const Film& b) {
     return sameBits(a.content(), b.content());
 }
 
-/// The table on standard output, line by line, and whether all of it held.
+/// Prints the table line by line, and records whether all checks hold.
 class Verdicts {
   public:
     void line(const std::string& what, bool holds, const std::string& figures = "") {
@@ -45,7 +45,8 @@ class Verdicts {
     bool all_ = true;
 };
 
-/// The same samples on both: bit by bit. Where they are not, how many pixels still are and how far off the mean is.
+/// Compares the same samples on both devices, bit by bit. If they differ, prints how many pixels agree and how far off
+/// the mean is.
 void compareWithCpu(Verdicts& verdicts, Device& device, Device& cpu, const ParityScene& one) {
     const Shot theirs = shot(cpu, one.scene, kSamples), ours = shot(device, one.scene, kSamples);
     if (!theirs || !ours)
@@ -64,7 +65,7 @@ void compareWithCpu(Verdicts& verdicts, Device& device, Device& cpu, const Parit
     verdicts.line(one.name, false, figures);
 }
 
-/// 100 samples tile by tile, some tiles far ahead of others on the way.
+/// Renders 100 samples tile by tile, with some tiles far ahead of others on the way, and compares with `whole`.
 bool renderedByTiles(Device& device, const Scene& scene, const Film& whole) {
     const auto live = startFilm(device, scene);
     if (!live)
@@ -77,7 +78,8 @@ bool renderedByTiles(Device& device, const Scene& scene, const Film& whole) {
     return tiled && identical(whole, **tiled);
 }
 
-/// However the work is cut, a device gives one picture: n at a time, by tiles, and in Exposure Render's order of work.
+/// Checks that a device gives the same image however the work is divided: n samples at a time, by tiles, and in
+/// Exposure Render's schedule.
 void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
     const Shot whole = shot(device, scene, 100);
     if (!whole)
@@ -89,7 +91,8 @@ void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
     verdicts.line("by tiles, bit by bit", renderedByTiles(device, scene, **whole));
 }
 
-/// Pictures that are carried while the next samples are taken arrive whole: readback() looks at both ends of each.
+/// Checks that images arrive whole if they are transferred while the next samples are taken: readback() checks both of
+/// their ends.
 void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
     const auto live = startFilm(device, scene);
     if (!live)
@@ -110,10 +113,10 @@ void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
                   done ? "" : done.error().text());
 }
 
-/// After 1000 loads and unloads as much memory is free as before.
+/// Checks that as much memory is free after 1000 loads and unloads as before.
 void returnMemory(Verdicts& verdicts, Device& device, Scene scene) {
     const Scene other = scene;
-    scene.volume = std::make_shared<Volume>(*scene.volume);  // another one to the device
+    scene.volume = std::make_shared<Volume>(*scene.volume);  // a different volume for the device
     scene.film = {64, 64};
     const auto load = [&](int i) { return bool(shot(device, i % 2 ? scene : other, 1)); };
     bool loaded = load(0) && load(1) && load(0);

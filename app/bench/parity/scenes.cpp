@@ -9,7 +9,8 @@ namespace pdr::bench {
 
 namespace {
 
-/// Skin over bone, lit from one side and a little from everywhere; surfaces where the gradient is steep.
+/// Returns a head with skin over bone, lit from one side and dimly from everywhere, with surfaces where the gradient is
+/// steep.
 Scene head() {
     Scene scene;
     scene.volume = std::make_shared<Volume>(headPhantom(ivec3(96), dvec3(2.5)));

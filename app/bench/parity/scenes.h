@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes that between them call for every model and every effect: what a device must render as the CPU does.
+/// Scenes that together use every model and every effect, and that a device must render as the CPU does.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ struct ParityScene {
     Scene scene;
 };
 
-/// Small pictures of a small head phantom.
+/// Returns small images of a small head phantom.
 std::vector<ParityScene> parityScenes();
 
 }  // namespace pdr::bench

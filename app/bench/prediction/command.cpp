@@ -13,9 +13,9 @@ namespace pdr::bench {
 namespace {
 
 constexpr Prediction kAsked[] = {{64, 0.7}, {64, 0.5}, {64, 0.35}, {256, 0.7}, {256, 0.5}, {256, 0.35}};
-constexpr std::uint32_t kTruth = 16'384;  ///< samples of the picture that stated errors are held against
+constexpr std::uint32_t kTruth = 16'384;  ///< samples per pixel of the reference for stated errors
 
-/// Over all rows that did not say "at least".
+/// Totals over all rows, except those in which most forecasts are only lower bounds ("at least").
 struct Total {
     int seeds = 0, within = 0;
     std::vector<double> ratios;
@@ -81,12 +81,14 @@ int prediction(const Arguments& arguments) {
     for (PredictionScene& named : *scenes)
         named.scene.film = {*width, *height};
     const auto device = makeCpuDevice(*threads);
+    // Measure how much of the tissue lies within the stated error
     std::printf("%d seeds, %d x %d pixels\n\nThe tissue within what is stated for 95 %% of it, on the mean\n", *seeds,
                 *width, *height);
     std::printf("%-20s %7s %17s %19s\n", "scene", "samples", "within", "few bright samples");
     for (const PredictionScene& named : *scenes)
         if (const auto ok = printStated(named, *seeds, *device); !ok)
             return fail(ok.error());
+    // Measure how often forecasts come true
     std::printf("\nSamples foretold over needed, and how often the 95 %% interval held\n");
     std::printf("%-20s %7s %10s %13s %9s %11s %8s\n", "scene", "from", "to error x", "median", "coverage", "not before",
                 "at least");

@@ -10,7 +10,7 @@
 namespace pdr::bench {
 namespace {
 
-/// A picture in the making, shown whenever its samples have grown by a twelfth.
+/// An image in progress, whose status is read whenever its samples have grown by a twelfth.
 class Growing {
   public:
     Growing(std::unique_ptr<Accumulator> film, float exposure) : film_(std::move(film)), display_{exposure} {}
@@ -34,13 +34,13 @@ class Growing {
     std::uint64_t done_ = 0;
 };
 
-/// A prediction of one picture, until it has come true.
+/// A prediction of one image, followed until it is decided.
 class Pending {
   public:
     Pending(const Prediction& asked, PredictionTally& tally) : asked_(asked), tally_(tally) {}
 
     bool isOpen() const { return !ended_; }
-    /// What the picture shows by now; `history` holds that, too.
+    /// Takes the current status of the image, which is in `history` too.
     void look(const FilmStatus& now, const ErrorHistory& history) {
         if (ended_ || now.samplesPerPixel < asked_.samples)
             return;
@@ -65,12 +65,12 @@ class Pending {
 
     Prediction asked_;
     PredictionTally& tally_;
-    double target_ = 0;  ///< levels; 0: nothing was foretold yet
+    double target_ = 0;  ///< target error [display levels]; 0: nothing was predicted yet
     Foretold foretold_;
     bool ended_ = false;
 };
 
-/// Renders one picture until all has come true.
+/// Renders one image until all its predictions are decided.
 Result<void> judge(Growing picture, std::vector<Pending> pending) {
     ErrorHistory history;
     while (std::ranges::any_of(pending, &Pending::isOpen)) {

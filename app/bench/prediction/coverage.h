@@ -1,5 +1,6 @@
 #pragma once
-/// Whether forecasts come true: from a young picture, how many samples it takes to a part of its error; over seeds.
+/// Measures whether forecasts come true: the predicted samples until an early image reaches a fraction of its error,
+/// over many seeds.
 
 #include <cstdint>
 #include <span>
@@ -11,22 +12,22 @@
 
 namespace pdr::bench {
 
-/// From where to where.
+/// Start and target of a prediction.
 struct Prediction {
-    std::uint64_t samples = 64;  ///< of the picture that foretells, at least
-    double part = 0.6;           ///< of its error, to be reached; (0, 1)
+    std::uint64_t samples = 64;  ///< least samples per pixel of the image that predicts
+    double part = 0.6;           ///< target, as a fraction of the error of that image; (0, 1)
 };
 
 struct PredictionTally {
-    std::vector<double> ratios;  ///< foretold over needed samples, seed by seed
+    std::vector<double> ratios;  ///< predicted over needed samples, one per seed
     int seeds = 0;
-    int within = 0;     ///< that needed what lies in the interval
-    int notBefore = 0;  ///< that needed no less than its lower end
-    int atLeast = 0;    ///< that said "at least"
+    int within = 0;     ///< seeds that needed a number of samples within the interval
+    int notBefore = 0;  ///< seeds that needed at least the lower end of the interval
+    int atLeast = 0;    ///< seeds whose prediction was only a lower bound ("at least")
 };
 
-/// Of each prediction that is asked for. Seeds 1, 2, ... `seeds`, each on until all errors are reached, at most to
-/// twice the end of an interval. `exposure`: of the display. Errors: the device's.
+/// Returns a tally for each prediction of `asked`. Renders the seeds 1, 2, ... `seeds`, each until all errors are
+/// reached, at most to twice the end of an interval. `exposure`: that of the display. Errors: those of the device.
 Result<std::vector<PredictionTally>> talliesOf(Scene scene, std::span<const Prediction> asked, int seeds,
                                                float exposure, Device& device);
 

@@ -8,7 +8,7 @@
 namespace pdr::bench {
 namespace {
 
-/// From above, before a dim sky.
+/// Returns a head that is lit from above, in a dim environment.
 Scene litHead() {
     Scene scene = headScenes()[1].scene;
     scene.environment.radiance = vec3(0.2f, 0.25f, 0.3f);

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes whose light is easy and hard to find: what forecasts are held against.
+/// Scenes whose light is easy or hard to find, for testing forecasts.
 
 #include <string>
 #include <vector>
@@ -12,11 +12,11 @@ namespace pdr::bench {
 struct PredictionScene {
     std::string name;
     Scene scene;
-    float exposure = 0.5f;  ///< of its display
+    float exposure = 0.5f;  ///< exposure of its display
 };
 
-/// A lit head, skin and bone: as it is, through a wide lens, as forward-scattering fog, under a small bright lamp, and
-/// with many bounces; and the same head with the look "CT bone".
+/// Returns scenes of a lit head, skin and bone: as it is, through a wide lens, as forward-scattering fog, under a small
+/// bright lamp, and with many bounces; and of the same head with the look "CT bone".
 Result<std::vector<PredictionScene>> predictionScenes();
 
 }  // namespace pdr::bench

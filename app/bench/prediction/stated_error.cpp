@@ -9,7 +9,7 @@
 namespace pdr::bench {
 namespace {
 
-/// The part of the tissue that is shown within `levels` of the truth.
+/// Returns the fraction of the tissue that is shown within `levels` of the truth.
 double partWithin(double levels, const Film& film, const Film& truth, float exposure) {
     const float* curve = displayCurve();
     const auto level = [&](double radiance) { return exactLevelOf(curve, float(radiance / double(exposure))); };
@@ -28,7 +28,7 @@ double partWithin(double levels, const Film& film, const Film& truth, float expo
     return tissue > 0 ? within / tissue : 1;
 }
 
-/// A picture in the making.
+/// An image in progress.
 class GrowingPicture {
   public:
     static Result<GrowingPicture> of(const Scene& scene, Device& device) {

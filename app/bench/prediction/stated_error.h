@@ -1,6 +1,6 @@
 #pragma once
-/// Whether the error that is shown of a picture holds: of how much tissue, over seeds, against a picture of far more
-/// samples.
+/// Measures whether the stated error of an image holds: for how much of the tissue, over many seeds, compared with an
+/// image of far more samples.
 
 #include <cstdint>
 #include <vector>
@@ -13,12 +13,12 @@ namespace pdr::bench {
 
 struct StatedError {
     std::uint64_t samples = 0;
-    double within = 0;  ///< part of the tissue that lies within the levels stated for 95 % of it, mean over seeds
-    int fewBright = 0;  ///< pictures that said that they rest on few bright samples
+    double within = 0;  ///< fraction of the tissue within the levels stated for 95 % of it, mean over seeds
+    int fewBright = 0;  ///< number of images that reported few bright samples
 };
 
-/// Of pictures of `samples`, ascending, of seeds 1, 2, ... `seeds`. `truth`: samples of the picture that they are held
-/// against. `exposure`: of the display. Errors: the device's.
+/// Returns the results for images of `samples` per pixel, ascending, with seeds 1, 2, ... `seeds`. `truth`: samples per
+/// pixel of the reference. `exposure`: that of the display. Errors: those of the device.
 Result<std::vector<StatedError>> statedErrors(Scene scene, const std::vector<std::uint64_t>& samples, int seeds,
                                               std::uint32_t truth, float exposure, Device& device);
 

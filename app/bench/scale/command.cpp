@@ -23,7 +23,7 @@ Result<paper::ShownScene> sceneFor(const Settings& settings) {
     return paper::ShownScene{*scene, {}, settings.sceneFile};
 }
 
-/// What a node is, with its times put into `facts`.
+/// Returns a description of the node, and stores its times in `facts`.
 Result<std::string> node(const Settings& settings, ScalingFacts& facts) {
     facts.node = settings.nodeOf({});
     if (!settings.measuresNode)
@@ -37,7 +37,7 @@ Result<std::string> node(const Settings& settings, ScalingFacts& facts) {
     if (!shown)
         return shown.error();
     const DeviceInfo info = (*device)->info();
-    // What others do to a processor meanwhile is no time of a node's.
+    // On a CPU, the load of other programs must not count as the node's time.
     const auto time = info.name == "cpu" ? paper::TimeOf::processor : paper::TimeOf::wall;
     const auto measured = measureNode(**device, shown->scene, shown->display, settings.seconds,
                                       paper::clockOf(time, settings.threads), stop.token());

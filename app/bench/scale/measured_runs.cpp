@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A finite number from `least` on; throws what the reader below catches.
+/// Returns a finite number of at least `least`. Throws an exception that measuredRunsFrom() catches.
 double number(const Json& json, const char* name, double least) {
     const double value = json.at(name).get<double>();
     if (!std::isfinite(value) || value < least)
@@ -78,17 +78,19 @@ std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) 
     facts.node.launch = runs.leaseSeconds.value_or(facts.node.launch);
     if (runs.byProcessor)
         facts.link = {0, std::numeric_limits<double>::infinity(), 0};
+    // Predict a run
     const auto rate = [&](const MeasuredRun& run) {
         ScalingFacts its = facts;
         its.work.iterations = run.iterations;
-        if (run.messages) {  // as many tiles as there were, each a launch
+        if (run.messages) {  // as many tiles as in the run, each a launch
             its.work.perLaunch = run.iterations;
             its.tilesPerNode = std::max(1.0, std::round(*run.messages / 2 / run.nodes));
             its.leastTilePixels = runs.pixels / (its.tilesPerNode * run.nodes) / 2;
         }
         return run.iterations * scaled(its, Distribution::sortFirst, run.nodes).framesPerSecond;
     };
-    constexpr int kSteps = 60;  // nearly proportional: a few would do
+    // Scale alpha until the run of one node is predicted as it was measured
+    constexpr int kSteps = 60;  // nearly proportional, so a few would do
     for (int step = 0; step < kSteps; ++step)
         facts.node.sample *= rate(runs.ofOne()) / runs.ofOne().iterationsPerSecond;
     std::vector<ComparedRun> all;

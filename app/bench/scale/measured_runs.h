@@ -1,20 +1,20 @@
 #pragma once
-/// Runs of real nodes to compare with. A JSON file, as tests/bench/nodes_scaling.py writes it:
+/// Runs of real nodes, to compare predictions with, from a JSON file as tests/bench/nodes_scaling.py writes it:
 ///
 ///   {"format": "pdrender-scale-runs", "formatVersion": 1,
-///    "width": 480, "height": 270,             pixels of the picture
-///    "machine": "two cores, ...",             for the reader; may be missing
-///    "clock": "wall",                         or "processor": of the nodes, so that ways and waits took no time;
-///                                             default wall
-///    "leaseSeconds": 0.001,                   that a node spends on a piece of work beside its samples, T0; may be
-///                                             missing: as of this machine's launches
-///    "runs": [{"nodes": 1,                    that took samples, whole number from 1
+///    "width": 480, "height": 270,             pixels of the image
+///    "machine": "two cores, ...",             description for the reader; may be missing
+///    "clock": "wall",                         or "processor": processor time of the nodes, which excludes transfers
+///                                             and waits; default wall
+///    "leaseSeconds": 0.001,                   T0, time of a piece of work beside its samples; may be
+///                                             missing: that of this machine's launches
+///    "runs": [{"nodes": 1,                    nodes that took samples, whole number from 1
 ///              "iterations": 256,             samples of each pixel in the run, from 1
-///              "iterationsPerSecond": 12.5,   of the whole picture, > 0
-///              "messages": 4096,              orders and results of pieces of work, all nodes; may be missing
-///              "bytes": 81920000}]}           from the nodes, >= 0; may be missing
+///              "iterationsPerSecond": 12.5,   of the whole image, > 0
+///              "messages": 4096,              requests and results of pieces of work, all nodes; may be missing
+///              "bytes": 81920000}]}           sent by the nodes, >= 0; may be missing
 ///
-/// A run of one node must be among them: it says what one node can do there. Other names are passed over.
+/// A run of one node must be among them: it shows what one node can do there. Other names are ignored.
 
 #include <filesystem>
 #include <optional>
@@ -36,27 +36,29 @@ struct MeasuredRun {
 struct MeasuredRuns {
     double pixels = 0;
     std::string machine;
-    bool byProcessor = false;            ///< the clock
-    std::optional<double> leaseSeconds;  ///< T0
-    std::vector<MeasuredRun> runs;       ///< one of one node at least
+    bool byProcessor = false;            ///< true: times are processor time
+    std::optional<double> leaseSeconds;  ///< T0; null: unknown
+    std::vector<MeasuredRun> runs;       ///< at least one is of one node
 
     const MeasuredRun& ofOne() const;
 };
 
-/// Errors: no such file, no such JSON, a number that cannot be, no run of one node.
+/// Reads runs from a file; measuredRunsFrom() parses its text. Errors: no such file, not such JSON, a number out of its
+/// range, no run of one node.
 Result<MeasuredRuns> readMeasuredRuns(const std::filesystem::path& path);
 Result<MeasuredRuns> measuredRunsFrom(const std::string& text, const std::string& name);
 
-/// A run, and what is foretold of it from the run of one node.
+/// A run, and its prediction from the run of one node.
 struct ComparedRun {
     MeasuredRun run;
-    double foretold = 0;  ///< iterations per second
+    double foretold = 0;  ///< predicted iterations per second
 
     double off() const { return foretold / run.iterationsPerSecond - 1; }
 };
 
-/// The picture is one frame of as many iterations as each run has, shared out as tiles: half as many as there were
-/// messages, where that is known. `facts` as of this machine; alpha is scaled until one node takes as long as there.
+/// Predicts all runs. The image is one frame of as many iterations as each run has, divided into tiles: half as many as
+/// there were messages, where that is known. `facts`: those of this machine; alpha is scaled until one node takes as
+/// long as in the run of one node.
 std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts);
 
 }  // namespace pdr::bench::scale

@@ -50,7 +50,7 @@ Result<std::vector<TimedFrame>> timedFrames(Device& device, Scene& scene, const 
     return frames;
 }
 
-/// The least of some rounds, without what every frame takes; seconds.
+/// Returns the shortest time of a tile in several rounds, minus `floor`, the time that every frame takes [s].
 Result<double> tileSeconds(Device& device, const Scene& scene, const Tile& tile, double floor,
                            const paper::WorkClock& now, const std::stop_token& stop) {
     double least = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
 #pragma once
-/// The times of one node, this machine, by frames of few pixels; and how unlike the tiles of its picture are.
+/// Measures the times of one node, this machine, with frames of few pixels, and how much the tiles of its image differ.
 
 #include <stop_token>
 
@@ -17,8 +17,8 @@ struct MeasuredNode {
     TileCosts tiles;
 };
 
-/// Each of fifteen kinds of frame is repeated for `seconds` at least, in three rounds; a second or two in all on a CPU.
-/// Errors: the device's, the fit's, a stop request.
+/// Measures the node. Each of fifteen kinds of frame is repeated for at least `seconds`, in three rounds; a second or
+/// two in all on a CPU. Errors: those of the device and of the fit, and a stop request.
 Result<MeasuredNode> measureNode(Device& device, Scene scene, const Display& display, double seconds,
                                  const paper::WorkClock& now, std::stop_token stop);
 

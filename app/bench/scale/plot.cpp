@@ -11,24 +11,24 @@ namespace {
 
 constexpr double kWidth = 960, kHeight = 420, kLeft = 74, kRight = 250, kTop = 16, kBottom = 46;
 
-/// Told apart also by those who confuse red and green (Okabe & Ito).
+/// Colours that readers who confuse red and green can tell apart (Okabe & Ito).
 constexpr const char* kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00"};
 
-/// A place in the drawing.
+/// Formats a coordinate of the drawing.
 std::string at(double place) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", place);
     return text;
 }
 
-/// A number beside an axis.
+/// Formats a number beside an axis.
 std::string plain(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
     return text;
 }
 
-/// Names come from this program, but may hold what XML reads as its own.
+/// Escapes a text for XML. Names come from this program, but may contain special characters of XML.
 std::string escaped(const std::string& plain) {
     std::string out;
     for (const char letter : plain)
@@ -56,7 +56,7 @@ class Scale {
     bool logarithmic_;
 };
 
-/// Whole decades about all values.
+/// Returns a scale of whole decades around all values.
 Scale decades(const Plot& plot, bool across, double from, double to) {
     double low = INFINITY, high = 0;
     for (const Curve& curve : plot.curves)
@@ -102,7 +102,7 @@ std::string drawing(const Curve& curve, const Scale& nodes, const Scale& values)
     return "<polyline points='" + points + "' fill='none' " + strokeOf(curve) + "/>";
 }
 
-/// Beside the curves, where nothing runs through it.
+/// Draws the legend beside the curves, where nothing runs through it.
 std::string legend(const std::vector<Curve>& curves) {
     const double left = kWidth - kRight + 14;
     std::string drawn;

@@ -1,5 +1,6 @@
 #pragma once
-/// A drawing (SVG) of curves over the number of nodes, both axes logarithmic or the height linear.
+/// Drawing (SVG) of curves over the number of nodes. The horizontal axis is logarithmic, the vertical one logarithmic
+/// or linear.
 
 #include <string>
 #include <utility>
@@ -9,14 +10,14 @@ namespace pdr::bench::scale {
 
 struct Curve {
     std::string name;
-    std::vector<std::pair<double, double>> points;  ///< nodes, value; those that the axes cannot show are left out
-    bool dashed = false;                            ///< what is claimed or played beside what is foretold
-    std::size_t colour = 0;                         ///< curves of one thing share it
+    std::vector<std::pair<double, double>> points;  ///< nodes and value; points that the axes cannot show are left out
+    bool dashed = false;                            ///< true: claimed or simulated values beside predicted ones
+    std::size_t colour = 0;                         ///< index of the colour; curves of one way share it
 };
 
 struct Plot {
-    std::string title;   ///< of the height: "frames per second"
-    bool share = false;  ///< values from 0 to 1, linear; else logarithmic
+    std::string title;   ///< title of the vertical axis: "frames per second"
+    bool share = false;  ///< true: values from 0 to 1 on a linear axis; false: logarithmic
     std::vector<Curve> curves;
 };
 

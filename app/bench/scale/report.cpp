@@ -75,7 +75,7 @@ Json runJson(const ComparedRun& run) {
     return json;
 }
 
-/// Every way a colour; what is played, or claimed, dashed.
+/// Returns a plot with a colour for each way. The efficiency that the paper's eq. 5 claims is dashed.
 Plot plotOf(const Report& report, const char* title, double ScaledFrames::*figure) {
     Plot plot{title, figure == &ScaledFrames::efficiency, {}};
     for (std::size_t way = 0; way < kDistributions; ++way) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What `pdrender-bench scale` says, for people and for programs.
+/// Report of `pdrender-bench scale`, for people and for programs.
 
 #include <array>
 #include <filesystem>
@@ -12,34 +12,34 @@
 
 namespace pdr::bench::scale {
 
-/// Of one number of nodes.
+/// Figures of one number of nodes.
 struct Row {
     ScaledFrames told;
-    std::optional<ScaledFrames> played;  ///< event by event, of what is a star
+    std::optional<ScaledFrames> played;  ///< from the event simulation; null if the way is not a star
 };
 
 struct Report {
-    std::string node;  ///< what the times of a node are of
+    std::string node;  ///< description of the node that the times are of
     ScalingFacts facts;
-    std::array<std::vector<Row>, kDistributions> rows;  ///< of each way, by nodes
-    std::string machine;                                ///< of the runs
+    std::array<std::vector<Row>, kDistributions> rows;  ///< for each way, by number of nodes
+    std::string machine;                                ///< machine of the runs
     std::vector<ComparedRun> runs;
 };
 
-/// "sort-first (tiles)", and where its formula is from.
+/// Name of a way, such as "sort-first: tiles", and the source of its formula.
 struct Way {
     const char* name;
     const char* source;
 };
 const Way& wayOf(Distribution how);
 
-/// 1, 2, 4, 8, ... and whole decades, up to `mostNodes`.
+/// Makes a report for 1, 2, 4, ... 64 nodes, whole decades from 100 on, and `mostNodes`, which is the largest.
 Report reportOf(const std::string& node, const ScalingFacts& facts, double mostNodes);
 
 std::string tables(const Report& report);
-/// Times in seconds; what is not known is null.
+/// Returns the report as JSON; times in seconds; unknown values are null.
 std::string json(const Report& report);
-/// rate.svg, latency.svg, efficiency.svg and bytes.svg, each whole or not at all.
+/// Writes rate.svg, latency.svg, efficiency.svg and bytes.svg, each whole or not at all.
 Result<void> writePlots(const Report& report, const std::filesystem::path& folder);
 
 }  // namespace pdr::bench::scale

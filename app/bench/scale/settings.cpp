@@ -16,7 +16,7 @@ constexpr const char* kNames[] = {"--device",  "--threads",     "--seconds",   "
                                   "--serial",  "--latency",     "--bandwidth", "--message", "--tiles",
                                   "--nodes",   "--pixel-bytes", "--sum-bytes", "--plots",   "--measured"};
 
-/// Values by name; the first that cannot be is kept.
+/// Reads values by their names, and keeps the first error.
 class Reader {
   public:
     explicit Reader(const Options& options) : options_(options) {}
@@ -50,7 +50,7 @@ class Reader {
     Result<void> result_;
 };
 
-/// Which of `arguments` is to blame that they cannot be read.
+/// Returns an error for the word that makes `arguments` unreadable.
 Error wrongWord(const Arguments& arguments) {
     for (const std::string& word : arguments)
         if (word.starts_with("--") && word != "--json" && std::ranges::find(kNames, word) == std::end(kNames))
@@ -84,7 +84,8 @@ Result<void> readNumbers(const Options& options, Settings& settings) {
     return reader.result();
 }
 
-/// Before anything is measured: nobody waits to hear that the folder is missing.
+/// Returns the folder, which is made if necessary. It is checked before the measurement, so that a missing folder is
+/// reported at once.
 Result<std::filesystem::path> folderFor(const std::string& word) {
     std::error_code failed;
     std::filesystem::create_directory(word, failed);

@@ -15,7 +15,8 @@ namespace {
 constexpr double kPiecesForAMean = 20'000;
 constexpr int kMostFrames = 64;
 
-/// A tile's cost is drawn with replacement; the picture's is fixed, so the draw's mean is made 1.
+/// Returns the seconds of each tile. Costs are drawn with replacement and then scaled to a mean of 1, because the whole
+/// image has a fixed cost.
 std::vector<double> tilePieces(const TileCut& cut, const TileCosts& costs, std::mt19937& random) {
     std::vector<double> drawn(std::size_t(cut.nodes * cut.tilesPerNode));
     for (double& cost : drawn)
@@ -71,7 +72,7 @@ ScaledFrames blocks(const ScalingFacts& facts, std::int64_t nodes) {
     return frames;
 }
 
-/// Sixteen frames of every node.
+/// Simulates sixteen frames of every node.
 ScaledFrames alternating(const ScalingFacts& facts, std::int64_t nodes) {
     const double count = 16.0 * double(nodes), bytes = facts.work.pixels * facts.pixelBytes;
     const StarTimes times = play(
@@ -87,7 +88,8 @@ ScaledFrames alternating(const ScalingFacts& facts, std::int64_t nodes) {
 
 StarTimes play(const StarWork& work) {
     const double taking = work.resultBytes / work.link.bytesPerSecond + work.link.messageSeconds;
-    std::priority_queue<double, std::vector<double>, std::greater<>> arrivals;  // of results; all nodes are alike
+    // Arrival times of results; all nodes are alike.
+    std::priority_queue<double, std::vector<double>, std::greater<>> arrivals;
     StarTimes times;
     std::size_t next = 0;
     const auto order = [&](double at) {

@@ -1,6 +1,6 @@
 #pragma once
-/// A star of nodes (render/timing/scaling.h) played event by event, for what the formulas leave to averages: nodes that
-/// wait, results that queue up. Sort-last and sums that are added up on the way are no star.
+/// Event simulation of a star of nodes (render/timing/scaling.h), for what the formulas average out: nodes that wait,
+/// and results that queue up. Sort-last and sums that are added up on the way are not stars.
 
 #include <cstdint>
 #include <optional>
@@ -16,19 +16,20 @@ struct StarWork {
     std::int64_t nodes = 1;
     double setup = 0;  ///< seconds of every node before its first piece
     Link link;
-    double resultBytes = 0;  ///< of a piece
+    double resultBytes = 0;  ///< bytes of the result of a piece
 };
 
 struct StarTimes {
-    double computed = 0;  ///< from the arrival of the first order to the end of the last piece
-    double latency = 0;   ///< from the first order to the last result, taken in
-    double link = 0;      ///< that the link was busy
+    double computed = 0;  ///< seconds from the arrival of the first request to the end of the last piece
+    double latency = 0;   ///< seconds from the first request until the last result is taken in
+    double link = 0;      ///< seconds for which the link was busy
 };
 
 StarTimes play(const StarWork& work);
 
-/// Frame rate, latency, efficiency, bytes and messages of frames whose tiles have costs that are drawn from the
-/// histogram; the mean of as many frames as make the chance in it small. Nothing for what is no star.
+/// Returns frame rate, latency, efficiency, bytes and messages of simulated frames. The costs of tiles are drawn from
+/// the histogram; the figures are means over as many frames as make their random error small. Null for a way that is
+/// not a star.
 std::optional<ScaledFrames> simulated(const ScalingFacts& facts, Distribution how, std::int64_t nodes,
                                       std::uint32_t seed = 1);
 

@@ -14,7 +14,7 @@ using paper::fraction;
 using paper::milliseconds;
 using paper::plain;
 
-/// "8.3 MB"
+/// Returns a number of bytes as "8.3 MB".
 std::string bytes(double count) {
     constexpr const char* kUnits[] = {"B", "kB", "MB", "GB", "TB", "PB"};
     std::size_t unit = 0;
@@ -69,7 +69,7 @@ std::string factsText(const Report& report) {
            " of sums\n";
 }
 
-/// Where the paper's limit for many nodes goes wrong, and why.
+/// Returns sentences about where the paper's limit for many nodes is wrong, and why.
 std::string floorText(const Report& report) {
     const double pixels = floorPixels(report.facts.node, report.facts.work), nodes = floorNodes(report.facts);
     const auto& rows = report.rows[std::size_t(Distribution::sortFirst)];

@@ -20,7 +20,7 @@ int fail(const Error& error) {
     return 1;
 }
 
-/// The report, row by row.
+/// Prints the report row by row.
 class PrintedTable : public selftest::Observer {
   public:
     void begins(const selftest::Family& family) override { printFamily(family); }

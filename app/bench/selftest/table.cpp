@@ -21,7 +21,7 @@ const char* sentence(Verdict verdict) {
     return "FAULTY";
 }
 
-/// `text` in lines of at most 116 characters, two spaces before each.
+/// Prints `text` in lines of at most 116 characters, with two spaces before each.
 void printWrapped(const std::string& text) {
     std::istringstream words(text);
     std::string line, word;

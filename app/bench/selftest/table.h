@@ -1,5 +1,5 @@
 #pragma once
-/// The self-test's report: a table for the physicist who accepts a workstation with it.
+/// Report of the self-test: a table for the physicist who accepts a workstation with it.
 
 #include "app/selftest/run.h"
 
@@ -8,12 +8,12 @@ namespace pdr::selftest {
 struct TableHead {
     std::string device;  ///< "cpu, 8 threads"
     bool quick = false;
-    int comparisons = 0;  ///< in all, printed or not
+    int comparisons = 0;  ///< number of all comparisons, printed or not
     double allowed = 0;   ///< |z| that chance may reach
     std::uint64_t seed = 1;
 };
 
-/// Each prints to standard output, at once.
+/// Prints a part of the report to standard output and flushes it.
 void printHead(const TableHead& head);
 void printFamily(const Family& family);
 void printRow(const Case& reference, const Measurement& got, const Judgement& judgement, const Sharpness& sharpness);

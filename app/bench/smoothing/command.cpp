@@ -26,7 +26,7 @@ std::string wallAndProcessor(const Seconds& seconds) {
     return digits(1000 * seconds.wall) + " / " + digits(1000 * seconds.processor);
 }
 
-/// Of one number of samples.
+/// Tables with a row for each number of samples.
 class Table {
   public:
     void add(const Film& film, const Film& reference, const Plan& plan) {
@@ -57,7 +57,7 @@ class Table {
     paper::TextTable costs_{{"samples", "raw", "smoothed", "its judgement"}};
 };
 
-/// `samples` more on `film`, and all that is known then.
+/// Takes `samples` more samples on `film` and returns all that are taken.
 Result<std::shared_ptr<const Film>> grown(LivePicture& film, std::uint32_t samples) {
     if (const Result<void> done = film.live->accumulate(samples, {}); !done)
         return done.error();
@@ -65,6 +65,7 @@ Result<std::shared_ptr<const Film>> grown(LivePicture& film, std::uint32_t sampl
 }
 
 Result<void> compare(const Scene& scene, const Plan& plan) {
+    // Render the reference with other random numbers
     Scene other = scene;
     other.seed += 1;
     Result<LivePicture> truth = startFilm(other, "cpu", plan.threads);
@@ -73,6 +74,7 @@ Result<void> compare(const Scene& scene, const Plan& plan) {
     const auto reference = grown(*truth, std::uint32_t(plan.reference));
     if (!reference)
         return reference.error();
+    // Compare with it after 1, 4, 16, ... samples
     Result<LivePicture> film = startFilm(scene, "cpu", plan.threads);
     if (!film)
         return film.error();

@@ -1,5 +1,5 @@
 #pragma once
-/// What the smoothed view of a film is worth, and what it costs.
+/// Time to make the raw and the denoised image of a film, and the judgement of the denoised one.
 
 #include <optional>
 
@@ -12,7 +12,7 @@ namespace pdr::bench {
 struct Seconds {
     double wall = 0, processor = 0;
 };
-/// Medians of `rounds` rounds, in each of which all are made after one another.
+/// Medians of `rounds` rounds, in each of which all are made one after the other.
 struct Costs {
     Seconds raw, smoothed, judgement;
 };

@@ -16,13 +16,14 @@ namespace {
 
 /// One line of the table, per ray.
 struct Row {
-    std::optional<Work> work;  ///< of all rays
+    std::optional<Work> work;  ///< work of all rays; null if it is not counted
     double nanoseconds = 0;
-    double speed = 0;  ///< against the biased march, in the same round
-    double hits = 0;   ///< fraction of the rays
+    double speed = 0;  ///< speed relative to the biased march in the same round
+    double hits = 0;   ///< fraction of the rays that collide
 };
 
-/// Time on the core, so that neighbours do not count; of as many passes as make it long against the clock's grain.
+/// Returns the time per ray on the core, which excludes other programs, over as many passes as make it long compared
+/// with the resolution of the clock.
 double nanosecondsPerRay(Tracker& tracker, const RayList& list) {
     constexpr std::clock_t kLong = CLOCKS_PER_SEC / 50;
     const std::clock_t start = std::clock();
@@ -36,7 +37,7 @@ double nanosecondsPerRay(Tracker& tracker, const RayList& list) {
     return 1e9 * double(taken) / CLOCKS_PER_SEC / passes / double(list.rays.size());
 }
 
-/// Work is counted apart from time. Trackers take turns, round by round.
+/// Measures all trackers. They take turns, round by round. Work is counted apart from time.
 std::vector<Row> measured(const std::vector<std::unique_ptr<Tracker>>& trackers, const RayList& list, int rounds) {
     std::vector<Row> rows;
     rows.reserve(trackers.size());

@@ -1,7 +1,7 @@
 #pragma once
-/// Delta tracking in the two plain ways that the renderer does not go, to compare it with: behind one bound for the
-/// whole volume, and over cells of one size. Exact, as the renderer's own is.
-/// Count: Work, or NoCount where time is taken.
+/// Delta tracking in two plain ways, to compare the renderer's own with: with one majorant for the whole volume, and
+/// over cells of one size. Both are exact, as the renderer's own is. The template parameter Count is Work, or NoCount
+/// where time is measured.
 
 #include <algorithm>
 #include <vector>
@@ -12,10 +12,10 @@
 
 namespace pdr::bench {
 
-/// What rays took.
+/// Counters of the work that rays take.
 struct Work {
     long fetches = 0;  ///< extinctions looked up in the volume
-    long cells = 0;    ///< cells gone through
+    long cells = 0;    ///< cells traversed
     void fetch() { ++fetches; }
     void cell() { ++cells; }
 };
@@ -25,7 +25,8 @@ struct NoCount {
     void cell() {}
 };
 
-/// Distance of the first collision [mm], or -1. `majorant` bounds the extinction everywhere [1/mm], above 0.
+/// Returns the distance of the first collision [mm], or -1. `majorant` bounds the extinction everywhere [1/mm], above
+/// 0.
 template <class Count>
 float trackGlobal(const FlatScene& scene, const Ray& ray, RandomStream random, float majorant, Count& count) {
     const Interval<float> inside = clipped(ray.origin, ray.direction, scene.majorants.occupiedLow,
@@ -42,7 +43,8 @@ float trackGlobal(const FlatScene& scene, const Ray& ray, RandomStream random, f
     }
 }
 
-/// Bounds in cells of 8^3 voxels; cell (i,j,k) holds the points with index coordinates in [8i - 4, 8i + 4] and so on.
+/// Majorants in cells of 8^3 voxels; cell (i,j,k) holds the points with index coordinates in [8i - 4, 8i + 4] and so
+/// on.
 class SingleLevelGrid {
   public:
     explicit SingleLevelGrid(const FlatMajorants& grid)
@@ -56,8 +58,8 @@ class SingleLevelGrid {
                 }
     }
 
-    /// As trackGlobal(), from cell to cell after Amanatides & Woo 1987; what is left of the optical depth is carried
-    /// on.
+    /// Does the same as trackGlobal(), but from cell to cell after Amanatides & Woo 1987; what is left of the optical
+    /// depth is carried on to the next cell.
     template <class Count>
     float track(const FlatScene& scene, const Ray& ray, RandomStream random, Count& count) const {
         const Interval<float> inside = clipped(ray.origin, ray.direction, low_, high_, Interval<float>{0, ray.length});
@@ -92,9 +94,9 @@ class SingleLevelGrid {
 
     struct Walk {
         std::int64_t index;
-        ivec3 left;  ///< cells that still lie ahead along each axis
+        ivec3 left;  ///< cells that lie ahead along each axis
         std::int64_t step[3];
-        vec3 next, perCell;  ///< mm: to the border of the cell, and from border to border
+        vec3 next, perCell;  ///< distance to the border of the cell, and from border to border [mm]
 
         Walk(const SingleLevelGrid& grid, const Ray& ray, float t) {
             const vec3 start = ray.origin + ray.direction * t;
@@ -123,7 +125,7 @@ class SingleLevelGrid {
 
     std::vector<float> bounds_;
     ivec3 size_;
-    vec3 low_, high_;  ///< index space: outside this box the extinction is 0
+    vec3 low_, high_;  ///< box in index space outside of which the extinction is 0
 };
 
 }  // namespace pdr::bench

@@ -6,7 +6,7 @@ namespace pdr::bench {
 
 namespace {
 
-/// Exposure Render's intensities run from 0 to 1 over 12-bit CT.
+/// Converts an intensity of Exposure Render, which runs from 0 to 1 over 12-bit CT, to HU.
 float huOfIntensity(float intensity) {
     return -1024 + 4095 * intensity;
 }
@@ -39,7 +39,8 @@ TransferFunction soft() {
 
 }  // namespace
 
-/// Of what the picture shows: the head fills its height, and rays beside it see the air that a scan has around it.
+/// Radius of what the image shows: the head fills the height of the image, and rays beside it pass through the air that
+/// surrounds it in a scan.
 constexpr double kHeadRadiusMm = 150;
 
 std::vector<NamedScene> headScenes() {

@@ -10,11 +10,11 @@ namespace pdr::bench {
 
 namespace {
 
-constexpr float kConvergedStep = 0.05f;  ///< voxels
+constexpr float kConvergedStep = 0.05f;  ///< step of the converged march, in voxels
 
 struct Marching {
     const FlatScene& scene;
-    float step;  ///< mm
+    float step;  ///< step in mm
 
     template <class Count>
     float operator()(const Ray& ray, const RandomStream& random, Count&) const {
@@ -47,14 +47,15 @@ struct SingleLevelTracking {
     }
 };
 
-/// The renderer's own, one ray at a time.
+/// The renderer's own tracking, one ray at a time.
 struct TwoLevelTracking {
     const FlatScene& scene;
 
     float operator()(const Ray& ray, const RandomStream& random, NoCount&) const {
         return pdr::track<DeltaTracking>(scene, ray, random);
     }
-    /// The same loop, counted. A step ends at a border, so the cell of a real collision is counted with the collision.
+    /// Runs the same loop and counts. A step ends at a border, so the cell of a real collision is counted with the
+    /// collision.
     float operator()(const Ray& ray, const RandomStream& random, Work& work) const {
         MajorantTraversal<float, true> flight;
         flight.start(scene.majorants, {ray.origin.x, ray.origin.y, ray.origin.z},

@@ -1,5 +1,5 @@
 #pragma once
-/// Ways from the camera to the first collision, behind one face, so that they can be compared.
+/// Ways to find the first collision of camera rays, with a common interface, so that they can be compared.
 
 #include <memory>
 #include <optional>
@@ -11,29 +11,29 @@
 
 namespace pdr::bench {
 
-/// Rays through the volume's box, each with its own random numbers; the same for all trackers.
+/// Rays through the box of the volume, each with its own random numbers. All trackers get the same list.
 struct RayList {
     std::vector<Ray> rays;
     std::vector<RandomStream> streams;
 };
 
-/// `edge` x `edge` rays through the film of `scene`, jittered in their pixels.
+/// Returns `edge` x `edge` rays through the film of `scene`, jittered in their pixels.
 RayList primaryRays(const FlatScene& scene, int edge);
 
 class Tracker {
   public:
     virtual ~Tracker() = default;
     virtual std::string name() const = 0;
-    /// How many of the rays collide; nothing is counted on the way, so this is what to take the time of.
+    /// Returns the number of rays that collide. Counts no work, so this is the function to time.
     virtual int hits(const RayList& list) = 0;
-    /// What the rays take, where it can be counted.
+    /// Returns the work that the rays take; null if it cannot be counted.
     virtual std::optional<Work> work(const RayList& list) = 0;
 };
 
-/// All trackers, in the order of the table. `prepared` must outlive them.
+/// Returns all trackers, in the order of the table. `prepared` must outlive them.
 std::vector<std::unique_ptr<Tracker>> allTrackers(const PreparedScene& prepared);
 
-/// Their places in that order.
+/// Places of the trackers in that order.
 enum TrackerPlace { kMarch, kFineMarch, kGlobal, kSingleLevel, kTwoLevel, kLanesTwoLevel };
 
 }  // namespace pdr::bench

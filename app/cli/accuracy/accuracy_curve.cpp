@@ -7,7 +7,8 @@
 namespace pdr::app {
 namespace {
 
-/// The error at a moment, along a line in logarithms. `seconds` lies within the curve.
+/// Returns the error at a moment [display levels], interpolated linearly between logarithms. `seconds` lies within the
+/// curve.
 double levelsAt(double seconds, const AccuracyCurve& curve) {
     const auto after = std::ranges::find_if(curve.steps, [&](const auto& step) { return step.seconds >= seconds; });
     if (after == curve.steps.begin())

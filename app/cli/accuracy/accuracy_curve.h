@@ -1,5 +1,5 @@
 #pragma once
-/// How the error of a picture fell with the time that it took, measured; and what is read off such curves.
+/// Measured curves of an image's error against its rendering time, and figures that are read off such curves.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,32 +13,36 @@
 
 namespace pdr::app {
 
-/// A picture on its way.
+/// One measured point of a curve: the state of the image after `samples` samples per pixel.
 struct AccuracyStep {
-    std::uint64_t samples = 0;  ///< per pixel
-    double seconds = 0;         ///< of rendering
+    std::uint64_t samples = 0;  ///< samples per pixel
+    double seconds = 0;         ///< rendering time
     TrueError error;
-    std::optional<double> stated = {};   ///< levels that are said of it without the reference; nothing while none are
-    std::optional<double> atMost = {};   ///< of a smoothed picture: their bound
-    std::filesystem::path picture = {};  ///< PNG; empty: none was kept
-    /// When `stated` would be reached [s], as was foretold with a quarter and with a sixteenth of the samples; nothing
-    /// where nothing was.
+    /// Error that the renderer states without the reference [display levels]; null if it states none.
+    std::optional<double> stated = {};
+    /// Upper bound of the error of a denoised image [display levels]; null for other images.
+    std::optional<double> atMost = {};
+    /// Name of the saved PNG file in the report's folder; empty if none was saved.
+    std::filesystem::path picture = {};
+    /// Rendering time until `stated` is reached [s], as predicted when the image had a quarter and a sixteenth of its
+    /// samples; null if there was no prediction.
     std::optional<Foretold> foretoldAtQuarter = {}, foretoldAtSixteenth = {};
 };
 
 struct AccuracyCurve {
     std::string name;
-    std::string bias = {};                          ///< what never averages out, a phrase; empty: nothing
-    std::string missing = {};                       ///< what may not be seen in its pictures, likewise
-    std::vector<AccuracyStep> steps = {};           ///< at 1, 2, 4, ... samples
-    std::optional<MeasuredBias> measuredBias = {};  ///< against the exact picture, on a lattice of pixels
+    std::string bias = {};                          ///< phrase that names the bias; empty if there is none
+    std::string missing = {};                       ///< phrase that names what its images may lack; empty if nothing
+    std::vector<AccuracyStep> steps = {};           ///< after 1, 2, 4, ... samples per pixel
+    std::optional<MeasuredBias> measuredBias = {};  ///< bias against the exact image, measured on a lattice of pixels
 };
 
-/// Seconds after which the error is `levels` for good, between steps along a line in logarithms. Nothing: not reached.
+/// Returns the rendering time after which the error stays at or below `levels` [s], interpolated linearly between the
+/// logarithms of the steps. Null if the curve does not reach it.
 std::optional<double> secondsToReach(double levels, const AccuracyCurve& curve);
 
-/// Until when a biased way is the better one: the last moment at which its error is not above that of `unbiased`,
-/// within the time that both took. Nothing: it never is. Infinite: it still is.
+/// Returns the last moment at which the error of `biased` is not above that of `unbiased` [s], within the time that
+/// both curves cover. Null if there is none; infinity if it still holds at the end of that time.
 std::optional<double> betterUntil(const AccuracyCurve& biased, const AccuracyCurve& unbiased);
 
 }  // namespace pdr::app

@@ -47,7 +47,7 @@ QString heading(const AccuracyReport& report) {
     return text;
 }
 
-/// Until when a way is the better one. `plain`: the picture as it is.
+/// Returns a phrase that says until when `way` has the smaller error. `plain`: the image as it is.
 QString crossingText(const AccuracyCurve& way, const AccuracyCurve& plain) {
     const auto until = betterUntil(way, plain);
     if (!until)
@@ -101,7 +101,7 @@ QString foretoldText(const std::optional<Foretold>& foretold) {
     return QString("%1 s (%2 to %3)").arg(seconds(foretold->value), seconds(foretold->low), seconds(foretold->high));
 }
 
-/// What the program said of the time while the picture was young, and what came of it.
+/// Returns a table of the times that the program predicted early in the rendering and the measured ones.
 QString prophecies(const AccuracyCurve& curve) {
     QString text =
         "<table><tr><th>stated error</th><th>reached after</th><th>foretold at 1/4 of the samples</th>"

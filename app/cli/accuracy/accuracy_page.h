@@ -1,5 +1,5 @@
 #pragma once
-/// The report as one HTML file that needs nothing else: plot, ladder, table and pictures.
+/// Accuracy report as one self-contained HTML file: plot, ladder (the times to reach error levels), table and images.
 
 #include <filesystem>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace pdr::app {
 
-/// `pictures`: the folder that the steps' pictures lie in; one that cannot be read is left out.
+/// Returns the report as HTML. `pictures`: the folder of the steps' images; an image that cannot be read is left out.
 std::string pageText(const AccuracyReport& report, const std::filesystem::path& pictures);
 
-/// Its plot alone, as an SVG file.
+/// Returns the plot of an image alone, as an SVG file.
 std::string plotText(const AccuracyPicture& picture);
 
 }  // namespace pdr::app

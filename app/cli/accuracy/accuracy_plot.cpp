@@ -90,7 +90,7 @@ QString curveDrawing(const AccuracyCurve& curve, const char* colour, const Scale
     return path(measured, colour, "stroke-width='2'") + path(stated, colour, "stroke-dasharray='5 4'") + dots;
 }
 
-/// Names in the upper right corner, where curves that fall leave room.
+/// Draws the names in the upper right corner, where falling curves leave room.
 QString legend(const std::vector<AccuracyCurve>& curves) {
     QString svg;
     for (std::size_t i = 0; i < curves.size(); ++i)

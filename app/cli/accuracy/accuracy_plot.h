@@ -1,5 +1,5 @@
 #pragma once
-/// Error against time, both logarithmic, as a vector drawing (SVG) that a page can hold.
+/// Plot of error against time with logarithmic axes, as an SVG drawing that can be embedded in a page.
 
 #include <QString>
 #include <vector>
@@ -8,12 +8,13 @@
 
 namespace pdr::app {
 
-/// Curves that have steps, each with its colour and its name beside it; what is stated is dashed. A dotted line falls
-/// with the root of the time, as independent samples do, through the first curve's first step. `floor`: levels that the
-/// reference itself is off, below which nothing can be told; a grey ground.
+/// Draws the curves, each in its colour, with a legend; stated errors are dashed. A dotted line through the first
+/// curve's first step falls with the square root of the time, as the error of independent samples does. `floor`: the
+/// error of the reference itself [display levels], below which errors cannot be measured, drawn as a grey ground; null
+/// if unknown.
 QString accuracyPlot(const std::vector<AccuracyCurve>& curves, std::optional<double> floor);
 
-/// The colour of curve i, for legends: "#0072b2". Told apart also by those who confuse red and green.
+/// Returns the colour of curve i, for legends: "#0072b2". Readers who confuse red and green can tell the colours apart.
 const char* curveColour(std::size_t i);
 
 }  // namespace pdr::app

@@ -56,7 +56,7 @@ QJsonObject curveObject(const AccuracyCurve& curve) {
             {"secondsTo", secondsTo}};
 }
 
-/// Its name, reference and ways.
+/// Returns an object with the image's name, reference and ways.
 QJsonObject pictureObject(const AccuracyPicture& picture) {
     QJsonArray ways;
     for (const AccuracyCurve& curve : picture.curves)

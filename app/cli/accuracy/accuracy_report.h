@@ -1,5 +1,5 @@
 #pragma once
-/// What `pdrender-cli accuracy` found, as one page, as a table and as JSON. Nothing of the patient is in it.
+/// Results of `pdrender-cli accuracy`, and their forms as CSV and JSON. They contain no patient data.
 
 #include <filesystem>
 #include <string>
@@ -10,33 +10,35 @@
 
 namespace pdr::app {
 
-/// Ways to one picture, all compared with the same one of many samples.
+/// Ways to render one image, all compared with the same reference of many samples.
 struct AccuracyPicture {
     std::string name;
     std::uint64_t referenceSamples = 0;
-    std::optional<SmoothedError> referenceError = {};  ///< what is said of it, smoothed
-    std::vector<AccuracyCurve> curves = {};  ///< the first is the picture as it is, the second the same, smoothed
+    std::optional<SmoothedError> referenceError = {};  ///< stated error of the denoised reference; null if unknown
+    /// First the image as it is, second the same image denoised (where it can be), then the other ways.
+    std::vector<AccuracyCurve> curves = {};
 };
 
 struct AccuracyReport {
     ivec2 size{0};  ///< pixels
     std::string model, device, program;
     std::uint64_t seed = 0;
-    AccuracyPicture scene;                ///< as it is, and each way that it can be made in
-    std::vector<AccuracyPicture> others;  ///< of the same anatomy: see otherPictures()
-    bool complete = true;                 ///< false: it was interrupted
+    AccuracyPicture scene;                ///< the requested scene, rendered in each way
+    std::vector<AccuracyPicture> others;  ///< other images of the same anatomy, see otherPictures()
+    bool complete = true;                 ///< false: the measurement was interrupted
 };
 
-/// Errors in display levels that a ladder tells the time of.
+/// Errors for which a ladder lists the time [display levels].
 inline constexpr double kLadder[] = {32, 16, 8, 4, 2, 1};
 
-/// Columns: way, samples, seconds, relative error, levels, stated, at most. A line each step; nothing where unknown.
+/// Returns a CSV table with the columns picture, way, samples, seconds, relative error, levels, stated, at most. One
+/// line per step; unknown values are empty.
 std::string csvText(const AccuracyReport& report);
-/// An object: width, height, model, device, seed (as text), reference, ways, others: each with name, reference, ways. A
-/// way has name, bias, missing, measuredBias, steps, and secondsTo, the seconds after which its error is 32, 16, 8, 4,
-/// 2 and 1 levels; null where it is not reached.
+/// Returns a JSON object: width, height, model, device, program, seed (as text), complete, name, reference, ways,
+/// others (each with name, reference, ways). A way has name, bias, missing, measuredBias, steps, and secondsTo, the
+/// seconds after which its error is 32, 16, 8, 4, 2 and 1 levels; null where it is not reached.
 std::string jsonText(const AccuracyReport& report);
-/// "±8 in 1.2 s, ±4 in 5.0 s": those that `curve` reached.
+/// Returns the levels that `curve` reached, with their times: "±8 in 1.2 s, ±4 in 5.0 s".
 std::string ladderText(const AccuracyCurve& curve);
 
 }  // namespace pdr::app

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene can be made into, and how: all that a report of its accuracy compares.
+/// Variants of a scene that an accuracy report compares.
 
 #include <string>
 #include <vector>
@@ -8,19 +8,20 @@
 
 namespace pdr::app {
 
-/// A way to make a picture: the scene, changed.
+/// A way to render an image: a variant of the scene.
 struct AccuracyWay {
     std::string name;
-    std::string bias;  ///< what never averages out, a phrase; empty: nothing
+    std::string bias;  ///< phrase that names the bias; empty if there is none
     Scene scene;
 };
 
-/// Estimators, orders of work and filters that `scene` allows on a device of that name; itself first. All would make
-/// one picture, were it not for their bias.
+/// Returns the scene itself, first, and its variants with the other estimators, schedules and filters that it allows on
+/// a device of that name. Except for their bias, all give the same image.
 std::vector<AccuracyWay> accuracyWays(const Scene& scene, const std::string& device);
 
-/// Other pictures of the same anatomy, each with a truth of its own: the other models, and slices put between those of
-/// the scan where none are. Exact, in our order of work.
+/// Returns other images of the same anatomy, each with a reference of its own: those of the other models, and one with
+/// slices interpolated between those of the scan if there are none yet. They are rendered without known bias, see
+/// exactly().
 std::vector<AccuracyWay> otherPictures(const Scene& scene);
 
 }  // namespace pdr::app

@@ -18,7 +18,7 @@ namespace pdr::app {
 namespace {
 
 constexpr char kMagic[8] = {'P', 'D', 'R', 'f', 'i', 'l', 'm', 0};
-constexpr std::uint32_t kVersion = 2;  ///< of the fields below and their order
+constexpr std::uint32_t kVersion = 2;  ///< version of the fields below and their order
 
 struct Head {
     char magic[8];
@@ -41,12 +41,12 @@ std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
     return hashed(hash, std::as_bytes(std::span(text)));
 }
 
-/// Numbers and vectors of them: what nothing lies between in memory.
+/// Numbers and vectors of numbers: types without padding bytes.
 template <class Field>
 concept Plain = std::is_arithmetic_v<Field> || std::is_same_v<Field, vec3> || std::is_same_v<Field, dvec3> ||
     std::is_same_v<Field, char[8]>;
 
-/// visit(field) for each field of a file's part, in the order that they have there.
+/// Calls visit(field) for each field of a part of the file, in file order.
 template <class Visit>
 void eachField(auto&& head, const Visit& visit) requires std::is_same_v<std::remove_cvref_t<decltype(head)>, Head> {
     visit(head.magic);
@@ -105,7 +105,7 @@ class FieldReader {
   public:
     explicit FieldReader(const std::filesystem::path& path) : file_(path, std::ios::binary) {}
 
-    /// Where the file ends before, zeros remain.
+    /// Reads the fields of `part`. Fields beyond the end of the file remain zero.
     template <class Part>
     void read(Part& part) {
         eachField(part, [&]<Plain Field>(Field& field) {
@@ -113,7 +113,7 @@ class FieldReader {
             checksum_ = hashed(checksum_, std::as_bytes(std::span(&field, 1)));
         });
     }
-    /// Whether all that was read is what was written, and all that there is.
+    /// Returns whether the checksum fits everything that was read and the file ends after it.
     bool checksumFits() {
         std::uint64_t written = 0;
         file_.read(reinterpret_cast<char*>(&written), sizeof written);

@@ -1,6 +1,6 @@
 #pragma once
-/// A film between two runs of a report, in a file that only this program reads, on a machine like the one that wrote
-/// it.
+/// File format of a film that is saved between two runs of a report. Only this program reads it, on a machine like the
+/// one that wrote it, because it holds values as they lie in memory.
 
 #include <cstdint>
 #include <filesystem>
@@ -17,15 +17,17 @@ namespace pdr::app {
 
 struct KeptFilm {
     std::shared_ptr<const Film> film;
-    double seconds = 0;  ///< that it took
+    double seconds = 0;  ///< rendering time of the film
 };
 
-/// Of all that films of `scene` on a device of that name are made from, its voxels and this version among it.
+/// Returns a hash of everything that determines films of `scene` on a device of that name, including its voxels and the
+/// version of this program.
 std::uint64_t filmKey(const Scene& scene, const std::string& device);
 
-/// `kept.film` is equally far everywhere. Errors: those of files.
+/// Writes `kept` to `path`. All pixels of `kept.film` have the same number of samples. Errors: those of files.
 Result<void> writeFilm(const KeptFilm& kept, std::uint64_t key, const std::filesystem::path& path);
-/// As a film of `scene`. Nothing: there is none, it was made from something else, or it is damaged.
+/// Reads the file at `path` as a film of `scene`. Null if there is none, if it was made from something else (another
+/// `key`), or if it is damaged.
 std::optional<KeptFilm> readFilm(const Scene& scene, std::uint64_t key, const std::filesystem::path& path);
 
 }  // namespace pdr::app

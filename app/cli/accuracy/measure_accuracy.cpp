@@ -15,7 +15,7 @@
 namespace pdr::app {
 namespace {
 
-/// A film that grows, and the time that it took.
+/// A film that accumulates samples, and its rendering time.
 class GrowingFilm {
   public:
     static Result<GrowingFilm> of(const Scene& scene, Device& device) {
@@ -63,7 +63,7 @@ AccuracyStep rawStep(const Film& film, const FilmStatus& status, const Film& ref
     return step;
 }
 
-/// `view` has judged the film.
+/// Returns the step of a denoised image. `view` has judged the film.
 AccuracyStep smoothedStep(const Film& film, SmoothedView& view, const Film& reference, double seconds,
                           const Display& display) {
     AccuracyStep step{film.samplesPerPixel(), seconds, trueError(film, display, reference)};
@@ -72,7 +72,8 @@ AccuracyStep smoothedStep(const Film& film, SmoothedView& view, const Film& refe
     return step;
 }
 
-/// What was foretold of the newest step by the picture that had 1 / 2^halvings of its samples.
+/// Returns the time that was predicted for the newest step when the image had 1 / 2^halvings of its samples; null if
+/// there was no prediction.
 std::optional<Foretold> foretold(const std::vector<ErrorHistory>& histories, std::size_t halvings,
                                  const AccuracyStep& newest) {
     if (!newest.stated || *newest.stated <= 0 || histories.size() <= halvings)
@@ -81,7 +82,7 @@ std::optional<Foretold> foretold(const std::vector<ErrorHistory>& histories, std
     return then.steps().empty() ? std::nullopt : std::optional(then.seconds(*newest.stated));
 }
 
-/// The curves of a way while it is rendered.
+/// Builds the curves of a way while it is rendered.
 class Measurement {
   public:
     Measurement(const AccuracyWay& way, const Film& reference, const AccuracyPlan& plan)
@@ -95,7 +96,7 @@ class Measurement {
             curves_.push_back({.name = way.name + ", smoothed", .missing = "fine detail that noise hides"});
     }
 
-    /// Errors: of files.
+    /// Adds a step to each curve. Errors: those of files.
     Result<void> add(const Film& film, double seconds) {
         const FilmStatus status = film.status(double(raw_.exposure));
         addRaw(film, status, seconds);
@@ -137,7 +138,7 @@ class Measurement {
     const AccuracyPlan& plan_;
     Display raw_, smooth_;
     std::vector<AccuracyCurve> curves_;
-    std::vector<ErrorHistory> histories_;  ///< after each step
+    std::vector<ErrorHistory> histories_;  ///< error history after each step
 };
 
 }  // namespace
@@ -150,6 +151,7 @@ Result<std::vector<AccuracyCurve>> measureAccuracy(const AccuracyWay& way, const
         return film.error();
     Measurement measurement(way, reference, plan);
     const double seconds = way.bias.empty() ? plan.seconds : (1 - kBiasTimeShare) * plan.seconds;
+    // Double the samples until the next step would exceed the time
     for (std::uint64_t samples = 1; samples == 1 || 2 * film->seconds() <= seconds; samples *= 2) {
         progress(std::min(1.0, film->seconds() / plan.seconds), way.name);
         if (auto ok = film->growTo(samples); !ok)
@@ -162,6 +164,7 @@ Result<std::vector<AccuracyCurve>> measureAccuracy(const AccuracyWay& way, const
         if (stop.stop_requested())
             break;
     }
+    // Measure the bias in the time that is left for it
     std::vector<AccuracyCurve> curves = std::move(measurement).curves();
     if (!way.bias.empty()) {
         const auto bias = measureBias(way.scene, plan.display.exposure, device, kBiasTimeShare * plan.seconds, stop);

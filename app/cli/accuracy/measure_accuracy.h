@@ -1,5 +1,5 @@
 #pragma once
-/// Measures what a picture's accuracy costs in time, against a picture of many more samples.
+/// Measures the error of an image against its rendering time, compared with a reference of many more samples.
 
 #include <functional>
 #include <memory>
@@ -15,26 +15,26 @@
 namespace pdr::app {
 
 struct AccuracyPlan {
-    double seconds;  ///< of rendering, for each way
+    double seconds;  ///< rendering time for each way
     Display display;
-    std::filesystem::path folder;  ///< for pictures; it exists. Empty: none are kept
-    std::string device = {};       ///< its name, for these
+    std::filesystem::path folder;  ///< existing folder for images; empty: none are saved
+    std::string device = {};       ///< name of the device, written into the images
 };
 
-/// Called with what is being done, and how far it is, [0, 1].
+/// Callback that receives the progress in [0, 1] and the name of the current step.
 using AccuracyProgress = std::function<void(double, const std::string&)>;
 
-/// Renders `way` for plan.seconds at most and compares it with `reference`: its picture as it is, and smoothed where
-/// the way has no bias and its pictures have noise. The bias of another is measured besides. After a stop request it
-/// ends with the step that it has. Errors: the device's, and of files.
+/// Renders `way` for at most plan.seconds and compares it with `reference`: the image as it is and, if the way has no
+/// bias and its images have noise, also denoised. If the way has a bias, measures it too. After a stop request, ends
+/// with the current step. Errors: those of the device and of files.
 Result<std::vector<AccuracyCurve>> measureAccuracy(const AccuracyWay& way, const Film& reference,
                                                    const AccuracyPlan& plan, Device& device,
                                                    const std::stop_token& stop, const AccuracyProgress& progress);
 
-/// `scene` as its references are made: exactly, and with the next seed.
+/// Returns `scene` as references are rendered: without known bias and with the next seed.
 Scene referenceScene(Scene scene);
-/// A film of `scene`, of as many samples as fit `seconds` in all; at least 2 unless stopped. It goes on from `before`,
-/// where that is not nothing.
+/// Renders a film of `scene` with as many samples as fit into `seconds` of rendering time in all, at least 2. Continues
+/// from `before` if it is not null, whose rendering time counts.
 Result<KeptFilm> referenceFor(const Scene& scene, double seconds, const std::optional<KeptFilm>& before, Device& device,
                               const std::stop_token& stop, const AccuracyProgress& progress);
 

@@ -10,14 +10,14 @@
 namespace pdr {
 namespace {
 
-constexpr int kDarkest = 50, kBrightest = 150, kWhite = 245;  ///< levels
+constexpr int kDarkest = 50, kBrightest = 150, kWhite = 245;  ///< display levels
 
-/// Radiance in units of the exposure from which `level` is shown.
+/// Returns the radiance, in units of the exposure, from which `level` is shown.
 double fractionOf(int level) {
     return displayThresholds()[std::size_t(level - 1)];
 }
 
-/// Of the film's tissue, in units of the exposure, ascending.
+/// Returns the luminances of the film's tissue pixels, in units of the exposure, ascending.
 std::vector<double> tissueLuminances(const Film& film, double exposure) {
     std::vector<double> luminances;
     for (int y = 0; y < film.size().y; ++y)

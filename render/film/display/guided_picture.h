@@ -1,5 +1,6 @@
 #pragma once
-/// What a screen shows of a coarse film while the hand moves: the film's light on a guide that is finer than it.
+/// The image that a screen shows of a coarse film during interaction: the light of the film on a finer guide image
+/// (denoise/guided.h).
 
 #include <memory>
 
@@ -8,20 +9,22 @@
 
 namespace pdr {
 
-/// A film drawn on its guide, once for all displays: that takes several times as long as the tone curve. Immutable.
+/// A film shown through its guide image, which is computed once for all displays because it takes several times as long
+/// as the tone curve. Immutable.
 class GuidedFilm {
   public:
-    /// `guide`: of the film's own scene. The same bits for any number of threads.
+    /// Combines `film` with `guide`, a guide image of the same scene. The result has the same bits for any number of
+    /// threads.
     GuidedFilm(std::shared_ptr<const Film> film, const denoise::Guide& guide);
 
-    /// As large as the guide.
+    /// Returns the size of the guide image [pixels].
     ivec2 size() const { return radiance_[0].size(); }
-    /// `smoothed`, whatever was asked for.
+    /// Returns the image with `smoothed` set, whether or not `display` requests denoising.
     Picture picture(const Display& display) const;
 
   private:
     std::shared_ptr<const Film> film_;
-    double unit_;  ///< radiance
+    double unit_;  ///< radiance per unit of radiance_
     denoise::Colours radiance_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What is known of the smoothed picture of the film in hand, and whether it is the one to show: where the raw one is
-/// known to be as good, that is shown, so that the view becomes the film by itself.
+/// The denoised image of the current film: its error, and whether to show it. Where the raw film is known to be as
+/// good, the raw film is shown, so that the view becomes the film by itself.
 
 #include "render/film/display.h"
 #include "render/film/error/smoothing_judgement.h"
@@ -9,38 +9,40 @@ namespace pdr {
 
 class SmoothedView {
   public:
-    /// Another film.
+    /// Forgets the judgement, for another film.
     void clear() { *this = {}; }
-    /// Whether a film is to be judged, the part of which that is being sampled has so many samples: when they are
-    /// `growth` times as many, and where that is another part.
+    /// Returns whether to judge a film whose currently sampled part has so many samples per pixel: true once there are
+    /// `growth` times as many as at the last judgement, or fewer than then, since that is another part. False below
+    /// kSamplesToJudge.
     bool isDue(std::uint64_t samples, double growth = 2) const {
         const double judged = double(judgedSamples_);
         return samples >= kSamplesToJudge && (double(samples) >= growth * judged || samples < judgedSamples_);
     }
-    /// Whether it is judged by other samples than these.
+    /// Returns whether the last judgement was made at another number of samples, and there are enough to judge.
     bool isStale(std::uint64_t samples) const { return samples >= kSamplesToJudge && samples != judgedSamples_; }
-    /// Samples that the film had when it was judged last; 0: it was not.
+    /// Returns the samples per pixel that the film had at the last judgement; 0: none yet.
     std::uint64_t judgedSamples() const { return judgedSamples_; }
-    /// As isDue() was asked. Nothing changes after a stop request.
+    /// Judges `film`; `samples`: as passed to isDue(). Changes nothing after a stop request.
     void judge(const Film& film, std::uint64_t samples, const std::stop_token& stop);
 
-    /// `wanted`, raw where that is better.
+    /// Returns `wanted`, without denoising where the raw film is better.
     Display better(Display wanted) const;
-    /// Of the smoothed picture when it was last judged, on a display of that exposure; later ones are better.
+    /// Returns the error of the denoised image at the last judgement, on a display of that exposure; later images are
+    /// better. Nothing if it is not known.
     std::optional<SmoothedError> error(double exposure);
-    /// Of a part of it alone.
+    /// Returns the error of the denoised image over a part of it, as error() does for the whole.
     std::optional<SmoothedError> errorOver(const Tile& part, double exposure) const;
-    /// Where it is still rough, as far as error() is known there.
+    /// Returns the error map of the denoised image; nothing where error() is not known.
     std::optional<LevelErrorMap> errorMap(double exposure);
-    /// Of it, too: some of them may have come back since.
+    /// Returns the lines that the denoised image lacked at the last judgement; some of them may have come back since.
     std::vector<denoise::LostLine> lostLines() const;
 
   private:
     std::optional<SmoothingJudgement> judgement_;
     std::uint64_t judgedSamples_ = 0;
     bool pays_ = true;
-    std::optional<SmoothedError> error_;  ///< with ...
-    double exposure_ = 0;                 ///< 0: not yet asked for
+    std::optional<SmoothedError> error_;  ///< error on a display of exposure_
+    double exposure_ = 0;                 ///< exposure of error_; 0: not yet computed
 };
 
 }  // namespace pdr

@@ -11,8 +11,8 @@
 namespace pdr {
 namespace {
 
-/// The curve is inverted once, where it rounds, so that a pixel costs a search instead of an exponential and a power,
-/// and the levels are exact.
+/// Inverts the curve once, at the radiances where it rounds, so that a pixel costs a search instead of an exponential
+/// and a power, and the levels are exact.
 Thresholds makeThresholds() {
     Thresholds thresholds{};
     for (int k = 0; k < kThresholds; ++k)
@@ -30,7 +30,7 @@ std::array<float, kCurveEntries> makeCurve() {
     return curve;
 }
 
-/// levelOf() without its search: the curve tells the level or its neighbour.
+/// Returns levelOf() without its search: the curve gives the level or its neighbour.
 std::uint8_t levelNear(const double* thresholds, const float* curve, double radiance, double exposure) {
     if (!(radiance > 0))
         return 0;
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> emptyBytes(ivec2 size) {
     return std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4);
 }
 
-/// Sets the bytes of pixels that it looks at.
+/// Returns a look that sets the bytes of the pixels that it visits.
 PixelLook rawBytes(std::vector<std::uint8_t>& rgba, const Display& display) {
     return [thresholds = displayThresholds().data(), curve = displayCurve(), exposure = double(display.exposure),
             bytes = rgba.data()](std::size_t pixel, const Moments& known) {
@@ -77,7 +77,7 @@ PixelLook rawBytes(std::vector<std::uint8_t>& rgba, const Display& display) {
     };
 }
 
-/// In one pass with the status: both wait for the film's memory.
+/// Computes the image in one pass with the status, since both are limited by reading the film's memory.
 Picture rawPictureOf(const Film& film, const Display& display) {
     if (!display.surveyed)
         return {toneMap(film, display), film.counts(), false, false};

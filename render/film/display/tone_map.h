@@ -1,5 +1,6 @@
 #pragma once
-/// Linear radiance to display levels: 1 - exp(-L / exposure) per channel, then the sRGB curve (IEC 61966-2-1), rounded.
+/// Maps linear radiance to display levels: 1 - exp(-L / exposure) per channel, then the sRGB curve (IEC 61966-2-1),
+/// rounded.
 
 #include <cstdint>
 #include <optional>
@@ -12,40 +13,42 @@
 
 namespace pdr {
 
-/// One channel: 0 for L <= 0, 255 for +infinity, monotone in L.
+/// Returns the level of one channel: 0 for L <= 0, 255 for +infinity, monotone in L.
 std::uint8_t displayLevel(double radiance, const Display& display);
 
-/// What a screen shows of a film.
+/// The image that a screen shows of a film.
 struct Picture {
-    std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top
-    FilmStatus status;               ///< of the film, as it is without smoothing, when it was shown
-    bool smoothed = false;           ///< the pixels are not the film's own
-    bool surveyed = true;            ///< else the status holds the film's counts alone
+    std::vector<std::uint8_t> rgba;  ///< 4 bytes per pixel, row by row from the top
+    FilmStatus status;               ///< status of the raw film when it was shown
+    bool smoothed = false;           ///< the pixels are denoised
+    bool surveyed = true;            ///< false: the status holds the film's counts alone
 };
 
-/// The whole film as it is now. The same bits for any number of threads. After a stop request a smoothed one is
-/// worthless.
+/// Returns the image of the whole film as it is now. The same bits for any number of threads. After a stop request a
+/// denoised image is worthless.
 Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop = {});
 
-/// A film's radiance without its noise, in units of `unit`, as a picture of the film; it may be finer than that.
+/// Returns the image of a film made from its denoised radiance `smooth`, which is in units of `unit` and may be finer
+/// than the film.
 Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display);
 
-/// Pictures of a film in the making, one after the other. What was smoothed last is kept, since that takes many times
-/// as long as the tone curve.
+/// Shows a film again and again while it is rendered. The last denoised radiance is cached, since denoising takes many
+/// times as long as the tone curve.
 class Development {
   public:
-    /// As pictureOf(), to the bit; but where a smoothed picture is asked for on another exposure than before, it shows
-    /// what was smoothed last, though the film may hold more by now: so that it follows a slider. The same exposure
-    /// again shows all of it. After a stop request what was smoothed last stays.
+    /// Returns the same bits as pictureOf(), with one exception: where a denoised image is requested at another
+    /// exposure than before, the cached radiance is shown even if the film has gained samples since, so that the image
+    /// follows a slider. The next request at the same exposure shows all samples. A stop request leaves the cached
+    /// radiance as it is.
     Picture picture(const Film& film, const Display& display, const std::stop_token& stop = {});
 
   private:
     struct SmoothedFilm {
         std::uint64_t revision;
         TileProgress progress;
-        double unit;  ///< radiance
+        double unit;  ///< radiance per unit of `radiance`
         denoise::Colours radiance;
-        float exposure;  ///< that it was shown on last
+        float exposure;  ///< exposure of the display that showed it last
         bool shows(const Film& film, float wanted) const {
             return revision == film.revision() && radiance[0].size() == film.size() &&
                    (exposure != wanted || progress == film.progress());
@@ -55,7 +58,7 @@ class Development {
     std::optional<SmoothedFilm> smoothed_;
 };
 
-/// Its pixels alone: the whole film as RGBA8 bytes (alpha 255), row by row from the top.
+/// Returns the pixels of pictureOf() alone: the whole film as RGBA8 bytes (alpha 255), row by row from the top.
 std::vector<std::uint8_t> toneMap(const Film& film, const Display& display);
 
 }  // namespace pdr

@@ -1,5 +1,6 @@
 #pragma once
-/// The map of the film in hand. It is made anew where it would say something else: so seldom that it costs nothing.
+/// The error map of the current film. It is computed again only where it would differ visibly, so seldom that it costs
+/// almost nothing.
 
 #include <memory>
 #include <utility>
@@ -11,16 +12,16 @@ namespace pdr {
 
 class ErrorMapView {
   public:
-    /// Another film, or none is wanted any more.
+    /// Drops the map, for another film or where no map is requested any more.
     void clear() { *this = {}; }
-    /// Whether the map is to be made of an image of a film, the part of which that is being sampled has so many
-    /// samples, on a display of that exposure: when they are `growth` times as many, and enough to know errors; where
-    /// that is another image or part, and on another display.
+    /// Returns whether to compute the map of the image `of` of a film whose currently sampled part has so many samples
+    /// per pixel, on a display of that exposure: true once there are `growth` times as many as for the last map, and
+    /// enough to know errors; without a map; for another image, display or part.
     bool isDue(ErrorOf of, std::uint64_t samples, float exposure, double growth) const {
         const bool better = samples >= kSamplesToEstimate && double(samples) >= growth * double(samples_);
         return !map_ || of != of_ || exposure != exposure_ || better || samples < samples_;
     }
-    /// As isDue() was asked.
+    /// Stores a map; the other arguments are those of isDue().
     void keep(LevelErrorMap map, ErrorOf of, std::uint64_t samples, float exposure) {
         map_ = std::make_shared<const LevelErrorMap>(std::move(map));
         of_ = of;
@@ -28,7 +29,7 @@ class ErrorMapView {
         exposure_ = exposure;
     }
 
-    /// Null: there is none.
+    /// Returns the map; null if there is none.
     const std::shared_ptr<const LevelErrorMap>& map() const { return map_; }
 
   private:

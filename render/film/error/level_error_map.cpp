@@ -8,10 +8,10 @@
 namespace pdr {
 namespace {
 
-constexpr double kSigmas = 1.96;  ///< to either side of 95 % of a normal distribution
+constexpr double kSigmas = 1.96;  ///< 95 % of a normal distribution lie within so many to either side
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
-/// What `errors` say of `pixel` at (x, y) of theirs.
+/// Returns the standard error of `pixel`, from `errors` at (x, y).
 dvec3 errorOf(const PixelEstimate& pixel, const denoise::Colours& errors, int x, int y) {
     if (pixel.count < kSamplesToEstimate)
         return dvec3(double(kUnknown));
@@ -60,7 +60,7 @@ LevelErrorsAt levelErrorsAt(const Film& film, ivec2 pixel, int side, double expo
     return found;
 }
 
-/// Band by band: so little is held at once that it stays in the cache.
+/// Works band by band, so that the planes of a band stay in the cache.
 LevelErrorMap levelErrorMap(const Film& film, double exposure, const std::stop_token& stop) {
     const ivec2 size = film.size();
     LevelErrorMap map{size, std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y), kNoTissueBin)};

@@ -9,10 +9,10 @@ namespace {
 
 constexpr int kRadius = 6;
 
-/// Of the real noise to the presumed one, at most 1. Presumed is the geometric mean of what the pixels say of
-/// themselves and of the most that localErrors() makes of that: the one alone would state errors too large, since the
-/// greater of two is taken, the other too small, since few draws that were lucky count as calm. 1 where a pixel around
-/// has less than two samples: it tells nothing.
+/// Returns the ratio of the real noise to the presumed one, at most 1. The presumed noise is the geometric mean of the
+/// pixels' own errors and of the bound that localErrors() makes of them: the bound alone would give errors that are too
+/// large, since the greater of two is taken, the pixels' own alone errors that are too small, since a few lucky draws
+/// count as little noise. 1 where a pixel around has less than two samples, which show no noise.
 denoise::Plane noiseShare(const ErrorPlanes& planes) {
     const auto greater = [](float own, float around) { return std::max(own, around); };
     const denoise::Plane most =

@@ -11,11 +11,11 @@ namespace {
 constexpr float kPixels = (2 * kLocalRadius + 1) * (2 * kLocalRadius + 1);
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
-/// 1 where the light is known well enough to say how well, else infinite.
+/// Returns 1 where the light is known well enough to state its error, else infinite.
 denoise::Plane known(const ErrorPlanes& planes) {
     return denoise::combined(
         [](float mean, float square, float met) {
-            const bool unlit = met > 0 && mean == 0;  // tissue, which may only be unlucky
+            const bool unlit = met > 0 && mean == 0;  // tissue whose samples may only have been unlucky
             return unlit || isRareLight(double(mean), std::sqrt(double(square) / kPixels)) ? kUnknown : 1;
         },
         denoise::boxed(planes.light, kLocalRadius), denoise::boxed(planes.lightSquares, kLocalRadius), planes.tissue);

@@ -1,5 +1,5 @@
 #pragma once
-/// A film as the filters of denoise/ read it, and what they make of it.
+/// A film as input of the filters in denoise/, and its denoised radiance.
 
 #include "render/denoise/smoothing.h"
 #include "render/film/film.h"
@@ -8,23 +8,25 @@ namespace pdr {
 
 /// Planes of the film's size, in units of `unit`.
 struct NoisyFilm {
-    /// Some of the samples of each pixel.
+    /// Estimates from some of the samples of each pixel.
     struct Part {
         denoise::Colours mean;
-        denoise::Plane variance;  ///< of its luminance, if all samples were independent
+        denoise::Plane variance;  ///< variance of the mean's luminance if all samples were independent
     };
 
-    double unit = 1;  ///< radiance; a power of two near the film's mean luminance, so that brightness changes no bit
+    /// The radiance that is 1 in the planes: a power of two near the film's mean luminance, so that brightness changes
+    /// no bit.
+    double unit = 1;
     Part all, even, odd;
-    denoise::Plane ratio;  ///< of the real noise to the presumed one
+    denoise::Plane ratio;  ///< real variance over the presumed one
 };
 
-/// Below 2 samples there are no halves: then `even` and `odd` are all, and the variance is that of the neighbours.
-/// Worthless after a stop request.
+/// Returns the planes of `film`. Below 2 samples there are no halves: then `even` and `odd` equal `all`, and the
+/// variance is estimated from the neighbours. Worthless after a stop request.
 NoisyFilm noisyFilm(const Film& film, const std::stop_token& stop = {});
 
-/// The radiance of all samples without its noise, in units of `noisy.unit`: what the smoothed view shows. Worthless
-/// after a stop request.
+/// Returns the denoised radiance of all samples, in units of `noisy.unit`; the denoised view shows it. Worthless after
+/// a stop request.
 denoise::Colours smoothRadiance(const NoisyFilm& noisy, const std::stop_token& stop = {});
 
 }  // namespace pdr

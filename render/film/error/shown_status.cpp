@@ -3,7 +3,7 @@
 namespace pdr {
 namespace {
 
-constexpr double kSigmas = 1.645;  ///< of a one-sided 95 %
+constexpr double kSigmas = 1.645;  ///< standard deviations of a one-sided 95 %
 
 }  // namespace
 

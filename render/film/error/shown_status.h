@@ -1,5 +1,5 @@
 #pragma once
-/// How good the image on the screen is: the film as it is, or the film denoised, which has an error of its own.
+/// The status of the image on the screen: the film as it is, or the film denoised, which has an error of its own.
 
 #include <optional>
 
@@ -8,20 +8,20 @@
 
 namespace pdr {
 
-/// Which image an error speaks of.
+/// The image that an error refers to.
 enum class ErrorOf {
-    film,            ///< the film, which is shown as it is
+    film,            ///< the film, which is shown without denoising
     denoised,        ///< the denoised image, which is shown
-    beforeDenoising  ///< the film, though it is shown denoised: how far the denoised image is off is not known
+    beforeDenoising  ///< the film, though it is shown denoised: the error of the denoised image is not known
 };
 
 struct ShownStatus {
-    FilmStatus status;  ///< the film's; displayError and its spread are those of the image in `of`
+    FilmStatus status;  ///< status of the film; displayError and its spread are those of the image in `of`
     ErrorOf of = ErrorOf::film;
 };
 
-/// Status of what is shown of a film. `error`: of the denoised image, on the display of `film`; it counts where
-/// `denoised` is shown. Its displayError is the bound that holds to 95 %, levelsAtMost.
+/// Returns the status of the image shown of a film. `error`: of the denoised image, on the display of `film`; used
+/// where `denoised` is shown. The displayError is then levelsAtMost, the bound that holds to 95 %.
 ShownStatus shownStatus(const FilmStatus& film, bool denoised, const std::optional<SmoothedError>& error);
 
 }  // namespace pdr

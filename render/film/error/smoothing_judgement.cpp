@@ -11,36 +11,38 @@
 namespace pdr {
 namespace {
 
-constexpr int kTile = 16;  ///< pixels an edge whose errors count as one draw: wider than most blotches
+constexpr int kTile = 16;  ///< edge [pixels] of tiles whose errors count as one draw: wider than most blotches
 constexpr int kFewestTiles = 16, kMapRadius = 10;
-constexpr double kMostDark = 0.05;  ///< of the pixels: so many are left out of what is said of 95 %
-constexpr double kSureEnough = 3;   ///< -ln(1 - 0.95): what did not come in n draws has a chance of at most 3 / n
+/// Share of the pixels that may be dark: as many are left out of a statement about 95 %.
+constexpr double kMostDark = 0.05;
+constexpr double kSureEnough = 3;  ///< -ln(1 - 0.95): what did not occur in n draws has a probability of at most 3 / n
 
-/// Standard deviations of a one-sided 95 %. Noise of few samples is skewed and its spread is little known: as with
-/// Student's t of so many values less one for each half.
+/// Returns the number of standard deviations of a one-sided 95 %. The noise of few samples is skewed and its spread is
+/// poorly known, so Student's t is used with one degree of freedom less for each half.
 double sureEnough(std::uint64_t samples) {
     return studentT(0.1, int(std::min<std::uint64_t>(samples - 2, 1000)));
 }
 
-/// Root mean squares that 95 % of the pixels stay below: of normal errors, and of those with the widest tails that were
-/// seen (many bounces, 64 samples).
+/// Factors on the root mean square that 95 % of the pixels stay below: for normal errors, and for errors with the
+/// widest tails that were seen (many bounces, 64 samples).
 constexpr double kLevels = 2, kMostLevels = 2.1;
 
-/// In standard deviations of the noise: measured with lines drawn into pictures of bone and of smooth shade, 4 to 256
-/// samples a pixel.
+/// The factor of hiddenContrast, in standard deviations of the noise: measured with lines drawn into images of bone
+/// and of smooth shading, 4 to 256 samples per pixel.
 constexpr double kHiddenSigmas = 1.8;
 
 float square(float value) {
     return value * value;
 }
 
-/// The luminance or a channel of a pixel: of each half of its samples, smooth and raw.
+/// The luminance or one channel of a pixel, from each half of its samples, denoised and raw.
 struct Halves {
     float smoothEven, smoothOdd, even, odd;
 
     float smooth() const { return (smoothEven + smoothOdd) / 2; }
     float raw() const { return (even + odd) / 2; }
-    /// Of smooth(). The raw halves' own noise is taken off, and what the mean of the smooth ones has less than either.
+    /// Returns an unbiased estimate of the squared error of smooth(): the noise of the raw halves is subtracted, and so
+    /// is the amount by which the mean of the denoised halves is better than either.
     float squaredError() const {
         const float judged = square(smoothEven - odd) + square(smoothOdd - even);
         return (judged - square(even - odd)) / 2 - square(smoothEven - smoothOdd) / 4;
@@ -59,8 +61,9 @@ denoise::Plane meanLuminance(const denoise::Colours& a, const denoise::Colours& 
                              denoise::luminance(b));
 }
 
-/// Levels per radiance, in units of the exposure, for what is off by about `error`: how steeply the curve rises to
-/// `radiance` from twice as much below. It bends most in the dark, where its tangent would say too little.
+/// Returns the slope of the tone curve [levels per radiance in units of the exposure] for an error of about `error`:
+/// the secant to `radiance` from twice the error below. The curve bends most in the dark, where its tangent would be
+/// too flat.
 float levelSlope(float radiance, float error) {
     const float* curve = displayCurve();
     const float step = std::max(2 * error, radiance / 16 + 0x1p-14f);
@@ -80,10 +83,11 @@ Tile intersection(const Tile& a, const Tile& b) {
 struct SmoothingJudgement::Sums {
     double tiles = 0, pixels = 0, luminance = 0, variance = 0;
     double noise = 0, rareNoise = 0;
-    double power = 0;                           ///< of samples: mean squares of their luminance
-    double unlit = 0, dark = 0, darkTiles = 0;  ///< pixels without light; those of tiles that have no others; these
-    dvec4 errors{0.0};                          ///< squared: of the luminance, and of each channel in levels
-    dvec4 squares{0.0};                         ///< of the tiles' errors
+    double power = 0;  ///< sum of the samples' mean squared luminance
+    /// Pixels without light; those of tiles that have no others; the number of such tiles.
+    double unlit = 0, dark = 0, darkTiles = 0;
+    dvec4 errors{0.0};   ///< squared errors: of the luminance, and of each channel in levels
+    dvec4 squares{0.0};  ///< squares of the tiles' sums of errors
 
     void add(const Sums& tile) {
         tiles += tile.pixels > 0;
@@ -100,12 +104,13 @@ struct SmoothingJudgement::Sums {
         errors += tile.errors;
         squares += tile.errors * tile.errors;
     }
-    /// Radiance that a dark tile may have: so few of its samples may be as bright as those elsewhere. 0 where the dark
-    /// is no more than what is left out.
+    /// Returns the radiance that a dark tile may have: a few of its samples may be as bright as those elsewhere without
+    /// having been drawn. 0 where the dark pixels are no more than what a 95 % statement leaves out.
     double inTheDark(double samplesPerPixel) const {
         return dark > kMostDark * pixels ? kSureEnough * darkTiles / (dark * samplesPerPixel) * (power / luminance) : 0;
     }
-    /// Sums that chance has made negative say that there is no error.
+    /// Returns the root mean squares of `errors`, raised by `sigmas` standard deviations of the tiles. Sums that chance
+    /// has made negative count as 0.
     dvec4 rootMeans(double sigmas) const {
         const dvec4 spread = glm::sqrt(glm::max(squares - errors * errors / tiles, dvec4(0.0)));
         return glm::sqrt(glm::max(errors + sigmas * spread, dvec4(0.0)) / pixels);
@@ -116,7 +121,7 @@ std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const
     if (film.samplesPerPixel() < kSamplesToJudge)
         return std::nullopt;
     NoisyFilm noisy = noisyFilm(film, stop);
-    noisy.all.mean = {};  // the halves are judged
+    noisy.all.mean = {};  // only the halves are judged
     if (stop.stop_requested())
         return std::nullopt;
     const denoise::Colours even = denoise::smoothed(noisy.even.mean, noisy.even.variance, noisy.ratio, stop);
@@ -166,7 +171,8 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
         denoise::lostLines(meanLuminance(noisy.even.mean, noisy.odd.mean), meanLuminance(even, odd), variance, stop);
 }
 
-/// `exposure` in units of unit_; `error`: about how far pixels are off, in units of the exposure.
+/// Returns the sums over one tile. `exposure`: in units of unit_; `error`: about how far pixels are off, in units of
+/// the exposure.
 SmoothingJudgement::Sums SmoothingJudgement::sumsIn(const Tile& tile, float exposure, float error) const {
     Sums sums;
     for (int y = tile.y; y < tile.y + tile.height; ++y)
@@ -199,13 +205,14 @@ SmoothingJudgement::Sums SmoothingJudgement::sumsOver(const Tile& region, float 
         tiles[std::size_t(i)] = sumsIn(intersection(tile, region), exposure, error);
     });
     Sums sums;
-    for (const Sums& tile : tiles)  // in their order, whoever made them: the same bits for any number of threads
+    for (const Sums& tile : tiles)  // in a fixed order: the same bits for any number of threads
         sums.add(tile);
     return sums;
 }
 
 LevelErrorMap SmoothingJudgement::errorMap(double exposure, double stated) const {
     const auto inUnits = float(exposure / unit_);
+    // Collect the squared error of each tissue pixel's worst channel, in levels
     denoise::Plane squares(ivec2(area_.width, area_.height)), counts = squares;
     for (int y = 0; y < area_.height; ++y)
         for (int x = 0; x < area_.width; ++x) {
@@ -221,6 +228,7 @@ LevelErrorMap SmoothingJudgement::errorMap(double exposure, double stated) const
         }
     squares.mirror();
     counts.mirror();
+    // Average them over the neighbourhood of each pixel
     const denoise::Plane sums = denoise::boxed(squares, kMapRadius), pixels = denoise::boxed(counts, kMapRadius);
     LevelErrorMap map{ivec2(area_.width, area_.height), {}};
     map.bins.reserve(evidence_.size());

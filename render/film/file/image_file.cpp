@@ -43,7 +43,7 @@ std::string smoothedFact(const std::optional<SmoothedError>& error, std::size_t 
     return errorFact(error) + "; " + count + (lostLines == 1 ? " line" : " lines") + " of the film missing";
 }
 
-/// A file that is given up leaves nothing behind.
+/// Commits the file unless a stop was requested; a file that is not committed leaves nothing behind.
 Result<void> commitUnlessStopped(ReplacingFile& file, const std::stop_token& stop) {
     return stop.stop_requested() ? cancelled() : file.commit();
 }
@@ -51,7 +51,7 @@ Result<void> commitUnlessStopped(ReplacingFile& file, const std::stop_token& sto
 // ---- PNG
 
 void writeChunk(png_structp png, png_bytep bytes, png_size_t count) {
-    // A failure is remembered by the file and told at commit, so libpng need not jump.
+    // The file remembers a failure and reports it at commit, so libpng need not jump.
     static_cast<ReplacingFile*>(png_get_io_ptr(png))->write(bytes, count);
 }
 
@@ -63,7 +63,7 @@ struct PngImage {
     std::vector<png_text> texts;
 };
 
-/// libpng reports errors by longjmp, so nothing in this function may need a destructor.
+/// Encodes the image. libpng reports errors by longjmp, so nothing in this function may need a destructor.
 bool encodePng(png_structp png, png_infop info, PngImage& image) {
     if (setjmp(png_jmpbuf(png)))
         return false;
@@ -90,7 +90,7 @@ bool encodePng(PngImage& image, ReplacingFile& file) {
 
 // ---- OpenEXR
 
-/// OpenEXR's way to write, onto our file. The library takes exceptions for errors.
+/// An OpenEXR output stream that writes to a ReplacingFile. The library takes exceptions for errors.
 class ExrStream : public Imf::OStream {
   public:
     ExrStream(ReplacingFile& file, const std::string& name) : Imf::OStream(name.c_str()), file_(file) {}
@@ -181,12 +181,14 @@ Result<void> writePng(const Film& film, const Display& wanted, SmoothedView& vie
     std::vector<std::uint8_t> rgba = toneMap(film, display);
     if (paintOver)
         paintOver(film.size(), rgba);
+    // Collect the text chunks
     std::vector<Fact> facts = factsOf(provenance);
     if (display.smoothed)
         facts.push_back({"pdrender/smoothed", smoothedFact(view.error(display.exposure), view.lostLines().size())});
     facts.push_back({"Software", provenance.program});
     facts.push_back({"Comment", "Not for diagnostic use."});
 
+    // Point libpng to the rows and the texts
     PngImage image{film.size(), {}, {}};
     for (int y = 0; y < image.size.y; ++y)
         image.rows.push_back(&rgba[std::size_t(y) * std::size_t(image.size.x) * 4]);
@@ -215,7 +217,7 @@ Result<void> writeExr(const Film& film, const Provenance& provenance, const std:
     try {
         encodeExr(film, provenance, *file, path.string());
     } catch (const std::exception& failure) {
-        if (Result<void> state = file->state(); !state)  // the file knows better why it could not be written
+        if (Result<void> state = file->state(); !state)  // the file has the reason why it could not be written
             return state.error();
         return Error{phrase("the picture could not be encoded as OpenEXR (%1)", std::string(failure.what())),
                      path.string(), ""};
@@ -229,7 +231,7 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
     try {
         Imf::InputFile file(path.c_str());
         const Imath::Box2i window = file.header().dataWindow();
-        // Before anything is made of that size; in 64 bits, since a damaged header may hold anything.
+        // Checked before anything of that size is allocated; in 64 bits, since a damaged header may hold any numbers.
         const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
         const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
         if (width < 1 || height < 1 || width > kLongestSide || height > kLongestSide)
@@ -239,6 +241,7 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
         if (!file.isComplete())
             return Error{phrase("the picture is not complete"), path.string(),
                          phrase("Copy the file again from its source.")};
+        // Find the channels: R, G and B, or Y
         const Imf::ChannelList& channels = file.header().channels();
         const bool grey = channels.findChannel("Y") != nullptr && channels.findChannel("R") == nullptr;
         RadianceImage image{ivec2(width, height), std::vector<vec3>(std::size_t(width * height))};
@@ -254,6 +257,7 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
                 break;
         }
         file.setFrameBuffer(frame);
+        // Read the rows in batches, so that reading can be cancelled
         constexpr int kRows = 256;  // no compression of OpenEXR joins more lines
         for (int y = window.min.y; y <= window.max.y; y += kRows) {
             if (!progress(double(y - window.min.y) / double(height), "reading the picture"))

@@ -1,5 +1,5 @@
 #pragma once
-/// The formats that images are saved in.
+/// The file formats in which images are saved.
 
 #include <optional>
 
@@ -9,7 +9,7 @@ namespace pdr {
 
 enum class PictureFormat { png, exr };
 
-/// By the ending of the name, in small letters or capitals; nothing where it says neither.
+/// Returns the format by the ending of the file name, in lower or upper case; nothing if the ending is neither.
 inline std::optional<PictureFormat> pictureFormat(const std::filesystem::path& file) {
     const std::string ending = fileEnding(file);
     return ending == ".png"   ? std::optional(PictureFormat::png)

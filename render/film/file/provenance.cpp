@@ -20,7 +20,8 @@ std::string text(double number) {
     return out.str();
 }
 
-/// "notANumber 0, infinite 2 (pixel 17, sample 3), ...": each cause with the first sample that it happened to.
+/// Returns the faults as text, "notANumber 0, infinite 2 (pixel 17, sample 3), ...": each cause with the first
+/// sample that it happened to.
 std::string healthFact(const Health& health) {
     std::string fact;
     for (int i = 0; i < kFaults; ++i) {
@@ -40,8 +41,8 @@ std::vector<Fact> factsOf(const Provenance& from) {
         {"pdrender/samplesPerPixel", double(status.samplesPerPixel)},
         {"pdrender/seconds", from.seconds},
         {"pdrender/relativeError", status.relativeError},
-        {"pdrender/tissueWithinLevels", status.displayError},  // 95 % of it, of 255 levels
-        {"pdrender/tissueNotSeenYet", status.unseenTissue},    // at least
+        {"pdrender/tissueWithinLevels", status.displayError},  // 95 % of the tissue, of 255 levels
+        {"pdrender/tissueNotSeenYet", status.unseenTissue},    // a lower bound
         {"pdrender/exposure", from.exposure},
         {"pdrender/bias", from.bias.empty() ? "none known" : from.bias},
         {"pdrender/rejectedSamples", double(status.health.rejected())},

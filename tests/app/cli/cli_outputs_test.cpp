@@ -54,7 +54,7 @@ class CliOutputsTest : public QObject {
         return exitCode();
     }
 
-    /// Until the first samples were taken.
+    /// Waits until the first samples have been taken.
     void waitForRendering() {
         QByteArray said;
         while (!said.contains("rendering") &&

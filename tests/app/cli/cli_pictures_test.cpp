@@ -193,8 +193,9 @@ class CliPicturesTest : public QObject {
         QCOMPARE(facts["relativeError"].toDouble(-1), 0.0);
     }
 
-    /// Empty ground beside the tissue says nothing about the tissue. Over seeds the errors vary by 1.4 and 2.6 %, so
-    /// that the bounds are five standard deviations of their quotients; if ground counted they were 0.5 and less.
+    /// Empty background beside the tissue must not change the tissue's error. Over seeds the errors vary by 1.4 % and
+    /// 2.6 %, so the bounds are five standard deviations of their quotients; with the background they were 0.5 and
+    /// less.
     void theErrorIsThatOfTheTissue() {
         const auto facts = [&](const char* size) {
             const ProgramRun result =
@@ -216,7 +217,7 @@ class CliPicturesTest : public QObject {
         QVERIFY(QJsonDocument::fromJson(early.out).object()["displayError"].isNull());
     }
 
-    /// Before hours are spent, not after: the address space is what a picture of 16384 x 16384 may not have.
+    /// The error comes before hours are spent, not after: the address space is too small for an image of 16384 x 16384.
     void aPictureThatDoesNotFitIsRefused() {
 #if defined(__SANITIZE_ADDRESS__)
         QSKIP("the address sanitizer alone needs more than this limit");
@@ -320,7 +321,7 @@ class CliPicturesTest : public QObject {
         QVERIFY2(raw.code == 1 && raw.err.contains("a raw file knows no patient"), raw.err.constData());
     }
 
-    /// Before anything is rendered.
+    /// The missing font is reported before anything is rendered.
     void withoutAFontThatIsSaid() {
         BallScene::write(at("fonts.conf"), "<fontconfig><dir>" + at("no fonts").toUtf8() + "</dir></fontconfig>");
         const auto run = [&](const QStringList& options) {

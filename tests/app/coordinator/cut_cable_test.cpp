@@ -22,7 +22,7 @@ class CutCableTest : public QObject {
         return {nodeDials ? "--coordinator" : "--listen", QString("%1:%2").arg(where).arg(port), "--bundle",
                 bundle("node")};
     }
-    /// None can take samples: what it has is too late, or it has gone.
+    /// Returns whether no node can take samples: each has connected too late or has gone.
     static bool noneIsReady(const NodeTrial& trial) {
         return std::ranges::none_of(trial.pool->workers(),
                                     [](const WorkerStatus& one) { return one.state == WorkerState::ready; });

@@ -29,7 +29,7 @@ struct Waiting : NodeTrial {
     QSignalSpy lost{&nodes, &nodes::RenderNodes::lost};
     quint16 port = nodes.listen("127.0.0.1:0")->port;
 
-    /// Once a node has joined: takes samples of the scene of that revision for as long as nobody stops it.
+    /// Takes samples of the scene of `revision` on a thread, from when a node has joined until it is stopped.
     std::jthread render(std::uint64_t revision) const {
         return std::jthread([this, revision](const std::stop_token& stop) {
             const auto film = *startFilm(*device, sharedScene(revision));
@@ -38,9 +38,7 @@ struct Waiting : NodeTrial {
             (void)film->accumulate(1'000'000, stop);
         });
     }
-    QString reason() const {
-        return QString::fromStdString(lost.at(0).at(0).value<nodes::NodeStatus>().reason);
-    }
+    QString reason() const { return QString::fromStdString(lost.at(0).at(0).value<nodes::NodeStatus>().reason); }
 };
 
 }  // namespace
@@ -86,7 +84,8 @@ class FloodingNodesTest : public QObject {
         QVERIFY(trial.workOfNodes() > 0);  // the honest one is still there
     }
 
-    /// Half of 0.2, 0.4, 0.8 and 1.6 s at least, but for what timers are early; 0.8 s where the wait stays the same.
+    /// Waits before dialling again sum up to at least half of 0.2, 0.4, 0.8 and 1.6 s, less what timers are early; with
+    /// a constant wait it would be 0.8 s.
     void floodingNodeIsDialledEverMoreSeldom() {
         Waiting trial;
         ActedNode flooder;
@@ -120,7 +119,7 @@ class FloodingNodesTest : public QObject {
         QVERIFY2(program.log().contains("more messages"), program.log().constData());
     }
 
-    /// More than it renders while they come.
+    /// The coordinator sends more leases than the node can render while they arrive.
     void programPartsWithACoordinatorThatGivesOutAllLeasesAtOnce() {
         OneLink coordinator;
         NodeProcess program({"--coordinator", QString("localhost:%1").arg(coordinator.port())});
@@ -150,7 +149,7 @@ class FloodingNodesTest : public QObject {
         QVERIFY2(trial.reason().contains("nobody asked"), qPrintable(trial.reason()));
     }
 
-    /// What is on its way when another scene is ordered.
+    /// An answer to a lease of the previous scene, on its way when another scene is requested, is accepted once.
     void lateAnswerIsNoFlood() {
         Waiting trial;
         ActedNode node(trial.port);
@@ -169,7 +168,7 @@ class FloodingNodesTest : public QObject {
         QVERIFY2(trial.reason().contains("nobody asked"), qPrintable(trial.reason()));
     }
 
-    /// As when a hand turns it: a node gets no more scenes than it bears, and the last one.
+    /// While the user drags, a node gets no more scenes than it can take, and always the last one.
     void scenesThatChangeFastAreNoFlood() {
         OneLink coordinator;
         ActedNode node(coordinator.port());
@@ -186,7 +185,7 @@ class FloodingNodesTest : public QObject {
     }
 
   private:
-    /// What it gets when it has said that it has the newest scene.
+    /// Returns the lease that `node` gets after reporting that it has the newest scene.
     static wire::Lease leaseFor(ActedNode& node) {
         const auto scenes = [&node] { return node.heard<wire::SceneOrder>(); };
         const auto leases = [&node] { return node.heard<wire::Lease>(); };

@@ -56,7 +56,7 @@ class NamedNodesTest : public QObject {
         QVERIFY(!QFile::exists(ball_.at("ball.exr")));
     }
 
-    /// It does not wait for the seconds that it might.
+    /// The command does not wait for all of its --await-seconds.
     void waitingForANodeThatRefusesEndsAtOnce() {
         const NodeProcess node({"--listen", "127.0.0.1:0", "--bundle", bundle("one", "node")});
         const ProgramRun run = render({"--node", node.address(), "--bundle", bundle("other", "coordinator"), "--await",
@@ -88,7 +88,7 @@ class NamedNodesTest : public QObject {
         QVERIFY2(!run.err.contains("is lost") && !run.err.contains("has left"), run.err);
     }
 
-    /// It leaves no trace but what is said of it.
+    /// A refused node leaves no trace but the message about it.
     void nodeThatDialsAndIsRefusedIsNamed() {
         QProcess program;
         program.setProcessChannelMode(QProcess::MergedChannels);

@@ -19,7 +19,7 @@ class NodeFaultsTest : public QObject {
   private slots:
     void initTestCase() { alone_ = pictureAlone(sharedScene(), kSharedOrders); }
 
-    /// Of eight nodes one after the other is killed, and another one started, while pictures are made.
+    /// Kills one of eight nodes after the other and starts another in its place, while images are rendered.
     void killedNodesCostNoPixel() {
         NodeTrial trial;
         NodeProcesses processes = startNodes(8);
@@ -102,7 +102,7 @@ class NodeFaultsTest : public QObject {
         QVERIFY(sameBits((*film->film())->content(), alone_));
     }
 
-    /// It stands still, and TCP goes on acknowledging: another one may have the node.
+    /// The coordinator hangs while TCP still acknowledges: another coordinator may then have the node.
     void coordinatorThatIsSilentLosesItsNode() {
         NodeProcess program;
         const auto port = quint16(program.address().section(':', -1).toInt());

@@ -32,7 +32,7 @@ class NodesTest : public QObject {
     FilmContent alone_;
 
     QString bundle(const char* role) const { return bundle_.filePath(QString("bundle/") + role); }
-    /// Of a node that dials a coordinator that does not exist, or is told nonsense.
+    /// Returns the exit code of a node that dials a coordinator that does not exist, or that gets invalid options.
     static int codeOf(const QStringList& options) {
         NodeProcess node(options);
         return node.code();
@@ -170,7 +170,7 @@ class NodesTest : public QObject {
         QCOMPARE(lost.at(0).at(0).value<nodes::NodeStatus>().losses, losses);
     }
 
-    /// Started again it would call itself a new one.
+    /// A node that lied is not dialled again: started anew, it would report a new identity.
     void nodeThatLiedIsNotDialledAgain() {
         NodeTrial trial;
         ActedNode acted;

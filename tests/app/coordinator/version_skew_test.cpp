@@ -96,7 +96,7 @@ class VersionSkewTest : public QObject {
         QCOMPARE(program.code(), int(ExitCode::protocol));
     }
 
-    /// It may be dialled by another one next.
+    /// The program keeps waiting after a refusal, since another coordinator may dial it next.
     void programThatWaitsGoesOnWaiting() {
         NodeProcess program;
         const auto port = quint16(program.address().section(':', -1).toInt());

@@ -19,7 +19,7 @@ struct CameraTrial : Trial {
         openAndWait(series);
         before = document.setup();
     }
-    /// One step back brings back all.
+    /// Undoes one step; returns whether that restores the setup from before.
     bool undoBringsItBack() {
         document.undo();
         return !document.canUndo() && document.setup() == before;

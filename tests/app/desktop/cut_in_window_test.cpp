@@ -1,5 +1,5 @@
-/// Cuts in the whole window: handles appear with a key, a drag is one step to undo, Esc gives up, and undo brings back
-/// the same bits.
+/// Cuts in the whole window: handles appear with a key, a drag is one step to undo, Esc cancels it, and undo restores
+/// the image bit by bit.
 
 #include <QSignalSpy>
 #include <QTest>

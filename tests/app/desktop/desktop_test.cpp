@@ -214,7 +214,7 @@ void TestDesktop::aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne() {
     QCOMPARE(trial.frames.back()->revision, revision);
 }
 
-/// Also of a picture that is held.
+/// The error map is available while rendering is paused, too.
 void TestDesktop::oneKeyShowsWhereThePictureIsStillRough() {
     Trial trial;
     trial.openAndWait(series_);
@@ -232,7 +232,7 @@ void TestDesktop::oneKeyShowsWhereThePictureIsStillRough() {
     QVERIFY(viewport.grab().toImage() == before);
 }
 
-/// Also of a picture that is held; its millimetre is that of the camera.
+/// The tip is available while rendering is paused, too; its millimetre is measured in the camera's plane of focus.
 void TestDesktop::whereTheMouseRestsItIsSaidHowGoodThePictureIsThere() {
     Trial trial;
     trial.openAndWait(series_);
@@ -253,7 +253,8 @@ void TestDesktop::whereTheMouseRestsItIsSaidHowGoodThePictureIsThere() {
     QVERIFY2(QToolTip::text().startsWith(QString::fromUtf8("here ±")), qPrintable(QToolTip::text()));
 }
 
-/// Though it is judged anew for the file, while samples are added.
+/// The saved error agrees with a frame on the screen, although the image is judged anew for the file while samples are
+/// added.
 void TestDesktop::aSavedImageSaysWhatTheScreenSays() {
     Trial trial;
     trial.openAndWait(series_);

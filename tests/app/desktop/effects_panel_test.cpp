@@ -14,7 +14,7 @@
 
 namespace pdr::app {
 
-/// Of the document's scene: what `nothing` names changes nothing, all else much.
+/// Returns a cost table of the document's scene: the effects in `nothing` change nothing, all others change much.
 static EffectLedger ledgerOf(const Document& document, const QStringList& nothing) {
     EffectLedger ledger;
     ledger.complete = true;

@@ -16,7 +16,7 @@
 
 namespace pdr::app {
 
-constexpr double kFrameMs = 16;  ///< of a screen with 60 pictures a second
+constexpr double kFrameMs = 16;  ///< time of a frame on a screen with 60 frames per second
 constexpr double kNoticedMs = 200;
 
 class TestEventTimes : public QObject {

@@ -27,7 +27,7 @@ static WindowAction panel(const char* name, const char* action) {
     return {name, [action](ui::MainWindow& window) { toggle(window, action); }};
 }
 
-/// Each of them changed the image's size once.
+/// Returns actions each of which used to change the image's size.
 static std::vector<WindowAction> windowActions() {
     using Window = ui::MainWindow;
     return {
@@ -131,7 +131,7 @@ void TestKeptImage::noWindowActionCostsASample() {
     QCOMPARE(bridge.paused(), held);
 }
 
-/// Whatever begins anew has the view's own pixels.
+/// An image that begins anew has the view's own pixels.
 void TestKeptImage::theNextEditFillsTheView() {
     Trial trial;
     trial.openAndWait(series_);

@@ -48,7 +48,8 @@ class LookTextTest : public QObject {
         QVERIFY(reason.empty() || unsuitedText(reason) != QString::fromStdString(reason));
     }
 
-    /// Whatever it is called; a look that was changed says so.
+    /// The user's own look keeps its name even if that is the name of a bundled look; the name of a changed look says
+    /// so.
     void theUsersOwnKeepsItsName() {
         ui::speak(*qApp, "de");
         std::vector<NamedLook> looks = *bundledLooks();

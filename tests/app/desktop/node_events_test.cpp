@@ -71,7 +71,7 @@ void TestNodeEvents::theReasonOfGoingIsTold() {
     QVERIFY(!events.events().back().joined);
 }
 
-/// Who takes part in it from its beginning has not joined it.
+/// A node that takes part in an image from its beginning has not joined it.
 void TestNodeEvents::anotherPictureHasItsOwn() {
     NodeEvents events;
     events.follow({node(1, NodeState::rendering)}, 7, 1);

@@ -1,4 +1,4 @@
-/// What is told of render nodes in figures.
+/// Figures of render nodes, computed from their counters.
 
 #include <QTest>
 
@@ -71,7 +71,7 @@ void TestNodeFigures::efficiencyIsTheBusyPartOfAWindow() {
     QCOMPARE(figures.rowOf(boasts).efficiency, 1.0);
 }
 
-/// After its connection was lost.
+/// A node's counters restart when it reconnects after a lost connection.
 void TestNodeFigures::whatIsCountedAnewBeginsAnew() {
     NodeFigures figures;
     figures.follow({node(1, 500, 9)}, {7, 100, 0}, 0);

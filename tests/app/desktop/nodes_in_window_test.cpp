@@ -143,7 +143,7 @@ void TestNodesInWindow::aPausedNodeRestsAndGoesOn() {
     QVERIFY(trial.neverFellBack());
 }
 
-/// Neither the picture nor the window, which closes at the end.
+/// A hanging node stops neither the image nor the window, which closes at the end.
 void TestNodesInWindow::aNodeThatStandsStillHoldsNobodyUp() {
     const quint16 port = test::freePort();
     test::NodeProcess node(dialling(port));

@@ -103,7 +103,7 @@ void TestOrderedPicture::theButtonCancelsIt() {
     QCOMPARE(pictures(trial), QStringList());
 }
 
-/// Which closes messages and leaves the picture alone, every now and then.
+/// Escape closes messages, but must not cancel an image that is being rendered.
 void TestOrderedPicture::escapeDoesNot() {
     Trial trial;
     trial.openAndWait(series_);
@@ -112,7 +112,7 @@ void TestOrderedPicture::escapeDoesNot() {
     QVERIFY(trial.desktop.parts().picture.isRunning());
 }
 
-/// Whose volume could not be read as long as the picture holds the first.
+/// Opening another series cancels the image: its volume could not be read as long as the image holds the first one.
 void TestOrderedPicture::anotherSeriesEndsIt() {
     Trial trial;
     trial.openAndWait(series_);

@@ -114,7 +114,8 @@ void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
     QCOMPARE(trial.said(), status);
 }
 
-/// For every frame that is shown, while the user does all that is possible, faster than the device.
+/// The letters belong to the frame for every frame that is shown, while the user makes all kinds of edits faster than
+/// the device renders.
 void TestPictureOnScreen::theLettersAreThoseOfTheFrame() {
     Trial trial(test::failing(slow(0.02)));
     trial.openAndWait(series_);

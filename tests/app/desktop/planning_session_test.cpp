@@ -16,7 +16,7 @@
 
 namespace pdr::app {
 
-/// The hand's part of the session.
+/// The user's part of the session.
 struct Session : Trial {
     Session() { desktop.window().resize(1100, 700); }
 

@@ -49,7 +49,7 @@ void TestSettings::foldersAreNotRememberedUnlessChosen() {
     QCOMPARE(Settings(kept.file).recentFolders(), QStringList{"/patients/Doe"});
 }
 
-/// Until another target is chosen; what is no target does not count.
+/// The default target is that of planning quality; an invalid target in the file does not count.
 void TestSettings::renderingHoldsWhereItIsGoodForPlanning() {
     Kept kept;
     QCOMPARE(kept.settings.target(), 8.0);

@@ -33,7 +33,7 @@ static std::shared_ptr<WorkerPool> newPool() {
     return std::make_shared<WorkerPool>(1);
 }
 
-/// In which samples of one picture are never lost.
+/// Returns whether no frame of an image has fewer samples than the one before.
 static bool neverFallsBack(const Trial& trial) {
     for (std::size_t i = 1; i < trial.frames.size(); ++i) {
         const Frame &before = *trial.frames[i - 1], &now = *trial.frames[i];
@@ -76,7 +76,7 @@ void TestSharedPicture::itGoesOnWhenOthersComeAndGo() {
     QVERIFY(noticed.isEmpty());
 }
 
-/// Of the picture as it is after so many samples.
+/// Returns the pixels of the image as it is after `samples` samples.
 static QByteArray pictureOf(const QString& series, std::uint64_t samples, const std::shared_ptr<WorkerPool>& pool) {
     Trial trial;
     DesktopParts parts = trial.desktop.parts();

@@ -159,7 +159,7 @@ void TestTissueInWindow::whatIsClosedIsNotHeld() {
     QVERIFY(!trial.desktop.parts().document.canUndo());
 }
 
-/// Not even what was found while the window was busy.
+/// A histogram that was found while the window was busy is dropped, too.
 void TestTissueInWindow::nothingIsToldOfWhatIsClosed() {
     TissueStudy study;
     QSignalSpy found(&study, &TissueStudy::histogramFound);

@@ -35,7 +35,7 @@ static std::uint64_t samplesOf(Trial& trial) {
     return trial.frames.back()->status.samplesPerPixel;
 }
 
-/// With some samples of the whole picture.
+/// Opens a series and waits for some samples of the whole image.
 static void openAndWait(Trial& trial, const QString& series) {
     trial.openAndWait(series);
     QTRY_VERIFY_WITH_TIMEOUT(samplesOf(trial) > 5, test::kPatience);
@@ -47,7 +47,7 @@ void TestWindowSize::initTestCase() {
     QVERIFY2(written, written ? "" : written.error().text().c_str());
 }
 
-/// Also on a screen with one and a half pixels to a length: what was rendered is what is painted, unaltered.
+/// On a screen with 1.5 physical pixels per logical one, too, the rendered pixels are painted unaltered.
 void TestWindowSize::thePictureHasTheScreensOwnPixels() {
     Trial trial;
     ui::Viewport& viewport = trial.desktop.window().viewport();

@@ -113,7 +113,7 @@ void TestDocumentLook::anotherModelLeavesTheWaysThatDoNotKnowIt() {
     QVERIFY(told.scenes.back().estimator == Estimator::kroesMarch);
 }
 
-/// And neither of the look nor of its light.
+/// The background is part of the image, and neither of the look nor of its light.
 void TestDocumentLook::aBackgroundIsPartOfThePicture() {
     Told told;
     told.document.setBackground(vec3(0.5f));

@@ -114,7 +114,7 @@ void TestStepName::aStepKeepsItsNameBackAndForth() {
     QCOMPARE(names(), std::pair(Change::turned, Change::brightness));
 }
 
-/// Nor is the way back from the change.
+/// Neither changing a look nor changing it back counts as choosing a look.
 void TestStepName::aChangedLookIsNotAChosenOne() {
     Told told;
     const Look first = told.document.setup().look;

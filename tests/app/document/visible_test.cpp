@@ -142,7 +142,7 @@ class VisibleTest : public QObject {
         QVERIFY(refused[0][1].value<Error>().kind == ErrorKind::refused);
     }
 
-    /// Off the window's thread; said in the panel and in saved pictures; one step to undo.
+    /// Peeling is computed off the window's thread, reported in the panel and in saved images, and is one step to undo.
     void theWindowPeelsAndSaysSo() {
         Trial trial;
         trial.openAndWait(series_);

@@ -22,7 +22,7 @@
 
 namespace pdr::app {
 
-/// Of a head, wider than high.
+/// Returns a task for an image of a head, wider than high.
 static PictureTask task(const QString& file, std::uint64_t samples) {
     Document document(*bundledLooks());
     document.open(std::make_shared<const Volume>(headPhantom({32, 32, 32}, dvec3(6))));
@@ -37,7 +37,7 @@ static PictureTask task(const QString& file, std::uint64_t samples) {
     return task;
 }
 
-/// One that is never as good as is wanted.
+/// Returns a task whose image never reaches its target.
 static PictureTask endless(const QString& file) {
     PictureTask endless = task(file, 0);
     endless.scene.film = {400, 300};

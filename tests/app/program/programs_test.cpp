@@ -184,7 +184,7 @@ class ProgramsTest : public QObject {
         row("bench", "pdrender-bench", {"picture", scene(), "--samples", "1", "--threads", "4"});
     }
 
-    /// From just enough to load the program upwards. Where it does not even load, the loader speaks.
+    /// The limits begin where memory is just enough to load the program. Below that the loader reports the error.
     void shortOfMemoryIsASentence() {
         QFETCH(QString, program);
         QFETCH(QStringList, words);
@@ -203,7 +203,7 @@ class ProgramsTest : public QObject {
         QVERIFY(!QDir(folder_.path()).exists("short.png") || QImageReader::imageFormat(at("short.png")) == "png");
     }
 
-    /// Read from the outside, while it works.
+    /// The limit is read from the outside, while the program runs.
     void coreDumpsAreSwitchedOff_data() {
         QTest::addColumn<QString>("program");
         QTest::addColumn<QStringList>("words");

@@ -36,7 +36,7 @@ struct Pair {
     static wire::Chunk chunkOf(std::uint32_t index) {
         return {.index = index, .rawBytes = 70000, .packed = randomBytes(10000, index)};
     }
-    /// At both sides, behind what they introduced themselves with.
+    /// Returns the number of messages that have arrived at both sides after those of the handshake.
     int arrived() const {
         const auto count = [](const Side& side) { return std::max(int(side.received.size()) - 1, 0); };
         return count(meeting.dialling) + count(meeting.listening);
@@ -88,7 +88,8 @@ class BadNetworkTest : public QObject {
         QVERIFY(!pair.isOver());
     }
 
-    /// On one thread, so that each side has half of it. What a channel sends is what a scan takes to reach a node.
+    /// Measures throughput on one thread, so that each side has half of it. What a channel sends is what a scan takes
+    /// to reach a node.
     void chunksFlowOverTls() {
         constexpr std::uint32_t kChunks = 64;
         Meeting meeting(identityOf(Role::coordinator), identityOf(Role::node));
@@ -115,7 +116,7 @@ class BadNetworkTest : public QObject {
         qInfo("%.0f MiB/s", 4.0 * kChunks / (double(clock.nsecsElapsed()) * 1e-9));
     }
 
-    /// More than the sockets hold, by a side that ends the connection right behind it.
+    /// The sender sends more than the sockets hold and ends the connection right behind it.
     void theLastMessagesArriveOverTls() {
         Meeting meeting(identityOf(Role::coordinator), identityOf(Role::node));
         meeting.begin();
@@ -185,7 +186,7 @@ class BadNetworkTest : public QObject {
         QCOMPARE(pair.proxy.connections(), 1);
     }
 
-    /// Wherever it happens, in the handshake or behind it: what arrives is what was sent, and both sides learn the end.
+    /// Damage may happen in the handshake or behind it: what arrives is what was sent, and both sides learn of the end.
     void damageAnywhereIsNeverDelivered_data() {
         QTest::addColumn<std::optional<qint64> NetworkFault::*>("kind");
         QTest::addRow("a bit is wrong") << &NetworkFault::corrupt;

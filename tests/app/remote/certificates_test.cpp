@@ -33,7 +33,7 @@ std::shared_ptr<X509> x509Of(const QString& path) {
     return {PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr), X509_free};
 }
 
-/// As `openssl verify -x509_strict -purpose ...` does.
+/// Verifies a certificate as `openssl verify -x509_strict -purpose ...` does.
 bool isBelieved(const QString& part, int purpose) {
     const auto authority = x509Of(part + "/ca.pem"), own = x509Of(part + "/certificate.pem");
     const std::shared_ptr<X509_STORE> store(X509_STORE_new(), X509_STORE_free);
@@ -180,7 +180,7 @@ class CertificatesTest : public QObject {
         QCOMPARE(refusalOf(folder, Role::node), QString());
     }
 
-    /// As Kubernetes and systemd hand out keys.
+    /// Kubernetes and systemd hand out keys of root that the group may read.
     void aKeyOfRootsMayBeReadByTheGroup() {
         if (geteuid() != 0)
             QSKIP("only root can hand out keys");

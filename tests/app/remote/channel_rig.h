@@ -8,7 +8,7 @@
 
 namespace pdr::test {
 
-/// Of a coordinator.
+/// The channel of a coordinator, and the socket at its other end.
 struct Rig {
     explicit Rig(const remote::ChannelLimits& limits = Meeting::patientLimits().channel) {
         QTcpServer server;

@@ -27,7 +27,7 @@ wire::SceneOrder orderOf(std::size_t textBytes) {
     return order;
 }
 
-/// Of this program.
+/// Returns the resident memory of this program [bytes].
 qint64 residentBytes() {
     QFile file("/proc/self/statm");
     return file.open(QFile::ReadOnly) ? file.readAll().split(' ').at(1).toLongLong() * 4096 : 0;

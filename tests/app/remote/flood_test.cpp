@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// How many of one after the other pass.
+/// Returns how many of `most` messages pass, one after the other.
 int passing(TokenBucket& bucket, TokenBucket::Moment now, int most) {
     int passed = 0;
     while (passed < most && bucket.take(now))
@@ -68,7 +68,8 @@ class FloodTest : public QObject {
         QVERIFY(!bucket.take(0s));
     }
 
-    /// Whatever comes, and whenever: of any stretch of time no more passes than it may, and whoever keeps to it passes.
+    /// In any stretch of time no more messages pass than allowed, and a sender that keeps to the limit passes, however
+    /// they arrive.
     void noStretchOfTimeHoldsMore() {
         std::mt19937 random(7);
         for (int round = 0; round < 20; ++round) {

@@ -93,7 +93,7 @@ class ListenerTest : public QObject {
             QCOMPARE(node->side.ends, 0);
     }
 
-    /// Neither from the node's own address, nor with more sockets than may wait.
+    /// Silent sockets keep no node out, even from its own address and in larger number than may wait.
     void aThousandSilentSocketsKeepNobodyOut() {
         if (!mayOpen(1500))
             QSKIP("a program may not have as many sockets here");

@@ -13,7 +13,7 @@
 
 namespace pdr::test {
 
-/// Of a bundle that is made once in a program.
+/// Returns the identity of a role, from a bundle that is made once in a program.
 inline remote::Identity identityOf(remote::Role role) {
     static const QTemporaryDir folder;
     static const Result<void> made = remote::makeCertificates(folder.filePath("bundle"));
@@ -46,7 +46,8 @@ struct Side {
             if (greeted && !admitted)
                 admit(role);
         });
-        QObject::connect(arrived, &remote::Channel::closed, arrived, [this](const Text& why) { end(QString::fromStdString(why)); });
+        QObject::connect(arrived, &remote::Channel::closed, arrived,
+                         [this](const Text& why) { end(QString::fromStdString(why)); });
         if (role == remote::Role::node)
             channel->send(wire::Hello{.program = "test", .name = "node"});
     }
@@ -93,7 +94,7 @@ class Meeting {
         return (listening.admitted && dialling.admitted) || (listening.ends > 0 && dialling.ends > 0);
     }
 
-    /// Nothing of which depends on how busy the machine is.
+    /// Returns limits so long that nothing depends on how busy the machine is.
     static remote::ListenerLimits patientLimits() {
         const std::chrono::milliseconds patience(kPatience);
         return {.handshake = patience,

@@ -54,7 +54,7 @@ class PatienceTest : public QObject {
         QCOMPARE(int(last), peer);
     }
 
-    /// As when a laptop is opened again: what the other side has sent is not read yet.
+    /// After a pause of this side, as when a laptop is opened again, what the other side has sent is not read yet.
     void standingStillIsNotSilence() {
         Heartbeat heartbeat(0ms);
         QVERIFY(heartbeat.at(1h) == Peer::fine);
@@ -171,7 +171,7 @@ class PatienceTest : public QObject {
         QCOMPARE(noticed, tooSlow);
     }
 
-    /// Fast at first, then next to nothing.
+    /// The data comes fast at first, then next to nothing.
     void aDripBehindAFastBeginIsNoticed() {
         DripWatch watch(DripLimits{});
         bool noticed = false;

@@ -16,7 +16,7 @@ std::array<std::byte, n> counting(int first) {
     return bytes;
 }
 
-/// Nothing in common with each other.
+/// Returns sums of pixels that have nothing in common with each other.
 inline std::vector<PixelSums> unlikeSums(std::size_t pixels) {
     std::vector<PixelSums> sums(pixels);
     for (std::size_t i = 0; i < pixels; ++i) {

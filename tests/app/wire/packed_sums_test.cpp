@@ -59,7 +59,7 @@ Sums rendered(const Scene& scene, const Tile& area, std::uint32_t samples) {
     return test::renderedPart(scene, area, samples, *device, samples)->content().block;
 }
 
-/// "12 ns to pack, 8 ns to unpack": of a pixel.
+/// Returns the times per pixel: "12 ns to pack, 8 ns to unpack".
 std::string timesOf(const Sums& sums) {
     constexpr int kTimes = 300;
     const auto nanoseconds = [&](auto&& work) {

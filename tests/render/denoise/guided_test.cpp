@@ -1,4 +1,5 @@
-/// A coarse picture drawn on a guide: the guide's edges, the picture's light, and neither its noise nor its pixels.
+/// Tests a coarse image shown through a guide: it has the guide's edges and the image's light, and neither the noise
+/// nor the pixels of the image.
 
 #include <tbb/global_control.h>
 #include <QTest>
@@ -25,7 +26,7 @@ void fill(Plane& plane, const Values& value) {
     plane.mirror();
 }
 
-/// Grey, seen straight on.
+/// Returns a grey guide, seen straight on.
 Guide guide(const Values& radiance, const Values& depth) {
     Guide made = denoise::guideOf(kCoarse, kFiner);
     for (Plane& plane : made.radiance)
@@ -36,7 +37,7 @@ Guide guide(const Values& radiance, const Values& depth) {
     return made;
 }
 
-/// Each coarse pixel is the mean of value() over its pixels of the guide.
+/// Returns the coarse image: each pixel is the mean of value() over its pixels of the guide.
 Colours coarse(const Values& value) {
     Colours made = denoise::coloursOf(kCoarse);
     for (Plane& plane : made)

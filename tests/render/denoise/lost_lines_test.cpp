@@ -1,4 +1,4 @@
-/// Lines drawn into the samples of films, and films without any: what is marked, and what is not.
+/// Tests which lines are marked in films with lines drawn into their samples, and in films without any.
 
 #include <tbb/global_control.h>
 #include <QTest>
@@ -38,12 +38,12 @@ struct Drawn {
     dvec2 middle;
     double angle, length;
 
-    /// Of a place: along it from its middle, and across it.
+    /// Returns a place in the frame of the line: along it from its middle, and across it.
     dvec2 seen(dvec2 place) const {
         const dvec2 from = place - middle, along(std::cos(angle), std::sin(angle));
         return {glm::dot(from, along), from.y * along.x - from.x * along.y};
     }
-    /// The part of a pixel that it covers.
+    /// Returns the share of a pixel that the line covers.
     double cover(int x, int y) const {
         constexpr int kParts = 4;
         int inside = 0;
@@ -53,7 +53,7 @@ struct Drawn {
         }
         return double(inside) / (kParts * kParts);
     }
-    /// Whether all of a mark lies on it.
+    /// Returns whether all of a mark lies on the line.
     bool has(const LostLine& mark) const {
         const dvec2 begin = seen(mark.begin), end = seen(mark.end);
         const double off = std::max(std::fabs(begin.y), std::fabs(end.y));
@@ -61,13 +61,13 @@ struct Drawn {
     }
 };
 
-/// One in each cell, 60 pixels long, in as many directions.
+/// Returns the line of a cell, 60 pixels long; each cell has another direction.
 Drawn lineIn(int cell) {
     const dvec2 corner(cell % 6 * kCell.x, cell / 6 * kCell.y);
     return {corner + dvec2(kCell) / 2.0, std::numbers::pi * 0.618 * cell, 60};
 }
 
-/// The same, computed once for each pixel.
+/// Returns `truth` with its values computed once for each pixel.
 Truth drawn(const Truth& truth) {
     std::vector<double> values;
     for (int y = 0; y < kFilm.y; ++y)
@@ -87,7 +87,7 @@ std::vector<LostLine> marksOf(const Film& film) {
     return SmoothingJudgement::of(film)->lostLines();
 }
 
-/// Of a film whose smoothed picture shows nothing but what `plain` shows.
+/// Returns the marks of a film whose denoised image shows nothing but what `plain` shows.
 std::vector<LostLine> marksBeside(const Film& film, const Film& plain) {
     const NoisyFilm noisy = noisyFilm(film), calm = noisyFilm(plain);
     const auto scaled = [](const denoise::Plane& plane, double unit) {
@@ -100,7 +100,7 @@ std::vector<LostLine> marksBeside(const Film& film, const Film& plain) {
                               scaled(denoise::luminance(pdr::smoothRadiance(calm)), calm.unit), variance);
 }
 
-/// Whether the smoothed picture keeps less than half of a line's contrast.
+/// Returns whether the denoised image keeps less than half of a line's contrast.
 bool isLost(const Drawn& line, const std::vector<double>& without, const std::vector<double>& with, double contrast) {
     double light = 0, kept = 0;
     for (int y = 0; y < kFilm.y; ++y)
@@ -119,7 +119,7 @@ class LostLinesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Where a smoothed picture shows none of them.
+    /// All lines are marked where the denoised image shows none of them.
     void lostLinesAreMarkedAndNothingElse_data() {
         QTest::addColumn<int>("samples");
         QTest::addColumn<double>("contrast");
@@ -144,7 +144,8 @@ class LostLinesTest : public QObject {
         QVERIFY(std::ranges::all_of(marks, &LostLine::darker));
     }
 
-    /// Of lines that are as clear as that a smoothed picture loses few, and no mark stands where there is none.
+    /// Lines that are so clear that the denoised image loses few are not marked, and no mark stands where there is no
+    /// line.
     void whatTheSmoothedPictureKeepsIsNotMarked_data() {
         QTest::addColumn<int>("samples");
         QTest::addColumn<double>("contrast");
@@ -197,7 +198,7 @@ class LostLinesTest : public QObject {
         QCOMPARE(marksOf(sparks).size(), 0u);
     }
 
-    /// From one end to the other, not piece by piece.
+    /// A long line is marked from one end to the other, not piece by piece.
     void aLongLineIsOne_data() {
         QTest::addColumn<double>("angle");
         for (const double angle : {0.0, 0.5, 1.3, 2.2})

@@ -54,7 +54,7 @@ class SmoothingTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// A smoothing that begins after a stop request makes nothing, so what comes whole was not smoothed again.
+    /// Denoising that begins after a stop request makes nothing, so an image that comes whole was not denoised again.
     void anotherExposureOfTheSameSamplesIsNotSmoothedAgain() {
         const Film few = noisyFilmOf({60, 40}, disc, 4), more = noisyFilmOf({60, 40}, disc, 5);
         std::stop_source stop;
@@ -121,7 +121,7 @@ class SmoothingTest : public QObject {
         }
     }
 
-    /// Samples that differ, but whose means are the same: there is noise to take away, and nothing to change.
+    /// The samples differ but their means are the same: there is noise to remove, and nothing to change.
     void aConstantPictureStaysConstant() {
         for (const ivec2 size : kSizes) {
             Film film(size, 1);
@@ -140,8 +140,8 @@ class SmoothingTest : public QObject {
             QVERIFY(float(smooth[i]) == float(raw[i]));
     }
 
-    /// Of tissue where one sample in 60 brings light most pixels are black by chance, and wide gaps between the others:
-    /// no holes are left, and no light comes to the ground beside it.
+    /// In tissue where one sample in 60 brings light most pixels are black by chance, with wide gaps between the
+    /// others: no holes are left, and no light comes to the background beside it.
     void darkTissueHasNoHoles() {
         const ivec2 size(96, 64);
         const auto isTissue = [&](std::size_t pixel) { return int(pixel) % size.x < 64; };
@@ -167,8 +167,8 @@ class SmoothingTest : public QObject {
         QVERIFY2(std::fabs(60 * light / tissue - 1) < 0.15, qPrintable(QString::number(60 * light / tissue)));
     }
 
-    /// Short bent vessels of 2 pixels: of 16 samples, whose noise is a quarter of the light, half of a contrast of 40 %
-    /// is left; of ground without any, nothing more than there was.
+    /// Short bent vessels of 2 pixels keep half of a contrast of 40 % at 16 samples, whose noise is a quarter of the
+    /// light; on a background without vessels nothing is added.
     void smallVesselsStay() {
         const ivec2 size(320, 240);
         const auto shade = [](int x, int y) { return 0.5 + 0.1 * std::sin(0.05 * x) + 0.1 * std::cos(0.07 * y); };
@@ -237,15 +237,15 @@ class SmoothingTest : public QObject {
                         QVERIFY(radiance >= 0 && std::isfinite(radiance));
     }
 
-    /// Then the neighbours tell how strong the noise is.
+    /// With one sample the noise is estimated from the neighbours.
     void oneSampleIsSmoothedToo() {
         const ivec2 size(96, 64);
         const Film film = noisyFilmOf(size, flat, 1);
         QVERIFY(rmsError(smoothRadiance(film), size, flat) < 0.25 * rmsError(rawRadiance(film), size, flat));
     }
 
-    /// Samples that fill each half evenly: their noise is a fifth of what their spread lets expect. A filter that
-    /// believed the spread would blur the grating.
+    /// The samples fill each half evenly: their noise is a fifth of what independent samples of that spread would have.
+    /// A filter that relied on the spread would blur the grating.
     void noiseThatIsLessThanItsSamplesSayIsMeasured() {
         const ivec2 size(96, 64);
         const auto grating = [](int x, int) { return 0.5 + 0.03 * (x / 4 % 2); };

@@ -1,10 +1,10 @@
-/// Whether what is stated of a picture's error holds, scene by scene: over seeds, against a far better picture. Few
-/// seeds here; PDR_COVERAGE_SEEDS=200 takes as many, more samples too, and prints what came of them.
+/// Tests whether the stated error of an image holds, scene by scene: over seeds, against a far better image. It takes
+/// few seeds; with PDR_COVERAGE_SEEDS=200 it takes that many, more samples too, and prints the results.
 ///   levels   the fraction of the tissue that lies within the levels stated for 95 % of it
-///   mean     how often the 95 % interval of the picture's mean, from the draws of its pixels' errors, holds the truth
+///   mean     how often the 95 % interval of the image's mean, from the draws of its pixels' errors, holds the truth
 ///   errors   the fraction of the pixels' channels that lie within 1.96 of their standard errors (likelyErrors)
-///   bounds   ... within 1.96 times what these are at most (localErrors), and of how many pixels both are stated
-///   map      the fraction of these that are shown within the levels stated of each of them
+///   bounds   ... within 1.96 times the bounds (localErrors), and for how many pixels both are stated
+///   map      the fraction of these that are shown within the levels stated for each of them
 
 #include <QTest>
 #include <cmath>
@@ -25,7 +25,7 @@ constexpr ivec2 kFilm(28, 22);
 
 struct Coverage {
     double levels = 0, mean = 0, errors = 0, bounds = 0, stated = 0, map = 0;
-    double fewBright = 0;  ///< pictures that say that they rest on few bright samples
+    double fewBright = 0;  ///< images that report that they rest on few bright samples
 };
 
 double levelsOff(dvec3 light, dvec3 truth) {
@@ -35,7 +35,7 @@ double levelsOff(dvec3 light, dvec3 truth) {
     return levels;
 }
 
-/// How many of a pixel's channels lie within 95 % intervals of that half width.
+/// Returns how many of a pixel's channels lie within 95 % intervals of that half width.
 int channelsWithin(dvec3 off, dvec3 error) {
     int within = 0;
     for (int c = 0; c < 3; ++c)
@@ -47,7 +47,7 @@ dvec3 at(const denoise::Colours& planes, int x, int y) {
     return {planes[0].row(y)[x], planes[1].row(y)[x], planes[2].row(y)[x]};
 }
 
-/// Of one picture.
+/// Returns the coverage of one image.
 Coverage covered(const Film& film, const Film& truth) {
     const FilmStatus status = test::shownStatus(film, kExposure);
     const denoise::Colours bounds = localErrors(film), errors = likelyErrors(film, wholeImage(kFilm));
@@ -84,7 +84,7 @@ class CoverageTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Where chance has no part but in the pixels' edges, two samples tell.
+    /// Two samples suffice where chance has no part but in the pixels' edges.
     void projectionsAreKnownAtOnce_data() {
         QTest::addColumn<Model>("model");
         for (const Model model : {Model::absorption, Model::emissionAbsorption, Model::maximumIntensity})
@@ -146,7 +146,7 @@ class CoverageTest : public QObject {
                 "are stated, map %.1f %%; %.0f %% rest on few samples",
                 int(samples), seeds, 100 * sum.levels, 100 * sum.mean, 100 * sum.errors, 100 * sum.bounds,
                 100 * sum.stated, 100 * sum.map, 100 * sum.fewBright);
-            // Where light is rare the picture thinks a little too well of itself, unless it says that it rests on few
+            // Where light is rare the image states a slightly too small error, unless it reports that it rests on few
             // samples.
             QVERIFY(sum.levels > (rareLight ? 0.9 : 0.93) && (sum.levels < 0.97 || sum.fewBright > 0));
             QVERIFY(sum.errors > 0.93 && (sum.errors < 0.97 || rareLight));

@@ -1,4 +1,4 @@
-/// How far what a screen shows may be off: the tone curve, draws of errors and their percentile, in closed form.
+/// Tests the error of what a screen shows: the tone curve, draws of errors and their percentile, in closed form.
 
 #include <QTest>
 #include <cmath>
@@ -26,7 +26,7 @@ class DisplayErrorTest : public QObject {
         QCOMPARE(exactLevelOf(displayCurve(), NAN), 0.0f);
     }
 
-    /// Bright, in the dark, where a draw reaches below black, and near white.
+    /// The cases are bright, in the dark, where a draw reaches below black, and near white.
     void aPixelIsOffByWhatItsDrawWouldShow() {
         const auto off = [](dvec3 mean, dvec3 draw, double exposure) {
             return levelsOff(displayCurve(), mean, draw, exposure);
@@ -82,7 +82,7 @@ class DisplayErrorTest : public QObject {
         QVERIFY(std::isfinite(shownStatus(knownFilm(ground, 32), 1).relativeError));  // of all pixels
     }
 
-    /// 10 % of the tissue has seen no light: of n samples 3 / n may still be as bright as those that did elsewhere.
+    /// 10 % of the tissue has seen no light: of n samples 3 / n may still be as bright as those elsewhere.
     void tissueWithoutLightIsNotWithoutError() {
         const std::uint32_t n = 64;
         std::vector<Known> pixels(900, {0.5, 0.0625, 0.5});  // samples of 0 and of 1
@@ -97,8 +97,8 @@ class DisplayErrorTest : public QObject {
         QVERIFY(std::fabs(shownStatus(knownFilm(pixels, n), 1).displayError - known) < 0.4);
     }
 
-    /// Wisps that a sample meets now and then, beside tissue that every sample meets: of what none has met so much is
-    /// said as there is, whatever the number of samples.
+    /// Wisps that few samples meet, beside tissue that every sample meets: the share that none has met is estimated
+    /// correctly whatever the number of samples.
     void tissueThatNoSampleMetIsCounted() {
         const ivec2 size(160, 100);
         const auto isWisp = [&](std::size_t pixel) { return int(pixel) % size.x >= 120; };
@@ -114,7 +114,8 @@ class DisplayErrorTest : public QObject {
                 unseen += (seen & kSeenTissue) == 0;
                 ++all;
             }
-            grow(film, samples, [](auto...) { return 0.5; }, [](auto) { return kSeenChance; });
+            grow(
+                film, samples, [](auto...) { return 0.5; }, [](auto) { return kSeenChance; });
             const double stated = film.status().unseenTissue, truth = unseen / all;
             QVERIFY2(std::fabs(stated / truth - 1) < 0.2, qPrintable(QString("%1 %2").arg(stated).arg(truth)));
         }

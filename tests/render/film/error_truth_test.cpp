@@ -1,5 +1,5 @@
-/// What a film says about its error, held against samples whose error is known in closed form. Statistical bounds are
-/// at five standard errors: a false alarm in about a million runs.
+/// Tests the error that a film states against samples whose error is known in closed form. Statistical bounds are at
+/// five standard errors: a false alarm in about a million runs.
 
 #include <QTest>
 #include <cmath>
@@ -86,7 +86,7 @@ class ErrorTruthTest : public QObject {
         QCOMPARE(sure.unseenShare, 0.0);
     }
 
-    /// What was foretold from some samples is there when more are taken.
+    /// The error predicted from some samples is reached when more are taken.
     void whatIsForetoldComesTrue() {
         Film film(ivec2(200, 200), 0);  // 40,000 draws: 0.35 % of their root mean square
         const auto goOn = [&](double count) {
@@ -140,7 +140,7 @@ class ErrorTruthTest : public QObject {
         QVERIFY(shownStatus(knownFilm(pixels, 64), 1).fewBrightSamples);
     }
 
-    /// One sample in a hundred brings light: what few samples tell is a lower bound, and said to be one.
+    /// Where one sample in a hundred brings light, the error from few samples is a lower bound, and is reported as one.
     void rareLightMakesTheForecastALowerBound() {
         Film film(ivec2(30, 30), 0);
         const auto rare = [](std::size_t pixel, std::uint64_t sample) {
@@ -153,7 +153,7 @@ class ErrorTruthTest : public QObject {
         QVERIFY(!shownStatus(film, 1).fewBrightSamples);
     }
 
-    /// What low-discrepancy points gain is what standard errors say too much, where enough pixels tell.
+    /// The gain of low-discrepancy points is the excess of standard errors, where enough pixels show it.
     void theGainIsThatOverIndependentSamples() {
         std::vector<Known> pixels(99, {1, 0.02, 0.8});
         const std::uint32_t n = 64;
@@ -162,7 +162,7 @@ class ErrorTruthTest : public QObject {
         QVERIFY(std::fabs(shownStatus(knownFilm(pixels, n), 1).gain * 0.02 / 0.8 * std::sqrt(n - 1.0) - 1) < 1e-4);
     }
 
-    /// A twentieth of the tissue decides what is said of 95 % of it.
+    /// A twentieth of the tissue decides the margin stated for 95 % of it.
     void tissueWithoutLightDecidesWhatIsSaidWhereThereIsEnoughOfIt() {
         std::vector<Known> pixels(100, {1, 0.02, 0.8});
         std::fill_n(pixels.begin(), 5, Known{0, 0, 0});
@@ -173,7 +173,7 @@ class ErrorTruthTest : public QObject {
         QVERIFY(!shownStatus(knownFilm(pixels, 64), 1).unlitTissue);
     }
 
-    /// Of few pixels the draws say little: there the standard errors hold, which never say too little.
+    /// Draws of few pixels are poor evidence: there the standard errors are used, which are never too small.
     void ofFewPixelsTheStandardErrorsHold() {
         std::vector<Known> pixels(99, {1, 0.001, 1});
         const std::uint32_t n = 64;
@@ -182,8 +182,8 @@ class ErrorTruthTest : public QObject {
         QVERIFY(std::fabs(shownStatus(knownFilm(pixels, n), 1).relativeError / 0.001 - 1) < 1e-4);
     }
 
-    /// A real scene against a far better picture of it: 95 % of the tissue lies within what is said of 95 %, and nearly
-    /// all pixels within their two standard errors, which low-discrepancy points stay below.
+    /// In a real scene, compared with a far better image of it, 95 % of the tissue lies within the margin stated for 95
+    /// %, and nearly all pixels within their two standard errors, which low-discrepancy points stay below.
     void aPictureLiesWhereItSays() {
         Scene scene = test::tissueScene();
         scene.film = {30, 22};
@@ -230,7 +230,7 @@ class ErrorTruthTest : public QObject {
         QVERIFY(!sameBits(film.content(), other));
     }
 
-    /// Through the program that adds a GPU's samples up: the mean and error of the CPU's film, after 1e7 iterations.
+    /// The program that adds up a GPU's samples gives the mean and error of the CPU's film, after 1e7 iterations.
     void tenMillionIterationsOnAGpuAreThoseOfTheCpu() {
         const std::uint64_t count = 10'000'000;
         const std::uint32_t launch = 2500;

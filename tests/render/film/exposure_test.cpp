@@ -1,4 +1,4 @@
-/// The brightness that suits a picture.
+/// Tests the exposure that suits an image.
 
 #include <QTest>
 

@@ -24,7 +24,7 @@ Tile wholeOf(const Scene& scene) {
     return wholeImage(scene.film);
 }
 
-/// Of a tile, as a machine elsewhere makes it: the block's samples up to `end`.
+/// Returns the sums of a tile as another machine computes them: the block's samples up to `end`.
 TileResult resultOf(const Scene& scene, const Tile& tile, std::uint64_t end) {
     const std::uint64_t block = (end - 1) / kSamplesPerBlock * kSamplesPerBlock;
     TileResult result{scene.revision, tile, {block, std::uint32_t(end - block)}, {}, {}};
@@ -40,13 +40,13 @@ std::uint64_t pixelsIn(const std::vector<EvenTile>& tiles) {
     return pixels;
 }
 
-/// A tile and how far it is.
+/// A tile and the end of its samples.
 struct MovingTile {
     Tile tile;
     std::uint64_t end = 0;
 };
 
-/// The image, cut between cells: into rows, and each row anew into columns.
+/// Returns the image divided between cells: into rows, and each row into columns of its own.
 std::vector<MovingTile> randomTiles(ivec2 film, std::mt19937& random) {
     const auto part = [&](int left) { return std::min(left, kFilmCell * int(1 + random() % 3)); };
     std::vector<MovingTile> tiles;
@@ -62,7 +62,8 @@ std::vector<MovingTile> randomTiles(ivec2 film, std::mt19937& random) {
 
 }  // namespace
 
-/// Parts of a picture may be further than others, and may be made elsewhere: what they become is the same to the bit.
+/// Tests films whose parts have different numbers of samples or are computed elsewhere: the result is the same to the
+/// bit.
 class FilmOfRegionsTest : public QObject {
     Q_OBJECT
 
@@ -168,8 +169,8 @@ class FilmOfRegionsTest : public QObject {
         }
     }
 
-    /// Half of what the halves differ is a draw of the mean's error: pictures of other seeds differ as much. Standard
-    /// errors, which take the samples for independent, say far more.
+    /// Half the difference of the halves is a draw of the mean's error: images of other seeds differ as much. Standard
+    /// errors, which take the samples for independent, are far larger.
     void theHalvesTellTheNoise() {
         Scene scene = someScene();
         std::vector<Film> films;
@@ -191,8 +192,8 @@ class FilmOfRegionsTest : public QObject {
         QVERIFY2(errors > 2 * truth, qPrintable(QString::number(errors / truth)));
     }
 
-    /// Tiles that were made elsewhere, in any order of tiles, block by block and with a part of a block before: the
-    /// film is that of one device.
+    /// Tiles that were computed elsewhere, in any order of tiles, block by block and with a part of a block before,
+    /// make the film of one device.
     void mergedTilesAreOneDevicesFilm() {
         const Scene scene = someScene();
         std::vector<Tile> tiles{{0, 0, 32, 32}, {32, 0, 38, 16}, {32, 16, 38, 16}, {0, 32, 70, 13}};
@@ -208,7 +209,8 @@ class FilmOfRegionsTest : public QObject {
         QVERIFY(sameBits(film.content(), test::render(scene, 131).content()));
     }
 
-    /// However the image is cut into tiles and the samples of each into pieces, and in whatever order they come.
+    /// The result does not depend on how the image is cut into tiles and the samples of each into pieces, nor on their
+    /// order.
     void anyOrderAndAnySplitIsTheSameFilm() {
         const Scene scene = someScene();
         const std::uint64_t samples = 150;

@@ -21,7 +21,7 @@ class FilmTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// What lies in memory between the numbers is nobody's value; a comparison of bytes saw it.
+    /// The padding between numbers in memory does not count; a comparison of bytes would include it.
     void filmsAreComparedNumberByNumber() {
         const auto contentOver = [](unsigned char rubbish, double lastSum, double lastMean) {
             FilmContent content = Film(ivec2(3, 1), 1).content();

@@ -189,7 +189,7 @@ class ImageFileTest : public QObject {
         QVERIFY(file.resize(0) && !readExr(at("b.exr")));
     }
 
-    /// Before there is memory for all that it claims to be.
+    /// The file is refused before memory is allocated for the size that it claims to have.
     void whatClaimsToBeLargerThanItIsIsRefused() {
         QVERIFY(bool(writeExr(exampleFilm({7, 5}), kFacts, at("c.exr"))));
         QFile file(QString::fromStdString(at("c.exr")));
@@ -215,7 +215,7 @@ class ImageFileTest : public QObject {
         QVERIFY2(refused.error().what == "the picture is not complete", refused.error().text().c_str());
     }
 
-    /// Piece by piece, so that it can be given up.
+    /// A file is read piece by piece, so that reading can be cancelled.
     void exrIsReadPieceByPiece() {
         const Film film = exampleFilm({3, 700});
         QVERIFY(bool(writeExr(film, kFacts, at("b.exr"))));

@@ -1,4 +1,4 @@
-/// The map of what is still rough, against films whose error is known.
+/// Tests the error map against films whose error is known.
 
 #include "render/film/error/level_error_map.h"
 
@@ -16,13 +16,13 @@ namespace {
 constexpr std::uint32_t kSamples = 100;
 constexpr float kExposure = 2;
 
-/// A row of like pixels: their standard error is `presumed`, the draw of their error `real`.
+/// Returns a row of equal pixels: their standard error is `presumed`, the draw of their error `real`.
 Film rowOf(double mean, double real, double presumed, int pixels = 40) {
     return knownFilm(std::vector<Known>(std::size_t(pixels), {mean, real, presumed * std::sqrt(kSamples - 1.0)}),
                      kSamples);
 }
 
-/// Within how many levels 95 % of the displayed values are, with a standard error of `error`.
+/// Returns the levels within which 95 % of the displayed values lie, for a standard error of `error`.
 double interval(double mean, double error) {
     const auto off = [&](double draw) { return std::fabs(curve(mean + draw, kExposure) - curve(mean, kExposure)); };
     return std::max(off(1.96 * error), off(-1.96 * error));
@@ -130,7 +130,7 @@ class LevelErrorMapTest : public QObject {
         QVERIFY(!levelErrorsAt(film, {35, 0}, 1, kExposure).tissue);
     }
 
-    /// Of 18,000 pixels and 1,900 squares, four standard errors.
+    /// Tolerances are four standard errors for 18,000 pixels and 1,900 squares.
     void theIntervalsHoldTheTruth() {
         const ivec2 size(160, 120);
         const auto truth = [](int x, int y) { return 0.1 + 0.02 * (x / 40) + 0.1 * (y / 60); };

@@ -1,4 +1,4 @@
-/// What is stated of single pixels.
+/// Tests the bounds that are stated for single pixels.
 
 #include "render/film/error/local_error.h"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr ivec2 kSize(40, 30);
 constexpr std::uint32_t kSeen = kSeenTissue | kSeenChance;
 
-/// Light of radiance 1 on the mean, in one sample of `rarity`.
+/// Returns light of mean radiance 1, carried by one sample in `rarity`.
 Film litFilm(std::uint64_t samples, double rarity, std::size_t luckless = std::size_t(-1)) {
     Film film(kSize, 1);
     const auto value = [&](std::size_t pixel, std::uint64_t sample) {

@@ -1,9 +1,9 @@
-/// What the halves of a film say of its noise, and what others say of the same noise.
+/// Compares the noise estimated from the halves of a film with other estimates of the same noise.
 ///   halves       the draws of the error (errorDrawOf), which the screen's numbers come from
-///   blocks       pictures of 64 samples, each with random numbers of its own: how far their means lie apart
+///   blocks       images of 64 samples, each with random numbers of its own: how far their means lie apart
 ///   the samples  the standard errors that a film keeps beside the halves, as if its samples were independent
-/// Blocks of one film are no second opinion: they share their low-discrepancy points, and lie further apart than their
-/// mean is off.
+/// Blocks of one film are no independent estimate: they share their low-discrepancy points, and lie further apart than
+/// their mean is off.
 
 #include <QTest>
 #include <cmath>
@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kBlocks = 24;
 
-/// Mean squares over the pixels of a picture, of the error of green.
+/// Mean squares of the error of the green channel over the pixels of an image.
 struct Noise {
-    double halves = 0, samples = 0;  ///< of one block, on the mean
+    double halves = 0, samples = 0;  ///< mean over the blocks, each alone
     double blocks = 0;
 };
 

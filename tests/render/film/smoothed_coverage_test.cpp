@@ -1,8 +1,8 @@
-/// Whether the "at most" that is stated of a smoothed picture holds, scene by scene: over seeds, against a far better
-/// picture. Few seeds here; PDR_COVERAGE_SEEDS=100 takes as many, more samples too, and prints what came of them.
-///   relative  how often the root mean square error lies within what is stated of it
+/// Tests whether the upper bounds stated for a denoised image hold, scene by scene: over seeds, against a far better
+/// image. It takes few seeds; with PDR_COVERAGE_SEEDS=100 it takes that many, more samples too, and prints the results.
+///   relative  how often the root mean square error lies within its bound
 ///   levels    how often 95 % of the tissue lie within the levels that are stated for 95 % of it
-///   slack     what is stated over what is true, on the median: of the one and of the other
+///   slack     the stated over the true error, as a median: of the one and of the other
 
 #include <QTest>
 #include <algorithm>
@@ -19,12 +19,12 @@ namespace {
 
 constexpr ivec2 kFilm(96, 80);
 
-/// How far pictures are from what is stated of them.
+/// Ratios of the stated to the true error of an image.
 struct Statement {
-    double relativeSlack, levelsSlack;  ///< what is stated over what is true
+    double relativeSlack, levelsSlack;  ///< stated over true error
 };
 
-/// Of the picture that is shown. Nothing where nothing is said.
+/// Returns the ratios for the image that is shown. Nothing where no error is stated.
 std::optional<Statement> statementOf(const Film& film, const Film& truth, double exposure) {
     const auto stated = SmoothingJudgement::of(film)->overAll(exposure);
     if (!stated)
@@ -46,7 +46,7 @@ std::optional<Statement> statementOf(const Film& film, const Film& truth, double
             }
             levels.push_back(off);
             mean += luminance(best.mean), ++pixels;
-            // The truth's own noise is taken off.
+            // Subtract the noise of the reference image
             squares += std::pow(luminance(shown - best.mean), 2) - std::pow(luminance(best.errorDraw), 2);
         }
     const auto at = levels.begin() + std::ptrdiff_t(0.95 * double(levels.size()));
@@ -55,7 +55,7 @@ std::optional<Statement> statementOf(const Film& film, const Film& truth, double
     return Statement{stated->relativeAtMost / relative, stated->levelsAtMost / *at};
 }
 
-/// Of a list that is not empty.
+/// Returns the median of a list that is not empty.
 double median(std::vector<double> values) {
     const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
     std::ranges::nth_element(values, middle);

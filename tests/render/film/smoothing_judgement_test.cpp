@@ -20,7 +20,7 @@ double discs(int x, int y) {
     return std::hypot(x % 32 - 16, y % 32 - 16) < 8 ? 5 * ground : ground;
 }
 
-/// Root mean square of the luminance over its mean, of the smoothed picture against the truth.
+/// Returns the root mean square error of the denoised image's luminance, over the mean luminance of the truth.
 double trueError(const Film& film, const Truth& truth, const Tile& region) {
     const std::vector<double> smooth = smoothRadiance(film);
     double squares = 0, mean = 0;
@@ -41,8 +41,8 @@ bool lineAt(int x, int y) {
     return along >= 0 && along < 60 && (across == 30 || across == 31);
 }
 
-/// The part of its contrast that each line keeps in the smoothed picture `with`, ascending; `without`: the same film
-/// without them.
+/// Returns the share of its contrast that each line keeps in the denoised image `with`, ascending; `without`: the same
+/// film without lines.
 std::vector<double> keptOfLines(const Film& without, const Film& with, double contrast) {
     const ivec2 size = with.size(), cells = size / ivec2(70, 75);
     const std::vector<double> plain = smoothRadiance(without), drawn = smoothRadiance(with);
@@ -60,7 +60,7 @@ std::vector<double> keptOfLines(const Film& without, const Film& with, double co
     return kept;
 }
 
-/// Of `value` at the pixels that lie `across` pixels beside a line.
+/// Returns the mean of `value` over the pixels that lie `across` pixels beside a line.
 template <class Value>
 double meanAlong(const denoise::LostLine& line, float across, ivec2 size, const Value& value) {
     const float length = glm::length(line.end - line.begin);
@@ -90,7 +90,7 @@ class SmoothingJudgementTest : public QObject {
     }
 
   private slots:
-    /// Of 40 films at most 5 may lie above a bound of 95 %: a false alarm in 25 runs of other seeds, and of this never.
+    /// At most 5 of 40 films may lie above a bound of 95 %: other seeds would fail once in 25 runs, these never.
     void theBoundHoldsTheTruth() {
         const ivec2 size(128, 96);
         int held = 0, films = 0;
@@ -185,8 +185,8 @@ class SmoothingJudgementTest : public QObject {
         }
     }
 
-    /// Lines of 2 x 60 pixels, drawn into the samples: nine in ten of the stated contrast keep 60 % of it, and of a
-    /// third of that contrast they lose more than half, though the picture's error does not tell.
+    /// Lines of 2 x 60 pixels are drawn into the samples: nine in ten of the stated contrast keep 60 % of it, and
+    /// those of a third of that contrast lose more than half, though the image's error does not show it.
     void whatContrastIsHiddenIsStated_data() {
         QTest::addColumn<int>("samples");
         for (const int samples : {16, 64, 256})
@@ -252,8 +252,8 @@ class SmoothingJudgementTest : public QObject {
         QVERIFY(said(800));
     }
 
-    /// Black, since no light was found yet, is not dark: nothing is said of a black picture, and of one that is black
-    /// in part, what rare light may bring there.
+    /// Pixels without light yet are not dark: no error is stated for a black image, and for one that is black in part
+    /// it includes what rare light may bring there.
     void tissueThatHasSeenNoLightIsNoDarkTissue() {
         const ivec2 size(128, 96);
         const auto said = [&](int lit, std::uint32_t seenInTheDark, double exposure = 1) {
@@ -277,7 +277,7 @@ class SmoothingJudgementTest : public QObject {
                  qPrintable(QString("%1, %2 of %3").arg(unlucky).arg(dark).arg(rare)));
     }
 
-    /// What is said of a denoised image is said of that, and where nothing is known of it, of the film, by name.
+    /// The stated error is that of the denoised image, or of the film where the former is not known, and names which.
     void theNumberIsOfTheImageThatIsShown() {
         const FilmStatus film{.samplesPerPixel = 64, .displayError = 16, .tissuePixels = 100, .gain = 2};
         const SmoothedError error{.levels = 5, .levelsAtMost = 7};
@@ -298,7 +298,8 @@ class SmoothingJudgementTest : public QObject {
         QVERIFY(!SmoothingJudgement::of(noisyFilmOf({128, 96}, discs, 4), stop.get_token()));
     }
 
-    /// So that a hand need not wait for it. What is left is to read the film.
+    /// A judgement that is stopped ends soon, so that interaction need not wait for it. What remains is to read the
+    /// film.
     void whatIsStoppedEndsSoon() {
         const Film film = noisyFilmOf({512, 384}, discs, 16);
         std::stop_source stop;

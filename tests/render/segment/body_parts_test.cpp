@@ -58,7 +58,7 @@ class BodyPartsTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Half of the edge lies as deep as asked for, within half a cell, and what is seen grows inwards.
+    /// The middle of the edge lies at the requested depth, within half a cell, and the visible share grows inwards.
     void whatIsPeeledIsAsDeepAsWasAsked() {
         const auto volume = patient(trunkHu);
         for (const double depth : {3.0, 7.0, 20.0, 30.0}) {
@@ -81,7 +81,7 @@ class BodyPartsTest : public QObject {
         }
     }
 
-    /// As a curved surface is peeled evenly: the steps of the cells do not show.
+    /// A curved surface is peeled evenly: the steps of the cells do not show.
     void peeledSurfacesHaveNoSteps() {
         const auto volume = patient([](dvec3 p) { return inTube(p, {0, 0}, 60) ? kTissueHu : kAirHu; });
         const auto mask = partsOf(volume).peeled(12, volume->geometry(), noProgress);
@@ -100,7 +100,7 @@ class BodyPartsTest : public QObject {
         QVERIFY2(farthest - nearest < 1, qPrintable(QString("%1 to %2").arg(nearest).arg(farthest)));
     }
 
-    /// With the vessels in them, and without what lies near the pleura; bowel gas is no lung.
+    /// The lungs are shown with the vessels in them, and without what lies near the pleura; bowel gas is no lung.
     void theLungsAreShownWithTheirVessels() {
         const auto lung = [](dvec3 p) { return inTube(p, {-28, 0}, 24) && std::abs(p.z) < 50; };
         const auto gas = [](dvec3 p) { return inTube(p, {28, 0}, 24) && std::abs(p.z) < 50; };
@@ -185,7 +185,7 @@ class BodyPartsTest : public QObject {
         QVERIFY(text.find("Only bones") != std::string::npos && text.find("Peeled 15 mm") != std::string::npos);
     }
 
-    /// Those of small pictures are coarser and lie elsewhere.
+    /// The voxels of small images are coarser and lie elsewhere.
     void aMaskForOtherVoxelsShowsTheSamePlaces() {
         const auto volume = patient(trunkHu);
         const VolumeGeometry own = volume->geometry();
@@ -207,7 +207,7 @@ class BodyPartsTest : public QObject {
         QVERIFY2(worst < 0.2, qPrintable(QString::number(worst)));  // what the fine one's nodes bend
     }
 
-    /// In any order, by whoever asked before, and after a search that was given up.
+    /// The masks do not depend on the order of requests, nor on a search that was cancelled before.
     void whatIsKnownChangesNothing() {
         const auto volume = patient([](dvec3 p) { return inBall(p, {-25, 0, 0}, 20) ? bone(p, 900) : trunkHu(p); });
         const VolumeGeometry& own = volume->geometry();

@@ -1,4 +1,4 @@
-/// What the rule is made of, against the plainest way to compute it.
+/// Tests the building blocks of the rule against the simplest way to compute them.
 
 #include <QTest>
 
@@ -19,7 +19,7 @@ CellGrid gridOf(ivec3 size, dvec3 spacing) {
     return {size, ivec3(1), spacing};
 }
 
-/// Flags, one in `rarity` of them set.
+/// Returns flags, one in `rarity` of them set.
 Cells randomCells(const CellGrid& grid, unsigned rarity, unsigned seed) {
     std::mt19937 random(seed);
     Cells cells(grid.count());

@@ -1,4 +1,4 @@
-/// What is found in a scan: patients made from formulas.
+/// Tests the findings of scans: patients made from formulas.
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
-/// What is told of a hidden table: how much, where, by which rule, or why it is not known; and what it may not depend
-/// on.
+/// Tests the report on a hidden table: how much, where, by which rule, or why it is not known; and what it must not
+/// depend on.
 
 #include <QTest>
 
@@ -138,7 +138,8 @@ class TableFactsTest : public QObject {
                  "No table was hidden, because " + QString::fromStdString(table.undecided) + ".");
     }
 
-    /// It may be a frame: it stays with what it touches, and nothing else is hidden than without it.
+    /// Metal outside the body may be a frame: it stays with what it touches, and nothing else is hidden than without
+    /// it.
     void metalOutsideTheBodyStaysWithWhatItTouches_data() {
         QTest::addColumn<dvec3>("middle");
         QTest::addColumn<double>("tableTop");

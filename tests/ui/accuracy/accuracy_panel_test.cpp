@@ -35,7 +35,7 @@ class TestAccuracyPanel : public QObject {
 
 static const QRectF kArea(50, 10, 400, 120);
 
-/// Falls as 1 / sqrt(t) from 32 levels at 2 s.
+/// Returns errors that fall as 1 / sqrt(t) from 32 levels at 2 s.
 static std::vector<ErrorPoint> fall(int points) {
     std::vector<ErrorPoint> all;
     for (int i = 0; i < points; ++i)
@@ -104,7 +104,7 @@ void TestAccuracyPanel::whatWasMeasuredStandsInItsPlace() {
     QVERIFY(plot.accessibleDescription().startsWith("target: ±4; ±32 since"));
 }
 
-/// Pixels along the height of ±2 that are not what an empty plot has there.
+/// Returns how many pixels along the height of ±2 differ from those of an empty plot.
 static int marksAt(double levels, const Accuracy& accuracy, double from, double to) {
     ErrorPlot plot;
     plot.setAccuracy(accuracy, 1);
@@ -134,7 +134,7 @@ void TestAccuracyPanel::whatIsForetoldIsHatchedFromNowOn() {
     QVERIFY(marksAt(2, atLeast, 1200, 3500) > 20);
 }
 
-/// Where they did, told apart by form, and named where the mouse is.
+/// Marks stand where nodes joined or left, differ in shape, and are named under the pointer.
 void TestAccuracyPanel::nodesThatCameAndWentAreMarked() {
     ErrorPlot plot;
     plot.setAccuracy(accuracyNow(), 1);

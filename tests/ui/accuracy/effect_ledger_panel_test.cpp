@@ -1,4 +1,4 @@
-/// The panel that says what the seconds go to: what it shows, and that it asks before it leaves something out.
+/// The cost table of the effects: what it shows, and that it asks before it leaves something out.
 
 #include <QSignalSpy>
 #include <QTest>
@@ -20,7 +20,7 @@ static EffectRows twoEffects() {
     return rows;
 }
 
-/// The visible label that says `words` in some way; null: there is none.
+/// Returns the visible label that contains `words`; null: there is none.
 static QLabel* labelWith(const QWidget& panel, const QString& words) {
     for (QLabel* label : panel.findChildren<QLabel*>())
         if (!label->isHidden() && label->text().contains(words) && label->isVisibleTo(&panel))
@@ -112,7 +112,7 @@ void TestEffectLedger::whereNothingCanBeLeftOutNothingIsOffered() {
     QVERIFY(only->isEnabled() && !labelWith(panel, "all that is on is called for"));
 }
 
-/// Else the picture would begin anew with each row.
+/// Otherwise the image would begin anew with each row.
 void TestEffectLedger::itTakesTheSameRoomWhateverItShows() {
     EffectLedger panel;
     const QSize empty = panel.sizeHint(), least = panel.minimumSizeHint();

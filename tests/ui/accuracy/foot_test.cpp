@@ -1,4 +1,4 @@
-/// The foot of the window: its sentence, its strip, and that both keep their room.
+/// The status bar: its sentence, its strip, and that both keep their room.
 
 #include <QFontMetrics>
 #include <QLabel>
@@ -41,8 +41,8 @@ static FilmStatus statusOf(double levels) {
     return {.samplesPerPixel = 64, .relativeError = 0.1, .displayError = levels, .tissuePixels = 100};
 }
 
-/// Each step takes four times as long as the one before; ±32 takes `first` seconds. Now is a little behind the step
-/// that was reached last.
+/// Returns an accuracy for which each step takes four times as long as the one before; ±32 takes `first` seconds, and
+/// the present is a little after the last step reached.
 static Accuracy accuracyAt(double levels, double first = 3) {
     Accuracy accuracy{statusOf(levels)};
     double seconds = first;
@@ -119,7 +119,7 @@ void TestFoot::theSentenceSaysWhatIsNotKnown() {
     QCOMPARE(accuracyText(accuracy), QString());
 }
 
-/// Where the picture leaves the window, the sentence goes with it, until it is as good as was wanted.
+/// The sentence goes with an image that leaves the program, until it is as accurate as requested.
 void TestFoot::aPreviewSaysThatItIsOne() {
     const auto text = [](const FilmStatus& status, ErrorOf of) { return previewText({status, of}, 4); };
     QCOMPARE(text(statusOf(12), ErrorOf::film),
@@ -252,7 +252,7 @@ void TestFoot::theTargetIsSetSilently() {
     QCOMPARE(chosen.count(), 0);
 }
 
-/// There it is rounded to what can be read; the keys go on from there to the steps beside it.
+/// A target between two steps is rounded to what is displayed; the keys move it to the steps beside it.
 void TestFoot::theKnobCanStandBetweenTwoSteps() {
     AccuracyStrip strip;
     strip.resize(800, 40);
@@ -292,7 +292,7 @@ void TestFoot::theStripTellsItsValueToThoseWhoCannotSeeIt() {
     QCOMPARE(strip.focusPolicy(), Qt::TabFocus);
 }
 
-/// Also on a screen with more pixels to a length.
+/// The strip is filled to the right place on a screen of any pixel ratio.
 void TestFoot::theStripIsFilledUpToNow() {
     AccuracyStrip strip;
     strip.resize(800, strip.minimumSizeHint().height());

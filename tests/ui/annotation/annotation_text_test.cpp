@@ -1,4 +1,4 @@
-/// What images, cuts and lamps say in words: sides are the patient's, and nothing is named that is not there.
+/// The texts of images, cuts and lamps: sides are the patient's, and nothing absent is named.
 
 #include <QTest>
 

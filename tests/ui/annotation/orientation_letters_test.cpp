@@ -89,7 +89,7 @@ void TestOrientationLetters::everyStandardViewHasItsLetters() {
         QCOMPARE(edge.size(), std::size_t(1));
 }
 
-/// A hand that turns the patient to the right sees first his right side, then his back, then his left.
+/// Turning the patient to the right shows first his right side, then his back, then his left.
 void TestOrientationLetters::theLettersStayRightOverAWholeTurn() {
     Camera camera = viewFrom(StandardView::anterior);
     const auto quarterTurn = [&camera] {

@@ -1,4 +1,5 @@
-/// Letters and cube against what is seen: a patient with one side marked, stored along any axes and seen from anywhere.
+/// Letters and cube compared with the rendered view: a patient with one side marked, stored along any axes and seen
+/// from any direction.
 
 #include <QImage>
 #include <QPainter>
@@ -43,7 +44,7 @@ std::vector<dmat3> signedPermutations() {
     return all;
 }
 
-/// Air but for a cube at that side of the patient, who lies about the origin.
+/// Returns a volume of air with a cube at that side of the patient, who is centred at the origin.
 std::shared_ptr<const Volume> markedAt(const Side& side, const dmat3& axesOfVoxels) {
     constexpr int kEdge = 9;
     constexpr double kSpacing = 10;
@@ -62,7 +63,7 @@ std::shared_ptr<const Volume> markedAt(const Side& side, const dmat3& axesOfVoxe
     return std::make_shared<const Volume>(geometry, std::move(voxels));
 }
 
-/// The letter at the edge towards which the mark is seen; "." where it is in the middle, " " where it is not seen.
+/// Returns the letter at the edge towards which the mark is seen; "." if it is in the middle, " " if it is not seen.
 std::string seenAt(const std::shared_ptr<const Volume>& volume, const Camera& camera) {
     constexpr int kFilm = 31, kMiddle = kFilm / 2, kOut = 9;
     Scene scene;
@@ -90,7 +91,7 @@ QImage painted(const std::function<void(QPainter&)>& paint) {
     return image;
 }
 
-/// A square with a letter, painted by other means than the cube's.
+/// Returns a square with a letter, painted by other means than the cube's.
 QImage faceWith(char letter, int quarterTurns, bool mirrored) {
     return painted([&](QPainter& painter) {
         constexpr double kHalfFace = 48 / 1.7321;
@@ -128,7 +129,7 @@ class TestOrientationViews : public QObject {
     void theCubeShowsTheSideThatOneLooksAt();
 };
 
-/// However the scan is stored, and from each of the 24 views along axes; each letter is put to the test in each.
+/// Tests every storage order of the scan and each of the 24 views along axes; each letter is tested in each.
 void TestOrientationViews::theMarkedSideIsWhereItsLetterIs() {
     const auto orientations = signedPermutations();
     QCOMPARE(orientations.size(), std::size_t(48));
@@ -148,7 +149,7 @@ void TestOrientationViews::theMarkedSideIsWhereItsLetterIs() {
     QVERIFY(atEdges > 1000);
 }
 
-/// As DICOM viewers write them: what tilts less than 10 degrees towards a side is not called so.
+/// Letters are named as in DICOM viewers: a tilt of less than 10 degrees towards a side is not named.
 void TestOrientationViews::obliqueViewsNameTheStrongerSideFirst() {
     const auto tilted = [](double degrees) {
         const double angle = glm::radians(degrees);
@@ -175,7 +176,7 @@ void TestOrientationViews::lettersAreThoseOfTheViewWhateverTheLens() {
     }
 }
 
-/// Of all letters, turned and mirrored, none is more like what is painted.
+/// No other letter, turned or mirrored, is more like the painted one.
 void TestOrientationViews::theCubeShowsTheSideThatOneLooksAt() {
     for (const Camera& camera : axisViews(Camera::Type::perspective)) {
         const QImage cube = painted([&](QPainter& p) { paintOrientationCube(p, QRectF(0, 0, 96, 96), camera); });

@@ -1,4 +1,4 @@
-/// The panel of the camera: what it emits and what it says.
+/// The camera panel: what it emits and what it shows.
 
 #include <QColorDialog>
 #include <QSignalSpy>

@@ -1,4 +1,4 @@
-/// Handles of the cut over the picture: they follow the mouse, and what lies beside them is the picture's.
+/// The handles of the cut over the image: they follow the mouse, and presses beside them reach the image.
 
 #include "ui/cut/cut_layer.h"
 
@@ -13,7 +13,7 @@ using Kind = CutHandle::Kind;
 
 static const Uncut kBody{{-100, -80, -120}, {100, 80, 120}};
 
-/// A picture of 300 x 200 that counts the clicks on it, below its layer; the body is seen from the right front.
+/// An image of 300 x 200 pixels that counts the clicks on it, below its layer; the body is seen from the right front.
 class CutPicture : public QWidget {
   public:
     CutPicture() {

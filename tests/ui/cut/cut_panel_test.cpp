@@ -11,7 +11,7 @@ namespace pdr::ui {
 
 static const Uncut kBody{{-100, -80, -120}, {100, 80, 120}};
 
-/// A panel that is told what it has chosen, as by the document.
+/// A panel that receives its own choices back, as from the document.
 struct LivePanel {
     LivePanel() {
         QObject::connect(&panel, &CutPanel::clipChosen, [this](const Clip& chosen) {

@@ -1,4 +1,4 @@
-/// A line drawn on the picture becomes a cut when it is answered what it is to cut.
+/// A line drawn on the image becomes a cut when the user has chosen what it cuts.
 
 #include "ui/cut/freehand_pen.h"
 #include "tests/support/mouse.h"
@@ -11,7 +11,7 @@
 
 namespace pdr::ui {
 
-/// A picture of 300 x 200 below a pen.
+/// An image of 300 x 200 pixels below a pen.
 class PenPicture : public QWidget {
   public:
     PenPicture() {
@@ -53,7 +53,7 @@ class TestFreehandPen : public QObject {
         QFETCH(QString, answer);
         QFETCH(bool, keeps);
         PenPicture picture;
-        QVERIFY(picture.childAt(150, 100) == nullptr);  // it is in nobody's way
+        QVERIFY(picture.childAt(150, 100) == nullptr);  // it blocks nothing
         picture.pen->startDrawing();
         picture.drawSquare();
         QVERIFY(picture.cuts.empty());

@@ -1,4 +1,4 @@
-/// Keys of the window's actions: all are listed, each can be another, and no key means two things.
+/// The keys of the window's actions: all are listed, each can be changed, and no key has two meanings.
 
 #include <QPushButton>
 #include <QSignalSpy>
@@ -100,7 +100,7 @@ void TestKeysDialog::keysMayBeSwappedInTheFile() {
     QCOMPARE(hand.actions[1].shortcut(), QKeySequence(Qt::Key_1));
 }
 
-/// A tool tip that only repeats the menu would explain nothing, but for undo, whose text says it all.
+/// A tool tip must explain more than the menu text, except for undo, whose text is complete.
 void TestKeysDialog::everyActionOfTheWindowIsListedAndExplained() {
     MainWindow window;
     QMap<QString, QString> keys;

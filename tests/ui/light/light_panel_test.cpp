@@ -1,5 +1,5 @@
-/// The panel of the lights under mouse and keys: what it emits, what it shows, and that the light comes from where its
-/// handle is.
+/// The light panel under mouse and keys: what it emits, what it shows, and that the light comes from where its handle
+/// is.
 
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -49,7 +49,7 @@ struct Lit {
             QTest::mouseMove(&sphere, (from + part * (to - from)).toPoint());
         QTest::mouseRelease(&sphere, Qt::LeftButton, {}, to.toPoint());
     }
-    /// Of the lamp `index`, as the viewer sees it.
+    /// Returns the direction of the lamp `index`, as the viewer sees it.
     dvec3 seen(std::size_t index) const {
         const dmat3 view = rigAxes(LightRig::Follows::camera, obliqueCamera());
         return glm::transpose(view) * rigAxes(last.rig.follows, obliqueCamera()) * lampsOf(last.rig)[index].from;
@@ -212,7 +212,7 @@ void TestLightPanel::aRigIsChosenByItsButton() {
     QVERIFY(!lit.button("Rim").isChecked());
 }
 
-/// Also where the lamps then stay with the patient.
+/// A rig is relative to the view even if the lamps then stay with the patient.
 void TestLightPanel::aRigIsMeantForTheView() {
     Lit lit;
     lit.button("Headlight").click();
@@ -323,7 +323,7 @@ void TestLightPanel::everyControlIsReachedAndNamed() {
     }
 }
 
-/// Every handle against the ball and the ring, the chosen one as well.
+/// Every handle stands out against the ball and the ring, the chosen one as well.
 void TestLightPanel::handlesAndTextStandOut() {
     Lit lit;
     LightSphere& sphere = lit.panel.sphere();

@@ -1,4 +1,4 @@
-/// The gallery of looks: what is offered, folded, shown and said.
+/// The gallery of looks: what it offers, collapses, shows and says.
 
 #include <QLabel>
 #include <QSignalSpy>
@@ -112,7 +112,7 @@ class LookGalleryTest : public QObject {
         QVERIFY(!says("Fat is not shown."));
     }
 
-    /// A sliver of it would be of no use: the panel asks for the room of a row of pictures, and scrolls in less.
+    /// A smaller part would be useless: the panel asks for the height of one row of thumbnails, and scrolls in less.
     void aRowOfTheGalleryIsAlwaysThere() {
         LookPanel panel;
         panel.gallery().setLooks(kLooks);

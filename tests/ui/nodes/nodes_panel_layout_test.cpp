@@ -1,4 +1,5 @@
-/// The panel of remote nodes in windows of all sizes: who sees and reaches what, and what an update of many costs.
+/// The panel of remote nodes in windows of all sizes: what is visible and reachable, and the cost of updating many
+/// nodes.
 
 #include <QAbstractButton>
 #include <QScrollBar>
@@ -60,7 +61,7 @@ void TestNodesPanelLayout::itsTextStandsOut_data() {
     QTest::newRow("light") << ThemeChoice::light;
 }
 
-/// Whatever stands in the table: as the palette has it, with no colour of its own.
+/// Every text in the table has the palette's colour and none of its own.
 void TestNodesPanelLayout::itsTextStandsOut() {
     QFETCH(ThemeChoice, choice);
     applyTheme(*qApp, choice);
@@ -84,7 +85,7 @@ void TestNodesPanelLayout::itFitsIntoSmallWindows_data() {
         QTest::addRow("%d x %d", size.width(), size.height()) << size;
 }
 
-/// Controls are whole, and what is cut of a text can be read in its tool tip.
+/// Controls are not cut off, and the tool tip shows the text that is.
 void TestNodesPanelLayout::itFitsIntoSmallWindows() {
     QFETCH(QSize, size);
     NodesPanel panel;
@@ -130,7 +131,7 @@ void TestNodesPanelLayout::itLeavesThePictureItsPart() {
     QVERIFY(!window.nodes().isVisible());
 }
 
-/// Of the window's processor: with what is painted anew. All change each time.
+/// Measures the time on the window's thread, including repainting, when all rows change each time.
 void TestNodesPanelLayout::sixtyFourNodesTenTimesASecondCostNext() {
     NodesPanel panel;
     panel.resize(1000, 200);
@@ -139,7 +140,7 @@ void TestNodesPanelLayout::sixtyFourNodesTenTimesASecondCostNext() {
     panel.show();
     QVERIFY(QTest::qWaitForWindowExposed(&panel));
     panel.table().selectRow(3);
-    double best = 1e9;  // of some rounds: what runs beside this takes its caches away
+    double best = 1e9;  // best of some rounds: other processes evict the caches
     for (int round = 0; round < 5 && best >= 2; ++round) {
         std::vector<double> painted;
         for (int i = 0; i < 300; ++i) {

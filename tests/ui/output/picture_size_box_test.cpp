@@ -1,4 +1,4 @@
-/// How large a picture is to be that is saved.
+/// The size and accuracy of an image to be saved.
 
 #include <QTest>
 #include <algorithm>
@@ -83,7 +83,7 @@ void TestPictureSizeBox::eachFieldHasANameAndItsUnit() {
     QVERIFY(!box.findChild<QComboBox*>()->accessibleName().isEmpty());
 }
 
-/// Four times as many pixels take four times as long, half the error as well.
+/// Four times as many pixels take four times as long, and so does half the error.
 void TestPictureSizeBox::itSaysHowLongItTakes() {
     PictureSizeBox box({.view = {1000, 1000}, .cost = PictureCost{64 * 600e-6}});
     const auto said = [&] {

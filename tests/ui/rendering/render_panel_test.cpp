@@ -7,7 +7,7 @@
 
 namespace pdr::ui {
 
-/// The control with that accessible name.
+/// Returns the control with that accessible name.
 template <class Control>
 Control* named(const QWidget& panel, const char* name) {
     for (Control* control : panel.findChildren<Control*>())
@@ -16,7 +16,7 @@ Control* named(const QWidget& panel, const char* name) {
     qFatal("there is no control %s", name);
 }
 
-/// As a hand does it: by the keyboard, so that Qt takes it for a choice.
+/// Chooses an entry as a user does: by the keyboard, so that Qt treats it as a choice.
 static void choose(QComboBox* box, int index) {
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Home);

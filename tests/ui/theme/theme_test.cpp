@@ -1,4 +1,4 @@
-/// Light and dark: everything can be read, and seen, in both.
+/// Both themes, light and dark: everything is legible and visible in them.
 
 #include <QImage>
 #include <QPainter>
@@ -127,7 +127,7 @@ void TestTheme::theKeyboardIsSeenOnABox() {
     QVERIFY(test::contrast(image.pixelColor(20, 1), theme->window) >= 3);
 }
 
-/// Etched, it would look brighter than what can be chosen.
+/// Etched text would look brighter than that of enabled controls.
 void TestTheme::disabledTextStandsAlone() {
     applyTheme(*qApp, ThemeChoice::dark);
     QCOMPARE(qApp->style()->styleHint(QStyle::SH_EtchDisabledText), 0);

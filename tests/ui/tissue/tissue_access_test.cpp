@@ -1,5 +1,5 @@
-/// The panel of the tissue for every hand and eye: whatever is pressed it holds a valid function, keys reach and names
-/// tell everything, and what must be seen stands out.
+/// The tissue panel for every user: it holds a valid function whatever is pressed, keys reach everything, names
+/// describe it, and everything important is visible.
 
 #include <QLineEdit>
 #include <QTest>
@@ -23,7 +23,7 @@ class TestTissueAccess : public QObject {
     void textAndPointsStandOut();
 };
 
-/// Thousands of presses, drags, keys and wheels on both plots, with changes from outside between them.
+/// Thousands of presses, drags, keys and wheel events on both plots, with changes from outside between them.
 void TestTissueAccess::whateverTheHandDoesTheFunctionStaysOne() {
     TissueHand hand;
     std::mt19937 random(17);

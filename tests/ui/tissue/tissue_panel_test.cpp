@@ -1,4 +1,4 @@
-/// The panel of the tissue under mouse and keys: what it emits, what it shows, and that no gesture is left open.
+/// The tissue panel under mouse and keys: what it emits, what it shows, and that no gesture is left open.
 
 #include <QColorDialog>
 #include <QSignalSpy>
@@ -53,7 +53,7 @@ void TestTissuePanel::aDragIsOneGesture() {
     QCOMPARE(hand.rests, 1);
 }
 
-/// Undo, or a look, while the mouse is held.
+/// An undo or a look arrives while the mouse button is held.
 void TestTissuePanel::whatComesFromOutsideEndsTheDrag() {
     TissueHand hand;
     QTest::mousePress(&hand.panel.editor(), Qt::LeftButton, {}, hand.at(400, 0.8));

@@ -1,4 +1,4 @@
-/// The plot of the tissue: its scale, its histogram, its outline, and what a hand does to its points.
+/// The tissue plot: its scale, its histogram, its outline, and the edits of its points.
 
 #include <QTest>
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace pdr::ui {
 
-/// 500 x 100 pixels, a pixel is 2 HU.
+/// Returns a view of 500 x 100 pixels, in which a pixel is 2 HU.
 static PlotView plain() {
     PlotView view;
     view.setArea({10, 20, 500, 100});
@@ -20,7 +20,7 @@ static PlotView plain() {
     return view;
 }
 
-/// `counts[i]` voxels of i HU.
+/// Returns a histogram with `counts[i]` voxels of i HU.
 static Histogram of(const std::vector<int>& counts) {
     Voxels voxels;
     for (std::size_t hu = 0; hu < counts.size(); ++hu)
@@ -108,7 +108,7 @@ void TestTissuePlot::barsHoldAllVoxelsThatAreSeen() {
         QVERIFY(std::abs(bar - 0.8) < 1e-9);
 }
 
-/// However many points there are; and it is as high as the highest of them.
+/// The limit holds for any number of points; the outline is as high as the highest of them.
 void TestTissuePlot::theOutlineHasFourPlacesAColumn() {
     Curve curve;
     for (int i = 0; i < 4096; ++i)
@@ -199,7 +199,7 @@ void TestTissuePlot::aRubberBandChooses() {
     QVERIFY(hand.selection().empty());
 }
 
-/// The right one by itself, the left one once that is out of the way; neither passes the other.
+/// The right point moves by itself, the left one once the other is out of the way; neither passes the other.
 void TestTissuePlot::ofPointsAtAStepBothCanBeHeld() {
     const Curve step{{0, 0.5f}, {0, 0.5f}};
     CurveHand hand;
@@ -214,7 +214,7 @@ void TestTissuePlot::ofPointsAtAStepBothCanBeHeld() {
     QVERIFY((hand.curve() == Curve{{80, 0.5f}, {80, 0.5f}}));
 }
 
-/// Each of them is found, and moving it touches no other.
+/// Each point is found, and moving it changes no other.
 void TestTissuePlot::aThousandPointsAreEditedOneByOne() {
     Curve curve;
     for (int i = 0; i < 1000; ++i)

@@ -1,4 +1,4 @@
-/// The error map on the picture: its colours, what stays on top of it, and its key.
+/// The error map on the image: its colours, what is painted on top of it, and its legend.
 
 #include <QSignalSpy>
 #include <QTest>
@@ -10,13 +10,13 @@
 
 namespace pdr::ui {
 
-/// CIE 1976 lightness of an sRGB colour, D65.
+/// Returns the CIE 1976 lightness of an sRGB colour, D65.
 static double lightness(const QColor& colour) {
     const double y = test::luminance(colour);
     return y > 216.0 / 24389 ? 116 * std::cbrt(y) - 16 : y * 24389 / 27;
 }
 
-/// OKLab from linear sRGB: the other way round than the colours are made.
+/// Returns OKLab from linear sRGB: the inverse of how the colours are computed.
 static dvec3 okLab(const QColor& colour) {
     const double r = test::linearLight(colour.redF()), g = test::linearLight(colour.greenF()),
                  b = test::linearLight(colour.blueF());
@@ -44,7 +44,8 @@ class TestErrorMap : public QObject {
     void theMapHasAKeyAlsoWhereThePictureIsAlone();
 };
 
-/// Of eight bits a channel: lighter at each eighth of a doubling, by as much as at the others at each half of one.
+/// The colours have eight bits per channel: each eighth of a doubling is lighter, and each half of one differs as much
+/// as the others.
 void TestErrorMap::coloursBecomeEvenlyLighterAndEvenlyOther() {
     const auto colourAt = [](double doublings) { return errorColour(kFinestLevels * std::exp2(doublings)); };
     for (double place = 0.125; place <= 6; place += 0.125)
@@ -75,7 +76,7 @@ void TestErrorMap::whatIsNotKnownIsGreyAndWhatIsNoTissueIsLeftAsItIs() {
     QCOMPARE(qAlpha(errorColours()[kNoTissueBin]), 0);
 }
 
-/// 300 x 200 pixels, white, whose left half has a map of 8 levels.
+/// Returns a white image of 300 x 200 pixels, whose left half has an error map of 8 levels.
 static ShownPicture shownWithMap() {
     ShownPicture shown;
     shown.image = QImage(300, 200, QImage::Format_RGBX8888);

@@ -1,4 +1,4 @@
-/// The box that is drawn on the picture: its layer is in nobody's way unless it is being drawn.
+/// The box drawn on the image: its layer blocks nothing unless the user draws.
 
 #include <QSignalSpy>
 #include <QTest>
@@ -8,7 +8,7 @@
 
 namespace pdr::ui {
 
-/// A picture of 200 x 100 that counts the clicks on it, below its layer.
+/// An image of 200 x 100 pixels that counts the clicks on it, below its layer.
 class Picture : public QWidget {
   public:
     Picture() {
@@ -22,7 +22,7 @@ class Picture : public QWidget {
     void mousePressEvent(QMouseEvent*) override { ++clicks; }
 };
 
-/// As the screen delivers it: to what lies uppermost there and takes it.
+/// Returns the widget that gets a press at `place`, as the screen delivers it: the uppermost one that accepts it.
 static QWidget* under(Picture& picture, QPoint place) {
     QWidget* child = picture.childAt(place);
     return child ? child : &picture;

@@ -1,4 +1,4 @@
-/// Coarse images are shown without the blocks of their pixels.
+/// Coarse images are shown without visible pixel blocks.
 
 #include <QPainter>
 #include <QTest>
@@ -40,7 +40,7 @@ void TestUpsampled::whatIsEvenStaysEvenAndARampARamp() {
         QVERIFY(std::abs(qRed(ramp.pixel(x, 9)) - 10 * ((x + 0.5) / 6 - 0.5)) <= 1);
 }
 
-/// A slanted edge, six times as large: by how much the slope jumps from pixel to pixel, at most.
+/// Measures a slanted edge enlarged six times: the largest change of its slope from pixel to pixel.
 void TestUpsampled::aCoarseImageOnTheScreenHasNoKinks() {
     const QImage coarse =
         imageOf({60, 40}, [](int x, int y) { return 255 * std::clamp(0.5 + (x - 30) - 0.37 * (y - 20), 0.0, 1.0); });
@@ -64,7 +64,7 @@ void TestUpsampled::aCoarseImageOnTheScreenHasNoKinks() {
     painter.end();
     QVERIFY2(kink(upsampled(coarse, {360, 240})) * 2 < kink(straight),
              qPrintable(QString("%1, %2").arg(kink(upsampled(coarse, {360, 240}))).arg(kink(straight))));
-    const QRect free(60, 40, 220, 70);  // where nothing is written
+    const QRect free(60, 40, 220, 70);  // an area without text
     const QImage smooth = upsampled(coarse, {360, 240});
     int off = 0;
     for (int y = free.top(); y < free.bottom(); ++y)

@@ -1,4 +1,4 @@
-/// The hand on the picture.
+/// The viewport's mouse and key interaction.
 
 #include <QHelpEvent>
 #include <QSignalSpy>
@@ -86,7 +86,7 @@ static void restAt(Viewport& viewport, QPoint place) {
     QCoreApplication::sendEvent(&viewport, &event);
 }
 
-/// In a view of 400 x 200.
+/// Returns a black image of `size`, for a view of 400 x 200.
 static ShownPicture shownOf(QSize size) {
     ShownPicture shown;
     shown.image = QImage(size, QImage::Format_RGBX8888);
@@ -223,7 +223,7 @@ void TestViewport::aCoarsePictureIsStretchedToTheHeight() {
     QCOMPARE(narrow.pixelColor(50, 100), QColor(Qt::black));
 }
 
-/// Elsewhere the foot of the window says it.
+/// The caption is painted only in full screen; otherwise the status bar shows it.
 void TestViewport::theCaptionStandsInAPictureAlone() {
     Hand hand;
     QImage image(400, 200, QImage::Format_RGBX8888);
@@ -238,8 +238,8 @@ void TestViewport::theCaptionStandsInAPictureAlone() {
     QVERIFY(shown(true, "Preview") != shown(true, {}));
 }
 
-/// A picture of half the view's size, in which a line lies: seen are its ends, not the line, nor what is written; and
-/// that with the error map alone.
+/// An image of half the view's size contains a line: its ends are marked, but not the line itself nor the texts, and
+/// only with the error map.
 void TestViewport::bracketsStandAtTheEndsOfLostLinesAlone() {
     Hand hand;
     QImage image(200, 100, QImage::Format_RGBX8888);
@@ -259,7 +259,7 @@ void TestViewport::bracketsStandAtTheEndsOfLostLinesAlone() {
             if (plain.pixel(x, y) != marked.pixel(x, y)) {
                 changed |= QRect(x, y, 1, 1);
                 if (qBlue(plain.pixel(x, y)) == qRed(plain.pixel(x, y)))             // no text lies there
-                    QVERIFY(qBlue(marked.pixel(x, y)) >= qRed(marked.pixel(x, y)));  // not as handles and measures are
+                    QVERIFY(qBlue(marked.pixel(x, y)) >= qRed(marked.pixel(x, y)));  // unlike handles and measurements
             }
     // The line goes from 160 to 240 at a height of 100.
     const QRectF lengths(changed.topLeft() / ratio, changed.size() / ratio);

@@ -12,7 +12,7 @@
 
 namespace pdr::ui {
 
-/// Everything that Qt keeps for the user goes here.
+/// The folder for everything that Qt saves for the user.
 static QTemporaryDir& home() {
     static QTemporaryDir folder;
     return folder;
@@ -135,7 +135,7 @@ void TestFileDialogs::theDialogForSavingGoesWithItsPicture() {
     QCOMPARE(saved, 0);
 }
 
-/// Which is good for planning, if nothing else is said.
+/// The target is good for planning unless another is chosen.
 void TestFileDialogs::aPictureOfAnotherSizeIsOrderedWithItsTarget() {
     MainWindow window;
     window.setPictureAvailable(true);
@@ -157,8 +157,8 @@ void TestFileDialogs::aPictureOfAnotherSizeIsOrderedWithItsTarget() {
     QVERIFY(ordered->annotate == Annotate::sides);
 }
 
-/// At first where documents are, then in the last picture's folder, also after other dialogs; under the name that was
-/// suggested.
+/// Saving begins in the documents folder, then in the last image's folder, also after other dialogs, under the proposed
+/// name.
 void TestFileDialogs::savingBeginsWhereTheLastPictureIs() {
     QVERIFY(QDir().mkpath(home().filePath("Documents")));
     MainWindow window;

@@ -1,4 +1,4 @@
-/// The window as a whole: its title, its keys, what may be dropped on it.
+/// The window as a whole: its title, its keys, and what may be dropped on it.
 
 #include <QDragEnterEvent>
 #include <QMenuBar>
@@ -205,7 +205,7 @@ void TestMainWindow::withoutAVolumeNothingActsOnIt() {
     QVERIFY(view.count() == 1 && window.look().isEnabled());
 }
 
-/// In the upper left corner, where nothing else is written.
+/// The texts are in the upper left corner, where nothing else is written.
 void TestMainWindow::thePictureSaysWhoAndAloneHowGood() {
     MainWindow window;
     activate(window);

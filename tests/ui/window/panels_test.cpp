@@ -28,7 +28,7 @@ static dicom::Series seriesOf(const char* description, dicom::Stack stack, const
     return series;
 }
 
-/// Two that can be shown, and between them one that cannot.
+/// Returns two series that can be shown, and between them one that cannot.
 static dicom::ScanResult threeSeries() {
     dicom::ScanResult scan;
     scan.series = {seriesOf("Thorax", dicom::Stack::even, ""),
@@ -90,7 +90,7 @@ void TestPanels::aSeriesWithoutNameOrDateIsStillDescribed() {
     QCOMPARE(seriesDate(series), "sometime");
 }
 
-/// People write names into descriptions, and title bars are in task lists and recordings.
+/// Descriptions sometimes contain names, and title bars are visible in task lists and recordings.
 void TestPanels::aTitleNamesTheSeriesAndNotThePatient() {
     dicom::Series series = seriesOf("Thorax", dicom::Stack::even, "");
     series.series.number = 3;

@@ -1,5 +1,5 @@
-/// What hands expect of a window: keys that mean one thing, a keyboard that comes back, wheels that change nothing in
-/// passing, a menu at the right button, and messages and remarks that do not grow.
+/// What users expect of a window: keys with one meaning, a keyboard focus that returns, wheels that change nothing in
+/// passing, a context menu, and messages and remarks that do not grow.
 
 #include <QMenuBar>
 #include <QMimeData>
@@ -37,13 +37,13 @@ static void activate(MainWindow& window) {
     window.viewport().setFocus();
 }
 
-/// The letter after the mark; 0: there is none.
+/// Returns the mnemonic letter of a text; 0: there is none.
 static QChar mnemonicOf(const QString& text) {
     const QKeySequence keys = QKeySequence::mnemonic(text);
     return keys.isEmpty() ? QChar() : QChar(keys[0].key()).toUpper();
 }
 
-/// Of the menu bar and all that is seen in the window, as "Cut, Camera", where one letter stands for several.
+/// Returns the texts in the menu bar and the visible window that share a mnemonic, e.g. "Cut, Camera".
 static QStringList collisions(const MainWindow& window) {
     QMap<QChar, QStringList> texts;
     for (const QAction* menu : window.findChild<QMenuBar*>()->actions())
@@ -137,7 +137,7 @@ void TestWindowHabits::whatIsSaidOfALookMovesNoControl() {
     QVERIFY(places() == before);
 }
 
-/// In a narrow window, and all of it is in the tip.
+/// Remarks are cut off in a narrow window, and their tool tip shows all of them.
 void TestWindowHabits::longRemarksEndInDots() {
     MainWindow window;
     window.resize(860, 640);

@@ -1,4 +1,4 @@
-/// Who has the room in the window: the picture most of it, panels what is left.
+/// The division of the window: the image gets most of it, panels what is left.
 
 #include <QPushButton>
 #include <QTest>
@@ -46,7 +46,7 @@ void TestWindowRoom::oneOfThePanelsBelowMakesRoomForTheOther() {
     QCOMPARE(shown(), std::pair(true, true));
 }
 
-/// It costs the picture no room, and hides none of what stands in the corners.
+/// The panel takes no room from the image, and covers nothing in its corners.
 void TestWindowRoom::theAccuracyFloatsOverThePicture() {
     MainWindow window;
     window.resize(1366, 768);
@@ -99,7 +99,7 @@ void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow_data() {
             QTest::addRow("%s, %d x %d", name, size.width(), size.height()) << QString(name) << int(key) << size;
 }
 
-/// 60 %; what gave way comes back with whichever way the panel is closed.
+/// The image keeps 60 %; panels that gave way come back in whichever way the editor is closed.
 void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow() {
     QFETCH(QString, name);
     QFETCH(int, key);
@@ -156,7 +156,7 @@ void TestWindowRoom::thePictureIsTheLargestThing_data() {
     QTest::newRow("1400 x 900") << QSize(1400, 900) << 0.6;
 }
 
-/// With whichever panel is open on the right.
+/// The image is the largest with any one panel open on the right.
 void TestWindowRoom::thePictureIsTheLargestThing() {
     QFETCH(QSize, size);
     QFETCH(double, share);
@@ -200,7 +200,7 @@ void TestWindowRoom::whatGaveWayComesBackWithTheRoom() {
     QVERIFY(other.series().isVisible());
 }
 
-/// Also while the window changes; folded by hand it stays folded.
+/// A panel opened by the user stays while the window is resized; one that the user closed stays closed.
 void TestWindowRoom::whatIsOpenedByHandStays() {
     MainWindow window;
     activate(window);
