@@ -41,6 +41,8 @@ const auto kNames = std::to_array<StepName>({
      QT_TRANSLATE_NOOP("StepName", "Redo choosing what is seen")},
     {Change::brightness, QT_TRANSLATE_NOOP("StepName", "Undo changing the brightness"),
      QT_TRANSLATE_NOOP("StepName", "Redo changing the brightness")},
+    {Change::background, QT_TRANSLATE_NOOP("StepName", "Undo changing the background"),
+     QT_TRANSLATE_NOOP("StepName", "Redo changing the background")},
     {Change::cut, QT_TRANSLATE_NOOP("StepName", "Undo cutting"), QT_TRANSLATE_NOOP("StepName", "Redo cutting")},
     {Change::model, QT_TRANSLATE_NOOP("StepName", "Undo choosing an optical model"),
      QT_TRANSLATE_NOOP("StepName", "Redo choosing an optical model")},
@@ -99,6 +101,8 @@ Change changeOf(const PictureSetup& before, const PictureSetup& after) {
         changes.push_back(changeOf(before.look, after.look));
     if (before.stops != after.stops && !chosen)
         changes.push_back(Change::brightness);
+    if (before.background != after.background)
+        changes.push_back(Change::background);
     if (before.camera != after.camera)
         changes.push_back(changeOf(before.camera, after.camera));
     if (before.table != after.table)

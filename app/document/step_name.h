@@ -20,6 +20,7 @@ enum class Change {
     light,
     visible,
     brightness,
+    background,
     cut,
     model,
     rendering,

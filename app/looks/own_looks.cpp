@@ -10,13 +10,14 @@
 namespace pdr::app {
 namespace {
 
+/// Bytes of UTF-8. Percent encoding makes three of each in a file name, which may have 255.
 constexpr std::size_t kLongestName = 60;
 
 Result<void> checkName(const std::string& name) {
     if (QString::fromStdString(name).trimmed().isEmpty())
         return Error{phrase("a look needs a name"), "", ""};
     if (name.size() > kLongestName)
-        return Error{phrase("this name is too long"), name, phrase("Take one of at most 60 letters.")};
+        return Error{phrase("this name is too long"), name, phrase("Choose a shorter name.")};
     return {};
 }
 

@@ -2514,6 +2514,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
+        <source>Redo changing the background</source>
+        <translation>Wiederholen: Hintergrund ändern</translation>
+    </message>
+    <message>
         <source>Redo changing the brightness</source>
         <translation>Wiederholen: Helligkeit ändern</translation>
     </message>
@@ -2946,10 +2950,6 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Einen anderen nehmen.</translation>
     </message>
     <message>
-        <source>Take one of at most 60 letters.</source>
-        <translation>Einen mit höchstens 60 Buchstaben nehmen.</translation>
-    </message>
-    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Das Modell singleScattering nehmen oder den Schätzer unbiased.</translation>
     </message>
@@ -3130,6 +3130,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo changing the background</source>
+        <translation>Rückgängig: Hintergrund ändern</translation>
     </message>
     <message>
         <source>Undo changing the brightness</source>

@@ -2514,6 +2514,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rehacer</translation>
     </message>
     <message>
+        <source>Redo changing the background</source>
+        <translation>Rehacer: cambiar el fondo</translation>
+    </message>
+    <message>
         <source>Redo changing the brightness</source>
         <translation>Rehacer: cambiar el brillo</translation>
     </message>
@@ -2946,10 +2950,6 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Elija otro.</translation>
     </message>
     <message>
-        <source>Take one of at most 60 letters.</source>
-        <translation>Elija uno de 60 letras como máximo.</translation>
-    </message>
-    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Elija el modelo singleScattering o el estimador unbiased.</translation>
     </message>
@@ -3130,6 +3130,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Undo changing the background</source>
+        <translation>Deshacer: cambiar el fondo</translation>
     </message>
     <message>
         <source>Undo changing the brightness</source>

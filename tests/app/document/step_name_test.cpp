@@ -47,6 +47,7 @@ void TestStepName::eachEditHasItsName_data() {
     });
     row("Undo choosing a look", [](Document& d) { d.chooseLook(1); });
     row("Undo changing the brightness", [](Document& d) { d.setBrightness(1); });
+    row("Undo changing the background", [](Document& d) { d.setBackground(vec3(1)); });
     row("Undo editing the tissue", [](Document& d) {
         Look look = d.setup().look;
         look.transferFunction.nodes = {{7, 0.5f}};
