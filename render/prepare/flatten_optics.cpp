@@ -13,10 +13,10 @@ namespace pdr {
 
 namespace {
 
-/// Of the tolerance, what the sum along a ray may use; the rest is for what is left out at its end.
+/// Share of the tolerance for the sum along a ray; the rest is for what is omitted at its end.
 constexpr double kQuadratureShare = 0.75;
 
-/// Interpolation in single precision: a few roundings of the largest HU.
+/// Error of interpolation in single precision: a few roundings of the largest HU.
 constexpr float kRoundingPerHu = 0x1p-22f;
 
 FlatModel flatModel(Model model) {
@@ -36,7 +36,7 @@ FlatModel flatModel(Model model) {
     return FlatModel::scattering;
 }
 
-/// One column after the other, each padded with its last entry.
+/// Returns the table column by column, each padded with its last entry.
 std::vector<float> opticsTable(const PreparedScene& prepared, int stride) {
     const FlatTransferFunction& function = prepared.flat.transferFunction;
     std::vector<float> table(std::size_t(kOpticsColumns) * stride);
@@ -48,6 +48,7 @@ std::vector<float> opticsTable(const PreparedScene& prepared, int stride) {
         const auto set = [&](OpticsColumn column, int offset, float value) {
             table[(std::size_t(int(column)) + offset) * stride + row] = value;
         };
+        // Compute in double, and never let the extinction fall below 0 within the piece.
         const double first = double(function.extinctionPerMm) * piece.opacity;
         const double rise =
             inner ? double(function.extinctionPerMm) * piece.slope * (double(piece.end) - piece.start) : 0;
@@ -65,7 +66,7 @@ std::vector<float> opticsTable(const PreparedScene& prepared, int stride) {
     return table;
 }
 
-/// Where the curve begins to be more than clear, and where it ends to be so.
+/// Sets the HU below and above which the curve is transparent.
 void flattenClearRange(FlatOptics& optics, const PreparedScene& prepared) {
     const auto opaque = [&](int i) {
         return prepared.tables.pieces[i].opacity > 0 || prepared.tables.pieces[i].slope != 0;
@@ -118,6 +119,7 @@ void flattenOptics(PreparedScene& prepared, const Scene& scene) {
     vec3 brightest = glm::max(scene.environment.radiance, scene.environment.nadir.value_or(vec3(0)));
     if (prepared.environment)
         brightest *= prepared.environment->brightest;
+    brightest = glm::max(brightest, scene.background.value_or(vec3(0)));
     for (const Material& material : prepared.tables.materials)
         brightest = glm::max(brightest, material.albedo + material.emission);
     const HuRange whole = prepared.volume->storedRange();

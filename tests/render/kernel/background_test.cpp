@@ -81,6 +81,17 @@ class BackgroundTest : public QObject {
         QVERIFY2(std::abs(seen / (2 * std::exp(-1.2)) - 1) < 1e-2, qPrintable(QString::number(seen)));
     }
 
+    /// Dark tissue before a light of 1000: a ray may not end where only tissue and environment have no more to add.
+    void aBrightBackgroundIsSeenThroughDenseTissue() {
+        constexpr double kDepth = 8, kBright = 1000;
+        Scene scene = test::slab(kDepth, {0, 0, -1}, 0.01f);
+        scene.volume = test::makeVolume({401, 401, 80}, {1, 1, 10. / 80}, [](int, int, int k) { return k % 5; });
+        scene.model = Model::emissionAbsorption;
+        const double seen = double(at(test::render(with(scene, vec3(float(kBright))), 64), 1, 1).z -
+                                   at(test::render(scene, 64), 1, 1).z);
+        QVERIFY2(std::abs(seen / (kBright * std::exp(-kDepth)) - 1) < 1e-2, qPrintable(QString::number(seen)));
+    }
+
     void anXRayNeedsItsLightAndHounsfieldUnitsNone() {
         for (const Model model : {Model::absorption, Model::maximumIntensity}) {
             const Scene scene = blockInAir(model);
